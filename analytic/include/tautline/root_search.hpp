@@ -1,0 +1,144 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace tautline {
+
+/// A function of time at one instant, with its first two derivatives.
+struct Sample {
+  double value;
+  double rate;
+  double curvature;
+};
+
+/// What is known about a function where a search starts, better than its rounded sample says.
+struct SearchStart {
+  bool at_zero = false;        // the value is exactly zero
+  double rate_rounding = 0.0;  // then a rate from -rate_rounding up to 0 is rounding of zero
+};
+
+/// What a search for the first root found.
+struct RootSearch {
+  std::optional<double> root;  // none: no root in [0, horizon]
+  int steps = 0;               // evaluations of the function, the measure of work
+};
+
+/// The smallest t >= 0 with value + rate t - bend t^2 / 2 = 0, infinite if there is none.
+/// Requires value >= 0. Each branch adds two numbers of one sign, so nothing cancels.
+[[nodiscard]] inline double first_quadratic_root(double value, double rate, double bend) {
+  const double discriminant = rate * rate + 2.0 * bend * value;
+  if (discriminant < 0.0 || (bend <= 0.0 && rate >= 0.0)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double root = std::sqrt(discriminant);
+  return rate >= 0.0 ? (rate + root) / bend : 2.0 * value / (root - rate);
+}
+
+/// A step from `now` at time s, at most `window`, before whose end f has no root.
+///
+/// Proof. On [s, s + w] let |f'''| <= J and c = f''(s). Then f'' >= c - J w there, so by Taylor
+/// f(s + t) >= f + f' t - (J w - c) t^2 / 2 for t <= w, and f has no root before the smaller of w
+/// and the root of the right-hand side. Any w gives a valid step; the loop looks for a long one.
+template <class Function>
+[[nodiscard]] double safe_step(const Function& f, const Sample& now, double s, double window) {
+  const auto reach = [&](double w) {
+    return first_quadratic_root(now.value, now.rate, f.jerk_bound(s, w) * w - now.curvature);
+  };
+  double trial = std::min(window, first_quadratic_root(now.value, now.rate, -now.curvature));
+  // at the best w both limits agree; the geometric mean closes three quarters of the log distance
+  for (int refinement = 0; refinement < 3; ++refinement) {
+    const double found = reach(trial);
+    if (found >= trial) {
+      return trial;
+    }
+    trial = std::sqrt(trial * found);
+  }
+  return std::min(trial, reach(trial));
+}
+
+/// True where Newton's method from `now` must converge to the first root after s.
+///
+/// Kantorovich: with |f''| <= M on [s, s + 2 f/|f'|] and M f <= f'^2 / 2 there is exactly one root
+/// in that interval, and Newton started at s converges to it. A quarter instead of a half saves
+/// steps.
+template <class Function>
+[[nodiscard]] bool newton_is_certain(const Function& f, const Sample& now, double s) {
+  if (now.rate >= 0.0) {
+    return false;
+  }
+  const double width = -2.0 * now.value / now.rate;
+  const double bound = std::abs(now.curvature) + f.jerk_bound(s, width) * width;
+  return bound * now.value <= 0.25 * now.rate * now.rate;
+}
+
+/// Newton's method inside its certified region, until a correction no longer changes the time.
+template <class Function>
+[[nodiscard]] double finish_by_newton(const Function& f, Sample now, double s, int& steps) {
+  constexpr int enough = 8;  // quadratic from 1/4: five reach the last bit, the rest is rounding
+  for (int iteration = 0; iteration < enough; ++iteration) {
+    const double correction = -now.value / now.rate;
+    s += correction;
+    // the error left is |f''/(2 f')| correction^2: below rounding there is nothing to gain
+    if (std::abs(now.curvature * correction * correction) <=
+        std::numeric_limits<double>::epsilon() * s * std::abs(now.rate)) {
+      break;
+    }
+    now = f.at(s);
+    ++steps;
+  }
+  return s;
+}
+
+/// The first time in [0, horizon] at which f, which starts >= 0, falls through zero.
+///
+/// Conservative advancement: every step is one `safe_step`, so the search never passes a root, from
+/// the left and at second order or better; within rounding of a simple root Newton finishes.
+/// From a start at zero only a later return counts, unless f is falling at once. A value <= 0 that
+/// is rising is rounding: f touches zero and leaves (a graze), which is no root. Where f stays
+/// within rounding of zero the steps double, so the search ends there too.
+///
+/// `Function` offers at(s) -> Sample, and jerk_bound(s, w), an upper bound of |f'''| on [s, s + w]
+/// as long as f >= 0 there; it must not shrink when w grows.
+template <class Function>
+[[nodiscard]] RootSearch first_root(const Function& f, double horizon, SearchStart start = {}) {
+  RootSearch search;
+  double s = 0.0;
+  Sample now = f.at(s);
+  search.steps = 1;
+  if (start.at_zero) {
+    now.value = 0.0;
+    now.rate = now.rate < 0.0 && now.rate >= -start.rate_rounding ? 0.0 : now.rate;
+  }
+  double least_step = 0.0;
+  while (true) {
+    if (now.value <= 0.0) {
+      if (now.rate < 0.0 || (now.rate == 0.0 && now.curvature < 0.0)) {
+        search.root = s;
+        return search;
+      }
+      now.value = 0.0;
+    } else if (newton_is_certain(f, now, s)) {
+      const double root = finish_by_newton(f, now, s, search.steps);
+      if (root <= horizon) {
+        search.root = root;
+      }
+      return search;
+    }
+    if (s >= horizon) {
+      return search;
+    }
+    double step = safe_step(f, now, s, horizon - s);
+    if (s + step == s) {  // below the resolution of time
+      step = std::max(std::nextafter(s, horizon) - s, 2.0 * least_step);
+      least_step = step;
+    }
+    s = std::min(horizon, s + step);
+    now = f.at(s);
+    ++search.steps;
+  }
+}
+
+}  // namespace tautline

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tautline/case.hpp"
+
+namespace tautline {
+
+/// How the mass of a breakwater is spread (source chapter, Eqs. 5.5 and 5.6).
+enum class Shape {
+  ring,  // thin ring of radius a: inertia a^2; the point mass is the ring with a = 0
+  box,   // solid box 2a wide and 2b deep: inertia (a^2 + b^2) / 3
+};
+
+/// A breakwater hung from two equal cables (source chapter, Fig. 5.1): nondimensional, mass and
+/// gravity 1, anchors at (-1, h + b) and (1, h + b), attachments at (-a, b) and (a, b); the origin
+/// is the equilibrium. Cable 0 is the left one, cable 1 the right.
+struct Breakwater {
+  double r = 1.5;  // [-], cable length; > 1 - a, or the body cannot float (Eq. 5.1)
+  double e = 0.9;  // [-], restitution of both cables
+  double a = 0.1;  // [-], half width, >= 0
+  double b = 0.0;  // [-], depth of the centre of mass below the attachments
+  Shape shape = Shape::ring;
+  State initial;
+  double duration = 20.0;
+};
+
+/// The chapter's validity limits: rotation within +-pi/2, attachments below the anchors.
+enum class ChapterLimits { off, on };
+
+/// The case of a breakwater. Throws std::invalid_argument if r <= 1 - a.
+[[nodiscard]] Case breakwater(const Breakwater& parameters, const std::string& name,
+                              ChapterLimits limits = ChapterLimits::off);
+
+/// One row of the source chapter's Table 5.1.
+struct TableRow {
+  std::string_view number;  // the chapter's case number
+  Breakwater parameters;
+};
+
+/// The 21 distinct cases of Table 5.1, in the order of their first mention; the last is the point
+/// mass.
+[[nodiscard]] const std::vector<TableRow>& table_5_1();
+
+/// Case zero: a ball on one cable through its centre of mass, dropped straight below the anchor.
+/// Bounces form a geometric series that ends at (1 + e) / (1 - e) times the time of the first fall.
+[[nodiscard]] Case bouncing_ball(double restitution = 0.5);
+
+/// Every case that ships, by name: `breakwater/<number>` and the others in this file.
+[[nodiscard]] std::vector<Case> shipped_cases();
+
+}  // namespace tautline

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "tautline/case.hpp"
+#include "tautline/geometry.hpp"
+
+namespace tautline {
+namespace {
+
+/// The shortest decimal that reads back equal.
+std::string text(double value) {
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.begin(), buffer.end(), value);
+  return {buffer.begin(), end};
+}
+
+std::string cable_name(std::size_t index) { return "cable " + std::to_string(index); }
+
+/// Collects the sentences; each check adds at most one.
+class Checker {
+ public:
+  explicit Checker(const Case& the_case) : case_(the_case) {}
+
+  std::vector<std::string> run() {
+    check_body();
+    check_cables();
+    check_motion();
+    check_limits();
+    if (found_.empty()) {  // the rest needs sound numbers
+      check_reach();
+    }
+    if (found_.empty()) {
+      check_start();
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void add(std::string sentence) { found_.push_back(std::move(sentence)); }
+
+  void finite(const std::string& what, std::initializer_list<double> values) {
+    for (const double value : values) {
+      if (!std::isfinite(value)) {
+        add(what + " " + text(value) + " is not a finite number");
+        return;
+      }
+    }
+  }
+
+  void positive(const std::string& what, double value, const std::string& unit) {
+    if (!std::isfinite(value) || value <= 0.0) {
+      add(what + " " + text(value) + " must be a finite number above 0 " + unit);
+    }
+  }
+
+  void check_body() {
+    positive("body: mass", case_.body.mass, "[kg]");
+    const double inertia = case_.body.inertia;
+    if (!std::isfinite(inertia) || inertia < 0.0) {
+      add("body: inertia " + text(inertia) + " must be a finite number, 0 or above [kg m^2]");
+    } else if (inertia == 0.0 && !is_point_mass(case_)) {
+      add("body: inertia 0 is for a point mass, whose attachments are all [0, 0]; give an inertia "
+          "above 0 [kg m^2]");
+    }
+  }
+
+  void check_cables() {
+    const std::size_t count = case_.cables.size();
+    if (count < 1 || count > max_cables) {
+      add("cables: " + std::to_string(count) + " given; a case has 1 to " +
+          std::to_string(max_cables));
+    }
+    for (std::size_t index = 0; index < count; ++index) {
+      const Cable& cable = case_.cables[index];
+      const std::string name = cable_name(index);
+      finite(name + ": anchor", {cable.anchor.x(), cable.anchor.y()});
+      finite(name + ": attachment", {cable.attachment.x(), cable.attachment.y()});
+      positive(name + ": length", cable.length, "[m]");
+      if (!(cable.restitution >= 0.0 && cable.restitution <= 1.0)) {
+        add(name + ": restitution " + text(cable.restitution) + " is outside [0, 1]");
+      }
+    }
+  }
+
+  void check_motion() {
+    const State& state = case_.initial;
+    finite("gravity", {case_.gravity.x(), case_.gravity.y()});
+    finite("initial: position", {state.position.x(), state.position.y()});
+    finite("initial: angle", {state.angle});
+    finite("initial: velocity", {state.velocity.x(), state.velocity.y()});
+    finite("initial: spin", {state.spin});
+    positive("duration", case_.duration, "[s]");
+  }
+
+  void check_limits() {
+    if (case_.angle_limit) {
+      positive("angle_limit", *case_.angle_limit, "[rad]");
+      if (std::abs(case_.initial.angle) > *case_.angle_limit) {
+        add("initial: angle " + text(case_.initial.angle) + " is beyond angle_limit " +
+            text(*case_.angle_limit));
+      }
+    }
+    if (case_.ceiling) {
+      finite("ceiling", {*case_.ceiling});
+      for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+        const double height = attachment_point(case_.initial, case_.cables[index]).y();
+        if (height > *case_.ceiling) {
+          add(cable_name(index) + ": attachment starts at height " + text(height) +
+              ", above ceiling " + text(*case_.ceiling));
+        }
+      }
+    }
+  }
+
+  /// No pose satisfies two cables whose anchors are further apart than cables and body can span.
+  void check_reach() {
+    for (std::size_t i = 0; i < case_.cables.size(); ++i) {
+      for (std::size_t j = i + 1; j < case_.cables.size(); ++j) {
+        const Cable& one = case_.cables[i];
+        const Cable& two = case_.cables[j];
+        const double apart = (one.anchor - two.anchor).norm();
+        const double span = one.length + two.length + (one.attachment - two.attachment).norm();
+        if (span <= apart) {
+          add("cables " + std::to_string(i) + " and " + std::to_string(j) +
+              " cannot reach: their anchors are " + text(apart) +
+              " m apart, lengths and body span only " + text(span) + " m; the body cannot float");
+        }
+      }
+    }
+  }
+
+  void check_start() {
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const Cable& cable = case_.cables[index];
+      const double distance = (attachment_point(case_.initial, cable) - cable.anchor).norm();
+      if (cable.length - distance < -gap_rounding * cable.length) {
+        add(cable_name(index) + ": overstretched at the start by " + text(distance - cable.length) +
+            " m: its ends are " + text(distance) + " m apart, its length is " + text(cable.length) +
+            " m");
+      }
+    }
+  }
+
+  const Case& case_;
+  std::vector<std::string> found_;
+};
+
+}  // namespace
+
+bool is_point_mass(const Case& the_case) {
+  return std::all_of(the_case.cables.begin(), the_case.cables.end(),
+                     [](const Cable& cable) { return cable.attachment.isZero(0.0); });
+}
+
+std::vector<std::string> problems(const Case& the_case) { return Checker(the_case).run(); }
+
+}  // namespace tautline

@@ -1,0 +1,140 @@
+#include "tautline/solve.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "accumulation.hpp"
+#include "tautline/first_contact.hpp"
+#include "tautline/flight.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/impact.hpp"
+
+namespace tautline {
+namespace {
+
+/// Rounding of a gap rate against the speeds it comes from [-]: some ten operations of one ulp
+/// each.
+constexpr double rate_rounding = 1e-14;
+
+/// The instant that ends a flight, and what happens there.
+struct Stop {
+  double dt;                     // [s] from the start of the flight
+  std::optional<Ending> ending;  // none: `cables` become taut, and the motion goes on
+  CableSet cables;
+};
+
+/// The motion so far: where it is now, and what has been recorded.
+class Motion {
+ public:
+  explicit Motion(const Case& the_case, const SolveOptions& options)
+      : case_(the_case), options_(options), state_(the_case.initial) {
+    touching_.rate_rounding = rate_rounding * speed_scale(case_, state_);
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const Cable& cable = case_.cables[index];
+      if (gap(cable, state_) <= gap_rounding * cable.length) {
+        touching_.cables.insert(index);
+      }
+    }
+  }
+
+  /// The whole algorithm.
+  Solution run() {
+    for (std::size_t round = 0; round < options_.max_events; ++round) {
+      if (const auto taut = capture(case_, state_, touching_, options_.capture_speed)) {
+        return finish_taut(*taut);
+      }
+      const Stop stop = next_stop();
+      fly_to(stop);
+      if (stop.ending) {
+        return finish(*stop.ending);
+      }
+      hit();
+    }
+    return finish(Ending::event_limit);
+  }
+
+ private:
+  /// The earliest of: a contact, a limit of the case's validity, the end of the duration.
+  [[nodiscard]] Stop next_stop() const {
+    const double remaining = case_.duration - time_;
+    Stop stop{remaining, Ending::reached_duration, {}};
+    if (const auto search = first_contact(case_, state_, touching_, stop.dt); search.contact) {
+      stop = {search.contact->dt, std::nullopt, search.contact->cables};
+    }
+    if (const auto dt = time_to_angle_limit(case_, state_, stop.dt)) {
+      stop = {*dt, Ending::angle_limit, {}};
+    }
+    if (const auto dt = time_to_ceiling(case_, state_, stop.dt)) {
+      stop = {*dt, Ending::ceiling, {}};
+    }
+    return stop;
+  }
+
+  /// Appends the arc of the flight and moves to its end.
+  void fly_to(const Stop& stop) {
+    const double end = stop.ending == Ending::reached_duration ? case_.duration : time_ + stop.dt;
+    arcs_.push_back({time_, end, state_, {}});
+    state_ = fly(state_, case_.gravity, stop.dt);
+    time_ = end;
+    touching_.cables = stop.dt > 0.0 ? stop.cables : touching_.cables | stop.cables;
+    touching_.rate_rounding = rate_rounding * speed_scale(case_, state_);
+  }
+
+  /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
+  void hit() {
+    CableSet closing;
+    for (const std::size_t index : touching_.cables) {
+      if (gap_rate(case_.cables[index], state_) <= touching_.rate_rounding) {
+        closing.insert(index);
+      }
+    }
+    if (closing.empty()) {
+      return;
+    }
+    Impact impact = newton_impact(case_, state_, closing);
+    events_.push_back(
+        {time_, EventKind::impact, closing, std::move(impact.impulses), state_, impact.after});
+    state_ = impact.after;
+  }
+
+  Solution finish_taut(const Capture& taut) {
+    const auto count = static_cast<Eigen::Index>(taut.cables.size());
+    events_.push_back(
+        {time_, EventKind::taut, taut.cables, CableVector::Zero(count), state_, taut.after});
+    state_ = taut.after;
+    if (taut.remaining == 0.0) {  // exactly: resting cables have no bounces left
+      return finish(Ending::taut);
+    }
+    accumulation_ = Accumulation{time_ + taut.remaining, taut.uncertainty, taut.cables, taut.after,
+                                 energy(case_, taut.after)};
+    return finish(Ending::zeno);
+  }
+
+  Solution finish(Ending ending) {
+    if (ending != Ending::reached_duration) {
+      arcs_.push_back({time_, time_, state_, {}});  // the last state, after its event
+    }
+    return {case_.gravity, std::move(arcs_), std::move(events_), ending, std::move(accumulation_)};
+  }
+
+  const Case& case_;
+  const SolveOptions& options_;
+  double time_ = 0.0;
+  State state_;
+  Touching touching_;
+  std::vector<Arc> arcs_;
+  std::vector<Event> events_;
+  std::optional<Accumulation> accumulation_;
+};
+
+}  // namespace
+
+Solution solve(const Case& the_case, const SolveOptions& options) {
+  if (const auto broken = problems(the_case); !broken.empty()) {
+    throw std::invalid_argument(broken.front());
+  }
+  return Motion(the_case, options).run();
+}
+
+}  // namespace tautline

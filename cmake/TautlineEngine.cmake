@@ -1,0 +1,52 @@
+# Engines are optional modules. Each lives in engines/<name>/ with a CMakeLists.txt that either calls
+# tautline_engine_module(<name> SOURCES ... LIBRARIES ...) or tautline_engine_missing(<name> <reason>).
+
+# tautline_engine(<name> <default: ON|AUTO|OFF> <package that brings it>)
+function(tautline_engine name default package)
+  string(TOUPPER "TAUTLINE_${name}" option)
+  set(${option} ${default} CACHE STRING "Build the ${name} plug-in: ON (required), AUTO or OFF")
+  set_property(CACHE ${option} PROPERTY STRINGS ON AUTO OFF)
+  set_property(GLOBAL PROPERTY TAUTLINE_MISSING_${name} "")
+  if(${option} STREQUAL "OFF")
+    set_property(GLOBAL PROPERTY TAUTLINE_MISSING_${name} "switched off when tautline was built")
+  else()
+    add_subdirectory(${name})
+    get_property(reason GLOBAL PROPERTY TAUTLINE_MISSING_${name})
+    if(reason AND ${option} STREQUAL "ON")
+      message(FATAL_ERROR "engine ${name}: ${reason}. Install ${package}, "
+                          "or configure with -D${option}=OFF to build without it.")
+    endif()
+  endif()
+  get_property(reason GLOBAL PROPERTY TAUTLINE_MISSING_${name})
+  set_property(GLOBAL APPEND_STRING PROPERTY TAUTLINE_ENGINE_ROWS
+    "    {\"${name}\", \"${package}\", \"${reason}\"},\n")
+  if(reason)
+    message(STATUS "engine ${name}: not built (${reason})")
+  else()
+    message(STATUS "engine ${name}: built")
+  endif()
+endfunction()
+
+# Says that an engine cannot be built here, and why.
+function(tautline_engine_missing name reason)
+  set_property(GLOBAL PROPERTY TAUTLINE_MISSING_${name} "${reason}")
+endfunction()
+
+# tautline_engine_module(<name> SOURCES <files> [LIBRARIES <targets>])
+function(tautline_engine_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  set(target tautline-engine-${name})
+  add_library(${target} MODULE ${arg_SOURCES})
+  tautline_target(${target})
+  set_target_properties(${target} PROPERTIES
+    PREFIX ""
+    LIBRARY_OUTPUT_DIRECTORY "${TAUTLINE_ENGINE_DIR}")
+  target_link_libraries(${target} PRIVATE tautline::engine ${arg_LIBRARIES})
+  install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/tautline/engines)
+endfunction()
+
+# Writes the list of known engines, so that the program can name the ones that are missing.
+function(tautline_write_engine_list)
+  get_property(rows GLOBAL PROPERTY TAUTLINE_ENGINE_ROWS)
+  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/generated/known_engines.inc" CONTENT "${rows}" @ONLY)
+endfunction()

@@ -1,0 +1,24 @@
+# What every target of the project shares. Targets and properties only, no global flags.
+
+set(TAUTLINE_ENGINE_DIR "${PROJECT_BINARY_DIR}/engines/modules")
+
+# tautline_target(<target>): language level, warnings, sanitizers, reproducible floating point.
+function(tautline_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES
+    CXX_EXTENSIONS OFF
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON
+    POSITION_INDEPENDENT_CODE ON)
+  # a contracted multiply-add rounds once where the source rounds twice: same input, same bits, on
+  # every machine, needs it off
+  target_compile_options(${target} PRIVATE
+    -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+    -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference
+    $<$<BOOL:${TAUTLINE_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(TAUTLINE_SANITIZE)
+    target_compile_options(${target} PRIVATE
+      -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tautline/case.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline {
+
+/// A setting of an engine that is not its default, and why.
+struct Setting {
+  std::string name;    // the engine's own name for it
+  std::string value;   //
+  std::string reason;  // one sentence
+};
+
+/// One way to build the cables of a case in an engine.
+struct Model {
+  std::string name;               // [a-z0-9-]+, such as "row" or "event"
+  std::string sentence;           // what it does, in one sentence
+  std::vector<Setting> settings;  // every one that is not the engine's default
+};
+
+/// What an engine says of itself.
+struct EngineInfo {
+  std::string name;       // [a-z0-9-]+, such as "bullet64"
+  std::string version;    // asked from the library, not from a header, where the library can tell
+  std::string precision;  // "float64" or "float32"
+  std::vector<Model> models;
+};
+
+/// One run of one case. Times count from the start of the run [s].
+class Simulation {
+ public:
+  Simulation() = default;
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+  virtual ~Simulation() = default;
+
+  /// The body now. Right after `start` it is the case's initial state. The angle is not wrapped.
+  [[nodiscard]] virtual State state() const = 0;
+
+  /// Advances by `dt` [s], > 0.
+  virtual void step(double dt) = 0;
+
+  /// The impulse of each cable over the latest step [N s], >= 0, one per cable of the case.
+  [[nodiscard]] virtual std::span<const double> impulses() const = 0;
+
+  /// The impacts inside the latest step, for a simulation that locates them itself. One that does
+  /// not leaves this empty, and the impacts are read from `impulses`.
+  [[nodiscard]] virtual std::span<const Event> events() const { return {}; }
+
+  /// Set when the simulation cannot go on, with the reason in a few words ("impacts accumulate");
+  /// the latest step may then have advanced by less than its dt, and `time` tells how far.
+  struct Stop {
+    double time;         // [s]
+    std::string reason;  //
+  };
+  [[nodiscard]] virtual std::optional<Stop> stopped() const { return std::nullopt; }
+};
+
+/// An engine, made by a plug-in.
+class Engine {
+ public:
+  Engine() = default;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+  virtual ~Engine() = default;
+
+  [[nodiscard]] virtual EngineInfo info() const = 0;
+
+  /// A run of `the_case`, which has no `problems`, with one of the models of `info`; every step
+  /// will be `step` [s] long but for the last. Throws std::exception if it cannot.
+  [[nodiscard]] virtual std::unique_ptr<Simulation> start(const Case& the_case,
+                                                          std::string_view model,
+                                                          double step) const = 0;
+};
+
+}  // namespace tautline

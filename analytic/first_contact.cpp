@@ -13,23 +13,36 @@ namespace {
 
 /// f = (length^2 - distance^2) / (2 length) of one cable along a flight: smooth everywhere, zero
 /// with the gap, and with the gap's rate there (Eq. 11).
+///
+/// Computed from the way d(s) the attachment has gone, f(s) = f(0) - (D(0) + d / 2) . d / length:
+/// a short flight then has a small rounding error. Taking squared distances instead leaves 1e-16
+/// however short it is, which moves the return of a bounce of speed v by 1e-16 / v.
 class GapAlongFlight {
  public:
-  GapAlongFlight(const Case& the_case, const Cable& cable, const State& start)
+  GapAlongFlight(const Case& the_case, const Cable& cable, const State& start, bool at_zero)
       : gravity_(the_case.gravity),
         cable_(cable),
         start_(start),
+        arm_(attachment_arm(start, cable)),
+        from_anchor_(start.position + arm_ - cable.anchor),
+        value_(at_zero ? 0.0
+                       : (cable.length * cable.length - from_anchor_.squaredNorm()) /
+                             (2.0 * cable.length)),
         radius_(cable.attachment.norm()),
         turning_(start.spin * start.spin * radius_) {}
 
   [[nodiscard]] Sample at(double s) const {
-    const State state = fly(start_, gravity_, s);
-    const Vec2 arm = attachment_arm(state, cable_);
-    const Vec2 from_anchor = state.position + arm - cable_.anchor;
-    const Vec2 velocity = state.velocity + state.spin * perpendicular(arm);
-    const Vec2 acceleration = gravity_ - state.spin * state.spin * arm;
+    // the turn by 2 h takes the arm a to a + 2 sin h (cos h a' - sin h a), a' perpendicular to a
+    const double sine = std::sin(0.5 * s * start_.spin);
+    const double cosine = std::cos(0.5 * s * start_.spin);
+    const Vec2 turned = 2.0 * sine * (cosine * perpendicular(arm_) - sine * arm_);
+    const Vec2 way = s * start_.velocity + (0.5 * s * s) * gravity_ + turned;
+    const Vec2 arm = arm_ + turned;
+    const Vec2 from_anchor = from_anchor_ + way;
+    const Vec2 velocity = start_.velocity + s * gravity_ + start_.spin * perpendicular(arm);
+    const Vec2 acceleration = gravity_ - start_.spin * start_.spin * arm;
     const double length = cable_.length;
-    return {(length * length - from_anchor.squaredNorm()) / (2.0 * length),
+    return {value_ - (from_anchor_ + 0.5 * way).dot(way) / length,
             -from_anchor.dot(velocity) / length,
             -(velocity.squaredNorm() + from_anchor.dot(acceleration)) / length};
   }
@@ -50,8 +63,11 @@ class GapAlongFlight {
   Vec2 gravity_;
   const Cable& cable_;
   const State& start_;
-  double radius_;   // [m], attachment to centre of mass
-  double turning_;  // [m/s^2], centripetal acceleration of the attachment
+  Vec2 arm_;          // [m], centre of mass to attachment at the start
+  Vec2 from_anchor_;  // [m], anchor to attachment at the start
+  double value_;      // [m], f at the start
+  double radius_;     // [m], attachment to centre of mass
+  double turning_;    // [m/s^2], centripetal acceleration of the attachment
 };
 
 /// How far one attachment is below the ceiling along a flight.
@@ -88,9 +104,9 @@ FirstContactSearch first_contact(const Case& the_case, const State& state, const
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     // nothing after the earliest contact so far matters, except what is simultaneous with it
     const double until = earliest ? std::min(horizon, *earliest * (1.0 + simultaneous)) : horizon;
-    const GapAlongFlight f(the_case, the_case.cables[index], state);
-    const RootSearch search =
-        first_root(f, until, {touching.cables.contains(index), touching.rate_rounding});
+    const bool at_zero = touching.cables.contains(index);
+    const GapAlongFlight f(the_case, the_case.cables[index], state, at_zero);
+    const RootSearch search = first_root(f, until, {at_zero, touching.rate_rounding});
     result.steps += search.steps;
     roots[index] = search.root;
     if (search.root && (!earliest || *search.root < *earliest)) {

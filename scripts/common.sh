@@ -1,0 +1,46 @@
+# shellcheck shell=bash
+# What the scripts beside this file share. Sourced, not run.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+
+say() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; }
+
+# quietly <command...>: shows what the command printed only if it fails, and then fails alike.
+quietly() {
+  local log status=0
+  log=$(mktemp)
+  "$@" >"$log" 2>&1 </dev/null || status=$?
+  if [ "$status" -ne 0 ]; then
+    cat "$log" >&2
+    say "failed with exit code $status: $*"
+  fi
+  rm -f "$log"
+  return "$status"
+}
+
+# configure_preset <preset>: with ccache if it is here. The launcher is set either way, so that a
+# build folder survives the removal of ccache.
+configure_preset() {
+  local launcher=${CMAKE_CXX_COMPILER_LAUNCHER-$(command -v ccache || true)}
+  quietly cmake -S "$root" --preset "$1" "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher"
+}
+
+# build_preset <preset>
+build_preset() {
+  say "configure and build ($1, in build/$1; the first time takes minutes)"
+  configure_preset "$1"
+  quietly cmake --build "$root/build/$1"
+}
+
+# tool <name> <pinned version>: prints the command to call; another version is named, not hidden.
+tool() {
+  if command -v "$1-$2" >/dev/null; then
+    echo "$1-$2"
+  elif command -v "$1" >/dev/null; then
+    say "$1-$2 is not here; $("$1" --version | grep -o 'version [0-9.]*' | head -n 1) may disagree"
+    echo "$1"
+  else
+    say "$1-$2 is not here; see scripts/packages.txt"
+    return 1
+  fi
+}

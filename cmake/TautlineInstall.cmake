@@ -1,0 +1,32 @@
+# What `cmake --install` puts where: two libraries with their headers for a user of the package, who
+# needs Eigen alone; the program; the plug-ins (see tautline_engine_module).
+include(CMakePackageConfigHelpers)
+
+set(TAUTLINE_INSTALL_ENGINEDIR ${CMAKE_INSTALL_LIBDIR}/tautline/engines)
+set(TAUTLINE_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/tautline)
+
+install(TARGETS tautline_analytic tautline_engine
+  EXPORT tautlineTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY analytic/include/ engines/include/
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.hpp")
+if(TARGET tautline)
+  install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(
+  cmake/tautlineConfig.cmake.in "${PROJECT_BINARY_DIR}/generated/tautlineConfig.cmake"
+  INSTALL_DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR}
+  PATH_VARS TAUTLINE_INSTALL_ENGINEDIR)
+# before 1.0 a minor version may break what a user wrote
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/generated/tautlineConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(EXPORT tautlineTargets
+  NAMESPACE tautline::
+  DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR})
+install(FILES
+  "${PROJECT_BINARY_DIR}/generated/tautlineConfig.cmake"
+  "${PROJECT_BINARY_DIR}/generated/tautlineConfigVersion.cmake"
+  DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR})

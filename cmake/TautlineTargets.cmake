@@ -14,7 +14,7 @@ function(tautline_target target)
   # every machine, needs it off
   target_compile_options(${target} PRIVATE
     -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
-    -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference
+    -Wnon-virtual-dtor -Woverloaded-virtual
     $<$<BOOL:${TAUTLINE_WARNINGS_AS_ERRORS}>:-Werror>)
   if(TAUTLINE_SANITIZE)
     target_compile_options(${target} PRIVATE

@@ -1,0 +1,126 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <thread>
+
+#include "bench/atomic_file.hpp"
+#include "bench/case_catalogue.hpp"
+#include "bench/commands.hpp"
+#include "bench/process.hpp"
+#include "bench/progress.hpp"
+#include "bench/report.hpp"
+#include "bench/suite.hpp"
+#include "bench/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What the command line asks for, or every sentence of what is wrong with it.
+struct Request {
+  SuiteOptions options;
+  std::vector<std::string> problems;
+};
+
+void append(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
+  sentences.insert(sentences.end(), more.begin(), more.end());
+}
+
+Request read_request(const BenchCommand& command) {
+  Request request;
+  SuiteOptions& options = request.options;
+  const std::vector<std::string> everything = {"breakwater/*"};
+  CaseSelection selection = select_cases(command.cases.empty() ? everything : command.cases);
+  append(request.problems, selection.problems);
+  options.cases = std::move(selection.cases);
+  for (Case& the_case : options.cases) {
+    the_case.duration = command.until.value_or(the_case.duration);
+    append(request.problems, problems(the_case));
+  }
+  EngineChoice choice = choose_engines(command.engines);
+  append(request.problems, choice.problems);
+  append(request.problems, unknown_models(choice.engines, command.models));
+  options.engines = std::move(choice.engines);
+  options.models = command.models;
+  options.steps = command.steps;
+  options.out = command.out;
+  options.resume = command.resume;
+  options.limits.time = command.time_limit;
+  options.jobs =
+      command.jobs > 0 ? command.jobs : std::max(1U, std::thread::hardware_concurrency());
+  append(request.problems, suite_problems(options));
+  if (!(command.time_limit > 0.0)) {
+    request.problems.push_back(
+        fmt::format("--time-limit {}: must be above 0 [s]", command.time_limit));
+  }
+  return request;
+}
+
+std::string now_utc() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+/// True if a run or an engine did not do what it should.
+bool any_failure(const nlohmann::ordered_json& report) {
+  const auto bad_run = [](const auto& run) {
+    return run.at("status") == "failed" || run.at("status") == "diverged";
+  };
+  const auto bad_engine = [](const auto& engine) {
+    return !engine.at("problem").is_null() && !engine.at("missing").template get<bool>();
+  };
+  const auto& runs = report.at("runs");
+  const auto& engines = report.at("engines");
+  return std::any_of(runs.begin(), runs.end(), bad_run) ||
+         std::any_of(engines.begin(), engines.end(), bad_engine);
+}
+
+void write_reports(const BenchCommand& command, const nlohmann::ordered_json& report) {
+  const std::string json = report.dump(2) + "\n";
+  write_file(command.out / "report.json", json);
+  write_file(command.out / "report.md", report_markdown(report));
+  if (!command.json.empty()) {
+    write_output(command.json, json);
+  }
+}
+
+}  // namespace
+
+int bench_command(const BenchCommand& command) {
+  const Request request = read_request(command);
+  if (!request.problems.empty()) {
+    complain(request.problems);
+    return exit_usage;
+  }
+  const SuiteOptions& options = request.options;
+  ReportContext context{command.command_line, now_utc()};
+  const auto start = Clock::now();
+  const std::vector<ReferenceCase> references = solve_cases(options.cases);
+  Progress progress(plan(options).size(), "runs");
+  const SuiteResult result =
+      run_suite(options, references, [&](std::size_t ended) { progress.show(ended); });
+  progress.finish();
+  context.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  context.kept = result.kept;
+  const auto report = report_json(options, references, result, context);
+  write_reports(command, report);
+  if (command.json != "-") {
+    fmt::print("{}\n{} runs in {:.1f} s; report: {} and report.json beside it\n",
+               report_summary(report), result.runs.size(), context.elapsed,
+               (command.out / "report.md").string());
+  }
+  if (result.interrupted) {
+    complain(
+        {fmt::format("interrupted: {} of {} runs are finished and in the report; the same "
+                     "command with --resume does the rest",
+                     result.runs.size(), result.planned)});
+    return exit_failed;
+  }
+  return any_failure(report) ? exit_failed : exit_done;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bench/record.hpp"
+#include "tautline/case.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline::bench {
+
+struct CompareOptions {
+  /// An impact slower than this is not counted [m/s]: near an accumulation there are infinitely
+  /// many.
+  double count_speed = 1e-2;
+
+  /// The early window ends with this impact of the exact solution: before errors have grown.
+  std::size_t early_impacts = 5;
+};
+
+/// The stretches of time over which a run is compared, all from the start.
+enum class Window { early, horizon, whole };
+inline constexpr std::array<Window, 3> windows = {Window::early, Window::horizon, Window::whole};
+[[nodiscard]] std::string_view to_string(Window window);
+
+/// Deviation of a run from the exact solution over one window.
+struct Deviation {
+  double until = 0.0;     // [s], end of the window
+  double position = 0.0;  // [m], largest distance
+  double angle = 0.0;     // [rad], largest
+  double velocity = 0.0;  // [m/s], mean over time: next to an impact the largest is the whole jump
+};
+
+/// Impacts of a run against those of the exact solution, over one window.
+struct ImpactMatch {
+  std::size_t exact = 0;                   // counted impacts of the exact solution
+  std::size_t found = 0;                   // counted impacts of the run
+  std::size_t matched = 0;                 // pairs, one to one
+  std::optional<double> first_time_error;  // [s], of the exact solution's first counted impact
+  std::optional<double> worst_time_error;  // [s], over the pairs
+};
+
+/// Restitution measured impact by impact over the whole run, against the cables' own.
+struct MeasuredRestitution {
+  std::size_t count = 0;
+  double smallest = 0.0;  // [-]
+  double mean = 0.0;      // [-]
+  double largest = 0.0;   // [-]
+  double worst = 0.0;     // [-], largest distance from the cable's restitution
+};
+
+/// Everything `compare` says of one run.
+struct Metrics {
+  std::array<Deviation, windows.size()> deviation;  // by Window
+  std::array<ImpactMatch, windows.size()> impacts;  // by Window
+  std::optional<double> exact_settling_time;  // [s], last counted impact before an accumulation
+  std::optional<double> settling_time;        // [s], the run's, over the same stretch
+  double overstretch = 0.0;                   // [m], largest
+  double energy_gain = 0.0;                   // [J], largest rise above the start
+  double energy_error = 0.0;                  // [J], against exact at the end of Window::whole
+  std::optional<MeasuredRestitution> restitution;  // none if no impact was counted
+};
+
+/// An impact of either side, reduced to what matching needs.
+struct CountedImpact {
+  double time;        // [s]
+  std::size_t cable;  //
+};
+
+/// Pairs of indices into `exact` and `found`: on one cable, each the other's nearest in time. One
+/// to one by construction and free of any width to tune.
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> match_impacts(
+    const std::vector<CountedImpact>& exact, const std::vector<CountedImpact>& found);
+
+/// Holds `run` against `solution`, both of `the_case`; `horizon` [s] from `predictability_horizon`.
+/// The comparison ends where the solution or the run ends.
+[[nodiscard]] Metrics compare(const Case& the_case, const Solution& solution, double horizon,
+                              const Trajectory& run, const CompareOptions& options = {});
+
+/// The impacts of a solution whose fastest cable closes faster than `count_speed`, one entry a
+/// cable.
+[[nodiscard]] std::vector<CountedImpact> counted_impacts(const Case& the_case,
+                                                         const Solution& solution,
+                                                         double count_speed);
+
+}  // namespace tautline::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tautline/engine.hpp"
+
+namespace tautline::bench {
+
+/// An engine this program knows of or was given.
+struct RegisteredEngine {
+  std::string name;                // its own word for itself; the file's name if it cannot be asked
+  std::filesystem::path plugin;    // empty if there is none
+  std::optional<EngineInfo> info;  // set if it answered
+  std::string failure;             // set if a plug-in is there but did not answer
+  std::string missing;             // set if there is no plug-in: why
+  std::string package;             // what brings it, if known
+};
+
+/// The folders in which plug-ins are looked for: those of the environment variable
+/// TAUTLINE_ENGINE_PATH, or else the program's own.
+[[nodiscard]] std::vector<std::filesystem::path> engine_folders();
+
+/// Every engine there is or could be: the exact control first, then the known ones in their order,
+/// then others found. Each plug-in is asked in a worker process.
+[[nodiscard]] std::vector<RegisteredEngine> registered_engines();
+
+/// A choice among them, or every sentence of what is wrong with it.
+struct EngineChoice {
+  std::vector<RegisteredEngine> engines;
+  std::vector<std::string> problems;
+};
+
+/// `wanted` are names, or paths of plug-ins (with a '/' or ending in .so); empty means all.
+[[nodiscard]] EngineChoice choose_engines(const std::vector<std::string>& wanted);
+
+/// The models of `engines` among `wanted` (all if empty), as sentences where one is unknown to all.
+[[nodiscard]] std::vector<std::string> unknown_models(const std::vector<RegisteredEngine>& engines,
+                                                      const std::vector<std::string>& wanted);
+
+}  // namespace tautline::bench

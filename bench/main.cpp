@@ -1,0 +1,142 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "bench/commands.hpp"
+#include "bench/process.hpp"
+#include "bench/worker.hpp"
+
+namespace {
+
+using namespace tautline::bench;
+
+/// Ctrl-C and a polite kill: end the workers, keep what is finished. A second one ends at once.
+void on_interrupt(int signal) {
+  if (interruption().exchange(true)) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
+
+/// The command line as it was typed, quoted where a shell would need it.
+std::string typed(int count, char** arguments) {
+  std::string result;
+  for (int index = 0; index < count; ++index) {
+    const std::string word = arguments[index];
+    const bool plain = word.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                           "-_./,:=+@%") == std::string::npos;
+    result += (index == 0 ? "" : " ") + (plain && !word.empty() ? word : "'" + word + "'");
+  }
+  return result;
+}
+
+constexpr const char* case_help =
+    "a case file (TOML), the name of a shipped case, or a pattern of such names in quotes: "
+    "'breakwater/19*'; `tautline cases` lists them";
+
+/// The commands and their options; `code` gets the exit code of the one that ran.
+void set_up(CLI::App& app, int& code, const std::string& command_line, SolveCommand& solve,
+            RunCommand& run, BenchCommand& bench, EnginesCommand& engines, CasesCommand& cases) {
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
+
+  CLI::App* command =
+      app.add_subcommand("solve", "The exact motion of a case: its events and its end");
+  command->add_option("CASE", solve.the_case, case_help)->required();
+  command->add_option("--until", solve.until,
+                      "end the run at this time [s], not at the case's duration");
+  command->add_option("--at", solve.at, "also give the state at these times [s]: 1,2.5,3")
+      ->delimiter(',');
+  command->add_option("--angle-limit", solve.angle_limit, "end where |angle| reaches this [rad]");
+  command->add_option("--ceiling", solve.ceiling,
+                      "end where an attachment rises to this height [m]");
+  command->add_option("--json", solve.json,
+                      "write everything as JSON to this file, or to stdout: -");
+  command->callback([&] { code = solve_command(solve); });
+
+  command = app.add_subcommand("run", "One case on one engine, held against the exact motion");
+  command->add_option("CASE", run.the_case, case_help)->required();
+  command->add_option("--engine", run.engine, "an engine's name, or the path of a plug-in")
+      ->required();
+  command->add_option("--model", run.model, "how its cables are modelled")->required();
+  command->add_option("--step", run.step, "the engine's step [s]")->capture_default_str();
+  command->add_option("--time-limit", run.time_limit, "end the run after this long [s]")
+      ->capture_default_str();
+  command->add_option("--out", run.out,
+                      "write trajectory.csv, events.csv and settings below this folder");
+  command->add_option("--json", run.json, "write the result as JSON to this file, or to stdout: -");
+  command->callback([&] { code = run_command(run); });
+
+  command = app.add_subcommand("bench", "Cases x engines x models x steps, and a report");
+  command->add_option("CASES", bench.cases, case_help)->default_str("'breakwater/*'");
+  command
+      ->add_option("--engines", bench.engines,
+                   "names or plug-in paths: bullet64,./libmine.so (default: all)")
+      ->delimiter(',');
+  command->add_option("--models", bench.models, "only these models: row,event (default: all)")
+      ->delimiter(',');
+  command->add_option("--steps", bench.steps, "steps [s]")->delimiter(',')->capture_default_str();
+  command->add_option("--until", bench.until, "end every run at this time [s]");
+  command->add_option("--out", bench.out, "folder for the report and the runs' files")
+      ->capture_default_str();
+  command->add_option("--jobs", bench.jobs, "runs at a time (default: one per core)");
+  command->add_flag("--resume", bench.resume, "keep the runs that --out already has");
+  command->add_option("--time-limit", bench.time_limit, "end a run after this long [s]")
+      ->capture_default_str();
+  command->add_option("--json", bench.json,
+                      "also write the report as JSON to this file, or to stdout: -");
+  command->callback([&] {
+    bench.command_line = command_line;
+    code = bench_command(bench);
+  });
+
+  command =
+      app.add_subcommand("engines", "The engines that are here, their models, and those missing");
+  command->add_option("--json", engines.json,
+                      "write the list as JSON to this file, or to stdout: -");
+  command->callback([&] { code = engines_command(engines); });
+
+  command =
+      app.add_subcommand("cases", "The shipped cases; one of them as a case file to start from");
+  command->add_option("CASE", cases.the_case, "the name of a shipped case");
+  command->callback([&] { code = cases_command(cases); });
+}
+
+int run_program(int count, char** arguments) {
+  CLI::App app{
+      "Exact rigid bodies on slack cables, and a bench that holds physics engines against them"};
+  int code = exit_done;
+  SolveCommand solve;
+  RunCommand run;
+  BenchCommand bench;
+  EnginesCommand engines;
+  CasesCommand cases;
+  set_up(app, code, typed(count, arguments), solve, run, bench, engines, cases);
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    const int cli_code = app.exit(error);
+    return cli_code == 0 ? exit_done : exit_usage;
+  }
+  return code;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count == 2 && std::string(arguments[1]) == worker_command) {
+    return worker_main();
+  }
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run_program(count, arguments);
+  } catch (const std::exception& error) {
+    complain({error.what()});
+    return exit_failed;
+  }
+}

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tautline::bench {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+  [[nodiscard]] int get() const { return number_; }
+  void close();
+
+ private:
+  int release();
+  int number_;
+};
+
+/// A nameless file in memory, so that a full disk cannot stop a run. Throws std::system_error.
+[[nodiscard]] Descriptor memory_file(std::string_view content);
+
+/// Everything in such a file. Throws std::system_error.
+[[nodiscard]] std::string content_of(const Descriptor& file);
+
+/// How a child process ended.
+struct ProcessEnd {
+  enum class Kind { exited, signalled, timed_out, interrupted };
+  Kind kind = Kind::exited;
+  int code = 0;             // exit code, or signal number
+  std::string output_tail;  // the last of what it printed on stdout and stderr
+  std::size_t printed = 0;  // [bytes], all it printed
+};
+
+/// Set by a signal handler to make every `run_process` end its child and return.
+[[nodiscard]] std::atomic<bool>& interruption();
+
+/// Runs `arguments` (the first is the program) with `input` as its descriptor 0, `result` as its
+/// descriptor 3 and its output captured; kills it and its children after `time_limit` [s].
+/// Throws std::system_error if it cannot be started.
+[[nodiscard]] ProcessEnd run_process(const std::vector<std::string>& arguments,
+                                     const Descriptor& input, const Descriptor& result,
+                                     double time_limit);
+
+/// "SIGSEGV" and its like; "signal 42" for one without a name.
+[[nodiscard]] std::string signal_name(int signal);
+
+}  // namespace tautline::bench

@@ -1,0 +1,175 @@
+#include "bench/record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tautline/geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// An impulse below this fraction of mass times speed is a solver's rounding, not a pull [-].
+constexpr double least_impulse = 1e-12;
+
+/// A run is stopped as diverged where the body is further out than this many times the size of the
+/// case [-].
+constexpr double far_away = 1e3;
+
+/// The speed of `state` half a step of gravity later (sign +) or earlier (sign -). A step that
+/// applies gravity once, at its start or its end, holds the velocity of its middle.
+State shifted_by_gravity(const Case& the_case, State state, double dt) {
+  state.velocity += dt * the_case.gravity;
+  return state;
+}
+
+/// Turns impulses and located events into impacts, step by step.
+class ImpactDetector {
+ public:
+  explicit ImpactDetector(const Case& the_case)
+      : case_(the_case),
+        bursts_(the_case.cables.size()),
+        threshold_(least_impulse * the_case.body.mass * speed(the_case)) {}
+
+  /// Takes one step from `before` at `start` to `after`, `dt` long.
+  void take(double start, double dt, const State& before, const State& after,
+            const Simulation& simulation) {
+    if (!simulation.events().empty()) {
+      for (const Event& event : simulation.events()) {
+        take_located(event);
+      }
+      return;
+    }
+    const auto impulses = simulation.impulses();
+    for (std::size_t index = 0; index < bursts_.size(); ++index) {
+      if (impulses[index] > threshold_) {
+        extend(index, start, dt, before, after, impulses[index]);
+      } else {
+        close(index);
+      }
+    }
+  }
+
+  /// The impacts of the whole run, in rising time.
+  std::vector<RecordedImpact> finish() {
+    for (std::size_t index = 0; index < bursts_.size(); ++index) {
+      close(index);
+    }
+    std::stable_sort(impacts_.begin(), impacts_.end(),
+                     [](const auto& a, const auto& b) { return a.time < b.time; });
+    return std::move(impacts_);
+  }
+
+ private:
+  static double speed(const Case& the_case) {
+    double longest = 0.0;
+    for (const Cable& cable : the_case.cables) {
+      longest = std::max(longest, cable.length);
+    }
+    return speed_scale(the_case, the_case.initial) + std::sqrt(the_case.gravity.norm() * longest);
+  }
+
+  void take_located(const Event& event) {
+    if (event.kind != EventKind::impact) {
+      return;
+    }
+    Eigen::Index row = 0;
+    for (const std::size_t index : event.cables) {
+      const Cable& cable = case_.cables[index];
+      impacts_.push_back({event.time, index, event.impulses[row++], gap_rate(cable, event.before),
+                          gap_rate(cable, event.after), 0, event.before, event.after});
+    }
+  }
+
+  void extend(std::size_t index, double start, double dt, const State& before, const State& after,
+              double impulse) {
+    const Cable& cable = case_.cables[index];
+    std::optional<RecordedImpact>& burst = bursts_[index];
+    if (!burst) {
+      const State middle = shifted_by_gravity(case_, before, 0.5 * dt);
+      burst = RecordedImpact{start, index, 0.0, gap_rate(cable, middle), 0.0, 0, before, before};
+    }
+    // the rebound at the pose this step started from: for a single step, the pose of rate_before
+    State rebound = shifted_by_gravity(case_, after, -0.5 * dt);
+    rebound.position = before.position;
+    rebound.angle = before.angle;
+    burst->rate_after = gap_rate(cable, rebound);
+    burst->after = rebound;
+    burst->impulse += impulse;
+    ++burst->steps;
+  }
+
+  void close(std::size_t index) {
+    if (bursts_[index]) {
+      impacts_.push_back(*bursts_[index]);
+      bursts_[index].reset();
+    }
+  }
+
+  const Case& case_;
+  std::vector<std::optional<RecordedImpact>> bursts_;  // one per cable: the impact now going on
+  double threshold_;                                   // [N s]
+  std::vector<RecordedImpact> impacts_;
+};
+
+/// The body is finite and within `far_away` sizes of the case of where it can be.
+bool reasonable(const Case& the_case, const State& state) {
+  double size = 0.0;
+  for (const Cable& cable : the_case.cables) {
+    size = std::max(size, cable.length + cable.anchor.norm() + cable.attachment.norm());
+  }
+  const double distance = state.position.norm();
+  return std::isfinite(distance) && std::isfinite(state.angle) && std::isfinite(state.spin) &&
+         std::isfinite(state.velocity.norm()) && distance <= far_away * size;
+}
+
+double worst_overstretch(const Case& the_case, const State& state) {
+  double worst = 0.0;
+  for (const Cable& cable : the_case.cables) {
+    worst = std::max(worst, -gap(cable, state));
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::size_t step_count(double duration, double step) {
+  constexpr double same = 1e-9;  // [-]: 20 / 1e-3 is 20000 steps, not 20001 for a last bit
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(duration / step - same)));
+}
+
+Trajectory record(const Case& the_case, Simulation& simulation, double step,
+                  const RecordOptions& options) {
+  const std::size_t steps = step_count(the_case.duration, step);
+  Trajectory run;
+  run.step = step;
+  run.stride = (steps + options.most_points - 1) / options.most_points;
+  run.points.reserve(steps / run.stride + 2);
+  State now = simulation.state();
+  run.points.push_back({0.0, now});
+  run.largest_energy = energy(the_case, now);
+  ImpactDetector detector(the_case);
+  for (std::size_t index = 0; index < steps && !run.stop && !run.diverged; ++index) {
+    const double start = static_cast<double>(index) * step;
+    const bool last = index + 1 == steps;
+    const double dt = last ? the_case.duration - start : step;
+    const State before = now;
+    simulation.step(dt);
+    now = simulation.state();
+    run.stop = simulation.stopped();
+    run.diverged = !reasonable(the_case, now);
+    if (!run.diverged) {
+      detector.take(start, dt, before, now, simulation);
+      run.overstretch = std::max(run.overstretch, worst_overstretch(the_case, now));
+      run.largest_energy = std::max(run.largest_energy, energy(the_case, now));
+    }
+    if (last || run.stop || run.diverged || (index + 1) % run.stride == 0) {
+      const double end = last ? the_case.duration : static_cast<double>(index + 1) * step;
+      run.points.push_back({run.stop ? run.stop->time : end, now});
+    }
+  }
+  run.impacts = detector.finish();
+  return run;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tautline/case.hpp"
+#include "tautline/engine.hpp"
+
+namespace tautline::bench {
+
+/// One recorded instant of a run.
+struct Point {
+  double time;  // [s]
+  State state;
+};
+
+/// One impact of a run, as the detector saw it.
+struct RecordedImpact {
+  double time;         // [s], when the velocity jumps: exact if located, else the start of the step
+  std::size_t cable;   //
+  double impulse;      // [N s], > 0
+  double rate_before;  // [m/s], gap rate just before; negative when closing
+  double rate_after;   // [m/s], just after, at the same pose
+  std::size_t steps;   // consecutive steps with an impulse; 0 if the simulation located the impact
+  State before;        // where the jump starts
+  State after;         // the same pose, and the velocity that the jump gave
+};
+
+/// What one run did.
+struct Trajectory {
+  double step = 0.0;                     // [s]
+  std::size_t stride = 1;                // every stride-th step is in `points`
+  std::vector<Point> points;             // the first is the start, the last the end of the run
+  std::vector<RecordedImpact> impacts;   // in rising time
+  double overstretch = 0.0;              // [m], the largest, over every step
+  double largest_energy = 0.0;           // [J], over every step
+  std::optional<Simulation::Stop> stop;  // set when the simulation could not go on
+  bool diverged = false;                 // the state left every reasonable range, or is not finite
+};
+
+struct RecordOptions {
+  /// More steps than this are thinned to every second, every third, ...; impacts, overstretch and
+  /// energy are still taken from every step.
+  std::size_t most_points = std::size_t{1} << 18U;
+};
+
+/// Steps `simulation` of `the_case` to the case's duration and records it. The one impact detector
+/// for all engines is in here: a simulation that locates its impacts is believed; else a run of
+/// consecutive steps with an impulse of one cable is one impact of that cable.
+[[nodiscard]] Trajectory record(const Case& the_case, Simulation& simulation, double step,
+                                const RecordOptions& options = {});
+
+/// Steps needed for `duration` [s]; the last may be shorter.
+[[nodiscard]] std::size_t step_count(double duration, double step);
+
+}  // namespace tautline::bench

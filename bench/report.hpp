@@ -1,0 +1,42 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/suite.hpp"
+
+namespace tautline::bench {
+
+/// What produced a report, apart from its numbers.
+struct ReportContext {
+  std::string command;   // as it was typed
+  std::string started;   // ISO 8601, UTC
+  double elapsed = 0.0;  // [s]
+  std::size_t kept = 0;  // runs taken from an earlier invocation
+};
+
+/// The one product of a suite: an object of bench/report.schema.json. Everything that differs
+/// between two runs of one suite on one program is under its last key, "context".
+[[nodiscard]] nlohmann::ordered_json report_json(const SuiteOptions& options,
+                                                 const std::vector<ReferenceCase>& references,
+                                                 const SuiteResult& result,
+                                                 const ReportContext& context);
+
+/// The answers by engine, model and step over all cases of the runs in `report`.
+[[nodiscard]] nlohmann::ordered_json summary_json(const nlohmann::ordered_json& runs);
+
+/// How fast errors shrink with the step: by engine and model, the slope of log error over log step.
+[[nodiscard]] nlohmann::ordered_json convergence_json(const nlohmann::ordered_json& runs);
+
+/// The slope of log10 `errors` over log10 `steps` by least squares; sizes equal, at least 2, all >
+/// 0.
+[[nodiscard]] double slope(const std::vector<double>& steps, const std::vector<double>& errors);
+
+/// The report as Markdown, readable as it stands. Drawn from `report` alone.
+[[nodiscard]] std::string report_markdown(const nlohmann::ordered_json& report);
+
+/// The answers for a terminal. Drawn from `report` alone.
+[[nodiscard]] std::string report_summary(const nlohmann::ordered_json& report);
+
+}  // namespace tautline::bench

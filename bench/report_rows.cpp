@@ -1,0 +1,129 @@
+#include "bench/report_rows.hpp"
+
+#include <fmt/format.h>
+
+#include "bench/text.hpp"
+#include "tautline/geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class Value>
+ordered_json or_null(const std::optional<Value>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json who(const ReferenceCase& reference, const EngineInfo& engine, const PlannedRun& run) {
+  return {{"case", reference.the_case.name},
+          {"engine", engine.name},
+          {"model", run.model.name},
+          {"step", run.step}};
+}
+
+/// "finished", "stopped", "diverged" or "failed", and the reason of the last three.
+std::pair<std::string, std::string> status(const RunReply& reply) {
+  if (!reply.trajectory) {
+    return {"failed", printable(reply.failure)};
+  }
+  const Trajectory& run = *reply.trajectory;
+  if (run.diverged) {
+    return {"diverged", fmt::format("the body left every reasonable range before t = {:.6g}",
+                                    run.points.back().time)};
+  }
+  if (run.stop) {
+    return {"stopped", printable(run.stop->reason)};
+  }
+  return {"finished", ""};
+}
+
+ordered_json window_json(const Metrics& metrics, std::size_t window) {
+  const Deviation& deviation = metrics.deviation[window];
+  const ImpactMatch& impacts = metrics.impacts[window];
+  return {{"until", deviation.until},
+          {"position_error", deviation.position},
+          {"angle_error", deviation.angle},
+          {"velocity_error", deviation.velocity},
+          {"impacts",
+           {{"exact", impacts.exact},
+            {"found", impacts.found},
+            {"matched", impacts.matched},
+            {"missed", impacts.exact - impacts.matched},
+            {"first_time_error", or_null(impacts.first_time_error)},
+            {"worst_time_error", or_null(impacts.worst_time_error)}}}};
+}
+
+ordered_json metrics_json(const Metrics& metrics) {
+  ordered_json json;
+  for (const Window window : windows) {
+    json[std::string(to_string(window))] = window_json(metrics, static_cast<std::size_t>(window));
+  }
+  json["settling_time"] = {{"exact", or_null(metrics.exact_settling_time)},
+                           {"found", or_null(metrics.settling_time)}};
+  json["overstretch"] = metrics.overstretch;
+  json["energy"] = {{"largest_gain", metrics.energy_gain}, {"error", metrics.energy_error}};
+  json["restitution"] = nullptr;
+  if (const auto& measured = metrics.restitution) {
+    json["restitution"] = {{"count", measured->count},
+                           {"smallest", measured->smallest},
+                           {"mean", measured->mean},
+                           {"largest", measured->largest},
+                           {"worst_error", measured->worst}};
+  }
+  return json;
+}
+
+}  // namespace
+
+ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
+                     const PlannedRun& run, const RunReply& reply, const CompareOptions& options) {
+  ordered_json row = who(reference, engine, run);
+  const auto [word, reason] = status(reply);
+  row["status"] = word;
+  row["reason"] = reason;
+  row["printed_bytes"] = reply.printed;
+  row["metrics"] = nullptr;
+  if (reply.trajectory) {
+    row["stride"] = reply.trajectory->stride;
+    row["metrics"] = metrics_json(compare(reference.the_case, reference.solution, reference.horizon,
+                                          *reply.trajectory, options));
+  }
+  return row;
+}
+
+ordered_json timing_row(const ReferenceCase& reference, const EngineInfo& engine,
+                        const PlannedRun& run, const RunReply& reply) {
+  if (!reply.trajectory) {
+    return nullptr;
+  }
+  ordered_json row = who(reference, engine, run);
+  row["step_cost"] = reply.cost.step;
+  row["reference_cost"] = reply.cost.reference;
+  row["cost_ratio"] = reply.cost.reference > 0.0 ? reply.cost.step / reply.cost.reference : 0.0;
+  return row;
+}
+
+ordered_json case_row(const ReferenceCase& reference, const CompareOptions& options) {
+  const Solution& solution = reference.solution;
+  const Case& the_case = reference.the_case;
+  ordered_json accumulation = nullptr;
+  if (const auto& found = solution.accumulation()) {
+    accumulation = {{"time", found->time},
+                    {"uncertainty", found->uncertainty},
+                    {"cables", found->cables.indices()},
+                    {"energy", found->energy}};
+  }
+  return {{"name", the_case.name},
+          {"cables", the_case.cables.size()},
+          {"duration", the_case.duration},
+          {"ending", to_string(solution.ending())},
+          {"end_time", solution.end_time()},
+          {"horizon", reference.horizon},
+          {"counted_impacts", counted_impacts(the_case, solution, options.count_speed).size()},
+          {"start_energy", energy(the_case, the_case.initial)},
+          {"end_energy", energy(the_case, solution.at(solution.end_time()))},
+          {"accumulation", std::move(accumulation)}};
+}
+
+}  // namespace tautline::bench

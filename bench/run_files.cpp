@@ -1,0 +1,164 @@
+#include "bench/run_files.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "bench/atomic_file.hpp"
+#include "bench/case_catalogue.hpp"
+#include "bench/case_file.hpp"
+#include "bench/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+/// A file that only `prepare_tree` makes: a folder with it is ours to clear.
+constexpr const char* marker = "tautline-results.txt";
+
+std::string state_columns(const State& state) {
+  return fmt::format("{},{},{},{},{},{}", state.position.x(), state.position.y(), state.angle,
+                     state.velocity.x(), state.velocity.y(), state.spin);
+}
+
+std::string file_content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// FNV-1a: short, stable between machines, and nobody attacks a result tree's resume.
+std::uint64_t hash(std::string_view text) {
+  std::uint64_t value = 14695981039346656037ULL;
+  for (const char letter : text) {
+    value = (value ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
+  }
+  return value;
+}
+
+ordered_json settings_json(const SuiteOptions& options, const PlannedRun& run) {
+  const EngineInfo& info = *options.engines[run.engine].info;
+  ordered_json settings = ordered_json::array();
+  for (const Setting& setting : run.model.settings) {
+    settings.push_back(
+        {{"name", setting.name}, {"value", setting.value}, {"reason", setting.reason}});
+  }
+  return {{"schema", 1},
+          {"engine", info.name},
+          {"version", info.version},
+          {"precision", info.precision},
+          {"model", run.model.name},
+          {"sentence", run.model.sentence},
+          {"step", run.step},
+          {"settings", std::move(settings)}};
+}
+
+}  // namespace
+
+fs::path run_folder(const fs::path& out, const std::string& case_name, const std::string& engine,
+                    const std::string& model, double step) {
+  return out / "runs" / folder_name(case_name) / folder_name(engine) / folder_name(model) /
+         fmt::format("{}", step);
+}
+
+std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
+  std::string csv = "time,x,y,angle,vx,vy,spin,event\n";
+  const std::size_t stride =
+      std::max<std::size_t>(1, run.points.size() / std::max<std::size_t>(1, samples));
+  auto impact = run.impacts.begin();
+  const auto impacts_until = [&](double time) {
+    for (; impact != run.impacts.end() && impact->time <= time; ++impact) {
+      csv += fmt::format("{},{},before\n", impact->time, state_columns(impact->before));
+      csv += fmt::format("{},{},after\n", impact->time, state_columns(impact->after));
+    }
+  };
+  for (std::size_t index = 0; index < run.points.size(); ++index) {
+    const auto& [time, state] = run.points[index];
+    if (index % stride == 0 || index + 1 == run.points.size()) {
+      impacts_until(time);
+      csv += fmt::format("{},{},\n", time, state_columns(state));
+    }
+  }
+  return csv;
+}
+
+std::string events_csv(const Trajectory& run) {
+  std::string csv = "time,cable,impulse,rate_before,rate_after,restitution,steps\n";
+  for (const RecordedImpact& impact : run.impacts) {
+    csv += fmt::format("{},{},{},{},{},{},{}\n", impact.time, impact.cable, impact.impulse,
+                       impact.rate_before, impact.rate_after,
+                       -impact.rate_after / impact.rate_before, impact.steps);
+  }
+  return csv;
+}
+
+std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
+  const std::string text =
+      write_case(options.cases[run.the_case]) + settings_json(options, run).dump() +
+      fmt::format("{} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
+                  options.samples, TAUTLINE_VERSION) +
+      file_content(options.engines[run.engine].plugin);
+  return fmt::format("{:016x}", hash(text));
+}
+
+void write_run(const fs::path& folder, const SuiteOptions& options, const PlannedRun& run,
+               const RunReply& reply, const RunResult& result) {
+  if (reply.trajectory) {
+    write_file(folder / "trajectory.csv", trajectory_csv(*reply.trajectory, options.samples));
+    write_file(folder / "events.csv", events_csv(*reply.trajectory));
+  }
+  if (reply.printed > 0) {
+    write_file(
+        folder / "output.txt",
+        fmt::format("[{} bytes printed, the last of them:]\n", reply.printed) + reply.output_tail);
+  }
+  write_file(folder / "settings.json", settings_json(options, run).dump(2) + "\n");
+  const ordered_json whole = {
+      {"fingerprint", fingerprint(options, run)}, {"row", result.row}, {"timing", result.timing}};
+  write_file(folder / "result.json",
+             whole.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+std::optional<RunResult> read_run(const fs::path& folder, const std::string& fingerprint) {
+  const auto whole = ordered_json::parse(file_content(folder / "result.json"), nullptr, false);
+  if (!whole.is_object() || !whole.contains("row") || !whole.contains("timing") ||
+      whole.value("fingerprint", "") != fingerprint) {
+    return std::nullopt;
+  }
+  return RunResult{whole.at("row"), whole.at("timing")};
+}
+
+void prepare_tree(const fs::path& out, bool resume) {
+  if (!resume) {
+    std::error_code ignored;
+    fs::remove_all(out / "runs", ignored);
+    for (const char* file : {"report.json", "report.md"}) {
+      fs::remove(out / file, ignored);
+    }
+  }
+  write_file(out / marker,
+             "A result tree of `tautline bench`, which may clear and rewrite this folder.\n");
+}
+
+std::optional<std::string> tree_problem(const fs::path& out) {
+  std::error_code error;
+  if (!fs::exists(out, error)) {
+    return std::nullopt;
+  }
+  const std::string name = printable(out.string());
+  if (!fs::is_directory(out, error)) {
+    return fmt::format("--out {}: is not a folder; give a folder to write the results to", name);
+  }
+  if (fs::is_empty(out, error) || fs::exists(out / marker, error)) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "--out {}: holds files that `tautline bench` did not write; give an empty or new "
+      "folder",
+      name);
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "bench/record.hpp"
+#include "bench/suite.hpp"
+
+namespace tautline::bench {
+
+/// The folder of one run inside a result tree: runs/<case>/<engine>/<model>/<step>.
+[[nodiscard]] std::filesystem::path run_folder(const std::filesystem::path& out,
+                                               const std::string& case_name,
+                                               const std::string& engine, const std::string& model,
+                                               double step);
+
+/// Time, state and event of a run as CSV; an impact is two rows at one time, before and after.
+[[nodiscard]] std::string trajectory_csv(const Trajectory& run, std::size_t samples);
+
+/// The impacts of a run as CSV.
+[[nodiscard]] std::string events_csv(const Trajectory& run);
+
+/// The same text for the same run, another for any other: case, engine, version, plug-in file,
+/// model, settings, step and how it is compared.
+[[nodiscard]] std::string fingerprint(const SuiteOptions& options, const PlannedRun& run);
+
+/// Writes a run's files; result.json last, so that a folder with one is whole.
+void write_run(const std::filesystem::path& folder, const SuiteOptions& options,
+               const PlannedRun& run, const RunReply& reply, const RunResult& result);
+
+/// The result of an earlier invocation, if `folder` holds one with this fingerprint.
+[[nodiscard]] std::optional<RunResult> read_run(const std::filesystem::path& folder,
+                                                const std::string& fingerprint);
+
+/// Makes `out` a result tree: new, or with an earlier tree's runs removed unless `resume`.
+void prepare_tree(const std::filesystem::path& out, bool resume);
+
+/// Why `out` cannot be made a result tree, or none: it holds files that are not one.
+[[nodiscard]] std::optional<std::string> tree_problem(const std::filesystem::path& out);
+
+}  // namespace tautline::bench

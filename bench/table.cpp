@@ -1,0 +1,105 @@
+#include "bench/table.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace tautline::bench {
+namespace {
+
+/// Characters as a terminal shows them: continuation bytes of UTF-8 take no column.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char letter) {
+    return (static_cast<unsigned char>(letter) & 0xC0U) != 0x80U;
+  }));
+}
+
+std::string padded(const std::string& text, std::size_t width, bool left) {
+  const std::string space(width - width_of(text), ' ');
+  return left ? text + space : space + text;
+}
+
+/// Markdown reads these characters as its own.
+std::string escaped(const std::string& cell) {
+  std::string result;
+  for (const char letter : cell) {
+    if (letter == '\n' || letter == '\r') {
+      result += ' ';
+      continue;
+    }
+    if (letter == '|' || letter == '<' || letter == '`' || letter == '*' || letter == '[' ||
+        letter == '\\' || letter == '&') {
+      result += '\\';
+    }
+    result += letter;
+  }
+  return result;
+}
+
+}  // namespace
+
+Table::Table(std::vector<std::string> headings, std::size_t left)
+    : headings_(std::move(headings)), left_(left) {}
+
+void Table::add(std::vector<std::string> cells) {
+  assert(cells.size() == headings_.size() && "one cell per heading");
+  rows_.push_back(std::move(cells));
+}
+
+std::vector<std::size_t> Table::widths(const std::vector<std::vector<std::string>>& rows) const {
+  std::vector<std::size_t> result;
+  for (std::size_t column = 0; column < headings_.size(); ++column) {
+    std::size_t width = std::max<std::size_t>(3, width_of(headings_[column]));
+    for (const auto& row : rows) {
+      width = std::max(width, width_of(row[column]));
+    }
+    result.push_back(width);
+  }
+  return result;
+}
+
+std::string Table::line(const std::vector<std::string>& cells,
+                        const std::vector<std::size_t>& widths,
+                        const std::string& separator) const {
+  std::string result;
+  for (std::size_t column = 0; column < cells.size(); ++column) {
+    result +=
+        (column == 0 ? "" : separator) + padded(cells[column], widths[column], column < left_);
+  }
+  return result;
+}
+
+std::string Table::markdown() const {
+  std::vector<std::vector<std::string>> rows = rows_;
+  for (auto& row : rows) {
+    std::transform(row.begin(), row.end(), row.begin(), escaped);
+  }
+  const std::vector<std::size_t> width = widths(rows);
+  std::vector<std::string> rule;
+  for (std::size_t column = 0; column < headings_.size(); ++column) {
+    std::string dashes(width[column], '-');
+    if (column >= left_) {
+      dashes.back() = ':';
+    }
+    rule.push_back(std::move(dashes));
+  }
+  std::string result = "| " + line(headings_, width, " | ") + " |\n";
+  result += "| " + line(rule, width, " | ") + " |\n";
+  for (const auto& row : rows) {
+    result += "| " + line(row, width, " | ") + " |\n";
+  }
+  return result;
+}
+
+std::string Table::plain() const {
+  const std::vector<std::size_t> width = widths(rows_);
+  std::string result = line(headings_, width, "  ") + "\n";
+  for (const auto& row : rows_) {
+    std::string text = line(row, width, "  ");
+    text.erase(text.find_last_not_of(' ') + 1);
+    result += text + "\n";
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tautline::bench {
+
+/// A table of text whose columns line up, so that it reads the same rendered and raw.
+class Table {
+ public:
+  /// The first `left` columns hold words, the others numbers, set to the right.
+  Table(std::vector<std::string> headings, std::size_t left);
+
+  /// One cell per heading.
+  void add(std::vector<std::string> cells);
+
+  [[nodiscard]] bool empty() const { return rows_.empty(); }
+
+  /// As a Markdown table; bars and line breaks inside cells are made harmless.
+  [[nodiscard]] std::string markdown() const;
+
+  /// As plain aligned columns for a terminal.
+  [[nodiscard]] std::string plain() const;
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> widths(
+      const std::vector<std::vector<std::string>>& rows) const;
+  [[nodiscard]] std::string line(const std::vector<std::string>& cells,
+                                 const std::vector<std::size_t>& widths,
+                                 const std::string& separator) const;
+
+  std::vector<std::string> headings_;
+  std::size_t left_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace tautline::bench

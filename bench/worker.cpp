@@ -1,0 +1,194 @@
+#include "bench/worker.hpp"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <csignal>
+#include <ctime>
+#include <exception>
+#include <new>
+
+#include "bench/case_file.hpp"
+#include "bench/plugin.hpp"
+#include "bench/process.hpp"
+#include "bench/wire.hpp"
+#include "tautline/flight.hpp"
+#include "tautline/geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int request_descriptor = 0;
+constexpr int reply_descriptor = 3;
+
+/// The most steps that are timed: enough to average over impacts, cheap next to the run itself.
+constexpr std::size_t timed_steps = 20'000;
+
+/// Processor time of this thread [s].
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A second run that only steps, and beside it as many closed-form flights with their gaps.
+Cost measure_cost(const Case& the_case, const Engine& engine, const std::string& model,
+                  double step) {
+  const auto simulation = engine.start(the_case, model, step);
+  const auto whole_steps = static_cast<std::size_t>(the_case.duration / step);
+  const std::size_t steps = std::max<std::size_t>(1, std::min(whole_steps, timed_steps));
+  const double dt = std::min(step, the_case.duration);
+  std::size_t done = 0;
+  const double start = processor_time();
+  for (; done < steps && !simulation->stopped(); ++done) {
+    simulation->step(dt);
+  }
+  const double middle = processor_time();
+  double sum = 0.0;
+  for (std::size_t index = 0; index < done; ++index) {
+    const State state = fly(the_case.initial, the_case.gravity, static_cast<double>(index) * dt);
+    for (const Cable& cable : the_case.cables) {
+      sum += gap(cable, state);
+    }
+  }
+  const double end = processor_time();
+  [[maybe_unused]] const volatile double keep = sum;  // the loop must not be optimised away
+  const auto count = static_cast<double>(done);
+  return {(middle - start) / count, (end - middle) / count};
+}
+
+Message do_run(const ordered_json& request, const Plugin& plugin) {
+  const auto reading = read_case_text(request.at("case").get<std::string>(), "request");
+  const Case& the_case = reading.the_case.value();
+  const std::string model = request.at("model");
+  const double step = request.at("step");
+  const auto simulation = plugin.engine().start(the_case, model, step);
+  Message reply = trajectory_message(record(the_case, *simulation, step));
+  const Cost cost = measure_cost(the_case, plugin.engine(), model, step);
+  reply.head["cost"] = {cost.step, cost.reference};
+  return reply;
+}
+
+Message obey(const ordered_json& request) {
+  const Plugin plugin = Plugin::open(request.at("plugin").get<std::string>());
+  if (request.contains("case")) {
+    return do_run(request, plugin);
+  }
+  return {engine_json(plugin.engine().info()), {}};
+}
+
+void limit_this_process(std::size_t memory) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a killed program leaves no workers behind
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+#ifndef __SANITIZE_ADDRESS__  // whose shadow memory is terabytes of address space
+  const rlimit space{memory, memory};
+  ::setrlimit(RLIMIT_AS, &space);
+#else
+  (void)memory;
+#endif
+}
+
+/// Sends a request to a worker process; the reply, or what went wrong.
+struct Exchange {
+  std::optional<Message> message;
+  std::string failure;
+  ProcessEnd end;
+};
+
+std::string failure_of(const ProcessEnd& end, const WorkerLimits& limits) {
+  switch (end.kind) {
+    case ProcessEnd::Kind::timed_out:
+      return fmt::format("timed out after {:g} s", limits.time);
+    case ProcessEnd::Kind::interrupted:
+      return "interrupted";
+    case ProcessEnd::Kind::signalled:
+      return "crashed: " + signal_name(end.code);
+    case ProcessEnd::Kind::exited:
+      break;
+  }
+  return fmt::format("ended by itself with exit code {} and no result", end.code);
+}
+
+Exchange exchange(const ordered_json& request, const WorkerLimits& limits) {
+  Exchange result;
+  const Descriptor input = memory_file(request.dump());
+  const Descriptor output = memory_file("");
+  result.end = run_process({"/proc/self/exe", worker_command}, input, output, limits.time);
+  const bool whole = result.end.kind == ProcessEnd::Kind::exited && result.end.code == 0;
+  if (whole) {
+    result.message = from_bytes(content_of(output));
+  }
+  if (!result.message) {
+    result.failure = failure_of(result.end, limits);
+  } else if (result.message->head.contains("failure")) {
+    result.failure = result.message->head.at("failure");
+    result.message.reset();
+  }
+  return result;
+}
+
+}  // namespace
+
+RunReply run_in_worker(const RunRequest& request) {
+  const Exchange answer = exchange({{"plugin", request.plugin.string()},
+                                    {"case", write_case(request.the_case)},
+                                    {"model", request.model},
+                                    {"step", request.step},
+                                    {"memory", request.limits.memory}},
+                                   request.limits);
+  RunReply reply;
+  reply.failure = answer.failure;
+  reply.output_tail = answer.end.output_tail;
+  reply.printed = answer.end.printed;
+  reply.interrupted = answer.end.kind == ProcessEnd::Kind::interrupted;
+  if (answer.message) {
+    reply.trajectory = trajectory_from(*answer.message);
+    const ordered_json& cost = answer.message->head.at("cost");
+    reply.cost = {cost.at(0), cost.at(1)};
+  }
+  return reply;
+}
+
+DescribeReply describe_in_worker(const std::filesystem::path& plugin, const WorkerLimits& limits) {
+  const Exchange answer =
+      exchange({{"plugin", plugin.string()}, {"memory", limits.memory}}, limits);
+  DescribeReply reply;
+  reply.failure = answer.failure;
+  if (answer.message) {
+    reply.info = engine_from(answer.message->head);
+  }
+  return reply;
+}
+
+int worker_main() {
+  Message reply;
+  try {
+    const auto request = ordered_json::parse(content_of(Descriptor(::dup(request_descriptor))));
+    limit_this_process(request.at("memory"));
+    reply = obey(request);
+  } catch (const std::bad_alloc&) {
+    reply = {{{"failure", "ran out of memory"}}, {}};
+  } catch (const std::exception& error) {
+    reply = {{{"failure", error.what()}}, {}};
+  }
+  std::string_view bytes;
+  const std::string text = to_bytes(reply);
+  for (bytes = text; !bytes.empty();) {
+    const ssize_t size = ::write(reply_descriptor, bytes.data(), bytes.size());
+    if (size <= 0) {
+      return 1;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(size));
+  }
+  std::fflush(nullptr);
+  ::_exit(0);  // an engine's static destructors have nothing to say any more
+}
+
+}  // namespace tautline::bench

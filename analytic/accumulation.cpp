@@ -1,4 +1,4 @@
-#include "accumulation.hpp"
+#include "tautline/accumulation.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

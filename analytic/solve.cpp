@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "accumulation.hpp"
+#include "tautline/accumulation.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"

@@ -1,0 +1,142 @@
+#include "tautline/event_driver.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "tautline/accumulation.hpp"
+#include "tautline/clock.hpp"
+#include "tautline/first_contact.hpp"
+#include "tautline/geometry.hpp"
+
+namespace tautline {
+namespace {
+
+/// Rounding of a gap rate against the speeds it comes from [-]. An engine in double keeps its pose
+/// as a matrix or a quaternion and iterates for its impulses: about a hundred times the rounding of
+/// the closed form.
+constexpr double rate_rounding = 1e-12;
+
+/// A rebound slower than this may be the start of the end of an accumulation [m/s]; the default of
+/// SolveOptions, so that a run stops where the exact solution ends.
+constexpr double capture_speed = 1e-6;
+
+/// A step with more strikes than this does not get anywhere. From 1 m/s down to the capture speed
+/// with restitution 0.99 takes 1400 [-].
+constexpr int most_strikes = 10'000;
+
+std::string at_time(const std::string& what, double time) {
+  char buffer[32];  // longer than any %.9g
+  (void)std::snprintf(buffer, sizeof(buffer), "%.9g", time);
+  return what + " at t = " + buffer;
+}
+
+class EventDriven final : public Simulation {
+ public:
+  EventDriven(const Case& the_case, std::unique_ptr<EventAdapter> adapter)
+      : case_(the_case), adapter_(std::move(adapter)), impulses_(the_case.cables.size()) {
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const Cable& cable = case_.cables[index];
+      if (gap(cable, case_.initial) <= gap_rounding * cable.length) {
+        touching_.insert(index);
+      }
+    }
+  }
+
+  [[nodiscard]] State state() const override { return adapter_->state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] std::span<const Event> events() const override { return events_; }
+  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+
+  /// Flight, strike, flight, until the step is over.
+  void step(double dt) override {
+    std::fill(impulses_.begin(), impulses_.end(), 0.0);
+    events_.clear();
+    double rest = dt;
+    for (int strikes = 0; rest > 0.0 && !stop_; ++strikes) {
+      const double time = clock_.now() + (dt - rest);
+      if (strikes == most_strikes) {
+        stop("impacts accumulate", time);
+      } else if (!stops_at(time)) {
+        rest -= fly_to_contact(rest);
+        strike(clock_.now() + (dt - rest));
+      }
+    }
+    clock_.advance(dt);
+  }
+
+ private:
+  void stop(const std::string& why, double time) { stop_ = Stop{time, at_time(why, time)}; }
+
+  [[nodiscard]] Touching touching(const State& state) const {
+    return {touching_, rate_rounding * speed_scale(case_, state)};
+  }
+
+  /// Stops where the touching cables have no more than the end of their bounces before them.
+  bool stops_at(double time) {
+    const State now = adapter_->state();
+    const auto taut = capture(case_, now, touching(now), capture_speed);
+    if (taut) {
+      // exactly: resting cables have no bounces left
+      stop(taut->remaining == 0.0 ? "cables stay taut" : "impacts accumulate", time);
+    }
+    return taut.has_value();
+  }
+
+  /// Flies to the first contact, at most `rest` [s], and returns how long that took. Leaves in
+  /// `touching_` the cables in contact there: what is known to touch holds for one instant only.
+  double fly_to_contact(double rest) {
+    const State start = adapter_->state();
+    const auto contact = first_contact(case_, start, touching(start), rest).contact;
+    const double dt = contact ? contact->dt : rest;
+    if (dt > 0.0) {
+      adapter_->fly(dt);
+      touching_ = {};
+    }
+    touching_ = contact ? touching_ | contact->cables : touching_;
+    return dt;
+  }
+
+  /// Strikes the touching cables that close or rest, if one of them closes by more than rounding.
+  void strike(double time) {
+    const State before = adapter_->state();
+    const double rounding = touching(before).rate_rounding;
+    CableSet cables;
+    double fastest = 0.0;  // closing
+    for (const std::size_t index : touching_) {
+      const double rate = gap_rate(case_.cables[index], before);
+      if (rate <= rounding) {
+        cables.insert(index);
+        fastest = std::max(fastest, -rate);
+      }
+    }
+    if (fastest <= rounding) {
+      return;
+    }
+    CableVector impulses = adapter_->strike(cables);
+    Eigen::Index row = 0;
+    for (const std::size_t index : cables) {
+      impulses_[index] += impulses[row++];
+    }
+    events_.push_back(
+        {time, EventKind::impact, cables, std::move(impulses), before, adapter_->state()});
+  }
+
+  const Case case_;
+  std::unique_ptr<EventAdapter> adapter_;
+  Clock clock_;
+  CableSet touching_;  // at zero gap now
+  std::vector<double> impulses_;
+  std::vector<Event> events_;
+  std::optional<Stop> stop_;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> drive_by_events(const Case& the_case,
+                                            std::unique_ptr<EventAdapter> adapter) {
+  return std::make_unique<EventDriven>(the_case, std::move(adapter));
+}
+
+}  // namespace tautline

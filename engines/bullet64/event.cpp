@@ -1,0 +1,92 @@
+// The event driver over Bullet: half of gravity's impulse before and after a step makes its
+// semi-implicit Euler fly the exact parabola, and one `solveGroup` at the pose of an impact gives
+// the impulses without moving.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cable_constraint.hpp"
+#include "models.hpp"
+#include "tautline/event_driver.hpp"
+
+namespace tautline::bullet {
+namespace {
+
+/// Bullet stops a solve that no longer changes anything, so one cable takes two iterations; coupled
+/// cables may take hundreds to the last bit.
+constexpr int iterations = 1000;
+
+/// Bullet turns a body by no more than pi/4 in a step (ANGULAR_MOTION_THRESHOLD) [rad].
+constexpr double largest_turn = 0.7;
+
+class BulletEventAdapter final : public EventAdapter {
+ public:
+  explicit BulletEventAdapter(const Case& the_case)
+      : case_(the_case), world_(the_case), cables_(cable_constraints(the_case, world_)) {}
+
+  [[nodiscard]] State state() const override { return world_.state(); }
+
+  void fly(double dt) override {
+    const double turn = std::abs(world_.state().spin) * dt;
+    const double parts = std::max(1.0, std::ceil(turn / largest_turn));
+    const double part = dt / parts;
+    for (double done = 0.0; done < parts; done += 1.0) {
+      world_.kick(-0.5 * part * case_.gravity);
+      world_.advance(part);
+      world_.kick(0.5 * part * case_.gravity);
+    }
+  }
+
+  [[nodiscard]] CableVector strike(CableSet cables) override {
+    const State before = world_.state();
+    std::vector<btTypedConstraint*> struck;
+    for (const std::size_t index : cables) {
+      const CableRow row = cable_row(case_.cables[index], before);
+      cables_[index]->pull(row, rebound_rate(row, case_.cables[index].restitution));
+      struck.push_back(cables_[index].get());
+    }
+    solve(struck);
+    CableVector impulses(static_cast<Eigen::Index>(cables.size()));
+    Eigen::Index position = 0;
+    for (const std::size_t index : cables) {
+      impulses[position++] = cables_[index]->impulse();
+    }
+    return impulses;
+  }
+
+ private:
+  void solve(std::vector<btTypedConstraint*>& constraints) {
+    btContactSolverInfo info = world_.solver_info();
+    info.m_timeStep = 1;  // any: no force acts, and the rows ask for rates
+    info.m_numIterations = iterations;
+    btCollisionObject* body = &world_.body();
+    world_.body().clearForces();
+    world_.solver().solveGroup(&body, 1, nullptr, 0, constraints.data(),
+                               static_cast<int>(constraints.size()), info, nullptr,
+                               &world_.dispatcher());
+  }
+
+  const Case case_;
+  World world_;
+  std::vector<std::unique_ptr<CableConstraint>> cables_;  // not in the world: they act in strikes
+};
+
+}  // namespace
+
+std::vector<ModelEntry> event_models() {
+  return {
+      {{"event",
+        "Bullet flies and solves, the event driver finds the instants: each impact is one solve "
+        "at the exact pose.",
+        with_world_settings(
+            {{"m_numIterations", std::to_string(iterations),
+              "Cables hit together couple; a solve ends early once nothing changes."},
+             {"body velocity", "half of gravity's impulse before and after each step",
+              "Semi-implicit Euler then flies the exact parabola."}})},
+       [](const Case& the_case, double /*step*/) {
+         return drive_by_events(the_case, std::make_unique<BulletEventAdapter>(the_case));
+       }}};
+}
+
+}  // namespace tautline::bullet

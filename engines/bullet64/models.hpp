@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "tautline/model_table.hpp"
+
+namespace tautline::bullet {
+
+/// `row` and `early`: a constraint row of our own (row.cpp).
+[[nodiscard]] std::vector<ModelEntry> row_models();
+
+/// `contact` and `contact-tuned`: Bullet's contacts (contact.cpp).
+[[nodiscard]] std::vector<ModelEntry> contact_models();
+
+/// `bounce-limit`: a limit of Bullet's six-axis joint (bounce_limit.cpp).
+[[nodiscard]] std::vector<ModelEntry> bounce_limit_models();
+
+/// `event`: the event driver over Bullet's integrator and solver (event.cpp).
+[[nodiscard]] std::vector<ModelEntry> event_models();
+
+}  // namespace tautline::bullet

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "tautline/case.hpp"
+#include "tautline/engine.hpp"
+
+namespace tautline::bullet {
+
+[[nodiscard]] inline btVector3 vector(const Vec2& v) {
+  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), btScalar(0)};
+}
+
+/// A Bullet world with the body of a case in it, kept in the plane, and nothing else.
+class World {
+ public:
+  explicit World(const Case& the_case);
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+  ~World();
+
+  [[nodiscard]] State state() const;
+
+  /// One `stepSimulation` of `dt` [s] as one substep.
+  void advance(double dt);
+
+  /// Adds `change` to the body's velocity [m/s].
+  void kick(const Vec2& change);
+
+  /// Adds a body that does not move; Bullet's contacts need one at the other side.
+  btRigidBody& add_fixed_body(const Vec2& position);
+
+  /// Adds a constraint, which the world then owns.
+  template <class Constraint>
+  Constraint& add(std::unique_ptr<Constraint> constraint) {
+    Constraint& added = *constraint;
+    dynamics_.addConstraint(constraint.get());
+    constraints_.push_back(std::move(constraint));
+    return added;
+  }
+
+  [[nodiscard]] btRigidBody& body() { return *body_; }
+  [[nodiscard]] btContactSolverInfo& solver_info() { return dynamics_.getSolverInfo(); }
+  [[nodiscard]] btConstraintSolver& solver() { return solver_; }
+  [[nodiscard]] btDispatcher& dispatcher() { return dispatcher_; }
+
+ private:
+  std::unique_ptr<btRigidBody> make_body(double mass, double inertia);
+
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld dynamics_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+  btEmptyShape shape_;
+  std::unique_ptr<btRigidBody> body_;
+  std::vector<std::unique_ptr<btRigidBody>> fixed_;
+  std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
+  double angle_;  // [rad], not wrapped
+};
+
+/// The settings every model needs: those of `World`.
+[[nodiscard]] std::vector<Setting> world_settings();
+
+/// `settings` of the world and of a model.
+[[nodiscard]] std::vector<Setting> with_world_settings(std::vector<Setting> settings);
+
+}  // namespace tautline::bullet

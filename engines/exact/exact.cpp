@@ -1,0 +1,94 @@
+// The exact solver as an engine: the control every other engine is compared with on the same path.
+// It has no settings. It reports impacts only, as every engine does, and ends where the solution
+// ends.
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "tautline/clock.hpp"
+#include "tautline/model_table.hpp"
+#include "tautline/plugin.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline {
+namespace {
+
+/// A time past the end of the solution by no more than this is rounding in the sum of steps [-].
+constexpr double time_rounding = 1e-12;
+
+class ExactSimulation final : public Simulation {
+ public:
+  explicit ExactSimulation(const Case& the_case)
+      : solution_(solve(the_case)), impulses_(the_case.cables.size()) {}
+
+  [[nodiscard]] State state() const override {
+    // before the first step no event has happened, not even one at time 0
+    return clock_.now() > 0.0 ? solution_.at(std::min(clock_.now(), solution_.end_time()))
+                              : solution_.arcs().front().initial;
+  }
+  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] std::span<const Event> events() const override { return events_; }
+  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+
+  void step(double dt) override {
+    std::fill(impulses_.begin(), impulses_.end(), 0.0);
+    events_.clear();
+    if (stop_) {
+      return;
+    }
+    clock_.advance(dt);
+    report_impacts();
+    const double end = solution_.end_time();
+    if (clock_.now() > end * (1.0 + time_rounding)) {
+      stop_ = Stop{end, "the exact solution ends: " + std::string(to_string(solution_.ending()))};
+    }
+  }
+
+ private:
+  void report_impacts() {
+    const auto& all = solution_.events();
+    for (; next_ < all.size() && all[next_].time <= clock_.now(); ++next_) {
+      if (all[next_].kind != EventKind::impact) {
+        continue;
+      }
+      events_.push_back(all[next_]);
+      Eigen::Index row = 0;
+      for (const std::size_t index : all[next_].cables) {
+        impulses_[index] += all[next_].impulses[row++];
+      }
+    }
+  }
+
+  Solution solution_;
+  Clock clock_;
+  std::size_t next_ = 0;  // the first event not yet reported
+  std::vector<double> impulses_;
+  std::vector<Event> events_;
+  std::optional<Stop> stop_;
+};
+
+const std::vector<ModelEntry>& table() {
+  static const std::vector<ModelEntry> entries = {
+      {{"event", "The exact event-driven solution, evaluated at every step.", {}},
+       [](const Case& the_case, double /*step*/) -> std::unique_ptr<Simulation> {
+         return std::make_unique<ExactSimulation>(the_case);
+       }}};
+  return entries;
+}
+
+class ExactEngine final : public Engine {
+ public:
+  [[nodiscard]] EngineInfo info() const override {
+    return {"exact", TAUTLINE_VERSION, "float64", models(table())};
+  }
+  [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
+                                                  double step) const override {
+    return start_model(table(), model, the_case, step);
+  }
+};
+
+}  // namespace
+}  // namespace tautline
+
+TAUTLINE_PLUGIN(tautline::ExactEngine)

@@ -1,0 +1,102 @@
+// A cable is a contact joint without friction (ODE manual, "Contact"), made while the cable is
+// overstretched when a step starts (`row`, `contact`), or already when the step would overstretch
+// it
+// (`early`). ODE takes the larger of the bounce and the push out of the overstretch, and the bounce
+// from the velocity before gravity's part of the step.
+
+#include <utility>
+
+#include "models.hpp"
+#include "world.hpp"
+
+namespace tautline::ode {
+namespace {
+
+/// What the three models set otherwise.
+struct Choice {
+  Activation activation;
+  World::Rotation rotation;
+  double bounce_vel;          // [m/s], a slower contact does not bounce
+  std::optional<double> cfm;  // none: ODE's own
+};
+
+constexpr Choice row{Activation::overstretched, World::Rotation::finite, 0.0, 0.0};
+constexpr Choice early{Activation::crossing, World::Rotation::finite, 0.0, 0.0};
+/// 0.1 is the value of ODE's own demos.
+constexpr Choice contact{Activation::overstretched, World::Rotation::infinitesimal, 0.1, {}};
+
+class FixedStepSimulation final : public Simulation {
+ public:
+  FixedStepSimulation(const Case& the_case, const Choice& choice, double step)
+      : case_(the_case), choice_(choice), step_(step), world_(the_case, choice.rotation) {
+    if (choice.cfm) {
+      dWorldSetCFM(world_.id(), *choice.cfm);
+    }
+  }
+
+  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return world_.impulses(); }
+
+  void step(double dt) override {
+    const State start = world_.state();
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const Cable& cable = case_.cables[index];
+      const CableRow row_now = cable_row(cable, start);
+      if (acts(row_now, choice_.activation, dt)) {
+        world_.pull(index, row_now, surface(cable, dt));
+      }
+    }
+    world_.advance(dt);
+  }
+
+ private:
+  [[nodiscard]] dSurfaceParameters surface(const Cable& cable, double dt) const {
+    dSurfaceParameters result{};
+    result.mode = dContactBounce | dContactSoftERP;
+    result.bounce = cable.restitution;
+    result.bounce_vel = choice_.bounce_vel;
+    result.soft_erp = correction_in_step(dt, step_);
+    return result;
+  }
+
+  const Case case_;
+  Choice choice_;
+  double step_;  // [s], the usual one
+  World world_;
+};
+
+ModelEntry entry(std::string name, std::string sentence, std::vector<Setting> own,
+                 const Choice& choice) {
+  std::vector<Setting> settings = world_settings();
+  settings.insert(settings.end(), own.begin(), own.end());
+  return {{std::move(name), std::move(sentence), std::move(settings)},
+          [choice](const Case& the_case, double step) -> std::unique_ptr<Simulation> {
+            return std::make_unique<FixedStepSimulation>(the_case, choice, step);
+          }};
+}
+
+std::vector<Setting> exact_row_settings() {
+  return {{"dWorldSetCFM", "0", "ODE's 1e-10 softens every row a little."},
+          {"dBodySetFiniteRotationMode", "1",
+           "The default turns the body to first order only and renormalises."}};
+}
+
+}  // namespace
+
+std::vector<ModelEntry> fixed_step_models() {
+  return {entry("row",
+                "A contact joint from the step after the cable is overstretched; it asks for the "
+                "larger of the bounce and 0.2 of the overstretch per step.",
+                exact_row_settings(), row),
+          entry("early",
+                "The same joint already in the step that would overstretch the cable: the bounce "
+                "comes up to one step early.",
+                exact_row_settings(), early),
+          entry("contact",
+                "The same joint as `row` with ODE's own settings and its demos' bounce: what one "
+                "tries first.",
+                {{"bounce_vel", "0.1", "The value of ODE's demos; 0 would bounce at any speed."}},
+                contact)};
+}
+
+}  // namespace tautline::ode

@@ -74,16 +74,22 @@ template <class Function>
   return bound * now.value <= 0.25 * now.rate * now.rate;
 }
 
-/// Newton's method inside its certified region, until a correction no longer changes the time.
+/// Newton's method with the second derivative, inside its certified region: each correction is the
+/// first root of the Taylor parabola, at most 2 f/|f'|, until one no longer changes the time.
 template <class Function>
 [[nodiscard]] double finish_by_newton(const Function& f, Sample now, double s, int& steps) {
-  constexpr int enough = 8;  // quadratic from 1/4: five reach the last bit, the rest is rounding
+  constexpr int enough = 8;  // cubic from 1/4: four reach the last bit, the rest is rounding
   for (int iteration = 0; iteration < enough; ++iteration) {
-    const double correction = -now.value / now.rate;
+    const double bend = 2.0 * now.curvature * now.value;
+    const double slope = std::sqrt(std::max(0.0, now.rate * now.rate - bend));
+    const double correction = 2.0 * now.value / (slope - now.rate);
+    const double size = std::abs(correction);
+    // f there is at most J size^3 / 6 and |f'| at least half its size here: below rounding of the
+    // time there is nothing to gain
+    const bool done = f.jerk_bound(s, size) * size * size * size <=
+                      3.0 * std::numeric_limits<double>::epsilon() * s * std::abs(now.rate);
     s += correction;
-    // the error left is |f''/(2 f')| correction^2: below rounding there is nothing to gain
-    if (std::abs(now.curvature * correction * correction) <=
-        std::numeric_limits<double>::epsilon() * s * std::abs(now.rate)) {
+    if (done) {
       break;
     }
     now = f.at(s);

@@ -1,0 +1,142 @@
+#include "bench/case_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "bench/input_file.hpp"
+#include "bench/strict_table.hpp"
+#include "bench/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// No line of a case file needs to be longer [bytes]. The limit also bounds how deep `a.a.a = 1`
+/// can nest: the parser takes such a table apart by recursion.
+constexpr std::size_t longest_line = 4096;
+
+Cable read_cable(StrictTable& table) {
+  Cable cable;
+  cable.anchor = table.pair("anchor", "[m]");
+  cable.attachment = table.pair("attachment", "[m]");
+  cable.length = table.number("length", above_zero, "[m]");
+  cable.restitution = table.number("restitution", zero_to_one, "");
+  table.refuse_unknown_keys();
+  return cable;
+}
+
+Body read_body(StrictTable table) {
+  Body body;
+  body.mass = table.number("mass", above_zero, "[kg]");
+  body.inertia = table.number("inertia", zero_or_above, "[kg m^2]");
+  table.refuse_unknown_keys();
+  return body;
+}
+
+State read_initial(StrictTable table) {
+  State state;
+  state.position = table.pair("position", "[m]");
+  state.angle = table.optional_number("angle", any_number, "[rad]").value_or(0.0);
+  state.velocity = table.optional_pair("velocity", "[m/s]").value_or(Vec2(Vec2::Zero()));
+  state.spin = table.optional_number("spin", any_number, "[rad/s]").value_or(0.0);
+  table.refuse_unknown_keys();
+  return state;
+}
+
+Case read_tables(const toml::table& file, Findings& findings) {
+  const std::string cables_right =
+      "must be 1 to " + std::to_string(max_cables) +
+      " tables [[cables]], each with anchor, attachment, length and restitution";
+  StrictTable root(&file, "", findings);
+  Case result;
+  result.name = root.text("name");
+  result.duration = root.number("duration", above_zero, "[s]");
+  result.gravity = root.pair("gravity", "[m/s^2]");
+  result.angle_limit = root.optional_number("angle_limit", above_zero, "[rad]");
+  result.ceiling = root.optional_number("ceiling", any_number, "[m]");
+  result.body = read_body(root.table("body"));
+  for (StrictTable& table : root.tables("cables", max_cables, cables_right)) {
+    result.cables.push_back(read_cable(table));
+  }
+  result.initial = read_initial(root.table("initial"));
+  root.refuse_unknown_keys();
+  return result;
+}
+
+/// The line a sentence of `tautline::problems` is about: "cable 2: ..." or "body: inertia ...".
+std::size_t line_of_problem(const toml::table& file, const std::string& sentence) {
+  if (sentence.starts_with("cable")) {
+    const std::size_t digits = std::min(sentence.find_first_of("0123456789"), sentence.size());
+    std::size_t index = 0;
+    std::from_chars(sentence.data() + digits, sentence.data() + sentence.size(), index);
+    return line_of(file["cables"][index].node());
+  }
+  const std::size_t colon = std::min(sentence.find(": "), sentence.size());
+  const std::string table = sentence.substr(0, colon);
+  const std::string rest = sentence.substr(std::min(colon + 2, sentence.size()));
+  const toml::node* key = file[table][rest.substr(0, rest.find(' '))].node();
+  return line_of(key != nullptr ? key : file[table].node());
+}
+
+/// Adds a finding for text that the parser need not see.
+void check_lines(std::string_view text, Findings& findings) {
+  std::size_t line = 1;
+  while (!text.empty() && findings.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    if (text.substr(0, length).find('\0') != std::string_view::npos) {
+      findings.add(line, "holds a zero byte: must be a text file (TOML)");
+    } else if (length > longest_line) {
+      findings.add(line, "is " + std::to_string(length) + " bytes long, a line has at most " +
+                             std::to_string(longest_line));
+    }
+    text.remove_prefix(std::min(length + 1, text.size()));
+    ++line;
+  }
+}
+
+/// The table the text stands for; none, and a finding, where it is not TOML.
+std::optional<toml::table> parse(std::string_view text, Findings& findings) {
+  check_lines(text, findings);
+  if (!findings.empty()) {
+    return std::nullopt;
+  }
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    findings.add(error.source().begin.line, "column " +
+                                                std::to_string(error.source().begin.column) +
+                                                ": not TOML: " + printable(error.description()));
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+CaseReading read_case_file(const std::filesystem::path& path) {
+  const InputFile file = read_input_file(path, longest_case_file);
+  if (file.problem) {
+    Findings findings(path.native());
+    findings.add(0, *file.problem);
+    return {std::nullopt, findings.sentences()};
+  }
+  return read_case_text(file.content, path.native());
+}
+
+CaseReading read_case_text(std::string_view text, const std::string& source_name) {
+  Findings findings(source_name);
+  const std::optional<toml::table> file = parse(text, findings);
+  if (!file) {
+    return {std::nullopt, findings.sentences()};
+  }
+  Case the_case = read_tables(*file, findings);
+  if (findings.empty()) {  // rules that tie several keys together
+    for (const std::string& sentence : problems(the_case)) {
+      findings.add(line_of_problem(*file, sentence), sentence);
+    }
+  }
+  if (!findings.empty()) {
+    return {std::nullopt, findings.sentences()};
+  }
+  return {std::move(the_case), {}};
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tautline/case.hpp"
+
+namespace tautline::bench {
+
+/// A case, or all that is wrong with its file.
+struct CaseReading {
+  std::optional<Case> the_case;  // present exactly when `problems` is empty; `solve` accepts it
+  std::vector<std::string>
+      problems;  // sentences that name file, line, key, value and what is right
+};
+
+/// A longer file is refused before it is read [bytes].
+inline constexpr std::size_t longest_case_file = std::size_t{1} << 20U;
+
+/// Reads a case file. Never throws on bad input and never waits for it: what is not a regular file
+/// is refused.
+[[nodiscard]] CaseReading read_case_file(const std::filesystem::path& path);
+
+/// Reads the text of a case file; `source_name` stands for the file in the sentences.
+[[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name);
+
+/// The text of a case file that reads back as the same case, bit for bit.
+/// Requires a name in UTF-8.
+[[nodiscard]] std::string write_case(const Case& the_case);
+
+}  // namespace tautline::bench

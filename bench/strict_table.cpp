@@ -1,0 +1,267 @@
+#include "bench/strict_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "bench/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string type_name(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::table:
+      return "a table";
+    default:
+      return "a date or time";
+  }
+}
+
+/// The value as the file has it: 1.2 or "text"; nothing for a table, which has lines of its own.
+std::string value_text(const toml::node& node) {
+  if (const auto* text = node.as_string()) {
+    return "\"" + printable(text->get()) + "\"";
+  }
+  if (const auto* number = node.as_floating_point()) {
+    return shortest(number->get());
+  }
+  std::ostringstream stream;
+  node.visit([&stream](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) {
+      stream << value;
+    }
+  });
+  return printable(stream.str());
+}
+
+/// " = 1.2" or " = [0, 1, 2]"; nothing for what is too long to quote.
+std::string quoted_value(const toml::node& node) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) {
+    return node.is_table() ? "" : " = " + value_text(node);
+  }
+  constexpr std::size_t quotable_entries = 6;
+  if (array->size() > quotable_entries) {
+    return "";
+  }
+  std::string entries;
+  for (const toml::node& entry : *array) {
+    if (!entry.is_value()) {
+      return "";
+    }
+    entries += (entries.empty() ? "" : ", ") + value_text(entry);
+  }
+  return " = [" + entries + "]";
+}
+
+std::optional<double> as_number(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) {
+    return number->get();
+  }
+  if (const auto* integer = node.as_integer()) {
+    return static_cast<double>(integer->get());
+  }
+  return std::nullopt;
+}
+
+std::string with_unit(std::string_view right, std::string_view unit) {
+  return "must be " + std::string(right) + (unit.empty() ? "" : " ") + std::string(unit);
+}
+
+}  // namespace
+
+const Range any_number = {"a finite number", [](double x) { return std::isfinite(x); }};
+const Range above_zero = {"a finite number above 0",
+                          [](double x) { return std::isfinite(x) && x > 0.0; }};
+const Range zero_or_above = {"a finite number, 0 or above",
+                             [](double x) { return std::isfinite(x) && x >= 0.0; }};
+const Range zero_to_one = {"in [0, 1]", [](double x) { return x >= 0.0 && x <= 1.0; }};
+
+Findings::Findings(const std::string& source_name) {
+  constexpr std::size_t longest_path = 1024;
+  source_ = source_name.empty() ? "\"\"" : printable(source_name, longest_path);
+}
+
+void Findings::add(std::size_t line, const std::string& sentence) {
+  found_.emplace_back(line,
+                      source_ + (line > 0 ? ":" + std::to_string(line) : "") + ": " + sentence);
+}
+
+std::vector<std::string> Findings::sentences() const {
+  constexpr std::size_t enough = 100;
+  auto sorted = found_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& one, const auto& two) { return one.first < two.first; });
+  std::vector<std::string> result;
+  for (const auto& [line, sentence] : sorted) {
+    if (result.size() == enough) {
+      result.push_back(source_ + ": and " + std::to_string(sorted.size() - enough) +
+                       " more problems");
+      break;
+    }
+    result.push_back(sentence);
+  }
+  return result;
+}
+
+StrictTable::StrictTable(const toml::table* table, std::string path, Findings& findings)
+    : table_(table), path_(std::move(path)), findings_(&findings) {}
+
+std::string StrictTable::text(std::string_view key) {
+  const std::string right = "must be a string that is not empty";
+  const toml::node* node = find_required(key, right);
+  if (node == nullptr) {
+    return "";
+  }
+  const auto* value = node->as_string();
+  if (value == nullptr) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
+    return "";
+  }
+  if (value->get().empty()) {
+    refuse(*node, full_name(key), right);
+  }
+  return value->get();
+}
+
+double StrictTable::number(std::string_view key, const Range& range, std::string_view unit) {
+  const toml::node* node = find_required(key, with_unit(range.right, unit));
+  return node != nullptr ? checked(*node, full_name(key), range, unit) : 0.0;
+}
+
+std::optional<double> StrictTable::optional_number(std::string_view key, const Range& range,
+                                                   std::string_view unit) {
+  const toml::node* node = find(key);
+  return node != nullptr ? std::optional(checked(*node, full_name(key), range, unit))
+                         : std::nullopt;
+}
+
+Vec2 StrictTable::pair(std::string_view key, std::string_view unit) {
+  const toml::node* node = find_required(key, with_unit("two numbers [x, y]", unit));
+  return node != nullptr ? checked_pair(*node, full_name(key), unit) : Vec2(Vec2::Zero());
+}
+
+std::optional<Vec2> StrictTable::optional_pair(std::string_view key, std::string_view unit) {
+  const toml::node* node = find(key);
+  return node != nullptr ? std::optional(checked_pair(*node, full_name(key), unit)) : std::nullopt;
+}
+
+StrictTable StrictTable::table(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node != nullptr && !node->is_table()) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", must be a table");
+  }
+  return {node != nullptr ? node->as_table() : nullptr, full_name(key), *findings_};
+}
+
+std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t most,
+                                             const std::string& right) {
+  std::vector<StrictTable> result;
+  const toml::node* node = find_required(key, right);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node != nullptr && array == nullptr) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
+  }
+  if (array == nullptr) {
+    return result;
+  }
+  if (array->empty()) {
+    refuse(*node, full_name(key), "none given, " + right);
+  }
+  if (array->size() > most) {
+    refuse(*array->get(most), full_name(key), std::to_string(array->size()) + " given, " + right);
+  }
+  for (std::size_t index = 0; index < std::min(most, array->size()); ++index) {
+    const toml::node& entry = *array->get(index);
+    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    if (const toml::table* table = entry.as_table()) {
+      result.emplace_back(table, name, *findings_);
+    } else {
+      refuse(entry, name, "is " + type_name(entry) + ", must be a table");
+    }
+  }
+  return result;
+}
+
+void StrictTable::refuse_unknown_keys() {
+  if (table_ == nullptr) {
+    return;
+  }
+  for (const auto& [key, node] : *table_) {
+    if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) {
+      continue;
+    }
+    const std::string near = suggestion(key.str(), known_);
+    findings_->add(key.source().begin.line,
+                   full_name(printable(key.str())) + quoted_value(node) + ": unknown key" +
+                       (near.empty() ? ", must be " + joined(known_, "or") : near));
+  }
+}
+
+const toml::node* StrictTable::find(std::string_view key) {
+  known_.emplace_back(key);
+  return table_ != nullptr ? table_->get(key) : nullptr;
+}
+
+const toml::node* StrictTable::find_required(std::string_view key, const std::string& right) {
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    // the file itself has no line to point at
+    findings_->add(path_.empty() ? 0 : line_of(table_), full_name(key) + ": is missing, " + right);
+  }
+  return node;
+}
+
+double StrictTable::checked(const toml::node& node, const std::string& name, const Range& range,
+                            std::string_view unit) {
+  const std::optional<double> value = as_number(node);
+  if (!value) {
+    refuse(node, name, "is " + type_name(node) + ", " + with_unit(range.right, unit));
+    return 0.0;
+  }
+  if (!range.holds(*value)) {
+    refuse(node, name, with_unit(range.right, unit));
+  }
+  return *value;
+}
+
+Vec2 StrictTable::checked_pair(const toml::node& node, const std::string& name,
+                               std::string_view unit) {
+  const toml::array* array = node.as_array();
+  const std::string right = with_unit("two numbers [x, y]", unit);
+  if (array == nullptr) {
+    refuse(node, name, "is " + type_name(node) + ", " + right);
+    return Vec2::Zero();
+  }
+  if (array->size() != 2) {
+    refuse(node, name, "is an array of length " + std::to_string(array->size()) + ", " + right);
+    return Vec2::Zero();
+  }
+  return {checked(*array->get(0), name + "[0]", any_number, unit),
+          checked(*array->get(1), name + "[1]", any_number, unit)};
+}
+
+void StrictTable::refuse(const toml::node& node, const std::string& name, const std::string& why) {
+  findings_->add(line_of(&node), name + quoted_value(node) + ": " + why);
+}
+
+std::string StrictTable::full_name(std::string_view key) const {
+  return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+}
+
+std::size_t line_of(const toml::node* node) {
+  return node != nullptr ? node->source().begin.line : 0;
+}
+
+}  // namespace tautline::bench

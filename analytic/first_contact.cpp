@@ -19,7 +19,9 @@ namespace {
 /// however short it is, which moves the return of a bounce of speed v by 1e-16 / v.
 class GapAlongFlight {
  public:
-  GapAlongFlight(const Case& the_case, const Cable& cable, const State& start, bool at_zero)
+  /// `at_zero`: f(0) is zero, and f'(0) too where it is within `rate_rounding` below.
+  GapAlongFlight(const Case& the_case, const Cable& cable, const State& start, bool at_zero,
+                 double rate_rounding)
       : gravity_(the_case.gravity),
         cable_(cable),
         start_(start),
@@ -29,7 +31,11 @@ class GapAlongFlight {
                        : (cable.length * cable.length - from_anchor_.squaredNorm()) /
                              (2.0 * cable.length)),
         radius_(cable.attachment.norm()),
-        turning_(start.spin * start.spin * radius_) {}
+        turning_(start.spin * start.spin * radius_) {
+    const double rate =
+        -from_anchor_.dot(start.velocity + start.spin * perpendicular(arm_)) / cable.length;
+    drift_ = at_zero && rate < 0.0 && rate >= -rate_rounding ? -rate : 0.0;
+  }
 
   [[nodiscard]] Sample at(double s) const {
     // the turn by 2 h takes the arm a to a + 2 sin h (cos h a' - sin h a), a' perpendicular to a
@@ -42,8 +48,8 @@ class GapAlongFlight {
     const Vec2 velocity = start_.velocity + s * gravity_ + start_.spin * perpendicular(arm);
     const Vec2 acceleration = gravity_ - start_.spin * start_.spin * arm;
     const double length = cable_.length;
-    return {value_ - (from_anchor_ + 0.5 * way).dot(way) / length,
-            -from_anchor.dot(velocity) / length,
+    return {value_ + s * drift_ - (from_anchor_ + 0.5 * way).dot(way) / length,
+            drift_ - from_anchor.dot(velocity) / length,
             -(velocity.squaredNorm() + from_anchor.dot(acceleration)) / length};
   }
 
@@ -66,6 +72,7 @@ class GapAlongFlight {
   Vec2 arm_;          // [m], centre of mass to attachment at the start
   Vec2 from_anchor_;  // [m], anchor to attachment at the start
   double value_;      // [m], f at the start
+  double drift_;      // [m/s], takes away a closing rate that is rounding
   double radius_;     // [m], attachment to centre of mass
   double turning_;    // [m/s^2], centripetal acceleration of the attachment
 };
@@ -105,8 +112,9 @@ FirstContactSearch first_contact(const Case& the_case, const State& state, const
     // nothing after the earliest contact so far matters, except what is simultaneous with it
     const double until = earliest ? std::min(horizon, *earliest * (1.0 + simultaneous)) : horizon;
     const bool at_zero = touching.cables.contains(index);
-    const GapAlongFlight f(the_case, the_case.cables[index], state, at_zero);
-    const RootSearch search = first_root(f, until, {at_zero, touching.rate_rounding});
+    const GapAlongFlight f(the_case, the_case.cables[index], state, at_zero,
+                           touching.rate_rounding);
+    const RootSearch search = first_root(f, until, {at_zero});
     result.steps += search.steps;
     roots[index] = search.root;
     if (search.root && (!earliest || *search.root < *earliest)) {

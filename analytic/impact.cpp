@@ -79,16 +79,22 @@ Impact newton_impact(const Case& the_case, const State& before, CableSet cables)
   assert(!cables.empty() && "an impact needs a cable");
   const CableMatrix g = delassus(the_case, before, cables);
   CableVector q(g.rows());  // (1 + restitution) times the rate before
-  Eigen::Index row = 0;
+  std::vector<Eigen::Index> rows;
   for (const std::size_t index : cables) {
     const Cable& cable = the_case.cables[index];
-    const double rate = gap_rate(cable, before);
-    assert(rate <= 1e-9 * speed_scale(the_case, before) && "a separating cable has no impact");
-    q[row++] = (1.0 + cable.restitution) * rate;
+    rows.push_back(static_cast<Eigen::Index>(rows.size()));
+    q[rows.back()] = (1.0 + cable.restitution) * gap_rate(cable, before);
   }
   Impact impact;
-  // solvable: z >= 0 with J^T z = 0 and closing or resting rates only forces z . q = 0
-  impact.impulses = solve_lcp(g, q).value();
+  if (std::optional<CableVector> impulses = solve_lcp(g, q)) {
+    impact.impulses = *impulses;
+  } else {
+    // a resting cable's rate, above zero by rounding, left no solution: such cables take no part
+    std::erase_if(rows, [&](Eigen::Index row) { return q[row] > 0.0; });
+    impact.impulses = CableVector::Zero(q.size());
+    // solvable: z >= 0 with J^T z = 0 and closing or resting rates only forces z . q = 0
+    impact.impulses(rows) = solve_lcp(g(rows, rows), q(rows)).value();
+  }
   impact.after = with_impulses(the_case, before, cables, impact.impulses);
   return impact;
 }

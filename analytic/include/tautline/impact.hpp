@@ -16,7 +16,7 @@ struct Impact {
 /// Newton's impact law for all of `cables`, each at zero gap and closing or resting (Eq. 14):
 /// 0 <= impulse, perpendicular to, rate after + restitution * rate before >= 0.
 /// Never gains energy (analytic/README.md section 4). A rate > 0 before is a caller's mistake;
-/// one within rounding of zero is taken as it is.
+/// one within rounding of zero is taken as it is, or left out where that leaves no solution.
 [[nodiscard]] Impact newton_impact(const Case& the_case, const State& before, CableSet cables);
 
 /// Solves the linear complementarity problem 0 <= z, perpendicular to, m z + q >= 0 for a matrix

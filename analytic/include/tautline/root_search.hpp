@@ -16,8 +16,7 @@ struct Sample {
 
 /// What is known about a function where a search starts, better than its rounded sample says.
 struct SearchStart {
-  bool at_zero = false;        // the value is exactly zero
-  double rate_rounding = 0.0;  // then a rate from -rate_rounding up to 0 is rounding of zero
+  bool at_zero = false;  // the value is exactly zero
 };
 
 /// What a search for the first root found.
@@ -48,13 +47,15 @@ template <class Function>
     return first_quadratic_root(now.value, now.rate, f.jerk_bound(s, w) * w - now.curvature);
   };
   double trial = std::min(window, first_quadratic_root(now.value, now.rate, -now.curvature));
-  // at the best w both limits agree; the geometric mean closes three quarters of the log distance
+  // at the best w both limits agree; the geometric mean closes three quarters of the log distance.
+  // From a graze the right-hand side has its root at zero unless w is small: never all the way
+  constexpr double least = std::numeric_limits<double>::epsilon();
   for (int refinement = 0; refinement < 3; ++refinement) {
     const double found = reach(trial);
     if (found >= trial) {
       return trial;
     }
-    trial = std::sqrt(trial * found);
+    trial = std::sqrt(trial * std::max(found, least * trial));
   }
   return std::min(trial, reach(trial));
 }
@@ -116,7 +117,6 @@ template <class Function>
   search.steps = 1;
   if (start.at_zero) {
     now.value = 0.0;
-    now.rate = now.rate < 0.0 && now.rate >= -start.rate_rounding ? 0.0 : now.rate;
   }
   double least_step = 0.0;
   while (true) {

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::test {
+namespace {
+
+TEST(Endings, ReachedDurationIsTheDurationExactly) {
+  Case the_case = table_case("1110121100");
+  the_case.duration = 0.3;  // not a sum of the flights before it
+  const Solution solution = solve(the_case);
+  EXPECT_EQ(solution.ending(), Ending::reached_duration);
+  EXPECT_EQ(solution.end_time(), 0.3);
+  EXPECT_FALSE(solution.accumulation().has_value());
+}
+
+TEST(Endings, AngleLimitEndsTheElasticCaseAtARightAngle) {
+  const Case the_case = breakwater(table_row("1110121100"), "elastic", ChapterLimits::on);
+  const Solution solution = solve(the_case);
+  ASSERT_EQ(solution.ending(), Ending::angle_limit) << to_string(solution.ending());
+  constexpr double known = 10.42331;  // five decimals, computed with 60-digit arithmetic
+  expect_within("error of the time", std::abs(solution.end_time() - known), 0.5e-5);
+  const double angle = std::abs(solution.at(solution.end_time()).angle);
+  expect_within("error of the angle", std::abs(angle - 0.5 * std::numbers::pi), 1e-15);
+}
+
+TEST(Endings, CeilingEndsAnAscent) {
+  // level, upwards with 2 from 0.1: the attachments reach 1.2 at 2 - sqrt(1.8)
+  Breakwater p;
+  p.initial = {Vec2(0.0, 0.1), 0.0, Vec2(0.0, 2.0), 0.0};
+  const Solution solution = solve(breakwater(p, "ascent", ChapterLimits::on));
+  ASSERT_EQ(solution.ending(), Ending::ceiling) << to_string(solution.ending());
+  expect_within("error of the time", std::abs(solution.end_time() - (2.0 - std::sqrt(1.8))), 1e-15);
+}
+
+TEST(Endings, CeilingIsNotMetByAnAscentThatStaysBelow) {
+  Breakwater p;  // the summit is 1e-9 below 1.2
+  p.initial = {Vec2(0.0, 0.1), 0.0, Vec2(0.0, std::sqrt(2.2 - 2e-9)), 0.0};
+  p.duration = 2.0;
+  const Solution solution = solve(breakwater(p, "ascent", ChapterLimits::on));
+  EXPECT_EQ(solution.ending(), Ending::reached_duration) << to_string(solution.ending());
+}
+
+TEST(Endings, EventLimitSaysSo) {
+  SolveOptions options;
+  options.max_events = 7;
+  const Solution solution = solve(table_case("1110121100"), options);
+  EXPECT_EQ(solution.ending(), Ending::event_limit);
+  EXPECT_EQ(solution.events().size(), 7U);
+  EXPECT_EQ(solution.end_time(), solution.events().back().time);
+  EXPECT_EQ(difference(solution.at(solution.end_time()), solution.events().back().after), 0.0);
+}
+
+TEST(Endings, WithoutRestitutionTheFirstImpactIsTheLast) {
+  Breakwater p = table_row("1910121100");
+  p.e = 0.0;
+  const Case the_case = breakwater(p, "inelastic");
+  const Solution solution = solve(the_case);
+  ASSERT_EQ(solution.ending(), Ending::taut) << to_string(solution.ending());
+  ASSERT_EQ(solution.events().size(), 2U);
+  EXPECT_EQ(solution.events()[0].kind, EventKind::impact);
+  EXPECT_EQ(solution.events()[1].kind, EventKind::taut);
+  EXPECT_NEAR(solution.end_time(), 0.05819747296988460, 1e-15);
+  const State end = solution.at(solution.end_time());
+  EXPECT_NEAR(gap_rate(the_case.cables[0], end), 0.0, 1e-15);
+  EXPECT_FALSE(solution.accumulation().has_value());
+}
+
+TEST(Endings, ABodyThatHangsAtRestIsTautAtOnce) {
+  Breakwater p;
+  p.initial = {};
+  const Solution solution = solve(breakwater(p, "at rest"));
+  EXPECT_EQ(solution.ending(), Ending::taut) << to_string(solution.ending());
+  EXPECT_EQ(solution.end_time(), 0.0);
+  ASSERT_EQ(solution.events().size(), 1U);
+  EXPECT_EQ(solution.events().front().kind, EventKind::taut);
+  EXPECT_EQ(solution.events().front().cables.size(), 2U);
+  EXPECT_LE(difference(solution.at(0.0), p.initial), 1e-15);
+}
+
+TEST(Endings, AClosingCableAtZeroGapIsHitAtTheStart) {
+  Case ball = bouncing_ball(0.5);
+  ball.initial.position.y() = 0.0;
+  ball.initial.velocity.y() = -1.0;
+  const Solution solution = solve(ball);
+  ASSERT_GE(solution.events().size(), 2U);
+  EXPECT_EQ(solution.events()[0].time, 0.0);
+  EXPECT_DOUBLE_EQ(solution.events()[0].after.velocity.y(), 0.5);
+  EXPECT_NEAR(solution.events()[1].time, 1.0, 1e-15);
+  EXPECT_DOUBLE_EQ(solution.at(0.0).velocity.y(), 0.5) << "at an event, the state after it";
+}
+
+TEST(Endings, AStretchedCableThatMovesAwayIsNotHit) {
+  Case ball = bouncing_ball(0.5);
+  ball.initial.position.y() = 0.0;
+  ball.initial.velocity.y() = 1.0;
+  const Solution solution = solve(ball);
+  ASSERT_FALSE(solution.events().empty());
+  EXPECT_NEAR(solution.events().front().time, 2.0, 1e-15);
+}
+
+TEST(Endings, WithoutGravityABodyAtRestStaysWhereItIs) {
+  Case ball = bouncing_ball(0.5);
+  ball.gravity.setZero();
+  const Solution slack = solve(ball);
+  EXPECT_EQ(slack.ending(), Ending::reached_duration) << to_string(slack.ending());
+  EXPECT_TRUE(slack.events().empty());
+  ball.initial.position.y() = 0.0;
+  const Solution stretched = solve(ball);
+  EXPECT_LE(stretched.events().size(), 1U);
+  EXPECT_EQ(difference(stretched.at(stretched.end_time()), ball.initial), 0.0);
+}
+
+TEST(Endings, WithoutGravityASpinningBodyOnACentralCableNeverHits) {
+  Case ball = bouncing_ball(0.5);
+  ball.gravity.setZero();
+  ball.initial.position.y() = 0.0;
+  ball.initial.spin = 3.0;
+  const Solution solution = solve(ball);
+  EXPECT_EQ(difference(solution.at(solution.end_time()).spin == 3.0 ? ball.initial : State{},
+                       ball.initial),
+            0.0);
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "bench/findings.hpp"
 #include "bench/input_file.hpp"
 #include "bench/strict_table.hpp"
 #include "bench/text.hpp"
+#include "bench/toml_value.hpp"
 
 namespace tautline::bench {
 namespace {

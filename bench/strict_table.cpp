@@ -2,78 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "bench/text.hpp"
+#include "bench/toml_value.hpp"
 
 namespace tautline::bench {
 namespace {
-
-std::string type_name(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::string:
-      return "a string";
-    case toml::node_type::integer:
-      return "an integer";
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "a boolean";
-    case toml::node_type::array:
-      return "an array";
-    case toml::node_type::table:
-      return "a table";
-    default:
-      return "a date or time";
-  }
-}
-
-/// The value as the file has it: 1.2 or "text"; nothing for a table, which has lines of its own.
-std::string value_text(const toml::node& node) {
-  if (const auto* text = node.as_string()) {
-    return "\"" + printable(text->get()) + "\"";
-  }
-  if (const auto* number = node.as_floating_point()) {
-    return shortest(number->get());
-  }
-  std::ostringstream stream;
-  node.visit([&stream](const auto& value) {
-    if constexpr (toml::is_value<decltype(value)>) {
-      stream << value;
-    }
-  });
-  return printable(stream.str());
-}
-
-/// " = 1.2" or " = [0, 1, 2]"; nothing for what is too long to quote.
-std::string quoted_value(const toml::node& node) {
-  const toml::array* array = node.as_array();
-  if (array == nullptr) {
-    return node.is_table() ? "" : " = " + value_text(node);
-  }
-  constexpr std::size_t quotable_entries = 6;
-  if (array->size() > quotable_entries) {
-    return "";
-  }
-  std::string entries;
-  for (const toml::node& entry : *array) {
-    if (!entry.is_value()) {
-      return "";
-    }
-    entries += (entries.empty() ? "" : ", ") + value_text(entry);
-  }
-  return " = [" + entries + "]";
-}
-
-std::optional<double> as_number(const toml::node& node) {
-  if (const auto* number = node.as_floating_point()) {
-    return number->get();
-  }
-  if (const auto* integer = node.as_integer()) {
-    return static_cast<double>(integer->get());
-  }
-  return std::nullopt;
-}
 
 std::string with_unit(std::string_view right, std::string_view unit) {
   return "must be " + std::string(right) + (unit.empty() ? "" : " ") + std::string(unit);
@@ -87,33 +21,6 @@ const Range above_zero = {"a finite number above 0",
 const Range zero_or_above = {"a finite number, 0 or above",
                              [](double x) { return std::isfinite(x) && x >= 0.0; }};
 const Range zero_to_one = {"in [0, 1]", [](double x) { return x >= 0.0 && x <= 1.0; }};
-
-Findings::Findings(const std::string& source_name) {
-  constexpr std::size_t longest_path = 1024;
-  source_ = source_name.empty() ? "\"\"" : printable(source_name, longest_path);
-}
-
-void Findings::add(std::size_t line, const std::string& sentence) {
-  found_.emplace_back(line,
-                      source_ + (line > 0 ? ":" + std::to_string(line) : "") + ": " + sentence);
-}
-
-std::vector<std::string> Findings::sentences() const {
-  constexpr std::size_t enough = 100;
-  auto sorted = found_;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& one, const auto& two) { return one.first < two.first; });
-  std::vector<std::string> result;
-  for (const auto& [line, sentence] : sorted) {
-    if (result.size() == enough) {
-      result.push_back(source_ + ": and " + std::to_string(sorted.size() - enough) +
-                       " more problems");
-      break;
-    }
-    result.push_back(sentence);
-  }
-  return result;
-}
 
 StrictTable::StrictTable(const toml::table* table, std::string path, Findings& findings)
     : table_(table), path_(std::move(path)), findings_(&findings) {}
@@ -258,10 +165,6 @@ void StrictTable::refuse(const toml::node& node, const std::string& name, const 
 
 std::string StrictTable::full_name(std::string_view key) const {
   return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
-}
-
-std::size_t line_of(const toml::node* node) {
-  return node != nullptr ? node->source().begin.line : 0;
 }
 
 }  // namespace tautline::bench

@@ -5,30 +5,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "bench/findings.hpp"
 #include "tautline/case.hpp"
 
 namespace tautline::bench {
-
-/// What is wrong with one file, in sentences that start with `file:line: `.
-class Findings {
- public:
-  explicit Findings(const std::string& source_name);
-
-  /// `line` counts from 1; 0 where no line can be named.
-  void add(std::size_t line, const std::string& sentence);
-  [[nodiscard]] bool empty() const { return found_.empty(); }
-
-  /// In the order of their lines. A file with very many is not read to the end by anyone: the last
-  /// sentence then says how many more there are.
-  [[nodiscard]] std::vector<std::string> sentences() const;
-
- private:
-  std::string source_;
-  std::vector<std::pair<std::size_t, std::string>> found_;
-};
 
 /// Which numbers a key takes.
 struct Range {
@@ -77,8 +59,5 @@ class StrictTable {
   Findings* findings_;
   std::vector<std::string> known_;
 };
-
-/// The line of a node; 0 for null.
-[[nodiscard]] std::size_t line_of(const toml::node* node);
 
 }  // namespace tautline::bench

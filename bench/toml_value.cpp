@@ -1,0 +1,81 @@
+#include "bench/toml_value.hpp"
+
+#include <sstream>
+
+#include "bench/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// The value as the file has it: 1.2 or "text"; nothing for a table, which has lines of its own.
+std::string value_text(const toml::node& node) {
+  if (const auto* text = node.as_string()) {
+    return "\"" + printable(text->get()) + "\"";
+  }
+  if (const auto* number = node.as_floating_point()) {
+    return shortest(number->get());
+  }
+  std::ostringstream stream;
+  node.visit([&stream](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) {
+      stream << value;
+    }
+  });
+  return printable(stream.str());
+}
+
+}  // namespace
+
+std::size_t line_of(const toml::node* node) {
+  return node != nullptr ? node->source().begin.line : 0;
+}
+
+std::string type_name(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::table:
+      return "a table";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string quoted_value(const toml::node& node) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) {
+    return node.is_table() ? "" : " = " + value_text(node);
+  }
+  constexpr std::size_t quotable_entries = 6;
+  if (array->size() > quotable_entries) {
+    return "";
+  }
+  std::string entries;
+  for (const toml::node& entry : *array) {
+    if (!entry.is_value()) {
+      return "";
+    }
+    entries += (entries.empty() ? "" : ", ") + value_text(entry);
+  }
+  return " = [" + entries + "]";
+}
+
+std::optional<double> as_number(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) {
+    return number->get();
+  }
+  if (const auto* integer = node.as_integer()) {
+    return static_cast<double>(integer->get());
+  }
+  return std::nullopt;
+}
+
+}  // namespace tautline::bench

@@ -46,7 +46,7 @@ enum class Ending {
 /// The accumulation that ended a solution with Ending::zeno.
 struct Accumulation {
   double time;         // [s], the limit of the impact times
-  double uncertainty;  // [s], `time` is off by at most this
+  double uncertainty;  // [s], `time` is off by at most this, rounding before the end not counted
   CableSet cables;     // taut from then on
   State state;         // where the solution ends, velocity projected onto the taut cables
   double energy;       // [J], of `state`: what is left for the motion on taut cables

@@ -133,6 +133,7 @@ int main(int count, char** arguments) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a failed write, not the end
   try {
     return run_program(count, arguments);
   } catch (const std::exception& error) {

@@ -26,8 +26,9 @@ State shifted_by_gravity(const Case& the_case, State state, double dt) {
 /// Turns impulses and located events into impacts, step by step.
 class ImpactDetector {
  public:
-  explicit ImpactDetector(const Case& the_case)
+  ImpactDetector(const Case& the_case, double slowest)
       : case_(the_case),
+        slowest_(slowest),
         bursts_(the_case.cables.size()),
         threshold_(least_impulse * the_case.body.mass * speed(the_case)) {}
 
@@ -50,14 +51,15 @@ class ImpactDetector {
     }
   }
 
-  /// The impacts of the whole run, in rising time.
-  std::vector<RecordedImpact> finish() {
+  /// Puts the impacts of the whole run into `run`, in rising time.
+  void finish(Trajectory& run) {
     for (std::size_t index = 0; index < bursts_.size(); ++index) {
       close(index);
     }
     std::stable_sort(impacts_.begin(), impacts_.end(),
                      [](const auto& a, const auto& b) { return a.time < b.time; });
-    return std::move(impacts_);
+    run.impacts = std::move(impacts_);
+    run.slow_impacts = slow_impacts_;
   }
 
  private:
@@ -76,8 +78,8 @@ class ImpactDetector {
     Eigen::Index row = 0;
     for (const std::size_t index : event.cables) {
       const Cable& cable = case_.cables[index];
-      impacts_.push_back({event.time, index, event.impulses[row++], gap_rate(cable, event.before),
-                          gap_rate(cable, event.after), 0, event.before, event.after});
+      keep({event.time, index, event.impulses[row++], gap_rate(cable, event.before),
+            gap_rate(cable, event.after), 0, event.before, event.after});
     }
   }
 
@@ -101,15 +103,25 @@ class ImpactDetector {
 
   void close(std::size_t index) {
     if (bursts_[index]) {
-      impacts_.push_back(*bursts_[index]);
+      keep(*bursts_[index]);
       bursts_[index].reset();
     }
   }
 
+  void keep(const RecordedImpact& impact) {
+    if (-impact.rate_before >= slowest_) {
+      impacts_.push_back(impact);
+    } else {
+      ++slow_impacts_;
+    }
+  }
+
   const Case& case_;
+  double slowest_;                                     // [m/s]
   std::vector<std::optional<RecordedImpact>> bursts_;  // one per cable: the impact now going on
   double threshold_;                                   // [N s]
   std::vector<RecordedImpact> impacts_;
+  std::size_t slow_impacts_ = 0;
 };
 
 /// The body is finite and within `far_away` sizes of the case of where it can be.
@@ -148,7 +160,7 @@ Trajectory record(const Case& the_case, Simulation& simulation, double step,
   State now = simulation.state();
   run.points.push_back({0.0, now});
   run.largest_energy = energy(the_case, now);
-  ImpactDetector detector(the_case);
+  ImpactDetector detector(the_case, options.slowest);
   for (std::size_t index = 0; index < steps && !run.stop && !run.diverged; ++index) {
     const double start = static_cast<double>(index) * step;
     const bool last = index + 1 == steps;
@@ -168,7 +180,7 @@ Trajectory record(const Case& the_case, Simulation& simulation, double step,
       run.points.push_back({run.stop ? run.stop->time : end, now});
     }
   }
-  run.impacts = detector.finish();
+  detector.finish(run);
   return run;
 }
 

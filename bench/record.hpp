@@ -33,7 +33,8 @@ struct Trajectory {
   double step = 0.0;                     // [s]
   std::size_t stride = 1;                // every stride-th step is in `points`
   std::vector<Point> points;             // the first is the start, the last the end of the run
-  std::vector<RecordedImpact> impacts;   // in rising time
+  std::vector<RecordedImpact> impacts;   // in rising time, those at least as fast as `slowest`
+  std::size_t slow_impacts = 0;          // the others: chatter of a cable that is as good as taut
   double overstretch = 0.0;              // [m], the largest, over every step
   double largest_energy = 0.0;           // [J], over every step
   std::optional<Simulation::Stop> stop;  // set when the simulation could not go on
@@ -44,6 +45,9 @@ struct RecordOptions {
   /// More steps than this are thinned to every second, every third, ...; impacts, overstretch and
   /// energy are still taken from every step.
   std::size_t most_points = std::size_t{1} << 18U;
+
+  /// Impacts that close slower than this are only counted [m/s].
+  double slowest = 1e-4;
 };
 
 /// Steps `simulation` of `the_case` to the case's duration and records it. The one impact detector

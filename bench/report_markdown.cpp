@@ -28,28 +28,27 @@ std::string step_text(const ordered_json& value) {
   return fmt::format("{:g}", value.get<double>());
 }
 
+std::string count_text(const ordered_json& value) { return std::to_string(value.get<int>()); }
+
 const ordered_json& member(const ordered_json& object, const char* key) {
   static const ordered_json none = nullptr;
   return object.is_object() ? object.at(key) : none;
 }
 
 Table summary_table(const ordered_json& report) {
-  Table table({"engine", "model", "step", "position error, early: median", "worst",
-               "to the horizon: median", "impacts matched / exact", "found",
-               "worst restitution error", "overstretch", "energy gain", "failed"},
+  Table table({"engine", "model", "step", "early error", "worst", "horizon error", "matched",
+               "exact", "found", "e error", "overstretch", "energy gain", "failed"},
               2);
   for (const ordered_json& row : report.at("summary")) {
     const ordered_json& impacts = row.at("impacts");
     const ordered_json& early = row.at("early_position_error");
-    table.add(
-        {text(row.at("engine")), text(row.at("model")), step_text(row.at("step")),
-         error_text(member(early, "median")), error_text(member(early, "worst")),
-         error_text(member(row.at("horizon_position_error"), "median")),
-         fmt::format("{} / {}", impacts.at("matched").get<int>(), impacts.at("exact").get<int>()),
-         fmt::format("{}", impacts.at("found").get<int>()),
-         error_text(row.at("worst_restitution_error")), error_text(row.at("overstretch")),
-         error_text(row.at("energy_gain")),
-         fmt::format("{} of {}", row.at("failed").get<int>(), row.at("cases").get<int>())});
+    table.add({text(row.at("engine")), text(row.at("model")), step_text(row.at("step")),
+               error_text(member(early, "median")), error_text(member(early, "worst")),
+               error_text(member(row.at("horizon_position_error"), "median")),
+               count_text(impacts.at("matched")), count_text(impacts.at("exact")),
+               count_text(impacts.at("found")), error_text(row.at("worst_restitution_error")),
+               error_text(row.at("overstretch")), error_text(row.at("energy_gain")),
+               fmt::format("{} of {}", row.at("failed").get<int>(), row.at("cases").get<int>())});
   }
   return table;
 }
@@ -61,8 +60,8 @@ Table convergence_table(const ordered_json& report) {
     const ordered_json& slope = row.at("slope");
     table.add({text(row.at("engine")), text(row.at("model")),
                fixed_text(member(slope, "median"), 2), fixed_text(member(slope, "smallest"), 2),
-               fixed_text(member(slope, "largest"), 2), std::to_string(row.at("cases").get<int>()),
-               std::to_string(row.at("cases_at_rounding").get<int>())});
+               fixed_text(member(slope, "largest"), 2), count_text(row.at("cases")),
+               count_text(row.at("cases_at_rounding"))});
   }
   return table;
 }
@@ -74,8 +73,7 @@ Table cases_table(const ordered_json& report) {
   for (const ordered_json& row : report.at("cases")) {
     const ordered_json& time = member(row.at("accumulation"), "time");
     table.add({text(row.at("name")), text(row.at("ending")), fixed_text(row.at("end_time"), 6),
-               fixed_text(row.at("horizon"), 3),
-               std::to_string(row.at("counted_impacts").get<int>()),
+               fixed_text(row.at("horizon"), 3), count_text(row.at("counted_impacts")),
                fixed_text(row.at("start_energy"), 6), fixed_text(row.at("end_energy"), 6),
                time.is_number() ? fmt::format("t = {:.6f}", time.get<double>()) : dash});
   }
@@ -114,9 +112,9 @@ std::string cost_text(const ordered_json& row, const std::map<std::string, doubl
 
 Table case_table(const ordered_json& report, const ordered_json& name,
                  const std::map<std::string, double>& ratios) {
-  Table table({"engine", "model", "step", "position error: early", "to the horizon", "whole",
-               "angle error", "impacts matched / exact", "found", "first impact off by",
-               "settled / exact", "restitution", "overstretch", "energy gain", "cost"},
+  Table table({"engine", "model", "step", "early error", "horizon error", "whole", "angle error",
+               "matched", "exact", "found", "first impact off by", "settled / exact", "restitution",
+               "overstretch", "energy gain", "cost"},
               2);
   for (const ordered_json& row : report.at("runs")) {
     const ordered_json& metrics = row.at("metrics");
@@ -125,16 +123,15 @@ Table case_table(const ordered_json& report, const ordered_json& name,
     }
     const ordered_json& horizon = metrics.at("horizon");
     const ordered_json& impacts = horizon.at("impacts");
-    table.add(
-        {text(row.at("engine")), text(row.at("model")), step_text(row.at("step")),
-         error_text(metrics.at("early").at("position_error")),
-         error_text(horizon.at("position_error")),
-         error_text(metrics.at("whole").at("position_error")),
-         error_text(horizon.at("angle_error")),
-         fmt::format("{} / {}", impacts.at("matched").get<int>(), impacts.at("exact").get<int>()),
-         std::to_string(impacts.at("found").get<int>()), error_text(impacts.at("first_time_error")),
-         settled(metrics), measured(metrics), error_text(metrics.at("overstretch")),
-         error_text(metrics.at("energy").at("largest_gain")), cost_text(row, ratios)});
+    table.add({text(row.at("engine")), text(row.at("model")), step_text(row.at("step")),
+               error_text(metrics.at("early").at("position_error")),
+               error_text(horizon.at("position_error")),
+               error_text(metrics.at("whole").at("position_error")),
+               error_text(horizon.at("angle_error")), count_text(impacts.at("matched")),
+               count_text(impacts.at("exact")), count_text(impacts.at("found")),
+               error_text(impacts.at("first_time_error")), settled(metrics), measured(metrics),
+               error_text(metrics.at("overstretch")),
+               error_text(metrics.at("energy").at("largest_gain")), cost_text(row, ratios)});
   }
   return table;
 }
@@ -198,7 +195,8 @@ std::string how_to_read(const ordered_json& report) {
       "accumulate.\n"
       "- **Restitution** is measured at each counted impact as rebound rate over closing rate of "
       "the "
-      "cable: mean (smallest to largest). The *restitution error* is against the cable's own.\n"
+      "cable: mean (smallest to largest). The *e error* is the worst distance from the cable's "
+      "own.\n"
       "- **Overstretch** is how far the longest cable exceeds its length, **energy gain** how far "
       "the "
       "energy rises above its start; both over every step. A scheme whose velocities belong to the "

@@ -86,6 +86,8 @@ ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
   row["metrics"] = nullptr;
   if (reply.trajectory) {
     row["stride"] = reply.trajectory->stride;
+    row["recorded_impacts"] = reply.trajectory->impacts.size();
+    row["slow_impacts"] = reply.trajectory->slow_impacts;
     row["metrics"] = metrics_json(compare(reference.the_case, reference.solution, reference.horizon,
                                           *reply.trajectory, options));
   }

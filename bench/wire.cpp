@@ -76,6 +76,7 @@ Message trajectory_message(const Trajectory& trajectory) {
   message.head = {{"step", trajectory.step},
                   {"stride", trajectory.stride},
                   {"impacts", std::move(impacts)},
+                  {"slow_impacts", trajectory.slow_impacts},
                   {"overstretch", trajectory.overstretch},
                   {"largest_energy", trajectory.largest_energy},
                   {"diverged", trajectory.diverged}};
@@ -102,6 +103,7 @@ Trajectory trajectory_from(const Message& message) {
                               number_from(row.at(3)), number_from(row.at(4)), row.at(5),
                               state_from(row.at(6)), state_from(row.at(7))});
   }
+  result.slow_impacts = head.at("slow_impacts");
   result.overstretch = number_from(head.at("overstretch"));
   result.largest_energy = number_from(head.at("largest_energy"));
   result.diverged = head.at("diverged");

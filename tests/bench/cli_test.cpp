@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+
+/// Arguments that cannot be obeyed, and a part of the one sentence that must say why.
+struct BadUsage {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string sentence;
+};
+
+class Program : public testing::TestWithParam<BadUsage> {};
+
+TEST_P(Program, RefusesInOneSentenceWithExitCode2) {
+  const Outcome outcome = program(GetParam().arguments);
+  EXPECT_EQ(outcome.code, 2) << outcome.output << outcome.errors;
+  EXPECT_NE(outcome.errors.find(GetParam().sentence), std::string::npos) << outcome.errors;
+  EXPECT_EQ(outcome.output, "") << "an error belongs on standard error alone";
+}
+
+const std::vector<std::string> bench_ball = {"bench", "bouncing-ball", "--engines", "exact"};
+
+std::vector<std::string> with(std::vector<std::string> words,
+                              const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bad, Program,
+    testing::Values(
+        BadUsage{
+            "UnknownCase", {"solve", "breakwater/191012110"}, "did you mean breakwater/1910121100"},
+        BadUsage{"UnknownEngine",
+                 {"run", "bouncing-ball", "--engine", "bulet64", "--model", "row"},
+                 "unknown engine bulet64; did you mean bullet64?"},
+        BadUsage{"UnknownModel",
+                 {"run", "bouncing-ball", "--engine", "bullet64", "--model", "erly"},
+                 "unknown model erly; did you mean early?"},
+        BadUsage{"ZeroStep", with(bench_ball, {"--steps", "0"}),
+                 "step 0 must be a finite number above 0 [s]"},
+        BadUsage{"NegativeStep", with(bench_ball, {"--steps=-1e-3"}),
+                 "step -0.001 must be a finite number above 0 [s]"},
+        BadUsage{"NanStep", with(bench_ball, {"--steps", "nan"}),
+                 "step nan must be a finite number"},
+        BadUsage{
+            "AbsurdStep", with(bench_ball, {"--steps", "1e-30"}),
+            "step 1e-30 needs 1e+31 steps for case bouncing-ball, which lasts 10 s; at most 1e+09"},
+        BadUsage{"ForeignFolder", with(bench_ball, {"--out", "/etc"}),
+                 "--out /etc: holds files that `tautline bench` did not write"},
+        BadUsage{"OutIsAFile", with(bench_ball, {"--out", "/etc/passwd"}), "is not a folder"},
+        BadUsage{"NegativeDuration",
+                 {"solve", "bouncing-ball", "--until=-1"},
+                 "duration -1 must be a finite number above 0 [s]"},
+        BadUsage{"SampleAfterTheEnd",
+                 {"solve", "bouncing-ball", "--at", "1,9"},
+                 "--at 9: must be within 0 and 2.99999"},
+        BadUsage{"PatternWhereOneIsMeant",
+                 {"solve", "breakwater/*"},
+                 "means 21 cases; this command takes one"},
+        BadUsage{"NoCommand", {}, "A subcommand is required"},
+        BadUsage{"UnknownOption", {"solve", "bouncing-ball", "--untill", "3"}, "--untill"},
+        BadUsage{"EngineTwice",
+                 {"bench", "bouncing-ball", "--engines", "exact,exact"},
+                 "engine exact is given twice"},
+        BadUsage{"ZeroTimeLimit", with(bench_ball, {"--time-limit", "0"}),
+                 "--time-limit 0: must be above 0 [s]"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(Solve, PrintsTheDocumentedJsonForScripts) {
+  const Outcome outcome = program({"solve", "breakwater/1910121100", "--json", "-", "--at", "3"});
+  EXPECT_EQ(outcome.code, 0);
+  const json solution = json::parse(outcome.output);
+  EXPECT_EQ(solution.at("schema"), 1);
+  EXPECT_EQ(solution.at("ending"), "zeno");
+  const json& first = solution.at("events").at(0);
+  EXPECT_EQ(first.at("kind"), "impact");
+  EXPECT_EQ(first.at("cables"), json::array({0}));
+  EXPECT_NEAR(first.at("time").get<double>(), 0.0581974729698846, 1e-15);
+  EXPECT_NEAR(solution.at("samples").at(0).at("angle").get<double>(), -0.289521642563073, 1e-12);
+}
+
+TEST(Solve, WritesJsonToAFileAndStaysSilent) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "deep/er/s.json").string();
+  const Outcome outcome = program({"solve", "bouncing-ball", "--json", file});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(json::parse(content_of_file(file)).at("ending"), "zeno");
+}
+
+TEST(Solve, SaysThatADiskIsFull) {
+  const Outcome outcome = program({"solve", "bouncing-ball", "--json", "/dev/full"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("No space left on device"), std::string::npos) << outcome.errors;
+}
+
+TEST(Bench, SaysThatTheDiskIsFullAndLeavesNoHalfFile) {
+  const TemporaryFolder folder;
+  const std::string disk = folder.path().string();
+  if (std::system("unshare -rm true 2>/dev/null") != 0) {  // NOLINT(cert-env33-c)
+    GTEST_SKIP() << "a disk of 16 kB needs a mount namespace, which is not allowed here";
+  }
+  // a disk that has room for the marker, but not for a trajectory; listed before it is gone
+  const std::string on_small_disk =
+      "unshare -rm sh -c 'mount -t tmpfs -o size=16k tmpfs \"$0\" && { \"$@\"; code=$?; "
+      "find \"$0\" -type f; exit $code; }' " +
+      disk;
+  const Outcome outcome = program(
+      {"bench", "bouncing-ball", "--engines", "exact", "--steps", "1e-2", "--out", disk + "/r"},
+      on_small_disk);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("trajectory.csv: No space left on device"), std::string::npos)
+      << outcome.errors;
+  EXPECT_EQ(outcome.output, disk + "/r/tautline-results.txt\n") << "a half file was left";
+}
+
+TEST(Bench, WritesTheDocumentedResultTree) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "r").string();
+  ASSERT_EQ(
+      program({"bench", "bouncing-ball", "--engines", "exact", "--steps", "1e-2", "--out", out})
+          .code,
+      0);
+  const auto run = folder.path() / "r/runs/bouncing-ball/exact/event/0.01";
+  for (const char* file : {"trajectory.csv", "events.csv", "settings.json", "result.json"}) {
+    EXPECT_TRUE(std::filesystem::exists(run / file)) << file;
+  }
+  // an impact is two rows at one time
+  std::ifstream csv(run / "trajectory.csv");
+  std::string line;
+  std::string before;
+  while (std::getline(csv, line) && line.find(",before") == std::string::npos) {
+  }
+  before = line;
+  std::getline(csv, line);
+  EXPECT_NE(line.find(",after"), std::string::npos);
+  EXPECT_EQ(before.substr(0, before.find(',')), line.substr(0, line.find(',')));
+}
+
+TEST(Bench, WorksWithNoEngineAtAll) {
+  const TemporaryFolder folder;
+  const TemporaryFolder nothing;
+  const Outcome outcome =
+      program({"bench", "bouncing-ball", "--out", (folder.path() / "r").string()},
+              "TAUTLINE_ENGINE_PATH=" + nothing.path().string());
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const json report = json::parse(content_of_file(folder.path() / "r/report.json"));
+  EXPECT_TRUE(report.at("runs").empty());
+  EXPECT_EQ(report.at("engines").at(0).at("missing"), true);
+}
+
+TEST(Cases, AreWrittenAsFilesThatSolveToTheSame) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "case.toml").string();
+  const Outcome text = program({"cases", "plate-four-cables"});
+  ASSERT_EQ(text.code, 0);
+  std::ofstream(file) << text.output;
+  EXPECT_EQ(program({"solve", file, "--json", "-"}).output,
+            program({"solve", "plate-four-cables", "--json", "-"}).output);
+}
+
+TEST(Engines, AreListedWithVersionsAndModels) {
+  const Outcome outcome = program({"engines", "--json", "-"});
+  EXPECT_EQ(outcome.code, 0);
+  const json engines = json::parse(outcome.output).at("engines");
+  EXPECT_EQ(engines.at(0).at("name"), "exact");
+  for (const json& engine : engines) {
+    if (engine.at("missing") == "") {
+      EXPECT_FALSE(engine.at("version").get<std::string>().empty());
+      EXPECT_FALSE(engine.at("models").empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

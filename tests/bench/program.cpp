@@ -1,0 +1,91 @@
+#include "program.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace tautline::test {
+namespace {
+
+int code_of(int status) {
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+std::string quoted(const std::string& word) {
+  std::string result = "'";
+  for (const char letter : word) {
+    result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  }
+  return result + "'";
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "tautline-test-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    throw std::runtime_error("cannot make a temporary folder");
+  }
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+Outcome program(const std::vector<std::string>& arguments, const std::string& shell) {
+  const TemporaryFolder folder;
+  std::string command = shell + " " + quoted(TAUTLINE_PROGRAM_PATH);
+  for (const std::string& argument : arguments) {
+    command += " " + quoted(argument);
+  }
+  command += " >" + quoted((folder.path() / "out").string());
+  command += " 2>" + quoted((folder.path() / "err").string()) + " </dev/null";
+  const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a shell is wanted here
+  return {code_of(status), content_of_file(folder.path() / "out"),
+          content_of_file(folder.path() / "err")};
+}
+
+int start_program(const std::vector<std::string>& arguments) {
+  const pid_t child = ::fork();
+  if (child != 0) {
+    return child;
+  }
+  const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  ::dup2(nowhere, 0);
+  ::dup2(nowhere, 1);
+  ::dup2(nowhere, 2);
+  std::vector<std::string> words = {TAUTLINE_PROGRAM_PATH};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> raw;
+  raw.reserve(words.size() + 1);
+  for (std::string& word : words) {
+    raw.push_back(word.data());
+  }
+  raw.push_back(nullptr);
+  ::execv(raw.front(), raw.data());
+  ::_exit(127);
+}
+
+int wait_for(int process) {
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  return code_of(status);
+}
+
+std::string content_of_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string bad_engine(const std::string& way) {
+  return std::string(TAUTLINE_FIXTURE_DIR) + "/tautline-engine-" + way + ".so";
+}
+
+}  // namespace tautline::test

@@ -1,0 +1,113 @@
+#include "bench/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "bench/table.hpp"
+#include "program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+/// Every way in which `report` breaks the schema in the repository; "" if none.
+std::string broken_rules(const json& report) {
+  const json text = json::parse(content_of_file(TAUTLINE_REPORT_SCHEMA));
+  valijson::Schema schema;
+  valijson::SchemaParser parser;
+  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
+  valijson::Validator validator;
+  valijson::ValidationResults results;
+  validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(report), &results);
+  std::string found;
+  valijson::ValidationResults::Error error;
+  while (results.popError(error)) {
+    for (const std::string& place : error.context) {
+      found += place;
+    }
+    found += ": " + error.description + "\n";
+  }
+  return found;
+}
+
+/// A report with every kind of row: good, stopped, failed, diverged, an engine that does not
+/// answer.
+json mixed_report(const TemporaryFolder& out) {
+  const std::string engines = "exact,bullet64," + bad_engine("segfault") + "," + bad_engine("nan") +
+                              "," + bad_engine("mute");
+  static_cast<void>(
+      program({"bench", "bouncing-ball", "breakwater/1510121100", "--engines", engines, "--steps",
+               "1e-2,1e-3", "--out", (out.path() / "r").string()}));
+  return json::parse(content_of_file(out.path() / "r/report.json"), nullptr, false);
+}
+
+TEST(ReportSchema, AcceptsAReportWithEveryKindOfRow) {
+  const TemporaryFolder out;
+  const json report = mixed_report(out);
+  ASSERT_TRUE(report.is_object());
+  EXPECT_EQ(broken_rules(report), "");
+  std::set<std::string> kinds;
+  for (const json& run : report.at("runs")) {
+    kinds.insert(run.at("status").get<std::string>());
+  }
+  EXPECT_EQ(kinds, (std::set<std::string>{"finished", "stopped", "failed", "diverged"}));
+}
+
+TEST(ReportSchema, RefusesWhatIsNotAReport) {
+  const TemporaryFolder out;
+  json report = mixed_report(out);
+  ASSERT_TRUE(report.is_object());
+  json without = report;
+  without.erase("cases");
+  EXPECT_NE(broken_rules(without), "");
+  report["runs"][0]["metrics"]["whole"]["position_error"] = "large";
+  EXPECT_NE(broken_rules(report), "");
+}
+
+TEST(ReportMarkdown, SaysEverythingTheJsonSays) {
+  const TemporaryFolder out;
+  const json report = mixed_report(out);
+  const std::string markdown = content_of_file(out.path() / "r/report.md");
+  for (const json& engine : report.at("engines")) {
+    EXPECT_NE(markdown.find(engine.at("name").get<std::string>()), std::string::npos);
+  }
+  for (const json& run : report.at("runs")) {
+    if (run.at("status") == "failed") {
+      EXPECT_NE(markdown.find(run.at("reason").get<std::string>()), std::string::npos);
+    }
+  }
+  EXPECT_NE(markdown.find("crashed: SIGSEGV"), std::string::npos);
+  EXPECT_NE(markdown.find("## How to read this report"), std::string::npos);
+}
+
+TEST(Slope, IsTheOrderOfAPowerLaw) {
+  const std::vector<double> steps = {1e-1, 1e-2, 1e-3, 1e-4};
+  for (const double order : {0.0, 1.0, 2.0, -0.5}) {
+    std::vector<double> errors;
+    for (const double step : steps) {
+      errors.push_back(3.0 * std::pow(step, order));
+    }
+    EXPECT_NEAR(bench::slope(steps, errors), order, 1e-12);
+  }
+}
+
+TEST(Table, KeepsItsColumnsWhateverTheCellsHold) {
+  bench::Table table({"name", "number"}, 1);
+  table.add({"a|b<script>`x`\nnew", "1"});
+  table.add({"käse", "22"});
+  const std::string markdown = table.markdown();
+  EXPECT_EQ(std::count(markdown.begin(), markdown.end(), '\n'), 4);
+  EXPECT_EQ(markdown.find("<script"), markdown.find("\\<script") + 1);
+  EXPECT_NE(table.plain().find("käse"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -1,0 +1,285 @@
+// What every model of every engine must keep, found in the folder of the build's plug-ins.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "analytic/support.hpp"
+#include "claims.hpp"
+#include "engine_support.hpp"
+#include "tautline/flight.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::test {
+namespace {
+
+class Contract : public testing::TestWithParam<ModelUnderTest> {
+ protected:
+  [[nodiscard]] const Engine& engine() const { return plugin_.engine(); }
+
+  [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, double step) const {
+    return engine().start(the_case, GetParam().model, step);
+  }
+
+  /// Rounding of an engine's numbers [-].
+  [[nodiscard]] double rounding() const {
+    return engine().info().precision == "float64" ? 1e-15 : 1e-6;
+  }
+
+  void expect(Claim claim, double reached, double allowed) const {
+    expect_claim(GetParam().engine, GetParam().model, claim, reached, allowed);
+  }
+
+ private:
+  bench::Plugin plugin_ = bench::Plugin::open(GetParam().plugin);
+};
+
+/// One cable through the attachment of a spinning body, slack for the first `slack` metres.
+Case spinning_on_one_cable(double slack) {
+  Case result;
+  result.name = "spinning";
+  result.body = {2.0, 0.3};
+  result.gravity = Vec2(0.3, -1.2);
+  result.cables = {{Vec2(0.2, 2.0), Vec2(0.3, 0.2), 1.0, 0.6}};
+  result.initial = {Vec2(0.0, 1.2), 0.4, Vec2(0.1, -0.6), 1.5};
+  const Cable& cable = result.cables.front();
+  result.cables.front().length += slack - gap(cable, result.initial);
+  result.duration = 20.0;
+  return result;
+}
+
+/// Semi-implicit Euler with gravity first: what time-stepping engines fly.
+State euler_step(const State& state, const Vec2& gravity, double dt) {
+  State result = state;
+  result.velocity += dt * gravity;
+  result.position += dt * result.velocity;
+  result.angle += dt * result.spin;
+  return result;
+}
+
+/// The velocity change `impulses` make at the pose of `before`, times mass and inertia.
+Eigen::Vector3d pull_of(const Case& the_case, const State& before, CableSet cables,
+                        const CableVector& impulses) {
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    result += impulses[row++] * gap_gradient(the_case.cables[index], before);
+  }
+  return result;
+}
+
+/// By how much the change from `before` to `after` misses `pull`, relative to the momenta there.
+double momentum_error(const Case& the_case, const State& before, const State& after,
+                      const Eigen::Vector3d& pull) {
+  const Vec2 linear = the_case.body.mass * (after.velocity - before.velocity);
+  const double angular = the_case.body.inertia * (after.spin - before.spin);
+  const double scale = the_case.body.mass * (before.velocity.norm() + after.velocity.norm());
+  const double spin_scale =
+      scale * 1.0 + the_case.body.inertia * (std::abs(before.spin) + std::abs(after.spin));
+  return std::max((linear - pull.head<2>()).norm() / scale,
+                  std::abs(angular - pull[2]) / spin_scale);
+}
+
+/// The restitution the first impact of a run shows; located impacts tell it themselves, otherwise
+/// it is the gap rate over the first step with an impulse, at the pose of its start.
+double first_restitution(const Case& the_case, Simulation& simulation, double step, double end) {
+  const Cable& cable = the_case.cables.front();
+  double result = std::nan("");
+  run(simulation, step, end, [&](const Moment& moment) {
+    if (!std::isnan(result) || simulation.impulses()[0] <= 0.0) {
+      return;
+    }
+    State before = moment.before;
+    State after = moment.after;
+    if (!simulation.events().empty()) {
+      before = simulation.events().front().before;
+      after = simulation.events().front().after;
+    }
+    const Eigen::Vector3d gradient = gap_gradient(cable, before);
+    const double rate_after = gradient.head<2>().dot(after.velocity) + gradient[2] * after.spin;
+    result = -rate_after / gap_rate(cable, before);
+  });
+  return result;
+}
+
+TEST_P(Contract, SaysWhatItIs) {
+  const EngineInfo info = engine().info();
+  const std::regex name("[a-z0-9-]+");
+  EXPECT_TRUE(std::regex_match(info.name, name)) << info.name;
+  EXPECT_FALSE(info.version.empty());
+  EXPECT_TRUE(info.precision == "float64" || info.precision == "float32") << info.precision;
+  for (const Model& model : info.models) {
+    EXPECT_TRUE(std::regex_match(model.name, name)) << model.name;
+    EXPECT_TRUE(model.sentence.ends_with('.')) << model.sentence;
+    for (const Setting& setting : model.settings) {
+      EXPECT_FALSE(setting.name.empty() || setting.value.empty()) << model.name;
+      EXPECT_TRUE(setting.reason.ends_with('.')) << setting.name << ": " << setting.reason;
+    }
+  }
+}
+
+TEST_P(Contract, RefusesAModelItDoesNotHave) {
+  EXPECT_THROW((void)engine().start(bouncing_ball(), "no-such-model", 1e-2), std::exception);
+}
+
+TEST_P(Contract, StartsInTheInitialState) {
+  for (Case the_case : {spinning_on_one_cable(0.5), shipped_case("plate-four-cables")}) {
+    the_case.initial.angle += 20.0;  // three turns and some: not wrapped
+    for (Cable& cable : the_case.cables) {
+      cable.length += 2.0;  // slack at any angle
+    }
+    const double difference_at_start = difference(start(the_case, 1e-2)->state(), the_case.initial);
+    expect_within("difference from the initial state", difference_at_start, 20.0 * rounding());
+  }
+}
+
+TEST_P(Contract, FliesItsRecurrenceWhileSlack) {
+  const Case the_case = spinning_on_one_cable(50.0);
+  constexpr double step = 1e-2;
+  const auto simulation = start(the_case, step);
+  State wanted = the_case.initial;
+  double largest = 0.0;
+  run(*simulation, step, 5.0, [&](const Moment& moment) {
+    wanted = GetParam().model == "event" ? fly(wanted, the_case.gravity, step)
+                                         : euler_step(wanted, the_case.gravity, step);
+    largest = std::max(largest, difference(moment.after, wanted));
+    EXPECT_EQ(simulation->impulses()[0], 0.0);
+  });
+  // the numbers grow to 15; 500 steps of a few roundings each
+  expect(Claim::flight, largest, 1e4 * rounding());
+}
+
+TEST_P(Contract, ChangesMomentumByItsImpulses) {
+  for (const std::string name : {"crane-load", "tilted-gravity", "plate-four-cables"}) {
+    const Case the_case = shipped_case(name);
+    constexpr double step = 1e-3;
+    const auto simulation = start(the_case, step);
+    const CableSet all = [&] {
+      CableSet set;
+      for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+        set.insert(index);
+      }
+      return set;
+    }();
+    double largest = 0.0;
+    int hits = 0;
+    run(*simulation, step, 2.5, [&](const Moment& moment) {
+      CableVector impulses(static_cast<Eigen::Index>(the_case.cables.size()));
+      for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+        const double impulse = simulation->impulses()[index];
+        EXPECT_GE(impulse, 0.0) << name << ", cable " << index << ", t = " << moment.time;
+        impulses[static_cast<Eigen::Index>(index)] = impulse;
+        hits += impulse > 0.0 ? 1 : 0;
+      }
+      for (const Event& event : simulation->events()) {
+        const Eigen::Vector3d pull = pull_of(the_case, event.before, event.cables, event.impulses);
+        largest = std::max(largest, momentum_error(the_case, event.before, event.after, pull));
+        Eigen::Index row = 0;
+        for (const std::size_t index : event.cables) {
+          impulses[static_cast<Eigen::Index>(index)] -= event.impulses[row++];
+        }
+      }
+      if (!simulation->events().empty() || GetParam().model == "event") {
+        // all of the step's impulses are those of its events
+        EXPECT_LE(impulses.cwiseAbs().maxCoeff(), 1e-12 * the_case.body.mass) << name;
+        return;
+      }
+      Eigen::Vector3d pull = pull_of(the_case, moment.before, all, impulses);
+      pull.head<2>() += step * the_case.body.mass * the_case.gravity;
+      largest = std::max(largest, momentum_error(the_case, moment.before, moment.after, pull));
+    });
+    EXPECT_GT(hits, 0) << name << ": nothing was hit, so nothing was tested";
+    expect_within(name + ": momentum change less impulses", largest, 1e3 * rounding());
+  }
+}
+
+TEST_P(Contract, ReboundsFromACentralHitWithItsRestitution) {
+  const Case the_case = bouncing_ball(0.5);
+  const double e = first_restitution(the_case, *start(the_case, 1e-3), 1e-3, 2.0);
+  expect(Claim::central_restitution, std::abs(e - 0.5), 1e4 * rounding());
+}
+
+TEST_P(Contract, ReboundsFromAnOffCentreHitWithItsRestitution) {
+  const Case the_case = spinning_on_one_cable(0.05);
+  const double e = first_restitution(the_case, *start(the_case, 1e-3), 1e-3, 2.0);
+  expect(Claim::off_centre_restitution, std::abs(e - 0.6), 1e4 * rounding());
+}
+
+TEST_P(Contract, ReboundsFromASlowHitWithItsRestitution) {
+  Case the_case = bouncing_ball(0.5);
+  the_case.initial.position.y() = 0.5 * 0.05 * 0.05;  // falls to 0.05 m/s
+  const double e = first_restitution(the_case, *start(the_case, 1e-4), 1e-4, 0.1);
+  expect(Claim::slow_restitution, std::abs(e - 0.5), 1e4 * rounding());
+}
+
+TEST_P(Contract, RepeatsARunBitByBit) {
+  const Case the_case = shipped_case("plate-four-cables");
+  const auto one = start(the_case, 1e-3);
+  const auto other = start(the_case, 1e-3);
+  run(*one, 1e-3, 3.0, [&](const Moment& moment) {
+    other->step(1e-3);
+    ASSERT_EQ(difference(moment.after, other->state()), 0.0) << "t = " << moment.time;
+  });
+}
+
+TEST_P(Contract, MovesInTheMirrorAsTheMirroredCase) {
+  double largest = 0.0;
+  for (const std::string name : {"breakwater/19101211150", "tilted-gravity", "plate-four-cables"}) {
+    const Case the_case = shipped_case(name);
+    const auto original = start(the_case, 1e-3);
+    const auto image = start(mirrored(the_case), 1e-3);
+    run(*original, 1e-3, 0.5, [&](const Moment& moment) {
+      image->step(1e-3);
+      if (!image->stopped()) {
+        largest = std::max(largest, difference(moment.after, mirrored(image->state())));
+      }
+    });
+  }
+  // rounding grows with every impact; a bias of the solver's order starts at 1e-6
+  expect(Claim::mirror_symmetry, largest, 1e5 * rounding());
+}
+
+TEST_P(Contract, KeepsASymmetricFallSymmetric) {
+  Breakwater parameters = table_row("1910121100");
+  parameters.initial = {Vec2(0.0, 0.3), 0.0, Vec2(0.0, 0.0), 0.0};
+  const Case the_case = breakwater(parameters, "both cables at once");
+  double largest = 0.0;
+  int hits = 0;
+  const auto simulation = start(the_case, 1e-3);
+  run(*simulation, 1e-3, 2.0, [&](const Moment& moment) {
+    largest = std::max({largest, std::abs(moment.after.position.x()), std::abs(moment.after.spin)});
+    hits += simulation->impulses()[0] > 0.0 && simulation->impulses()[1] > 0.0 ? 1 : 0;
+  });
+  EXPECT_GT(hits, 0) << "the cables were never hit together";
+  expect(Claim::mirror_symmetry, largest, 1e5 * rounding());
+}
+
+TEST_P(Contract, RunsEveryKindOfCase) {
+  std::vector<std::string> names = {"bouncing-ball",     "crane-load",     "buoy-three-cables",
+                                    "plate-four-cables", "tilted-gravity", "breakwater/1900461100"};
+  for (const std::string& name : names) {
+    const Case the_case = shipped_case(name);
+    const auto simulation = start(the_case, 1e-2);
+    double worst = 0.0;  // overstretch [-] of the length
+    bool finite = true;
+    run(*simulation, 1e-2, the_case.duration, [&](const Moment& moment) {
+      finite = finite && is_finite(moment.after);
+      for (const Cable& cable : the_case.cables) {
+        worst = std::max(worst, -gap(cable, moment.after) / cable.length);
+      }
+    });
+    EXPECT_TRUE(finite) << name;
+    // steps of 0.01 s overstretch by about that times the speed
+    expect_within(name + ": overstretch [-]", worst, 0.05);
+    if (const auto stop = simulation->stopped()) {
+      std::cout << "  " << name << ": " << stop->reason << '\n';
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Contract, testing::ValuesIn(models_under_test()), test_name);
+
+}  // namespace
+}  // namespace tautline::test

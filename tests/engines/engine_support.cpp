@@ -1,0 +1,121 @@
+#include "engine_support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tautline/scenarios.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> plugin_files() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(TAUTLINE_ENGINE_DIR)) {
+    if (entry.path().extension() == ".so") {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+std::vector<ModelUnderTest> models_under_test() {
+  std::vector<ModelUnderTest> result;
+  for (const fs::path& file : plugin_files()) {
+    const bench::Plugin plugin = bench::Plugin::open(file);
+    const EngineInfo info = plugin.engine().info();
+    for (const Model& model : info.models) {
+      result.push_back({file, info.name, model.name});
+    }
+  }
+  return result;
+}
+
+void PrintTo(const ModelUnderTest& model, std::ostream* out) {
+  *out << model.engine << " " << model.model;
+}
+
+std::string test_name(const testing::TestParamInfo<ModelUnderTest>& info) {
+  std::string name = info.param.engine + "_" + info.param.model;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+std::optional<bench::Plugin> plugin_of(const std::string& engine) {
+  const fs::path file = fs::path(TAUTLINE_ENGINE_DIR) / ("tautline-engine-" + engine + ".so");
+  if (!fs::exists(file)) {
+    return std::nullopt;
+  }
+  return bench::Plugin::open(file);
+}
+
+void run(Simulation& simulation, double step, double end,
+         const std::function<void(const Moment&)>& look) {
+  const auto steps = static_cast<long>(std::llround(end / step));
+  for (long k = 1; k <= steps; ++k) {
+    const State before = simulation.state();
+    simulation.step(step);
+    const auto stop = simulation.stopped();
+    look({stop ? stop->time : static_cast<double>(k) * step, before, simulation.state()});
+    if (stop) {
+      return;
+    }
+  }
+}
+
+double largest_deviation(const Engine& engine, const std::string& model, const Case& the_case,
+                         double step, double end) {
+  const Solution exact = solve(the_case);
+  const auto simulation = engine.start(the_case, model, step);
+  double largest = 0.0;
+  double reached = 0.0;
+  run(*simulation, step, end, [&](const Moment& moment) {
+    const State wanted = exact.at(moment.time);
+    largest = std::max(largest, (moment.after.position - wanted.position).norm());
+    reached = moment.time;
+  });
+  EXPECT_NEAR(reached, end, step) << "the run stopped early";
+  return largest;
+}
+
+Case shipped_case(const std::string& name) {
+  for (const Case& the_case : shipped_cases()) {
+    if (the_case.name == name) {
+      return the_case;
+    }
+  }
+  throw std::invalid_argument("no case ships under the name " + name);
+}
+
+State mirrored(State state) {
+  state.position.x() = -state.position.x();
+  state.angle = -state.angle;
+  state.velocity.x() = -state.velocity.x();
+  state.spin = -state.spin;
+  return state;
+}
+
+Case mirrored(const Case& the_case) {
+  Case result = the_case;
+  result.gravity.x() = -result.gravity.x();
+  result.initial = mirrored(result.initial);
+  for (Cable& cable : result.cables) {
+    cable.anchor.x() = -cable.anchor.x();
+    cable.attachment.x() = -cable.attachment.x();
+  }
+  std::reverse(result.cables.begin(), result.cables.end());
+  return result;
+}
+
+bool is_finite(const State& state) {
+  return state.position.allFinite() && state.velocity.allFinite() && std::isfinite(state.angle) &&
+         std::isfinite(state.spin);
+}
+
+}  // namespace tautline::test

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "bench/plugin.hpp"
+#include "tautline/case.hpp"
+#include "tautline/engine.hpp"
+
+namespace tautline::test {
+
+/// One model of one plug-in in the folder of the build's plug-ins.
+struct ModelUnderTest {
+  std::filesystem::path plugin;
+  std::string engine;
+  std::string model;
+};
+
+/// How a failing test names it.
+void PrintTo(const ModelUnderTest& model, std::ostream* out);
+
+/// Every model of every plug-in there. Plug-ins are closed again: no two engines share a test.
+[[nodiscard]] std::vector<ModelUnderTest> models_under_test();
+
+/// "bullet64_contact_tuned".
+[[nodiscard]] std::string test_name(const testing::TestParamInfo<ModelUnderTest>& info);
+
+/// The plug-in `engine`; none where it is not built.
+[[nodiscard]] std::optional<bench::Plugin> plugin_of(const std::string& engine);
+
+/// A time at which a simulation was looked at, and its state there.
+struct Moment {
+  double time;   // [s]
+  State before;  // the latest step
+  State after;   // it
+};
+
+/// Steps `simulation` with `step` until `end` [s] or until it stops, and shows every step to
+/// `look`, the one in which it stops included.
+void run(Simulation& simulation, double step, double end,
+         const std::function<void(const Moment&)>& look);
+
+/// The largest distance of the centre of mass from `solve`'s over a run to `end` [m].
+[[nodiscard]] double largest_deviation(const Engine& engine, const std::string& model,
+                                       const Case& the_case, double step, double end);
+
+/// The case that ships under `name`; it must exist.
+[[nodiscard]] Case shipped_case(const std::string& name);
+
+/// `the_case` in a mirror on the y axis, with the cables in reverse order.
+[[nodiscard]] Case mirrored(const Case& the_case);
+[[nodiscard]] State mirrored(State state);
+
+[[nodiscard]] bool is_finite(const State& state);
+
+}  // namespace tautline::test

@@ -1,0 +1,207 @@
+// The driver over an adapter whose flights and strikes are the closed forms, with a rounding of its
+// own on top where a test asks for it.
+
+#include "tautline/event_driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "analytic/support.hpp"
+#include "engine_support.hpp"
+#include "tautline/flight.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/impact.hpp"
+#include "tautline/scenarios.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::test {
+namespace {
+
+class ClosedForms final : public EventAdapter {
+ public:
+  /// Every number of a state gets an error up to `rounding`.
+  explicit ClosedForms(const Case& the_case, double rounding = 0.0)
+      : case_(the_case), state_(the_case.initial), rounding_(rounding) {}
+
+  [[nodiscard]] State state() const override { return state_; }
+
+  void fly(double dt) override {
+    EXPECT_GT(dt, 0.0);
+    state_ = tautline::fly(state_, case_.gravity, dt);
+    round();
+  }
+
+  [[nodiscard]] CableVector strike(CableSet cables) override {
+    Impact impact = newton_impact(case_, state_, cables);
+    state_ = impact.after;
+    round();
+    return impact.impulses;
+  }
+
+ private:
+  void round() {
+    const auto error = [&] { return rounding_ * random_.uniform(-1.0, 1.0); };
+    state_.position += Vec2(error(), error());
+    state_.angle += error();
+    state_.velocity += Vec2(error(), error());
+    state_.spin += error();
+  }
+
+  const Case case_;
+  State state_;
+  double rounding_;
+  Random random_{7};
+};
+
+/// A ball that hits its cable straight below the anchor at 1, 2, 3, ... s with e = 1.
+Case metronome() {
+  Case result = bouncing_ball(1.0);
+  result.gravity = Vec2(0.0, -8.0);
+  result.initial.position.y() = 1.0;  // falls 1 m in half a second
+  result.initial.velocity.y() = 0.0;
+  return result;
+}
+
+/// True where `time` is so near an impact that rounding decides on which side of it a run is.
+bool is_at_an_impact(const Solution& exact, double time) {
+  const auto& events = exact.events();
+  return std::any_of(events.begin(), events.end(),
+                     [&](const Event& event) { return std::abs(event.time - time) < 1e-9; });
+}
+
+/// The impact times of a run.
+std::vector<double> impact_times(const Case& the_case, double step, double end,
+                                 double rounding = 0.0) {
+  std::vector<double> times;
+  const auto simulation =
+      drive_by_events(the_case, std::make_unique<ClosedForms>(the_case, rounding));
+  run(*simulation, step, end, [&](const Moment&) {
+    for (const Event& event : simulation->events()) {
+      times.push_back(event.time);
+    }
+  });
+  return times;
+}
+
+TEST(EventDriver, FindsEveryImpactWhateverTheStepAndTheRounding) {
+  // 0.5 makes every impact fall on the end of a step
+  for (const double step : {0.5, 0.3, 0.1, 1e-3, 7.0}) {
+    for (const double rounding : {0.0, 1e-15}) {
+      const auto times = impact_times(metronome(), step, 21.0, rounding);
+      double largest = 0.0;
+      for (std::size_t k = 0; k < times.size(); ++k) {
+        largest = std::max(largest, std::abs(times[k] - (0.5 + static_cast<double>(k))));
+      }
+      // an impact less where rounding puts one at 20.5 s behind the last step
+      EXPECT_EQ(times.size(), 21U) << "step " << step << ", rounding " << rounding;
+      expect_within("impact time error [s], step " + std::to_string(step), largest, 1e-12);
+    }
+  }
+}
+
+TEST(EventDriver, StrikesCablesThatAreHitTogetherAtOnce) {
+  Breakwater parameters = table_row("1910121100");
+  parameters.initial = {Vec2(0.0, 0.3), 0.0, Vec2(0.0, 0.0), 0.0};
+  const Case the_case = breakwater(parameters, "both");
+  const auto simulation = drive_by_events(the_case, std::make_unique<ClosedForms>(the_case));
+  simulation->step(1.0);
+  ASSERT_FALSE(simulation->events().empty());
+  const Event& event = simulation->events().front();
+  EXPECT_EQ(event.cables, CableSet::of(0) | CableSet::of(1));
+  EXPECT_NEAR(event.impulses[0], event.impulses[1], 1e-15);
+  for (const Cable& cable : the_case.cables) {
+    EXPECT_NEAR(gap_rate(cable, event.after), -0.9 * gap_rate(cable, event.before), 1e-14);
+  }
+}
+
+TEST(EventDriver, SumsTheImpulsesOfAStep) {
+  const Case the_case = metronome();
+  const auto simulation = drive_by_events(the_case, std::make_unique<ClosedForms>(the_case));
+  simulation->step(4.0);  // four impacts at 4 m/s, e = 1, mass 1
+  EXPECT_EQ(simulation->events().size(), 4U);
+  EXPECT_NEAR(simulation->impulses()[0], 4.0 * 8.0, 1e-12);
+  simulation->step(0.25);
+  EXPECT_TRUE(simulation->events().empty());
+  EXPECT_EQ(simulation->impulses()[0], 0.0);
+}
+
+TEST(EventDriver, StopsWhereBouncesAccumulate) {
+  const Case the_case = bouncing_ball(0.5);
+  const double limit = 3.0;  // (1 + e) / (1 - e) times the 1 s of the first fall
+  for (const double step : {10.0, 0.1, 1e-3}) {
+    for (const double rounding : {0.0, 1e-15}) {
+      const auto simulation =
+          drive_by_events(the_case, std::make_unique<ClosedForms>(the_case, rounding));
+      run(*simulation, step, 10.0, [](const Moment&) {});
+      ASSERT_TRUE(simulation->stopped()) << "step " << step;
+      EXPECT_EQ(simulation->stopped()->reason.substr(0, 26), "impacts accumulate at t = ");
+      // the bounces slower than 1e-6 m/s take 4e-6 s
+      EXPECT_NEAR(simulation->stopped()->time, limit, 5e-6);
+      EXPECT_GE(gap(the_case.cables[0], simulation->state()), -1e-12);
+      const State stopped = simulation->state();
+      simulation->step(step);
+      EXPECT_EQ(difference(simulation->state(), stopped), 0.0) << "a stopped run stands still";
+      EXPECT_TRUE(simulation->events().empty());
+    }
+  }
+}
+
+TEST(EventDriver, StopsWhereACableStaysTaut) {
+  Case the_case = bouncing_ball(0.0);
+  for (const double rounding : {0.0, 1e-15}) {
+    const auto simulation =
+        drive_by_events(the_case, std::make_unique<ClosedForms>(the_case, rounding));
+    simulation->step(2.0);
+    ASSERT_TRUE(simulation->stopped());
+    std::cout << "  " << simulation->stopped()->reason << '\n';
+    EXPECT_NEAR(simulation->stopped()->time, 1.0, 1e-6);
+  }
+  the_case.initial.position.y() = 0.0;  // hangs from the start
+  const auto hanging = drive_by_events(the_case, std::make_unique<ClosedForms>(the_case));
+  hanging->step(0.1);
+  ASSERT_TRUE(hanging->stopped());
+  EXPECT_EQ(hanging->stopped()->reason, "cables stay taut at t = 0");
+}
+
+TEST(EventDriver, TakesAStartOnATautCableThatOpens) {
+  Case the_case = bouncing_ball(0.5);
+  the_case.initial.position.y() = 0.0;
+  the_case.initial.velocity.y() = 1.0;
+  const auto times = impact_times(the_case, 0.1, 2.5, 1e-16);
+  ASSERT_FALSE(times.empty());
+  EXPECT_NEAR(times.front(), 2.0, 1e-12);
+}
+
+TEST(EventDriver, DoesNotStrikeForAClosingRateThatIsRounding) {
+  // a body that turns about the attachment of a taut cable, without gravity: rate zero for ever
+  Case the_case = bouncing_ball(0.5);
+  the_case.gravity = Vec2::Zero();
+  the_case.initial.position.y() = 0.0;
+  the_case.initial.velocity = Vec2::Zero();
+  the_case.initial.spin = 1.0;
+  const auto simulation = drive_by_events(the_case, std::make_unique<ClosedForms>(the_case, 1e-17));
+  simulation->step(1.0);
+  EXPECT_TRUE(simulation->events().empty());
+}
+
+TEST(EventDriver, FollowsEveryShippedCaseAsTheExactSolverDoes) {
+  for (const Case& the_case : shipped_cases()) {
+    const Solution exact = solve(the_case);
+    const auto simulation = drive_by_events(the_case, std::make_unique<ClosedForms>(the_case));
+    const double end = std::min(2.0, exact.end_time());
+    double largest = 0.0;
+    run(*simulation, 1e-2, end - 1e-2, [&](const Moment& moment) {
+      if (!is_at_an_impact(exact, moment.time)) {
+        largest = std::max(largest, difference(moment.after, exact.at(moment.time)));
+      }
+    });
+    EXPECT_FALSE(simulation->stopped()) << the_case.name << ": " << simulation->stopped()->reason;
+    expect_within(the_case.name + ": difference of the state", largest, 1e-10);
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -1,0 +1,83 @@
+// What adapters share: the clock, the unwrapped angle, and when and how fast a cable acts.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "analytic/support.hpp"
+#include "tautline/cable_row.hpp"
+#include "tautline/clock.hpp"
+#include "tautline/model_table.hpp"
+#include "tautline/unwrap.hpp"
+
+namespace tautline {
+namespace {
+
+TEST(Clock, ReadsWholeStepsToTheLastBit) {
+  Clock clock;
+  double plain = 0.0;
+  constexpr double step = 1e-4;
+  constexpr int steps = 200'000;
+  for (int k = 0; k < steps; ++k) {
+    clock.advance(step);
+    plain += step;
+  }
+  const double wanted = steps * step;
+  std::cout << "  a plain sum is off by " << std::abs(plain - wanted) << '\n';
+  test::expect_within("clock error [s]", std::abs(clock.now() - wanted), std::ldexp(wanted, -52));
+}
+
+TEST(Unwrap, AddsTheTurnsAnEngineForgets) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  for (double angle = -30.0; angle < 30.0; angle += 0.37) {
+    const double wrapped = std::remainder(angle, turn);
+    EXPECT_NEAR(unwrap(wrapped, angle + 0.4), angle, 1e-14 * (1.0 + std::abs(angle)));
+  }
+  EXPECT_EQ(unwrap(0.3, -0.2), 0.3);  // exactly: no turn is added
+}
+
+CableRow row_with(double gap, double rate) { return {Vec2::Zero(), Vec2::UnitY(), 0.0, gap, rate}; }
+
+TEST(CableRow, RaisesTheGapAlongItsDirection) {
+  const Cable cable{Vec2(0.5, 2.0), Vec2(0.3, -0.2), 3.0, 0.5};
+  const State state{Vec2(0.1, 0.2), 0.7, Vec2(0.4, -0.3), 1.1};
+  const CableRow row = cable_row(cable, state);
+  const double rate = row.towards.dot(state.velocity) + row.moment * state.spin;
+  EXPECT_NEAR(rate, row.rate, 1e-15);
+  EXPECT_NEAR((row.point + (cable.length - row.gap) * row.towards - cable.anchor).norm(), 0.0,
+              1e-15);
+}
+
+TEST(Activation, RowWaitsForTheOverstretchAndEarlyDoesNot) {
+  const CableRow about_to_cross = row_with(0.01, -2.0);
+  EXPECT_FALSE(acts(about_to_cross, Activation::overstretched, 0.01));
+  EXPECT_TRUE(acts(about_to_cross, Activation::crossing, 0.01));
+  EXPECT_FALSE(acts(about_to_cross, Activation::crossing, 0.004));
+  EXPECT_FALSE(acts(row_with(0.01, 2.0), Activation::crossing, 0.01));
+  EXPECT_TRUE(acts(row_with(-0.01, 2.0), Activation::overstretched, 0.01));
+}
+
+TEST(WantedRate, IsTheLargerOfBounceAndCorrectionAndNotTheirSum) {
+  EXPECT_DOUBLE_EQ(wanted_rate(row_with(-0.01, -2.0), 0.5, 20.0), 1.0);
+  EXPECT_DOUBLE_EQ(wanted_rate(row_with(-0.1, -2.0), 0.5, 20.0), 2.0);
+  EXPECT_DOUBLE_EQ(wanted_rate(row_with(-0.0, 3.0), 0.5, 20.0), 0.0);
+}
+
+TEST(Correction, IsNoFasterInAShortLastStep) {
+  EXPECT_DOUBLE_EQ(correction_in_step(1e-3, 1e-3), 0.2);
+  EXPECT_DOUBLE_EQ(correction_in_step(1e-9, 1e-3) / 1e-9, 0.2 / 1e-3);
+}
+
+TEST(ModelTable, NamesItsModelsWhenAskedForAnother) {
+  const std::vector<ModelEntry> table = {{{"row", "A row.", {}}, {}}, {{"event", "All.", {}}, {}}};
+  try {
+    (void)start_model(table, "rope", Case{}, 1e-3);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "model rope is unknown; there are row, event");
+  }
+}
+
+}  // namespace
+}  // namespace tautline

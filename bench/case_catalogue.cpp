@@ -189,10 +189,10 @@ fs::path folder_name(const std::string& case_name) {
     return name;
   }
   name.resize(std::min(name.size(), longest - hash_digits - 1));
-  if (name.empty() || name.ends_with('/')) {
-    name += "case";
+  if (name.ends_with('/')) {
+    name.pop_back();
   }
-  return name + "-" + hexadecimal(hash(case_name));
+  return (name.empty() ? "case" : name) + "-" + hexadecimal(hash(case_name));
 }
 
 }  // namespace tautline::bench

@@ -34,6 +34,9 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 
 /// How far `name` is from `candidate`; none where nobody would take the one for the other.
 std::optional<std::size_t> plausible_distance(std::string_view name, std::string_view candidate) {
+  if (name == candidate) {
+    return 0;
+  }
   constexpr std::size_t telling = 4;  // a shorter piece of a name says too little
   if (name.size() >= telling && candidate.find(name) != std::string_view::npos) {
     return 1;  // only a part was given, as in `1910121100` for `breakwater/1910121100`

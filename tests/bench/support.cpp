@@ -1,0 +1,71 @@
+#include "support.hpp"
+
+#include <stdlib.h>  // mkdtemp is POSIX, not in <cstdlib>
+
+#include <algorithm>
+#include <bit>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace tautline::bench::test {
+
+namespace fs = std::filesystem;
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = fs::temp_directory_path() / "tautline-test-XXXXXX";
+  if (::mkdtemp(pattern.data()) == nullptr) {
+    throw std::runtime_error("no temporary folder " + pattern);
+  }
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+fs::path TemporaryFolder::file(const std::string& name, std::string_view content) const {
+  std::ofstream stream(path_ / name, std::ios::binary);
+  stream << content;
+  return path_ / name;
+}
+
+std::vector<std::uint64_t> bits(const Case& the_case) {
+  std::vector<std::uint64_t> result;
+  const auto add = [&result](auto... values) {
+    (result.push_back(std::bit_cast<std::uint64_t>(values)), ...);
+  };
+  const auto add_pair = [&add](const Vec2& value) { add(value.x(), value.y()); };
+  const State& initial = the_case.initial;
+  add(the_case.body.mass, the_case.body.inertia, the_case.duration, initial.angle, initial.spin);
+  add_pair(the_case.gravity);
+  add_pair(initial.position);
+  add_pair(initial.velocity);
+  for (const std::optional<double>& limit : {the_case.angle_limit, the_case.ceiling}) {
+    result.push_back(limit.has_value() ? 1 : 0);
+    add(limit.value_or(0.0));
+  }
+  for (const Cable& cable : the_case.cables) {
+    add_pair(cable.anchor);
+    add_pair(cable.attachment);
+    add(cable.length, cable.restitution);
+  }
+  return result;
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> result;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    result.push_back(entry.path().filename());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::string content_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace tautline::bench::test

@@ -252,6 +252,13 @@ std::string report_markdown(const ordered_json& report) {
 
 std::string report_summary(const ordered_json& report) {
   std::string out = summary_table(report).plain();
+  out += fmt::format(
+      "\nerror: largest distance from the exact position, median over the cases; early: up to "
+      "impact "
+      "{}; horizon: up to\nthe predictability horizon. matched, exact, found: impacts up to the "
+      "horizon. "
+      "e error: worst restitution error.\n",
+      report.at("options").at("early_impacts").get<int>());
   const Table failures = failures_table(report);
   return failures.empty() ? out : out + "\n" + failures.plain();
 }

@@ -29,7 +29,7 @@ void impact_on_cables(benchmark::State& state) {
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     cables.insert(index);
   }
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     benchmark::DoNotOptimize(newton_impact(the_case, the_case.initial, cables).after);
   }
 }

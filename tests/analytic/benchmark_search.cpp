@@ -22,7 +22,7 @@ void first_contact_per_arc(benchmark::State& state) {
   }
   long steps = 0;
   std::size_t next = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     const Event& event = *impacts[next];
     next = (next + 1) % impacts.size();
     const auto search = first_contact(the_case, event.after, {event.cables, 0.0}, 10.0);

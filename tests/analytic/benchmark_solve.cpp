@@ -13,7 +13,7 @@ void solve_table_row(benchmark::State& state, std::size_t row) {
   const TableRow& table_row = table_5_1()[row];
   const Case the_case = breakwater(table_row.parameters, std::string(table_row.number));
   std::size_t events = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     const Solution solution = solve(the_case);
     events += solution.events().size();
     benchmark::DoNotOptimize(solution.end_time());

@@ -37,9 +37,10 @@ constexpr const char* case_help =
     "a case file (TOML), the name of a shipped case, or a pattern of such names in quotes: "
     "'breakwater/19*'; `tautline cases` lists them";
 
-/// The commands and their options; `code` gets the exit code of the one that ran.
-void set_up(CLI::App& app, int& code, const std::string& command_line, SolveCommand& solve,
-            RunCommand& run, BenchCommand& bench, EnginesCommand& engines, CasesCommand& cases) {
+/// The commands and their options; `code` gets the exit code of the one that ran. Everything given
+/// here must outlive `app`, which runs the command while it parses.
+void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, BenchCommand& bench,
+            EnginesCommand& engines, CasesCommand& cases) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
 
@@ -88,10 +89,7 @@ void set_up(CLI::App& app, int& code, const std::string& command_line, SolveComm
       ->capture_default_str();
   command->add_option("--json", bench.json,
                       "also write the report as JSON to this file, or to stdout: -");
-  command->callback([&] {
-    bench.command_line = command_line;
-    code = bench_command(bench);
-  });
+  command->callback([&] { code = bench_command(bench); });
 
   command =
       app.add_subcommand("engines", "The engines that are here, their models, and those missing");
@@ -114,7 +112,8 @@ int run_program(int count, char** arguments) {
   BenchCommand bench;
   EnginesCommand engines;
   CasesCommand cases;
-  set_up(app, code, typed(count, arguments), solve, run, bench, engines, cases);
+  bench.command_line = typed(count, arguments);
+  set_up(app, code, solve, run, bench, engines, cases);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -54,6 +55,9 @@ TEST(ReportSchema, AcceptsAReportWithEveryKindOfRow) {
   const json report = mixed_report(out);
   ASSERT_TRUE(report.is_object());
   EXPECT_EQ(broken_rules(report), "");
+  EXPECT_TRUE(report.at("context").at("command").get<std::string>().starts_with(
+      std::string(TAUTLINE_PROGRAM_PATH) + " bench bouncing-ball"))
+      << report.at("context").at("command");
   std::set<std::string> kinds;
   for (const json& run : report.at("runs")) {
     kinds.insert(run.at("status").get<std::string>());

@@ -11,7 +11,7 @@ quietly() {
   log=$(mktemp)
   "$@" >"$log" 2>&1 </dev/null || status=$?
   if [ "$status" -ne 0 ]; then
-    cat "$log" >&2
+    grep -vE '^\[[0-9]+/[0-9]+\] (Building|Linking)' "$log" >&2 || true
     say "failed with exit code $status: $*"
   fi
   rm -f "$log"

@@ -42,6 +42,21 @@ run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${CONFIG}")
 run("${CMAKE_CTEST_COMMAND}" --test-dir "${WORK_DIR}/build" -C "${CONFIG}" --output-on-failure
   --no-tests=error)
 
-if(PROGRAM)
-  run("${prefix}/${PROGRAM}" --help)
+if(NOT PROGRAM)
+  return()
 endif()
+
+# the program finds the plug-ins it was installed with ...
+run("${prefix}/${PROGRAM}" engines --json "${WORK_DIR}/engines.json")
+file(READ "${WORK_DIR}/engines.json" engines)
+file(GLOB modules RELATIVE "${prefix}" "${prefix}/${ENGINE_DIR}/*.so")
+foreach(module IN LISTS modules)
+  string(FIND "${engines}" "/${module}\"" found)
+  if(found EQUAL -1)
+    message(FATAL_ERROR "the program does not list ${module} but\n${engines}")
+  endif()
+endforeach()
+
+# ... and takes the consumer's
+run("${prefix}/${PROGRAM}" run bouncing-ball --engine "${WORK_DIR}/build/still.so" --model still
+  --step 0.01)

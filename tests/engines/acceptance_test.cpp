@@ -10,6 +10,7 @@
 #include "analytic/support.hpp"
 #include "engine_support.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/impact.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::test {
@@ -97,6 +98,40 @@ TEST_P(EventModel, KeepsTheEnergyOfElasticImpacts) {
   });
   EXPECT_NEAR(reached, 10.0, 1e-2);
   expect_within("energy drift [J], t <= 10", drift, 1e-12);
+}
+
+/// A random body with all of `count` cables at zero gap, and at least one of them closing.
+Case hit_on_several_cables(Random& random, std::size_t count) {
+  Case result = random_impact(random, count);
+  result.duration = 1e-8;  // the hit is all that is asked for
+  if (count > 1 && random.chance(0.2)) {
+    result.cables[1] = result.cables[0];  // two cables side by side: the rows are the same
+  }
+  return result;
+}
+
+TEST_P(EventModel, SolvesHitsOnManyCablesAsNewtonsLaw) {
+  Random random(11);
+  for (std::size_t count = 1; count <= max_cables; ++count) {
+    double worst = 0.0;
+    int hits = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+      const Case the_case = hit_on_several_cables(random, count);
+      const auto simulation = engine().start(the_case, "event", 1e-2);
+      simulation->step(1e-9);
+      if (simulation->events().empty()) {
+        continue;  // all of the closing rates were rounding
+      }
+      const Event& event = simulation->events().front();
+      const State wanted = newton_impact(the_case, event.before, event.cables).after;
+      const double speed = speed_scale(the_case, event.before);
+      worst = std::max(worst, (event.after.velocity - wanted.velocity).norm() / speed);
+      worst = std::max(worst, std::abs(event.after.spin - wanted.spin) / speed);
+      ++hits;
+    }
+    EXPECT_GT(hits, 100);
+    expect_within(std::to_string(count) + " cables: velocity error [-]", worst, 1e-11);
+  }
 }
 
 /// Where the solutions of cases end whose starts differ from `the_case`'s by up to 1e-14 m: what

@@ -149,6 +149,7 @@ TEST(WriteFile, NeverShowsAReaderHalfAFile) {
 TEST(WriteFile, LetsSeveralThreadsWriteIntoOneFolder) {
   const TemporaryFolder folder;
   std::vector<std::thread> writers;
+  writers.reserve(8);
   for (int index = 0; index < 8; ++index) {
     writers.emplace_back([&folder, index] {
       write_file(folder.path() / std::to_string(index), std::string(1000, 'x'));

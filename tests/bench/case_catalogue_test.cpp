@@ -59,17 +59,14 @@ TEST(CaseSelection, FilesFollowShippedCasesInTheOrderGiven) {
 TEST(CaseSelection, NothingSelectsNothing) { EXPECT_EQ(selected({}), Strings{}); }
 
 TEST(CaseSelection, SaysWhatIsWrongWithEachArgument) {
+  const std::string right = ": must be a shipped name, a glob of them or a case file";
   const CaseSelection selection = select_cases(
       Strings{"bouncingball", "1933121100", "qwertz", "zz*", "", "\x1b", "crane-load"});
-  EXPECT_EQ(
-      selection.problems,
-      (Strings{"unknown case \"bouncingball\"; did you mean bouncing-ball?",
-               "unknown case \"1933121100\"; did you mean breakwater/1933121100?",
-               "unknown case \"qwertz\": must be a shipped name, a glob of them or a case file",
-               "no shipped case matches \"zz*\"",
-               "unknown case \"\": must be a shipped name, a glob of them or a case file",
-               "unknown case \"\\x1b\": must be a shipped name, a glob of them or a case "
-               "file"}));
+  EXPECT_EQ(selection.problems,
+            (Strings{"unknown case \"bouncingball\"; did you mean bouncing-ball?",
+                     "unknown case \"1933121100\"; did you mean breakwater/1933121100?",
+                     "unknown case \"qwertz\"" + right, "no shipped case matches \"zz*\"",
+                     "unknown case \"\"" + right, "unknown case \"\\x1b\"" + right}));
   EXPECT_TRUE(selection.cases.empty());
 }
 

@@ -219,6 +219,7 @@ TEST(CaseText, EmptyFileLacksEveryKeyThatIsRequired) {
                      "empty.toml: duration: is missing, must be a finite number above 0 [s]",
                      "empty.toml: gravity: is missing, must be two numbers [x, y] [m/s^2]",
                      "empty.toml: body.mass: is missing, must be a finite number above 0 [kg]",
+                     // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one sentence, two lines
                      "empty.toml: body.inertia: is missing, must be a finite number, 0 or above "
                      "[kg m^2]",
                      "empty.toml: cables: is missing, " + cables_right,
@@ -256,7 +257,7 @@ TEST(CaseText, RulesOfTheCaseNameTheLineTheyAreAbout) {
 TEST(CaseText, FloodOfProblemsIsCutWithTheirNumber) {
   std::string text = sound.substr(0, sound.find("\n[body]"));
   for (int key = 0; key < 50'000; ++key) {
-    text += "k" + std::to_string(key) + " = 1\n";
+    text.append("k").append(std::to_string(key)).append(" = 1\n");
   }
   const Strings problems = read_case_text(text, "ball.toml").problems;
   ASSERT_EQ(problems.size(), 101U);
@@ -268,8 +269,9 @@ TEST(CaseText, DeepNestingIsAnAnswerNotAStackOverflow) {
   while (dots.size() < 4000) {
     dots += "a.";
   }
-  for (const std::string& text :
-       {"[" + dots + "a]\n" + dots + "a = 1\n", "a = " + std::string(4000, '['), "a = " + dots}) {
+  const std::string nested_tables = "[" + dots + "a]\n" + dots + "a = 1\n";
+  const std::string nested_arrays = "a = " + std::string(4000, '[');
+  for (const std::string& text : {nested_tables, nested_arrays, dots}) {
     EXPECT_FALSE(read_case_text(text, "deep.toml").problems.empty());
   }
 }

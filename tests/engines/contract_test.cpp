@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <regex>
 
 #include "analytic/support.hpp"
 #include "claims.hpp"
@@ -104,14 +103,19 @@ double first_restitution(const Case& the_case, Simulation& simulation, double st
   return result;
 }
 
+/// Names go into files and folders: small letters, digits and dashes.
+bool is_name(const std::string& text) {
+  return !text.empty() &&
+         text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+}
+
 TEST_P(Contract, SaysWhatItIs) {
   const EngineInfo info = engine().info();
-  const std::regex name("[a-z0-9-]+");
-  EXPECT_TRUE(std::regex_match(info.name, name)) << info.name;
+  EXPECT_TRUE(is_name(info.name)) << info.name;
   EXPECT_FALSE(info.version.empty());
   EXPECT_TRUE(info.precision == "float64" || info.precision == "float32") << info.precision;
   for (const Model& model : info.models) {
-    EXPECT_TRUE(std::regex_match(model.name, name)) << model.name;
+    EXPECT_TRUE(is_name(model.name)) << model.name;
     EXPECT_TRUE(model.sentence.ends_with('.')) << model.sentence;
     for (const Setting& setting : model.settings) {
       EXPECT_FALSE(setting.name.empty() || setting.value.empty()) << model.name;

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bench/descriptor.hpp"
 #include "bench/text.hpp"
 
 namespace tautline::bench {
@@ -24,41 +25,16 @@ namespace fs = std::filesystem;
   fail(path, std::error_code(reason, std::generic_category()));
 }
 
-/// An open file that is closed when left.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-
-  [[nodiscard]] int number() const { return number_; }
-
-  /// 0, or the reason why what was written is not there.
-  int close() {
-    const int result = number_ >= 0 ? ::close(number_) : 0;
-    number_ = -1;
-    return result == 0 ? 0 : errno;
-  }
-
- private:
-  int number_;
-};
-
 /// A new file under a name that nobody else uses, removed when left unless it got its own name.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& folder)
       : path_(unused_name(folder)), file_(open_new(path_)) {
-    while (file_.number() < 0 && errno == EEXIST) {
+    while (file_.get() < 0 && errno == EEXIST) {
       path_ = unused_name(folder);
       file_ = Descriptor(open_new(path_));
     }
-    created_ = file_.number() >= 0;
+    created_ = file_.get() >= 0;
   }
   ~TemporaryFile() {
     if (created_) {
@@ -118,10 +94,10 @@ bool is_open_already(const fs::path& path) {
 /// For what is not a file of its own: a device, a pipe, a terminal, the standard output.
 void write_in_place(const fs::path& path, std::string_view content) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY));
-  if (file.number() < 0) {
+  if (file.get() < 0) {
     fail(path, errno);
   }
-  if (const int reason = write_all(file.number(), content)) {
+  if (const int reason = write_all(file.get(), content)) {
     fail(path, reason);
   }
 }
@@ -132,11 +108,11 @@ void replace(const fs::path& path, const fs::path& target, std::string_view cont
     fail(path, errno);
   }
   Descriptor& file = temporary.file();
-  if (const int reason = write_all(file.number(), content)) {
+  if (const int reason = write_all(file.get(), content)) {
     fail(path, reason);
   }
   // on the disk before it has its name, so that a power cut does not leave an empty file
-  if (::fsync(file.number()) != 0) {
+  if (::fsync(file.get()) != 0) {
     fail(path, errno);
   }
   if (const int reason = file.close()) {

@@ -120,13 +120,7 @@ int solve_command(const SolveCommand& command) {
   }
   const SolveOptions options;
   const Solution solution = solve(*the_case, options);
-  std::vector<std::string> broken;
-  for (const double time : command.at) {
-    if (!(time >= 0.0 && time <= solution.end_time())) {
-      broken.push_back(fmt::format("--at {}: must be within 0 and {}, where the solution ends ({})",
-                                   time, solution.end_time(), to_string(solution.ending())));
-    }
-  }
+  const std::vector<std::string> broken = sample_problems(solution, command.at);
   if (!broken.empty()) {
     complain(broken);
     return exit_usage;

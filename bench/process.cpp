@@ -139,22 +139,6 @@ void watch(pid_t child, int pipe, double time_limit, ProcessEnd& end, int& statu
 
 }  // namespace
 
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  if (this != &other) {
-    close();
-    number_ = other.release();
-  }
-  return *this;
-}
-
-void Descriptor::close() {
-  if (number_ >= 0) {
-    ::close(std::exchange(number_, -1));
-  }
-}
-
-int Descriptor::release() { return std::exchange(number_, -1); }
-
 Descriptor memory_file(std::string_view content) {
   Descriptor file(::memfd_create("tautline", MFD_CLOEXEC));
   if (file.get() < 0) {

@@ -7,24 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/descriptor.hpp"
+
 namespace tautline::bench {
-
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
-  Descriptor& operator=(Descriptor&& other) noexcept;
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(); }
-  [[nodiscard]] int get() const { return number_; }
-  void close();
-
- private:
-  int release();
-  int number_;
-};
 
 /// A nameless file in memory, so that a full disk cannot stop a run. Throws std::system_error.
 [[nodiscard]] Descriptor memory_file(std::string_view content);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "program.hpp"
 
@@ -16,6 +17,8 @@ struct BadEngine {
   std::string reason;  // part of the sentence
 };
 
+void PrintTo(const BadEngine& engine, std::ostream* out) { *out << engine.way; }
+
 class BadEngines : public testing::TestWithParam<BadEngine> {};
 
 TEST_P(BadEngines, GiveOneClearRowAndHarmNothingElse) {
@@ -25,8 +28,7 @@ TEST_P(BadEngines, GiveOneClearRowAndHarmNothingElse) {
       program({"bench", "bouncing-ball", "--engines", "exact," + bad_engine(way), "--steps", "1e-2",
                "--until", "2", "--time-limit", way == "hang" ? "2" : "60", "--out",
                (out.path() / "results").string()});
-  const auto report =
-      json::parse(content_of_file(out.path() / "results/report.json"), nullptr, false);
+  const auto report = json::parse(content_of(out.path() / "results/report.json"), nullptr, false);
   ASSERT_FALSE(report.is_discarded()) << outcome.errors;
   const bool harmless = status == "finished";
   EXPECT_EQ(outcome.code, harmless ? 0 : 1) << outcome.errors;
@@ -46,7 +48,7 @@ TEST_P(BadEngines, GiveOneClearRowAndHarmNothingElse) {
     EXPECT_NE(runs.at(1).at("reason").get<std::string>().find(reason), std::string::npos)
         << runs.at(1).at("reason");
   }
-  const std::string markdown = content_of_file(out.path() / "results/report.md");
+  const std::string markdown = content_of(out.path() / "results/report.md");
   EXPECT_EQ(markdown.find('\x1b'), std::string::npos) << "control characters reached the report";
   if (!harmless) {
     EXPECT_NE(markdown.find(reason), std::string::npos) << "report.md does not say " << reason;
@@ -83,7 +85,7 @@ TEST(ChatteringEngine, IsCapturedAndItsTailKept) {
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(outcome.output.find("likes to talk"), std::string::npos);
   const std::string kept =
-      content_of_file(out.path() / "r/runs/bouncing-ball/chatter/only/0.01/output.txt");
+      content_of(out.path() / "r/runs/bouncing-ball/chatter/only/0.01/output.txt");
   EXPECT_NE(kept.find("line 199999 of an engine"), std::string::npos) << kept;
   EXPECT_LT(kept.size(), 3000U);
 }

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "program.hpp"
 
@@ -16,6 +17,8 @@ struct BadUsage {
   std::vector<std::string> arguments;
   std::string sentence;
 };
+
+void PrintTo(const BadUsage& usage, std::ostream* out) { *out << usage.name; }
 
 class Program : public testing::TestWithParam<BadUsage> {};
 
@@ -62,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "duration -1 must be a finite number above 0 [s]"},
         BadUsage{"SampleAfterTheEnd",
                  {"solve", "bouncing-ball", "--at", "1,9"},
-                 "--at 9: must be within 0 and 2.99999"},
+                 "sample time 9 is outside [0, 2.99999"},
         BadUsage{"PatternWhereOneIsMeant",
                  {"solve", "breakwater/*"},
                  "means 21 cases; this command takes one"},
@@ -94,7 +97,7 @@ TEST(Solve, WritesJsonToAFileAndStaysSilent) {
   const Outcome outcome = program({"solve", "bouncing-ball", "--json", file});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.output, "");
-  EXPECT_EQ(json::parse(content_of_file(file)).at("ending"), "zeno");
+  EXPECT_EQ(json::parse(content_of(file)).at("ending"), "zeno");
 }
 
 TEST(Solve, SaysThatADiskIsFull) {
@@ -153,7 +156,7 @@ TEST(Bench, WorksWithNoEngineAtAll) {
       program({"bench", "bouncing-ball", "--out", (folder.path() / "r").string()},
               "TAUTLINE_ENGINE_PATH=" + nothing.path().string());
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  const json report = json::parse(content_of_file(folder.path() / "r/report.json"));
+  const json report = json::parse(content_of(folder.path() / "r/report.json"));
   EXPECT_TRUE(report.at("runs").empty());
   EXPECT_EQ(report.at("engines").at(0).at("missing"), true);
 }

@@ -5,9 +5,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 namespace tautline::test {
 namespace {
@@ -26,19 +23,6 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "tautline-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::runtime_error("cannot make a temporary folder");
-  }
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 Outcome program(const std::vector<std::string>& arguments, const std::string& shell) {
   const TemporaryFolder folder;
   std::string command = shell + " " + quoted(TAUTLINE_PROGRAM_PATH);
@@ -48,8 +32,7 @@ Outcome program(const std::vector<std::string>& arguments, const std::string& sh
   command += " >" + quoted((folder.path() / "out").string());
   command += " 2>" + quoted((folder.path() / "err").string()) + " </dev/null";
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): a shell is wanted here
-  return {code_of(status), content_of_file(folder.path() / "out"),
-          content_of_file(folder.path() / "err")};
+  return {code_of(status), content_of(folder.path() / "out"), content_of(folder.path() / "err")};
 }
 
 int start_program(const std::vector<std::string>& arguments) {
@@ -77,11 +60,6 @@ int wait_for(int process) {
   int status = 0;
   ::waitpid(process, &status, 0);
   return code_of(status);
-}
-
-std::string content_of_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string bad_engine(const std::string& way) {

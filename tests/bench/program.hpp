@@ -1,8 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "support.hpp"
 
 namespace tautline::test {
 
@@ -13,18 +14,8 @@ struct Outcome {
   std::string errors;  // standard error
 };
 
-/// A new empty folder, removed with everything in it at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using bench::test::content_of;
+using bench::test::TemporaryFolder;
 
 /// Runs `tautline` with these arguments. `shell` goes before it on the command line: "ulimit -f
 /// 8;".
@@ -36,9 +27,6 @@ class TemporaryFolder {
 
 /// Waits for a started program; its exit code, or 128 + signal.
 int wait_for(int process);
-
-/// The content of a file, or "" without one.
-[[nodiscard]] std::string content_of_file(const std::filesystem::path& path);
 
 /// The path of a plug-in made to go wrong: tests/bench/fixtures.
 [[nodiscard]] std::string bad_engine(const std::string& way);

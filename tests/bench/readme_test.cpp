@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -32,6 +33,30 @@ std::vector<Excerpt> excerpts() {
   return found;
 }
 
+/// Rounding that the motion has amplified: it differs between compilers, its size does not matter.
+constexpr double rounding = 1e-6;
+
+/// The same words, and the same numbers where they are more than rounding.
+bool same(const std::string& shown, const std::string& printed) {
+  std::istringstream one(shown);
+  std::istringstream two(printed);
+  std::string a;
+  std::string b;
+  while (true) {
+    const bool more_a = static_cast<bool>(one >> a);
+    const bool more_b = static_cast<bool>(two >> b);
+    if (!more_a || !more_b) {
+      return more_a == more_b;
+    }
+    const bool tiny =
+        a.find("e-") != std::string::npos && std::strtod(a.c_str(), nullptr) < rounding;
+    const double other = std::strtod(b.c_str(), nullptr);
+    if (a != b && !(tiny && other < rounding) && !(a == "0.0e+00" && other < rounding)) {
+      return false;
+    }
+  }
+}
+
 TEST(Readme, ShowsWhatTheProgramPrints) {
   const std::vector<Excerpt> all = excerpts();
   ASSERT_GE(all.size(), 3U);
@@ -50,8 +75,8 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
     for (const std::string& shown : excerpt.lines) {
       std::string line;
       std::getline(printed, line);
-      EXPECT_EQ(shown, line) << "tautline " << excerpt.command
-                             << "; scripts/update-readme writes it anew";
+      EXPECT_TRUE(same(shown, line)) << "README: " << shown << "\nnow:    " << line << "\ntautline "
+                                     << excerpt.command << "; scripts/update-readme writes it anew";
     }
   }
 }

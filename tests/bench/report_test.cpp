@@ -21,7 +21,7 @@ using nlohmann::ordered_json;
 
 /// Every way in which `report` breaks the schema in the repository; "" if none.
 std::string broken_rules(const json& report) {
-  const json text = json::parse(content_of_file(TAUTLINE_REPORT_SCHEMA));
+  const json text = json::parse(content_of(TAUTLINE_REPORT_SCHEMA));
   valijson::Schema schema;
   valijson::SchemaParser parser;
   parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
@@ -47,7 +47,7 @@ json mixed_report(const TemporaryFolder& out) {
   static_cast<void>(
       program({"bench", "bouncing-ball", "breakwater/1510121100", "--engines", engines, "--steps",
                "1e-2,1e-3", "--out", (out.path() / "r").string()}));
-  return json::parse(content_of_file(out.path() / "r/report.json"), nullptr, false);
+  return json::parse(content_of(out.path() / "r/report.json"), nullptr, false);
 }
 
 TEST(ReportSchema, AcceptsAReportWithEveryKindOfRow) {
@@ -79,7 +79,7 @@ TEST(ReportSchema, RefusesWhatIsNotAReport) {
 TEST(ReportMarkdown, SaysEverythingTheJsonSays) {
   const TemporaryFolder out;
   const json report = mixed_report(out);
-  const std::string markdown = content_of_file(out.path() / "r/report.md");
+  const std::string markdown = content_of(out.path() / "r/report.md");
   for (const json& engine : report.at("engines")) {
     EXPECT_NE(markdown.find(engine.at("name").get<std::string>()), std::string::npos);
   }

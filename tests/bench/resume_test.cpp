@@ -22,7 +22,7 @@ std::vector<std::string> suite(const fs::path& out, const std::string& steps = "
 
 /// The report without what may differ from run to run.
 json comparable(const fs::path& out) {
-  json report = json::parse(content_of_file(out / "report.json"), nullptr, false);
+  json report = json::parse(content_of(out / "report.json"), nullptr, false);
   if (report.is_object()) {
     report.erase("context");
   }
@@ -64,7 +64,7 @@ TEST_P(Interrupted, SuiteIsCompletedByResumeWithAnEqualReport) {
   EXPECT_LT(before, whole.at("runs").size()) << "nothing was left to resume";
   for (const auto& entry : fs::recursive_directory_iterator(out)) {
     if (entry.path().filename() == "result.json") {
-      const std::string text = content_of_file(entry.path());
+      const std::string text = content_of(entry.path());
       EXPECT_FALSE(json::parse(text, nullptr, false).is_discarded()) << entry.path();
     }
   }
@@ -74,7 +74,7 @@ TEST_P(Interrupted, SuiteIsCompletedByResumeWithAnEqualReport) {
   const Outcome outcome = program(again);
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(comparable(out), whole);
-  const json report = json::parse(content_of_file(out / "report.json"));
+  const json report = json::parse(content_of(out / "report.json"));
   EXPECT_GE(report.at("context").at("kept_runs").get<std::size_t>(), before);
 }
 
@@ -92,7 +92,7 @@ TEST(Interrupted, CtrlCLeavesAReadableReportThatSaysSo) {
   ASSERT_TRUE(report.is_object());
   EXPECT_EQ(report.at("complete"), false);
   EXPECT_GE(report.at("runs").size(), 5U);
-  EXPECT_NE(content_of_file(folder.path() / "r/report.md").find("INCOMPLETE"), std::string::npos);
+  EXPECT_NE(content_of(folder.path() / "r/report.md").find("INCOMPLETE"), std::string::npos);
 }
 
 TEST(Resume, DoesNotKeepARunOfOtherSettings) {
@@ -104,7 +104,7 @@ TEST(Resume, DoesNotKeepARunOfOtherSettings) {
   auto shorter = one;
   shorter.insert(shorter.end(), {"--until", "1", "--resume"});
   ASSERT_EQ(program(shorter).code, 0);
-  const json report = json::parse(content_of_file(out / "report.json"));
+  const json report = json::parse(content_of(out / "report.json"));
   EXPECT_EQ(report.at("context").at("kept_runs"), 0);
   EXPECT_EQ(report.at("runs").at(0).at("metrics").at("whole").at("until"), 1.0);
 }
@@ -114,7 +114,7 @@ TEST(Suite, RunTwiceGivesAnIdenticalReportButForItsContext) {
   ASSERT_EQ(program(suite(folder.path() / "one", "1e-2")).code, 0);
   ASSERT_EQ(program(suite(folder.path() / "two", "1e-2")).code, 0);
   const auto text = [](const fs::path& out) {
-    const std::string whole = content_of_file(out / "report.json");
+    const std::string whole = content_of(out / "report.json");
     return whole.substr(0, whole.find("\n  \"context\""));
   };
   const std::string first = text(folder.path() / "one");

@@ -13,6 +13,7 @@
 #include "bench/process.hpp"
 #include "bench/progress.hpp"
 #include "bench/report.hpp"
+#include "bench/run_files.hpp"
 #include "bench/suite.hpp"
 #include "bench/text.hpp"
 
@@ -51,8 +52,7 @@ Request read_request(const BenchCommand& command) {
   options.out = command.out;
   options.resume = command.resume;
   options.limits.time = command.time_limit;
-  options.jobs =
-      command.jobs > 0 ? command.jobs : std::max(1U, std::thread::hardware_concurrency());
+  options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   append(request.problems, suite_problems(options));
   if (!(command.time_limit > 0.0)) {
     request.problems.push_back(
@@ -99,6 +99,7 @@ int bench_command(const BenchCommand& command) {
   const SuiteOptions& options = request.options;
   ReportContext context{command.command_line, now_utc()};
   const auto start = Clock::now();
+  const Descriptor tree = open_tree(options.out, !options.resume);
   const std::vector<ReferenceCase> references = solve_cases(options.cases);
   Progress progress(plan(options).size(), "runs");
   const SuiteResult result =

@@ -5,6 +5,7 @@
 
 #include "bench/commands.hpp"
 #include "bench/report_rows.hpp"
+#include "bench/run_files.hpp"
 #include "bench/suite.hpp"
 #include "bench/table.hpp"
 #include "bench/text.hpp"
@@ -74,6 +75,8 @@ int run_command(const RunCommand& command) {
     complain({fmt::format("engine {}: {}", engine.name, printable(engine.failure))});
     return exit_failed;
   }
+  // the runs of other engines and models stay
+  const Descriptor tree = options.out.empty() ? Descriptor() : open_tree(options.out, false);
   const auto references = solve_cases(options.cases);
   const SuiteResult result = run_suite(options, references, [](std::size_t) {});
   if (result.runs.empty()) {

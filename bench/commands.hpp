@@ -45,7 +45,7 @@ struct BenchCommand {
   std::vector<double> steps = {1e-2, 1e-3, 1e-4};  // [s]
   std::optional<double> until;                     // [s], instead of each case's duration
   std::filesystem::path out = "results";
-  unsigned jobs = 0;  // 0: one per core
+  std::optional<unsigned> jobs;  // one per core if not given
   bool resume = false;
   double time_limit = 60.0;  // [s]
   std::string json;

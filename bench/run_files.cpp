@@ -1,7 +1,11 @@
 #include "bench/run_files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -17,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// A file that only `prepare_tree` makes: a folder with it is ours to clear.
+/// A file that only `open_tree` makes: a folder with it is ours to clear.
 constexpr const char* marker = "tautline-results.txt";
 
 std::string state_columns(const State& state) {
@@ -131,16 +135,27 @@ std::optional<RunResult> read_run(const fs::path& folder, const std::string& fin
   return RunResult{whole.at("row"), whole.at("timing")};
 }
 
-void prepare_tree(const fs::path& out, bool resume) {
-  if (!resume) {
-    std::error_code ignored;
-    fs::remove_all(out / "runs", ignored);
+Descriptor open_tree(const fs::path& out, bool clear) {
+  std::error_code error;
+  fs::create_directories(out, error);
+  Descriptor folder(::open(out.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.get() < 0) {
+    const std::error_code reason(errno, std::generic_category());
+    throw FileError("cannot make the folder " + printable(out.string()) + ": " + reason.message());
+  }
+  if (::flock(folder.get(), LOCK_EX | LOCK_NB) != 0) {
+    throw FileError("another `tautline` is writing to " + printable(out.string()) +
+                    "; wait for it, or give another --out");
+  }
+  if (clear) {
+    fs::remove_all(out / "runs", error);
     for (const char* file : {"report.json", "report.md"}) {
-      fs::remove(out / file, ignored);
+      fs::remove(out / file, error);
     }
   }
   write_file(out / marker,
              "A result tree of `tautline bench`, which may clear and rewrite this folder.\n");
+  return folder;
 }
 
 std::optional<std::string> tree_problem(const fs::path& out) {

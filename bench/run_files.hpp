@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bench/descriptor.hpp"
 #include "bench/record.hpp"
 #include "bench/suite.hpp"
 
@@ -34,8 +35,10 @@ void write_run(const std::filesystem::path& folder, const SuiteOptions& options,
 [[nodiscard]] std::optional<RunResult> read_run(const std::filesystem::path& folder,
                                                 const std::string& fingerprint);
 
-/// Makes `out` a result tree: new, or with an earlier tree's runs removed unless `resume`.
-void prepare_tree(const std::filesystem::path& out, bool resume);
+/// Makes `out` a result tree, or opens it if it is one; with `clear` an earlier tree's runs and
+/// report are removed. The tree is this program's alone until the descriptor is gone. Throws
+/// FileError if it cannot be made, or if another program is writing to it.
+[[nodiscard]] Descriptor open_tree(const std::filesystem::path& out, bool clear);
 
 /// Why `out` cannot be made a result tree, or none: it holds files that are not one.
 [[nodiscard]] std::optional<std::string> tree_problem(const std::filesystem::path& out);

@@ -83,9 +83,6 @@ std::vector<PlannedRun> plan(const SuiteOptions& options) {
 SuiteResult run_suite(const SuiteOptions& options, const std::vector<ReferenceCase>& references,
                       const std::function<void(std::size_t)>& progress) {
   const std::vector<PlannedRun> runs = plan(options);
-  if (!options.out.empty()) {
-    prepare_tree(options.out, options.resume);
-  }
   std::vector<std::optional<RunResult>> results(runs.size());
   std::atomic<std::size_t> next{0};
   std::atomic<std::size_t> kept{0};
@@ -108,7 +105,7 @@ SuiteResult run_suite(const SuiteOptions& options, const std::vector<ReferenceCa
   };
   {
     std::vector<std::jthread> workers;
-    for (unsigned job = 0; job < std::max(1U, options.jobs); ++job) {
+    for (unsigned job = 0; job < options.jobs; ++job) {
       workers.emplace_back(work);
     }
   }
@@ -143,6 +140,9 @@ std::vector<std::string> suite_problems(const SuiteOptions& options) {
         break;
       }
     }
+  }
+  if (options.jobs < 1 || options.jobs > most_jobs) {
+    problems.push_back(fmt::format("--jobs {}: must be 1 to {}", options.jobs, most_jobs));
   }
   if (options.steps.empty()) {
     problems.emplace_back("no step is given");

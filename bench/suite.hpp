@@ -20,7 +20,7 @@ struct SuiteOptions {
   std::vector<RegisteredEngine> engines;
   std::vector<std::string> models;  // of those; empty means all
   std::vector<double> steps;        // [s]
-  std::filesystem::path out;        // folder of the result tree; empty writes nothing
+  std::filesystem::path out;        // a result tree from `open_tree`; empty writes nothing
   unsigned jobs = 1;                // worker processes at a time
   bool resume = false;              // keep runs that `out` already has
   std::size_t samples = 500;        // rows of a trajectory.csv, next to those at impacts
@@ -72,6 +72,9 @@ struct SuiteResult {
 /// Sentences that say why `options` cannot run: no steps, a step that is not above 0 or needs more
 /// than `most_steps` for a case, an output folder that holds something else.
 [[nodiscard]] std::vector<std::string> suite_problems(const SuiteOptions& options);
+
+/// More worker processes than this at a time are refused.
+inline constexpr unsigned most_jobs = 256;
 
 /// More steps than this in one run are refused: at a microsecond each they take 15 minutes.
 inline constexpr double most_steps = 1e9;

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <thread>
 
 #include "program.hpp"
 
@@ -74,6 +77,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"EngineTwice",
                  {"bench", "bouncing-ball", "--engines", "exact,exact"},
                  "engine exact is given twice"},
+        BadUsage{"TooManyJobs", with(bench_ball, {"--jobs", "100000"}),
+                 "--jobs 100000: must be 1 to 256"},
+        BadUsage{"ZeroJobs", with(bench_ball, {"--jobs", "0"}), "--jobs 0: must be 1 to 256"},
+        BadUsage{"NegativeJobs", with(bench_ball, {"--jobs=-1"}), "--jobs"},
         BadUsage{"ZeroTimeLimit", with(bench_ball, {"--time-limit", "0"}),
                  "--time-limit 0: must be above 0 [s]"}),
     [](const auto& test) { return test.param.name; });
@@ -147,6 +154,39 @@ TEST(Bench, WritesTheDocumentedResultTree) {
   std::getline(csv, line);
   EXPECT_NE(line.find(",after"), std::string::npos);
   EXPECT_EQ(before.substr(0, before.find(',')), line.substr(0, line.find(',')));
+}
+
+TEST(Run, LeavesTheRunsOfOthersInTheTree) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "r").string();
+  for (const std::string step : {"1e-2", "1e-3"}) {
+    ASSERT_EQ(program({"run", "bouncing-ball", "--engine", "exact", "--model", "event", "--step",
+                       step, "--out", out})
+                  .code,
+              0);
+  }
+  const auto runs = folder.path() / "r/runs/bouncing-ball/exact/event";
+  EXPECT_TRUE(std::filesystem::exists(runs / "0.01/result.json"));
+  EXPECT_TRUE(std::filesystem::exists(runs / "0.001/result.json"));
+}
+
+TEST(Bench, DoesNotWriteToATreeThatAnotherOneIsWriting) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> slow = {"bench",        "bouncing-ball",
+                                         "--engines",    bad_engine("hang"),
+                                         "--steps",      "1e-2",
+                                         "--time-limit", "20",
+                                         "--out",        (folder.path() / "r").string()};
+  const int first = start_program(slow);
+  while (!std::filesystem::exists(folder.path() / "r/tautline-results.txt")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const Outcome second = program(slow);
+  ::kill(first, SIGTERM);
+  EXPECT_EQ(wait_for(first), 1);
+  EXPECT_EQ(second.code, 1);
+  EXPECT_NE(second.errors.find("another `tautline` is writing to"), std::string::npos)
+      << second.errors;
 }
 
 TEST(Bench, WorksWithNoEngineAtAll) {

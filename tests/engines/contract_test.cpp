@@ -178,6 +178,7 @@ TEST_P(Contract, ChangesMomentumByItsImpulses) {
         hits += impulse > 0.0 ? 1 : 0;
       }
       for (const Event& event : simulation->events()) {
+        EXPECT_NEAR(event.time, moment.time - 0.5 * step, 0.5 * step + 1e-12) << "not this step's";
         const Eigen::Vector3d pull = pull_of(the_case, event.before, event.cables, event.impulses);
         largest = std::max(largest, momentum_error(the_case, event.before, event.after, pull));
         Eigen::Index row = 0;

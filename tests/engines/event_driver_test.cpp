@@ -117,6 +117,19 @@ TEST(EventDriver, StrikesCablesThatAreHitTogetherAtOnce) {
   }
 }
 
+TEST(EventDriver, LeavesATouchingCableAloneThatOpens) {
+  Case the_case = bouncing_ball(0.5);  // a cable straight up, taut, and one to the left
+  the_case.initial.position = Vec2::Zero();
+  the_case.initial.velocity = Vec2(1.0, 1.0);
+  the_case.cables.push_back({Vec2(-2.0, 0.0), Vec2::Zero(), 2.0, 0.5});
+  const auto simulation = drive_by_events(the_case, std::make_unique<ClosedForms>(the_case));
+  simulation->step(1e-3);
+  ASSERT_EQ(simulation->events().size(), 1U);
+  EXPECT_EQ(simulation->events().front().time, 0.0);
+  EXPECT_EQ(simulation->events().front().cables, CableSet::of(1));
+  EXPECT_NEAR(simulation->state().velocity.x(), -0.5, 1e-12);
+}
+
 TEST(EventDriver, SumsTheImpulsesOfAStep) {
   const Case the_case = metronome();
   const auto simulation = drive_by_events(the_case, std::make_unique<ClosedForms>(the_case));

@@ -56,7 +56,9 @@ Plugin Plugin::open(const std::filesystem::path& file) {
   }
   // a path without a slash would be looked up in the system's library folders
   const std::string path = std::filesystem::absolute(file).string();
-  Library library(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL));
+  // never unloaded: an exception of the plug-in's own types may still be in flight when its Plugin
+  // goes, and an engine's static destructors must not run before the reply is written
+  Library library(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE));
   if (!library) {
     throw PluginError(name + ": not a shared library that can be loaded: " + loader_message());
   }

@@ -162,6 +162,29 @@ TEST(EventDriver, StopsWhereBouncesAccumulate) {
   }
 }
 
+TEST(EventDriver, DoesNotTakeALongElasticStepForAnAccumulation) {
+  // a thousand impacts more than one step may have; the step is to blame, not the ball
+  const auto stopped = drive_by_events(metronome(), std::make_unique<ClosedForms>(metronome()));
+  stopped->step(11e3);
+  ASSERT_TRUE(stopped->stopped());
+  const auto [time, reason] = *stopped->stopped();
+  std::cout << "  " << reason << '\n';
+  EXPECT_TRUE(reason.starts_with("more than 10000 impacts in one step at t = 10000.5")) << reason;
+  EXPECT_EQ(stopped->events().size(), 10'001U);
+  // the first impact is at 0.5 s, one every second after it, each with a rounding of the time
+  EXPECT_NEAR(time, 10'000.5, 1e-7);
+}
+
+TEST(EventDriver, MayStrikeTenThousandTimesInEachStep) {
+  // flights are not counted: there is one more of them than impacts
+  const auto simulation = drive_by_events(metronome(), std::make_unique<ClosedForms>(metronome()));
+  for (int step = 0; step < 2; ++step) {
+    simulation->step(1e4);
+    EXPECT_EQ(simulation->events().size(), 10'000U);
+    EXPECT_FALSE(simulation->stopped()) << simulation->stopped()->reason;
+  }
+}
+
 TEST(EventDriver, StopsWhereACableStaysTaut) {
   Case the_case = bouncing_ball(0.0);
   for (const double rounding : {0.0, 1e-15}) {

@@ -1,6 +1,8 @@
 // The exact solver as an engine: the control every other engine is compared with on the same path.
 // It has no settings. It reports impacts only, as every engine does, and ends where the solution
-// ends.
+// ends. `event` tells its impacts as an engine with the event driver does, `sampled` hides them in
+// its steps as an engine with fixed steps does: the one is the control of what is compared, the
+// other of how impacts are detected.
 
 #include <algorithm>
 #include <string>
@@ -17,10 +19,13 @@ namespace {
 /// A time past the end of the solution by no more than this is rounding in the sum of steps [-].
 constexpr double time_rounding = 1e-12;
 
+/// What a run tells of the impacts in a step.
+enum class Report { events, impulses_only };
+
 class ExactSimulation final : public Simulation {
  public:
-  explicit ExactSimulation(const Case& the_case)
-      : solution_(solve(the_case)), impulses_(the_case.cables.size()) {}
+  ExactSimulation(const Case& the_case, Report report)
+      : report_(report), solution_(solve(the_case)), impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] State state() const override {
     // before the first step no event has happened, not even one at time 0
@@ -52,7 +57,9 @@ class ExactSimulation final : public Simulation {
       if (all[next_].kind != EventKind::impact) {
         continue;
       }
-      events_.push_back(all[next_]);
+      if (report_ == Report::events) {
+        events_.push_back(all[next_]);
+      }
       Eigen::Index row = 0;
       for (const std::size_t index : all[next_].cables) {
         impulses_[index] += all[next_].impulses[row++];
@@ -60,6 +67,7 @@ class ExactSimulation final : public Simulation {
     }
   }
 
+  Report report_;
   Solution solution_;
   Clock clock_;
   std::size_t next_ = 0;  // the first event not yet reported
@@ -68,12 +76,20 @@ class ExactSimulation final : public Simulation {
   std::optional<Stop> stop_;
 };
 
+ModelEntry entry(std::string name, std::string sentence, Report report) {
+  return {{std::move(name), std::move(sentence), {}},
+          [report](const Case& the_case, double /*step*/) -> std::unique_ptr<Simulation> {
+            return std::make_unique<ExactSimulation>(the_case, report);
+          }};
+}
+
 const std::vector<ModelEntry>& table() {
   static const std::vector<ModelEntry> entries = {
-      {{"event", "The exact event-driven solution, evaluated at every step.", {}},
-       [](const Case& the_case, double /*step*/) -> std::unique_ptr<Simulation> {
-         return std::make_unique<ExactSimulation>(the_case);
-       }}};
+      entry("event", "The exact event-driven solution, evaluated at every step.", Report::events),
+      entry("sampled",
+            "The same states with the impulses of each step but not its events: what is wrong with "
+            "its impacts is what detecting them from such steps costs any engine.",
+            Report::impulses_only)};
   return entries;
 }
 

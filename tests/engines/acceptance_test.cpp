@@ -173,6 +173,28 @@ TEST_P(EventModel, StopsWhereTheExactImpactsAccumulate) {
 INSTANTIATE_TEST_SUITE_P(Acceptance, EventModel,
                          testing::Values<std::string>("exact", "bullet64", "ode"), engine_name);
 
+TEST(Sampled, IsTheExactSolutionWithoutItsEvents) {
+  const auto plugin = plugin_of("exact");
+  if (!plugin) {
+    GTEST_SKIP() << "exact is not built";
+  }
+  const Case the_case = table_case(standard);
+  const auto located = plugin->engine().start(the_case, "event", 1e-2);
+  const auto sampled = plugin->engine().start(the_case, "sampled", 1e-2);
+  std::size_t impacts = 0;
+  run(*located, 1e-2, 20.0, [&](const Moment& moment) {
+    sampled->step(1e-2);
+    impacts += located->events().size();
+    EXPECT_TRUE(sampled->events().empty()) << "t = " << moment.time;
+    EXPECT_EQ(difference(sampled->state(), moment.after), 0.0) << "t = " << moment.time;
+    EXPECT_TRUE(std::ranges::equal(sampled->impulses(), located->impulses()))
+        << "t = " << moment.time;
+    EXPECT_EQ(sampled->stopped().has_value(), located->stopped().has_value());
+  });
+  EXPECT_GT(impacts, 0U) << "nothing was hit, so nothing was tested";
+  EXPECT_TRUE(sampled->stopped()) << "the end of the solution was not reached";
+}
+
 class NativeModel : public testing::TestWithParam<ModelUnderTest> {};
 
 TEST_P(NativeModel, ConvergesAtFirstOrder) {

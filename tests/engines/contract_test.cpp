@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "analytic/support.hpp"
 #include "claims.hpp"
@@ -25,6 +26,11 @@ class Contract : public testing::TestWithParam<ModelUnderTest> {
   /// Rounding of an engine's numbers [-].
   [[nodiscard]] double rounding() const {
     return engine().info().precision == "float64" ? 1e-15 : 1e-6;
+  }
+
+  /// True for the models that fly the parabola, whatever the step; the others integrate.
+  [[nodiscard]] bool flies_exactly() const {
+    return GetParam().model == "event" || GetParam().engine == "exact";
   }
 
   void expect(Claim claim, double reached, double allowed) const {
@@ -146,8 +152,8 @@ TEST_P(Contract, FliesItsRecurrenceWhileSlack) {
   State wanted = the_case.initial;
   double largest = 0.0;
   run(*simulation, step, 5.0, [&](const Moment& moment) {
-    wanted = GetParam().model == "event" ? fly(wanted, the_case.gravity, step)
-                                         : euler_step(wanted, the_case.gravity, step);
+    wanted = flies_exactly() ? fly(wanted, the_case.gravity, step)
+                             : euler_step(wanted, the_case.gravity, step);
     largest = std::max(largest, difference(moment.after, wanted));
     EXPECT_EQ(simulation->impulses()[0], 0.0);
   });
@@ -196,7 +202,8 @@ TEST_P(Contract, ChangesMomentumByItsImpulses) {
       largest = std::max(largest, momentum_error(the_case, moment.before, moment.after, pull));
     });
     EXPECT_GT(hits, 0) << name << ": nothing was hit, so nothing was tested";
-    expect_within(name + ": momentum change less impulses", largest, 1e3 * rounding());
+    std::cout << "  " << name << ", momentum change less impulses:\n";
+    expect(Claim::step_momentum, largest, 1e3 * rounding());
   }
 }
 

@@ -26,7 +26,7 @@ struct ModelUnderTest {
 /// How a failing test names it.
 void PrintTo(const ModelUnderTest& model, std::ostream* out);
 
-/// Every model of every plug-in there. Plug-ins are closed again: no two engines share a test.
+/// Every model of every plug-in there. Their engines are gone again: no two share a test.
 [[nodiscard]] std::vector<ModelUnderTest> models_under_test();
 
 /// "bullet64_contact_tuned".

@@ -62,7 +62,20 @@ std::vector<ModelEntry> event_models() {
                       "without any."});
   settings.push_back({"dBodySetFiniteRotationMode", "1",
                       "The default turns the body to first order only and renormalises."});
-  settings.push_back({"soft_erp", "0", "At the instant of an impact there is no overstretch."});
+  settings.push_back({"dContactBounce, bounce", "the cable's restitution",
+                      "Without the flag a contact does not bounce."});
+  settings.push_back({"bounce_vel", "0",
+                      "ODE ships no default, only the 0.1 m/s of its demos, which swallows slower "
+                      "rebounds."});
+  settings.push_back({"dContactSoftERP, soft_erp", "0",
+                      "At the instant of an impact there is no overstretch for ODE's 0.2 to take "
+                      "out."});
+  settings.push_back({"dWorldStep", "1 s for an impact",
+                      "No force acts, so that any step will do; a small one would lose digits."});
+  settings.push_back({"dWorldSetGravity", "0 while an impact is solved",
+                      "No time passes in an impact; the case's gravity is put back after it."});
+  settings.push_back({"dBodySetPosition, dBodySetQuaternion", "the pose before an impact",
+                      "The solve of an impact must not move the body."});
   settings.push_back({"body velocity", "half of gravity's impulse before and after each step",
                       "Semi-implicit Euler then flies the exact parabola."});
   return {

@@ -241,6 +241,26 @@ TEST(BounceLimit, DoesNotConverge) {
   EXPECT_GT(fine, 1e-2);
 }
 
+TEST(BulletContact, DoesNotGetBetterWithSmallerSteps) {
+  const auto plugin = plugin_of("bullet64");
+  if (!plugin) {
+    GTEST_SKIP() << "bullet64 is not built";
+  }
+  const Case the_case = table_case(standard);
+  const auto deviation = [&](double step) {
+    const double result = largest_deviation(plugin->engine(), "contact", the_case, step, 2.0);
+    std::cout << "  largest deviation [m] at step " << step << ": " << result << '\n';
+    return result;
+  };
+  const double coarse = deviation(1e-2);
+  const double middle = deviation(1e-3);
+  const double fine = deviation(1e-4);
+  // a first-order model would be ten and a hundred times better
+  EXPECT_GT(middle, coarse / 3.0);
+  EXPECT_GT(fine, coarse / 3.0);
+  EXPECT_GT(fine, 1e-2);
+}
+
 TEST(Row, IsTheSameInBulletAndOde) {
   const auto bullet = plugin_of("bullet64");
   const auto ode = plugin_of("ode");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "support.hpp"
@@ -56,56 +56,38 @@ double distance(const Event& event, double time, double impulse, const State& be
                    difference(event.before, before), difference(event.after, after)});
 }
 
-/// Nudges one of the six numbers of a state.
-State nudged(State state, int which, double by) {
-  double* const numbers[] = {&state.position.x(), &state.position.y(), &state.angle,
-                             &state.velocity.x(), &state.velocity.y(), &state.spin};
-  *numbers[which] += by;
-  return state;
-}
-
-/// By how much an error of the start has grown at each of the first `count` events, measured: six
-/// more solutions, each with one number of the start nudged.
-std::vector<double> growth(const Case& the_case, const Solution& solution, std::size_t count) {
-  // large against rounding (1e-16), small against the slowest bounce looked at (1e-6) / growth
-  // (1e6)
-  constexpr double nudge = 1e-13;
-  std::vector<double> result(count, 0.0);
-  for (int which = 0; which < 6; ++which) {
-    Case other = the_case;
-    other.initial = nudged(the_case.initial, which, nudge);
-    const Solution neighbour = solve(other);
-    for (std::size_t k = 0; k < std::min(count, neighbour.events().size()); ++k) {
-      const Event& event = neighbour.events()[k];
-      const double moved =
-          distance(solution.events()[k], event.time, event.impulses[0], event.before, event.after);
-      result[k] = std::max(result[k], moved / nudge);
-    }
-  }
-  return result;
-}
-
-/// The worst figures of the impacts of one case up to a time.
-struct Worst {
-  double error = 0.0;   // in the unit of whatever is worst
-  double growth = 0.0;  // [-], of an error of the start
-  double share = 0.0;   // [-], of the error allowed at its impact
-};
-
-Worst worst(const Solution& solution, const std::vector<Reference>& expected,
-            const std::vector<double>& grown, double until, double allowed) {
-  // up to this growth the allowance is what the issue asks for; beyond, it grows as errors do
-  constexpr double growth_in_allowance = 1e3;
-  Worst result;
+/// The worst error of the impacts of one case up to a time, in the unit of whatever is worst.
+double worst(const Solution& solution, const std::vector<Reference>& expected, double until) {
+  double result = 0.0;
   for (std::size_t k = 0; k < expected.size() && expected[k].time <= until; ++k) {
     const Reference& reference = expected[k];
-    const double error = distance(solution.events()[k], reference.time, reference.impulse,
-                                  reference.before, reference.after);
-    const double limit = allowed * std::max(1.0, grown[k] / growth_in_allowance);
-    result = {std::max(result.error, error), std::max(result.growth, grown[k]),
-              std::max(result.share, error / limit)};
+    result = std::max(result, distance(solution.events()[k], reference.time, reference.impulse,
+                                       reference.before, reference.after));
   }
   return result;
+}
+
+/// By how much an error of the start has grown at t = 2 [log10], from 70-digit arithmetic: finite
+/// differences of 1e-30, the largest singular value in the energy metric. Other cases: not known.
+const std::map<std::string, double>& growth_at_2() {
+  static const std::map<std::string, double> table = {
+      {"1910121100", 1.7},  // standard
+      {"1920121100", 0.9},  // ring, a = 0.2
+      {"1911121100", 2.6},  // square of 0.1
+      {"1933121100", 2.0},  // square of 0.3
+      {"1710121100", 1.6},  // e = 0.7
+  };
+  return table;
+}
+
+/// What an event up to t = 2 may be off by. Up to a growth of 1e3, which covers every entry of the
+/// table, that is 1e-12; beyond, it grows as errors do. A case without an entry gets no more.
+double allowed_to_2(const std::string& number) {
+  constexpr double strict = 1e-12;
+  constexpr double growth_in_strict = 3.0;  // [log10]
+  const auto entry = growth_at_2().find(number);
+  const double growth = entry == growth_at_2().end() ? 0.0 : entry->second;
+  return strict * std::pow(10.0, std::max(0.0, growth - growth_in_strict));
 }
 
 /// The 20 rigid-body cases of Table 5.1.
@@ -144,20 +126,23 @@ TEST_P(ReferenceImpacts, EveryListedImpactComesInOrderOnTheSameCable) {
   RecordProperty("impacts", static_cast<int>(listed.size()));
 }
 
+TEST_P(ReferenceImpacts, NoEventComesBetweenTheListedOnes) {
+  const Solution solution = solve(table_case(GetParam()));
+  const std::vector<Reference> listed = expected();
+  // half-way before the last listed one: late times are not exact enough to count up to it
+  const double until = 0.5 * (listed[listed.size() - 2].time + listed.back().time);
+  const auto count = std::count_if(solution.events().begin(), solution.events().end(),
+                                   [&](const Event& event) { return event.time <= until; });
+  EXPECT_EQ(static_cast<std::size_t>(count), listed.size() - 1);
+}
+
 TEST_P(ReferenceImpacts, TimesStatesAndImpulsesAreExact) {
-  const Case the_case = table_case(GetParam());
-  const Solution solution = solve(the_case);
+  const Solution solution = solve(table_case(GetParam()));
   const std::vector<Reference> listed = expected();
   ASSERT_GE(solution.events().size(), listed.size());
-  const std::vector<double> grown = growth(the_case, solution, listed.size());
-  constexpr double early = 1e-12;  // to t = 2, times growth / 1000 where that is more
-  constexpr double late = 1e-9;    // to t = 6, in every case, whatever the growth
-  const Worst to_2 = worst(solution, listed, grown, 2.0, early);
-  const Worst to_6 = worst(solution, listed, grown, 6.0, late);
-  std::cout << "  growth of an error of the start: " << to_2.growth << " to t = 2, " << to_6.growth
-            << " to t = 6\n  worst error to t = 2: " << to_2.error << '\n';
-  expect_within("share of the allowed error to t = 2", to_2.share, 1.0);
-  expect_within("worst error to t = 6", to_6.error, late);
+  constexpr double late = 1e-9;  // to t = 6, in every case, whatever the growth
+  expect_within("worst error to t = 2", worst(solution, listed, 2.0), allowed_to_2(GetParam()));
+  expect_within("worst error to t = 6", worst(solution, listed, 6.0), late);
 }
 
 std::vector<std::string> rigid_body_cases() {

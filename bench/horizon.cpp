@@ -23,7 +23,8 @@ const std::array<Nudge, 6> nudges = {
 
 /// The first instant at which two solutions are `visible` apart, or the end of the shorter one.
 double first_apart(const Solution& one, const Solution& other, double visible) {
-  // positions are smooth between events: sampling every arc of both catches a growing difference
+  // positions are smooth between events: sampling every arc of `one` catches a growing difference,
+  // for `other` leaves those arcs only near its own events, which a small difference keeps close
   constexpr int samples_per_arc = 16;
   const double end = std::min(one.end_time(), other.end_time());
   for (const Arc& arc : one.arcs()) {

@@ -90,7 +90,7 @@ std::optional<Bouncing> bouncing(const Case& the_case, const State& state, Cable
     ++row;
   }
   const double change = scale.acceleration * scale.rate * result.remaining;  // of a pull, meanwhile
-  if (pull.minCoeff() <= certificate_margin * change) {
+  if (!(pull.minCoeff() > certificate_margin * change)) {  // also where `change` overflows to NaN
     return std::nullopt;
   }
   if (cables.size() ==
@@ -168,7 +168,8 @@ std::optional<Capture> capture(const Case& the_case, const State& state, const T
   for (std::size_t round = 0; round < 2 * max_cables && !cables.empty(); ++round) {
     const State after = projected(the_case, state, cables);
     const std::optional<Tensions> held = resting_tensions(the_case, after, cables);
-    if (!held) {
+    if (!held || !held->tension.allFinite() || !held->acceleration.allFinite() ||
+        !std::isfinite(energy(the_case, after))) {  // what overflows is not certain
       return std::nullopt;
     }
     if (const CableSet rest = staying(cables, *held, scale); rest != cables) {

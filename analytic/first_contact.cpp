@@ -116,6 +116,10 @@ FirstContactSearch first_contact(const Case& the_case, const State& state, const
                            touching.rate_rounding);
     const RootSearch search = first_root(f, until, {at_zero});
     result.steps += search.steps;
+    if (search.root && std::isnan(*search.root)) {
+      result.contact = FirstContact{*search.root, {}};
+      return result;
+    }
     roots[index] = search.root;
     if (search.root && (!earliest || *search.root < *earliest)) {
       earliest = search.root;
@@ -142,6 +146,9 @@ std::optional<double> time_to_ceiling(const Case& the_case, const State& state, 
     const RoomAlongFlight room(the_case, cable, state);
     const RootSearch search = first_root(room, earliest.value_or(horizon));
     earliest = search.root ? search.root : earliest;
+    if (earliest && std::isnan(*earliest)) {
+      return earliest;
+    }
   }
   return earliest;
 }

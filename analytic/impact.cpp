@@ -69,7 +69,7 @@ std::optional<CableVector> solve_lcp(const CableMatrix& m, const CableVector& q)
     }
   }
   constexpr double acceptable = 1e-9;  // [-] of |q|: rounding is near 1e-15, infeasibility near 1
-  if (smallest > acceptable * scale) {
+  if (best.size() != q.size() || smallest > acceptable * scale) {  // no size: all overflowed
     return std::nullopt;
   }
   return best;
@@ -86,14 +86,19 @@ Impact newton_impact(const Case& the_case, const State& before, CableSet cables)
     q[rows.back()] = (1.0 + cable.restitution) * gap_rate(cable, before);
   }
   Impact impact;
-  if (std::optional<CableVector> impulses = solve_lcp(g, q)) {
+  const double overflowed = std::numeric_limits<double>::quiet_NaN();
+  if (!g.allFinite() || !q.allFinite()) {
+    impact.impulses = CableVector::Constant(q.size(), overflowed);
+  } else if (std::optional<CableVector> impulses = solve_lcp(g, q)) {
     impact.impulses = *impulses;
   } else {
     // a resting cable's rate, above zero by rounding, left no solution: such cables take no part
     std::erase_if(rows, [&](Eigen::Index row) { return q[row] > 0.0; });
     impact.impulses = CableVector::Zero(q.size());
     // solvable: z >= 0 with J^T z = 0 and closing or resting rates only forces z . q = 0
-    impact.impulses(rows) = solve_lcp(g(rows, rows), q(rows)).value();
+    const CableVector none =
+        CableVector::Constant(static_cast<Eigen::Index>(rows.size()), overflowed);
+    impact.impulses(rows) = solve_lcp(g(rows, rows), q(rows)).value_or(none);
   }
   impact.after = with_impulses(the_case, before, cables, impact.impulses);
   return impact;

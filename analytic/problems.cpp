@@ -49,22 +49,40 @@ class Checker {
         return;
       }
     }
+    for (const double value : values) {
+      if (std::abs(value) > largest_number) {
+        add(what + " " + text(value) + " is larger in size than " + text(largest_number));
+        return;
+      }
+    }
   }
 
   void positive(const std::string& what, double value, const std::string& unit) {
     if (!std::isfinite(value) || value <= 0.0) {
       add(what + " " + text(value) + " must be a finite number above 0 " + unit);
+    } else {
+      finite(what, {value});
+    }
+  }
+
+  /// A positive number that others are divided by.
+  void divisor(const std::string& what, double value, const std::string& unit) {
+    positive(what, value, unit);
+    if (value > 0.0 && value < smallest_divisor) {
+      add(what + " " + text(value) + " is smaller than " + text(smallest_divisor));
     }
   }
 
   void check_body() {
-    positive("body: mass", case_.body.mass, "[kg]");
+    divisor("body: mass", case_.body.mass, "[kg]");
     const double inertia = case_.body.inertia;
     if (!std::isfinite(inertia) || inertia < 0.0) {
       add("body: inertia " + text(inertia) + " must be a finite number, 0 or above [kg m^2]");
     } else if (inertia == 0.0 && !is_point_mass(case_)) {
       add("body: inertia 0 is for a point mass, whose attachments are all [0, 0]; give an inertia "
           "above 0 [kg m^2]");
+    } else if (inertia > 0.0) {
+      divisor("body: inertia", inertia, "[kg m^2]");
     }
   }
 
@@ -79,7 +97,7 @@ class Checker {
       const std::string name = cable_name(index);
       finite(name + ": anchor", {cable.anchor.x(), cable.anchor.y()});
       finite(name + ": attachment", {cable.attachment.x(), cable.attachment.y()});
-      positive(name + ": length", cable.length, "[m]");
+      divisor(name + ": length", cable.length, "[m]");
       if (!(cable.restitution >= 0.0 && cable.restitution <= 1.0)) {
         add(name + ": restitution " + text(cable.restitution) + " is outside [0, 1]");
       }

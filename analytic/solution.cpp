@@ -60,6 +60,8 @@ std::string_view to_string(Ending ending) {
       return "ceiling";
     case Ending::event_limit:
       return "event_limit";
+    case Ending::overflow:
+      return "overflow";
   }
   return "unknown";
 }

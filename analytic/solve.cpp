@@ -21,10 +21,17 @@ constexpr double rate_rounding = 1e-14;
 
 /// The instant that ends a flight, and what happens there.
 struct Stop {
-  double dt;                     // [s] from the start of the flight
+  double dt;                     // [s] from the start of the flight; NaN: numbers overflowed
   std::optional<Ending> ending;  // none: `cables` become taut, and the motion goes on
   CableSet cables;
 };
+
+/// True while the state, its energy and the squares of its numbers fit a double.
+bool fits(const Case& the_case, const State& state) {
+  return std::isfinite(energy(the_case, state)) && std::isfinite(state.angle) &&
+         std::isfinite(state.position.squaredNorm()) &&
+         std::isfinite(state.velocity.squaredNorm()) && std::isfinite(state.spin * state.spin);
+}
 
 /// The motion so far: where it is now, and what has been recorded.
 class Motion {
@@ -47,11 +54,16 @@ class Motion {
         return finish_taut(*taut);
       }
       const Stop stop = next_stop();
+      if (std::isnan(stop.dt) || !fits(case_, fly(state_, case_.gravity, stop.dt))) {
+        return finish(Ending::overflow);
+      }
       fly_to(stop);
       if (stop.ending) {
         return finish(*stop.ending);
       }
-      hit();
+      if (!hit()) {
+        return finish(Ending::overflow);
+      }
     }
     return finish(Ending::event_limit);
   }
@@ -63,6 +75,9 @@ class Motion {
     Stop stop{remaining, Ending::reached_duration, {}};
     if (const auto search = first_contact(case_, state_, touching_, stop.dt); search.contact) {
       stop = {search.contact->dt, std::nullopt, search.contact->cables};
+    }
+    if (std::isnan(stop.dt)) {
+      return stop;
     }
     if (const auto dt = time_to_angle_limit(case_, state_, stop.dt)) {
       stop = {*dt, Ending::angle_limit, {}};
@@ -104,7 +119,8 @@ class Motion {
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
-  void hit() {
+  /// False, and nothing done, where the rebound does not fit a double.
+  [[nodiscard]] bool hit() {
     CableSet closing;
     for (const std::size_t index : touching_.cables) {
       if (gap_rate(case_.cables[index], state_) <= touching_.rate_rounding) {
@@ -112,12 +128,16 @@ class Motion {
       }
     }
     if (closing.empty()) {
-      return;
+      return true;
     }
     Impact impact = newton_impact(case_, state_, closing);
+    if (!fits(case_, impact.after) || !impact.impulses.allFinite()) {
+      return false;
+    }
     events_.push_back(
         {time_, EventKind::impact, closing, std::move(impact.impulses), state_, impact.after});
     state_ = impact.after;
+    return true;
   }
 
   Solution finish_taut(const Capture& taut) {

@@ -65,6 +65,9 @@ std::string ending_sentence(const Case& the_case, const Solution& solution) {
                          end);
     case Ending::event_limit:
       return fmt::format("Stopped after {} events, at t = {:.9f}.", solution.events().size(), end);
+    case Ending::overflow:
+      return fmt::format(
+          "Stopped at t = {:.9f}: past it the motion has numbers too large for a double.", end);
   }
   return "";
 }

@@ -4,7 +4,9 @@
 #include <numbers>
 
 #include "support.hpp"
+#include "tautline/first_contact.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/impact.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::test {
@@ -158,6 +160,71 @@ TEST(Endings, ABodyCaughtBetweenCablesStopsWithinTheInstant) {
   constexpr double rest = 1e-13;  // ten times the rounding of rates
   EXPECT_LE(solution.at(0.0).velocity.norm(), rest);
   RecordProperty("impacts", static_cast<int>(solution.events().size()));
+}
+
+/// Every number of a solution is finite, and it claims its duration only where it got there.
+void expect_sound(const Case& the_case, const Solution& solution) {
+  for (const Arc& arc : solution.arcs()) {
+    EXPECT_TRUE(std::isfinite(energy(the_case, arc.initial))) << the_case.name << " " << arc.start;
+    EXPECT_TRUE(std::isfinite(arc.end)) << the_case.name;
+  }
+  for (const Event& event : solution.events()) {
+    EXPECT_TRUE(std::isfinite(energy(the_case, event.after))) << the_case.name << " " << event.time;
+    EXPECT_TRUE(event.impulses.allFinite()) << the_case.name << " " << event.time;
+  }
+  const State end = solution.at(solution.end_time());
+  EXPECT_TRUE(std::isfinite(energy(the_case, end))) << the_case.name;
+  if (solution.ending() == Ending::reached_duration) {
+    for (const Cable& cable : the_case.cables) {
+      EXPECT_GE(gap(cable, end), -1e-9 * cable.length) << the_case.name << ": passed a contact";
+    }
+  }
+}
+
+TEST(Endings, AtTheLimitsOfEachNumberNothingOverflows) {
+  const auto solved = [](const std::string& name, const auto& change) {
+    Case the_case = table_case("1910121100");
+    the_case.name = name;
+    change(the_case);
+    SolveOptions options;
+    options.max_events = 200;
+    const Solution solution = solve(the_case, options);
+    expect_sound(the_case, solution);
+    EXPECT_NE(solution.ending(), Ending::overflow) << name;
+  };
+  solved("velocity", [](Case& c) { c.initial.velocity.x() = largest_number; });
+  solved("gravity", [](Case& c) { c.gravity.y() = -largest_number; });
+  solved("spin", [](Case& c) {
+    c.initial.spin = largest_number;
+    c.duration = 10.0 / largest_number;  // a few turns
+  });
+  solved("heavy", [](Case& c) { c.body.mass = largest_number; });
+  solved("light", [](Case& c) { c.body.mass = smallest_divisor; });
+  solved("inertia", [](Case& c) { c.body.inertia = largest_number; });
+  solved("duration", [](Case& c) { c.duration = largest_number; });
+  solved("angle", [](Case& c) { c.initial.angle = largest_number; });
+  solved("length", [](Case& c) {
+    c.cables[0].length = largest_number;
+    c.cables.resize(1);
+  });
+}
+
+TEST(Endings, ASearchThatOverflowsIsUnknownAndNotWithoutContact) {
+  // beyond what a case may have, so that it cannot come from `solve` at once
+  Case ball = bouncing_ball(0.5);
+  State fast = ball.initial;
+  fast.velocity = Vec2(1e200, 0.0);
+  const FirstContactSearch search = first_contact(ball, fast, {}, 1.0);
+  ASSERT_TRUE(search.contact.has_value());
+  EXPECT_TRUE(std::isnan(search.contact->dt)) << search.contact->dt;
+}
+
+TEST(Endings, AnImpactThatOverflowsIsNotANumberAndDoesNotThrow) {
+  Case ball = bouncing_ball(0.5);
+  ball.body.mass = 1e-320;  // 1 / mass overflows
+  ball.initial.position.y() = 0.0;
+  ball.initial.velocity.y() = -1.0;
+  EXPECT_FALSE(newton_impact(ball, ball.initial, CableSet::of(0)).impulses.allFinite());
 }
 
 }  // namespace

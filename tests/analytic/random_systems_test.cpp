@@ -54,6 +54,9 @@ void expect_truthful(const Case& the_case, const Solution& solution, Tally& tall
     case Ending::reached_duration:
       EXPECT_EQ(solution.end_time(), the_case.duration);
       break;
+    case Ending::overflow:
+      ADD_FAILURE() << "sizes near one overflow at " << solution.end_time();
+      break;
     case Ending::event_limit:
       EXPECT_GE(solution.events().size() + 1, event_limit);
       break;

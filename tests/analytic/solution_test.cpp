@@ -155,6 +155,7 @@ TEST(Names, AreThoseUsedInFiles) {
   EXPECT_EQ(to_string(Ending::angle_limit), "angle_limit");
   EXPECT_EQ(to_string(Ending::ceiling), "ceiling");
   EXPECT_EQ(to_string(Ending::event_limit), "event_limit");
+  EXPECT_EQ(to_string(Ending::overflow), "overflow");
 }
 
 }  // namespace

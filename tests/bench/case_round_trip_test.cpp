@@ -18,16 +18,21 @@ namespace {
 
 using test::bits;
 
-/// Any finite double: every exponent, subnormal numbers and -0.
+/// Any number a case may have: every exponent up to the limit, subnormal numbers and -0.
 double any_finite() {
   const auto value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
-  return std::isfinite(value) ? value : -0.0;
+  if (!std::isfinite(value)) {
+    return -0.0;
+  }
+  return std::abs(value) > largest_number ? 1.0 / value : value;
 }
 
 double any_positive() {
   const double value = std::abs(any_finite());
   return value > 0.0 ? value : std::numeric_limits<double>::denorm_min();
 }
+
+double any_divisor() { return std::max(any_positive(), smallest_divisor); }
 
 /// A number of full precision in (-10, 10).
 double moderate() {
@@ -52,7 +57,7 @@ std::string any_name() {
 Case any_case() {
   Case result;
   result.name = any_name();
-  result.body = {any_positive(), any_positive()};
+  result.body = {any_divisor(), any_divisor()};
   result.gravity = any_pair();
   result.initial = {moderate_pair(), moderate(), any_pair(), any_finite()};
   result.duration = any_positive();
@@ -78,8 +83,8 @@ Case any_case() {
 /// Puts a number that may break a rule in the place of one of the case's numbers.
 void spoil(Case& the_case) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double value = *rc::gen::element(0.0, -0.0, -1.0, 1.0, 1.5, 1e308, infinity, -infinity,
-                                         std::numeric_limits<double>::quiet_NaN());
+  const double value = *rc::gen::element(0.0, -0.0, -1.0, 1.0, 1.5, 1e21, 1e-61, 1e308, infinity,
+                                         -infinity, std::numeric_limits<double>::quiet_NaN());
   Cable& cable = the_case.cables.front();
   State& initial = the_case.initial;
   *(*rc::gen::element(&the_case.body.mass, &the_case.body.inertia, &the_case.duration,

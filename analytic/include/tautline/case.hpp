@@ -53,6 +53,14 @@ struct Case {
 /// A gap this small against the cable's length is rounding in the input and counts as zero [-].
 inline constexpr double gap_rounding = 1e-12;
 
+/// No number of a case may be larger in size. The search for the first contact multiplies up to ten
+/// of them (a duration cubed, times a jerk bound of seven): 1e200, which leaves room to divide.
+inline constexpr double largest_number = 1e20;
+
+/// Mass, inertia (unless zero) and length may not be smaller: the motion is divided by them, by one
+/// of them at a time in the search, so that 1e200 / 1e-60 is still finite.
+inline constexpr double smallest_divisor = 1e-60;
+
 /// One sentence for each rule `the_case` breaks, naming the thing, its value and what would be
 /// right. Empty means `solve` accepts it.
 [[nodiscard]] std::vector<std::string> problems(const Case& the_case);

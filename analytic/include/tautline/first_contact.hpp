@@ -8,7 +8,7 @@ namespace tautline {
 
 /// The first instant of a free flight at which something ends it.
 struct FirstContact {
-  double dt;        // [s] from the start of the flight
+  double dt;        // [s] from the start of the flight; NaN: unknown, numbers overflowed
   CableSet cables;  // that become taut at that instant
 };
 
@@ -33,7 +33,8 @@ inline constexpr double simultaneous = 1e-13;
 [[nodiscard]] FirstContactSearch first_contact(const Case& the_case, const State& state,
                                                const Touching& touching, double horizon);
 
-/// The same search for an attachment that rises to `the_case.ceiling`; none without a ceiling.
+/// The same search for an attachment that rises to `the_case.ceiling`; none without a ceiling, NaN
+/// where numbers overflow.
 [[nodiscard]] std::optional<double> time_to_ceiling(const Case& the_case, const State& state,
                                                     double horizon);
 

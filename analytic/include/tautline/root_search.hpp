@@ -21,7 +21,7 @@ struct SearchStart {
 
 /// What a search for the first root found.
 struct RootSearch {
-  std::optional<double> root;  // none: no root in [0, horizon]
+  std::optional<double> root;  // none: no root in [0, horizon]; NaN: unknown, numbers overflowed
   int steps = 0;               // evaluations of the function, the measure of work
 };
 
@@ -105,7 +105,8 @@ template <class Function>
 /// the left and at second order or better; within rounding of a simple root Newton finishes.
 /// From a start at zero only a later return counts, unless f is falling at once. A value <= 0 that
 /// is rising is rounding: f touches zero and leaves (a graze), which is no root. Where f stays
-/// within rounding of zero the steps double, so the search ends there too.
+/// within rounding of zero the steps double, so the search ends there too. Where a sample or a
+/// bound is too large for a double the root is NaN, never none.
 ///
 /// `Function` offers at(s) -> Sample, and jerk_bound(s, w), an upper bound of |f'''| on [s, s + w]
 /// as long as f >= 0 there; it must not shrink when w grows.
@@ -119,7 +120,15 @@ template <class Function>
     now.value = 0.0;
   }
   double least_step = 0.0;
+  const auto unknown = [&search] {
+    search.root = std::numeric_limits<double>::quiet_NaN();
+    return search;
+  };
   while (true) {
+    // their sum is finite only where each is
+    if (!std::isfinite(now.value + now.rate + now.curvature)) {
+      return unknown();
+    }
     if (now.value <= 0.0) {
       if (now.rate < 0.0 || (now.rate == 0.0 && now.curvature < 0.0)) {
         search.root = s;
@@ -128,6 +137,9 @@ template <class Function>
       now.value = 0.0;
     } else if (newton_is_certain(f, now, s)) {
       const double root = finish_by_newton(f, now, s, search.steps);
+      if (!std::isfinite(root)) {
+        return unknown();
+      }
       if (root <= horizon) {
         search.root = root;
       }
@@ -137,7 +149,13 @@ template <class Function>
       return search;
     }
     double step = safe_step(f, now, s, horizon - s);
+    if (!std::isfinite(step)) {
+      return unknown();
+    }
     if (s + step == s) {  // below the resolution of time
+      if (!std::isfinite(f.jerk_bound(s, 0.0))) {
+        return unknown();
+      }
       step = std::max(std::nextafter(s, horizon) - s, 2.0 * least_step);
       least_step = step;
     }

@@ -41,6 +41,7 @@ enum class Ending {
   angle_limit,       // |angle| reached the case's limit
   ceiling,           // an attachment reached the case's ceiling
   event_limit,       // more events than SolveOptions allows
+  overflow,          // the numbers of the motion no longer fit a double
 };
 
 /// The accumulation that ended a solution with Ending::zeno.

@@ -27,7 +27,7 @@ constexpr std::size_t event_limit = 20'000;
 
 /// What became of many systems.
 struct Tally {
-  std::array<int, 6> endings{};  // by Ending
+  std::array<int, 7> endings{};  // by Ending
   double overstretch = 0.0;      // [-], of a cable's length
   double energy_gain = 0.0;      // [-], of the case's energy scale
   double held_rate = 0.0;        // [m/s], of a cable said to be taut

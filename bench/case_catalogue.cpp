@@ -125,15 +125,6 @@ class Selector {
   std::vector<std::string> problems_;
 };
 
-/// FNV-1a, 64 bit (Fowler, Noll and Vo): the same on every machine.
-std::uint64_t hash(const std::string& text) {
-  std::uint64_t result = 0xcbf29ce484222325U;
-  for (const char c : text) {
-    result = (result ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  }
-  return result;
-}
-
 constexpr std::size_t hash_digits = 16;
 
 std::string hexadecimal(std::uint64_t value) {
@@ -192,7 +183,7 @@ fs::path folder_name(const std::string& case_name) {
   if (name.ends_with('/')) {
     name.pop_back();
   }
-  return (name.empty() ? "case" : name) + "-" + hexadecimal(hash(case_name));
+  return (name.empty() ? "case" : name) + "-" + hexadecimal(stable_hash(case_name));
 }
 
 }  // namespace tautline::bench

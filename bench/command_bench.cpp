@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <thread>
 
@@ -39,9 +40,13 @@ Request read_request(const BenchCommand& command) {
   CaseSelection selection = select_cases(command.cases.empty() ? everything : command.cases);
   append(request.problems, selection.problems);
   options.cases = std::move(selection.cases);
-  for (Case& the_case : options.cases) {
-    the_case.duration = command.until.value_or(the_case.duration);
-    append(request.problems, problems(the_case));
+  if (command.until && !(*command.until > 0.0 && std::isfinite(*command.until))) {
+    request.problems.push_back(
+        fmt::format("--until {}: must be a finite number above 0 [s]", *command.until));
+  } else {
+    for (Case& the_case : options.cases) {
+      the_case.duration = command.until.value_or(the_case.duration);
+    }
   }
   EngineChoice choice = choose_engines(command.engines);
   append(request.problems, choice.problems);
@@ -54,9 +59,8 @@ Request read_request(const BenchCommand& command) {
   options.limits.time = command.time_limit;
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   append(request.problems, suite_problems(options));
-  if (!(command.time_limit > 0.0)) {
-    request.problems.push_back(
-        fmt::format("--time-limit {}: must be above 0 [s]", command.time_limit));
+  if (command.out.empty()) {
+    request.problems.emplace_back("--out: is empty; give a folder to write the results to");
   }
   return request;
 }
@@ -99,8 +103,9 @@ int bench_command(const BenchCommand& command) {
   const SuiteOptions& options = request.options;
   ReportContext context{command.command_line, now_utc()};
   const auto start = Clock::now();
-  const Descriptor tree = open_tree(options.out, !options.resume);
   const std::vector<ReferenceCase> references = solve_cases(options.cases);
+  catch_interruption();  // up to here nothing has been touched
+  const Descriptor tree = open_tree(options.out, !options.resume);
   Progress progress(plan(options).size(), "runs");
   const SuiteResult result =
       run_suite(options, references, [&](std::size_t ended) { progress.show(ended); });

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/commands.hpp"
+#include "bench/process.hpp"
 #include "bench/report_rows.hpp"
 #include "bench/run_files.hpp"
 #include "bench/suite.hpp"
@@ -36,10 +37,11 @@ void print_metrics(const ordered_json& object, const std::string& prefix, Table&
 }
 
 void print_row(const ordered_json& row) {
+  const std::string reason = row.at("reason");
   fmt::print("{} on {} {}, step {:g}: {}{}\n", printable(row.at("case").get<std::string>()),
              row.at("engine").get<std::string>(), row.at("model").get<std::string>(),
              row.at("step").get<double>(), row.at("status").get<std::string>(),
-             row.at("reason") == "" ? "" : ", " + row.at("reason").get<std::string>());
+             reason.empty() ? "" : ", " + reason);
   if (!row.at("metrics").is_null()) {
     Table table({"", "against the exact solution"}, 1);
     print_metrics(row.at("metrics"), "", table);
@@ -78,6 +80,7 @@ int run_command(const RunCommand& command) {
   // the runs of other engines and models stay
   const Descriptor tree = options.out.empty() ? Descriptor() : open_tree(options.out, false);
   const auto references = solve_cases(options.cases);
+  catch_interruption();
   const SuiteResult result = run_suite(options, references, [](std::size_t) {});
   if (result.runs.empty()) {
     complain({"interrupted"});

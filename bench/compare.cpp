@@ -28,6 +28,7 @@ Deviation deviation(const Solution& solution, const Trajectory& run, double unti
     result.position = std::max(result.position, (point.state.position - exact.position).norm());
     result.angle = std::max(result.angle, std::abs(point.state.angle - exact.angle));
   }
+  result.covered = previous_time;
   result.velocity = previous_time > 0.0 ? integral / previous_time : 0.0;
   return result;
 }
@@ -99,14 +100,23 @@ std::vector<CountedImpact> counted(const Trajectory& run, double count_speed) {
   return result;
 }
 
-std::optional<MeasuredRestitution> measured_restitution(const Case& the_case, const Trajectory& run,
-                                                        double count_speed) {
+/// Adds what the run's counted impacts say: restitution up to `end`, and what there is besides.
+void add_run_impacts(const Case& the_case, const Trajectory& run, double end, double count_speed,
+                     Metrics& metrics) {
   MeasuredRestitution result;
   result.smallest = std::numeric_limits<double>::infinity();
   result.largest = -result.smallest;
   double sum = 0.0;
   for (const RecordedImpact& impact : run.impacts) {
     if (-impact.rate_before <= count_speed) {
+      continue;
+    }
+    if (impact.time > end) {
+      ++metrics.later_impacts;
+      continue;
+    }
+    if (impact.steps > 1) {  // a push over several steps is no rebound
+      ++metrics.long_impacts;
       continue;
     }
     const double measured = -impact.rate_after / impact.rate_before;
@@ -117,11 +127,10 @@ std::optional<MeasuredRestitution> measured_restitution(const Case& the_case, co
     result.largest = std::max(result.largest, measured);
     result.worst = std::max(result.worst, std::abs(measured - wanted));
   }
-  if (result.count == 0) {
-    return std::nullopt;
+  if (result.count > 0) {
+    result.mean = sum / static_cast<double>(result.count);
+    metrics.restitution = result;
   }
-  result.mean = sum / static_cast<double>(result.count);
-  return result;
 }
 
 /// The last of `impacts` that is not after `end`.
@@ -184,7 +193,7 @@ std::vector<std::pair<std::size_t, std::size_t>> match_impacts(
 
 Metrics compare(const Case& the_case, const Solution& solution, double horizon,
                 const Trajectory& run, const CompareOptions& options) {
-  const double end = std::min(solution.end_time(), run.points.back().time);
+  const double end = solution.end_time();
   const auto exact = counted_impacts(the_case, solution, options.count_speed);
   const auto found = counted(run, options.count_speed);
   const std::array<double, windows.size()> ends = {
@@ -205,7 +214,7 @@ Metrics compare(const Case& the_case, const Solution& solution, double horizon,
                                  [end](const Point& point) { return point.time <= end; });
   metrics.energy_error =
       std::abs(energy(the_case, last->state) - energy(the_case, solution.at(last->time)));
-  metrics.restitution = measured_restitution(the_case, run, options.count_speed);
+  add_run_impacts(the_case, run, end, options.count_speed, metrics);
   return metrics;
 }
 

@@ -29,7 +29,8 @@ inline constexpr std::array<Window, 3> windows = {Window::early, Window::horizon
 
 /// Deviation of a run from the exact solution over one window.
 struct Deviation {
-  double until = 0.0;     // [s], end of the window
+  double until = 0.0;     // [s], end of the window, from the exact solution alone
+  double covered = 0.0;   // [s], the run's last sample in it; 0 if there is none but the start
   double position = 0.0;  // [m], largest distance
   double angle = 0.0;     // [rad], largest
   double velocity = 0.0;  // [m/s], mean over time: next to an impact the largest is the whole jump
@@ -44,7 +45,8 @@ struct ImpactMatch {
   std::optional<double> worst_time_error;  // [s], over the pairs
 };
 
-/// Restitution measured impact by impact over the whole run, against the cables' own.
+/// Restitution measured at each counted impact of a single step, up to the end of the exact
+/// solution, against the cables' own.
 struct MeasuredRestitution {
   std::size_t count = 0;
   double smallest = 0.0;  // [-]
@@ -58,7 +60,9 @@ struct Metrics {
   std::array<Deviation, windows.size()> deviation;  // by Window
   std::array<ImpactMatch, windows.size()> impacts;  // by Window
   std::optional<double> exact_settling_time;  // [s], last counted impact before an accumulation
-  std::optional<double> settling_time;        // [s], the run's, over the same stretch
+  std::optional<double> settling_time;        // [s], the run's, up to the end of the exact solution
+  std::size_t later_impacts = 0;              // counted impacts of the run after that end
+  std::size_t long_impacts = 0;               // counted impacts, up to that end, of several steps
   double overstretch = 0.0;                   // [m], largest
   double energy_gain = 0.0;                   // [J], largest rise above the start
   double energy_error = 0.0;                  // [J], against exact at the end of Window::whole
@@ -77,7 +81,8 @@ struct CountedImpact {
     const std::vector<CountedImpact>& exact, const std::vector<CountedImpact>& found);
 
 /// Holds `run` against `solution`, both of `the_case`; `horizon` [s] from `predictability_horizon`.
-/// The comparison ends where the solution or the run ends.
+/// Windows end where the exact solution says; what a run that ends earlier does not reach, it
+/// misses.
 [[nodiscard]] Metrics compare(const Case& the_case, const Solution& solution, double horizon,
                               const Trajectory& run, const CompareOptions& options = {});
 

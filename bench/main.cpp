@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
-#include <iostream>
 #include <string>
 
 #include "bench/commands.hpp"
@@ -12,12 +14,13 @@ namespace {
 
 using namespace tautline::bench;
 
-/// Ctrl-C and a polite kill: end the workers, keep what is finished. A second one ends at once.
-void on_interrupt(int signal) {
-  if (interruption().exchange(true)) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+/// A word in single quotes, for a shell.
+std::string quoted(const std::string& word) {
+  std::string result = "'";
+  for (const char letter : word) {
+    result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
   }
+  return result + "'";
 }
 
 /// The command line as it was typed, quoted where a shell would need it.
@@ -28,7 +31,7 @@ std::string typed(int count, char** arguments) {
     const bool plain = word.find_first_not_of(
                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                            "-_./,:=+@%") == std::string::npos;
-    result += (index == 0 ? "" : " ") + (plain && !word.empty() ? word : "'" + word + "'");
+    result += (index == 0 ? "" : " ") + (plain && !word.empty() ? word : quoted(word));
   }
   return result;
 }
@@ -129,12 +132,15 @@ int main(int count, char** arguments) {
   if (count == 2 && std::string(arguments[1]) == worker_command) {
     return worker_main();
   }
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a failed write, not the end
   try {
-    return run_program(count, arguments);
+    const int code = run_program(count, arguments);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      complain({std::string("cannot write to standard output: ") + std::strerror(errno)});
+      return exit_failed;
+    }
+    return code;
   } catch (const std::exception& error) {
     complain({error.what()});
     return exit_failed;

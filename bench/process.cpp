@@ -13,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -176,6 +177,18 @@ std::string content_of(const Descriptor& file) {
 std::atomic<bool>& interruption() {
   static std::atomic<bool> flag{false};
   return flag;
+}
+
+void catch_interruption() {
+  const auto handler = [](int signal) {
+    if (interruption().exchange(true)) {
+      std::signal(signal, SIG_DFL);
+      std::raise(signal);
+    }
+  };
+  static_cast<void>(interruption().load());  // made before a handler could be the first to ask
+  std::signal(SIGINT, handler);
+  std::signal(SIGTERM, handler);
 }
 
 ProcessEnd run_process(const std::vector<std::string>& arguments, const Descriptor& input,

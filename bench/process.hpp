@@ -26,6 +26,10 @@ struct ProcessEnd {
   std::size_t printed = 0;  // [bytes], all it printed
 };
 
+/// From here on Ctrl-C and a polite kill set `interruption` instead of ending the program; a second
+/// one ends it at once.
+void catch_interruption();
+
 /// Set by a signal handler to make every `run_process` end its child and return.
 [[nodiscard]] std::atomic<bool>& interruption();
 

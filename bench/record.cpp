@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "tautline/geometry.hpp"
 
@@ -16,11 +17,10 @@ constexpr double least_impulse = 1e-12;
 /// case [-].
 constexpr double far_away = 1e3;
 
-/// The speed of `state` half a step of gravity later (sign +) or earlier (sign -). A step that
-/// applies gravity once, at its start or its end, holds the velocity of its middle.
-State shifted_by_gravity(const Case& the_case, State state, double dt) {
-  state.velocity += dt * the_case.gravity;
-  return state;
+/// Whether an instant that an engine names is one of the run's, but for rounding.
+bool within_run(const Case& the_case, double time) {
+  constexpr double rounding = 1e-9;  // [-]
+  return time >= 0.0 && time <= the_case.duration * (1.0 + rounding);
 }
 
 /// Turns impulses and located events into impacts, step by step.
@@ -32,9 +32,9 @@ class ImpactDetector {
         bursts_(the_case.cables.size()),
         threshold_(least_impulse * the_case.body.mass * speed(the_case)) {}
 
-  /// Takes one step from `before` at `start` to `after`, `dt` long.
-  void take(double start, double dt, const State& before, const State& after,
-            const Simulation& simulation) {
+  /// Takes one step from `before` at `start` to `after`. Throws std::runtime_error if what the
+  /// simulation says of it makes no sense.
+  void take(double start, const State& before, const State& after, const Simulation& simulation) {
     if (!simulation.events().empty()) {
       for (const Event& event : simulation.events()) {
         take_located(event);
@@ -42,9 +42,13 @@ class ImpactDetector {
       return;
     }
     const auto impulses = simulation.impulses();
+    if (impulses.size() != bursts_.size()) {
+      throw std::runtime_error("the engine gave " + std::to_string(impulses.size()) +
+                               " impulses for " + std::to_string(bursts_.size()) + " cables");
+    }
     for (std::size_t index = 0; index < bursts_.size(); ++index) {
       if (impulses[index] > threshold_) {
-        extend(index, start, dt, before, after, impulses[index]);
+        extend(index, start, before, after, impulses[index]);
       } else {
         close(index);
       }
@@ -75,28 +79,34 @@ class ImpactDetector {
     if (event.kind != EventKind::impact) {
       return;
     }
+    const auto cables = event.cables.indices();
+    if (cables.empty() || cables.back() >= case_.cables.size() ||
+        event.impulses.size() != static_cast<Eigen::Index>(cables.size()) ||
+        !within_run(case_, event.time)) {
+      throw std::runtime_error("the engine gave an event that is not of this case");
+    }
     Eigen::Index row = 0;
-    for (const std::size_t index : event.cables) {
+    for (const std::size_t index : cables) {
       const Cable& cable = case_.cables[index];
       keep({event.time, index, event.impulses[row++], gap_rate(cable, event.before),
             gap_rate(cable, event.after), 0, event.before, event.after});
     }
   }
 
-  void extend(std::size_t index, double start, double dt, const State& before, const State& after,
+  /// The rates are of the engine's own velocities before and after the step, at the pose the step
+  /// started from: an engine bounces the velocity it stores, so this is its restitution as it means
+  /// it.
+  void extend(std::size_t index, double start, const State& before, const State& after,
               double impulse) {
     const Cable& cable = case_.cables[index];
     std::optional<RecordedImpact>& burst = bursts_[index];
     if (!burst) {
-      const State middle = shifted_by_gravity(case_, before, 0.5 * dt);
-      burst = RecordedImpact{start, index, 0.0, gap_rate(cable, middle), 0.0, 0, before, before};
+      burst = RecordedImpact{start, index, 0.0, gap_rate(cable, before), 0.0, 0, before, before};
     }
-    // the rebound at the pose this step started from: for a single step, the pose of rate_before
-    State rebound = shifted_by_gravity(case_, after, -0.5 * dt);
-    rebound.position = before.position;
-    rebound.angle = before.angle;
-    burst->rate_after = gap_rate(cable, rebound);
-    burst->after = rebound;
+    burst->after = before;
+    burst->after.velocity = after.velocity;
+    burst->after.spin = after.spin;
+    burst->rate_after = gap_rate(cable, burst->after);
     burst->impulse += impulse;
     ++burst->steps;
   }
@@ -160,25 +170,29 @@ Trajectory record(const Case& the_case, Simulation& simulation, double step,
   State now = simulation.state();
   run.points.push_back({0.0, now});
   run.largest_energy = energy(the_case, now);
+  run.stop = simulation.stopped();
   ImpactDetector detector(the_case, options.slowest);
-  for (std::size_t index = 0; index < steps && !run.stop && !run.diverged; ++index) {
+  for (std::size_t index = 0; index < steps && !run.stop; ++index) {
     const double start = static_cast<double>(index) * step;
     const bool last = index + 1 == steps;
-    const double dt = last ? the_case.duration - start : step;
     const State before = now;
-    simulation.step(dt);
+    simulation.step(last ? the_case.duration - start : step);
     now = simulation.state();
     run.stop = simulation.stopped();
-    run.diverged = !reasonable(the_case, now);
-    if (!run.diverged) {
-      detector.take(start, dt, before, now, simulation);
-      run.overstretch = std::max(run.overstretch, worst_overstretch(the_case, now));
-      run.largest_energy = std::max(run.largest_energy, energy(the_case, now));
+    if (!reasonable(the_case, now)) {
+      run.diverged = true;
+      break;
     }
-    if (last || run.stop || run.diverged || (index + 1) % run.stride == 0) {
+    detector.take(start, before, now, simulation);
+    run.overstretch = std::max(run.overstretch, worst_overstretch(the_case, now));
+    run.largest_energy = std::max(run.largest_energy, energy(the_case, now));
+    if (last || run.stop || (index + 1) % run.stride == 0) {
       const double end = last ? the_case.duration : static_cast<double>(index + 1) * step;
       run.points.push_back({run.stop ? run.stop->time : end, now});
     }
+  }
+  if (run.stop && !within_run(the_case, run.stop->time)) {
+    throw std::runtime_error("the engine stopped at a time that is not in the run");
   }
   detector.finish(run);
   return run;

@@ -54,6 +54,8 @@ struct RecordOptions {
 /// Steps `simulation` of `the_case` to the case's duration and records it. The one impact detector
 /// for all engines is in here: a simulation that locates its impacts is believed; else a run of
 /// consecutive steps with an impulse of one cable is one impact of that cable.
+/// Throws std::runtime_error if the simulation says what makes no sense: too few impulses, an event
+/// of a cable that is not there, a time outside the run.
 [[nodiscard]] Trajectory record(const Case& the_case, Simulation& simulation, double step,
                                 const RecordOptions& options = {});
 

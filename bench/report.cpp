@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <thread>
 #include <tuple>
@@ -45,7 +46,11 @@ std::vector<Group> grouped(const ordered_json& rows, const Key& key) {
 
 std::string text_of(const ordered_json& row, const char* key) { return row.at(key); }
 
-/// The values of one metric over the rows that have metrics.
+bool did_its_work(const ordered_json& row) {
+  return row.at("status") == "finished" || row.at("status") == "stopped";
+}
+
+/// The values of one metric over the rows that have it.
 template <class Get>
 std::vector<double> collect(const Group& rows, const Get& get) {
   std::vector<double> values;
@@ -68,9 +73,13 @@ ordered_json median_and_worst(const std::vector<double>& values) {
   return {{"median", median(values)}, {"worst", *std::max_element(values.begin(), values.end())}};
 }
 
+/// Over the runs that did their work: one that gave up at once has no error to speak of.
 ordered_json position_error(const Group& rows, const char* window) {
+  Group good;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(good),
+               [](const ordered_json* row) { return did_its_work(*row); });
   return median_and_worst(collect(
-      rows, [window](const ordered_json& metrics) -> const auto& {
+      good, [window](const ordered_json& metrics) -> const auto& {
         return metrics.at(window).at("position_error");
       }));
 }
@@ -93,9 +102,8 @@ ordered_json worst(const std::vector<double>& values) {
 
 ordered_json summary_of(const Group& rows) {
   static const ordered_json none = nullptr;
-  const auto bad = std::count_if(rows.begin(), rows.end(), [](const ordered_json* row) {
-    return row->at("status") == "failed" || row->at("status") == "diverged";
-  });
+  const auto bad = std::count_if(rows.begin(), rows.end(),
+                                 [](const ordered_json* row) { return !did_its_work(*row); });
   const auto restitution = [](const ordered_json& metrics) -> const ordered_json& {
     const ordered_json& measured = metrics.at("restitution");
     return measured.is_null() ? none : measured.at("worst_error");
@@ -128,14 +136,20 @@ ordered_json convergence_of(const Group& rows) {
   for (const ordered_json* row : rows) {
     if (!row->at("metrics").is_null()) {
       auto& [steps, errors] = by_case[text_of(*row, "case")];
-      steps.push_back(row->at("step"));
-      errors.push_back(row->at("metrics").at("early").at("position_error"));
+      const ordered_json& error = row->at("metrics").at("early").at("position_error");
+      if (error.is_number()) {
+        steps.push_back(row->at("step"));
+        errors.push_back(error);
+      }
     }
   }
   std::vector<double> slopes;
   std::size_t at_rounding = 0;
   for (const auto& [name, curve] : by_case) {
     const auto& [steps, errors] = curve;
+    if (errors.empty()) {
+      continue;
+    }
     if (*std::max_element(errors.begin(), errors.end()) <= rounding_error) {
       ++at_rounding;
     } else if (steps.size() >= 2 &&

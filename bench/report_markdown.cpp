@@ -113,8 +113,8 @@ std::string cost_text(const ordered_json& row, const std::map<std::string, doubl
 Table case_table(const ordered_json& report, const ordered_json& name,
                  const std::map<std::string, double>& ratios) {
   Table table({"engine", "model", "step", "early error", "horizon error", "whole", "angle error",
-               "matched", "exact", "found", "first impact off by", "settled / exact", "restitution",
-               "overstretch", "energy gain", "cost"},
+               "matched", "exact", "found", "first impact off by", "worst", "settled / exact",
+               "later", "restitution", "overstretch", "energy gain", "cost"},
               2);
   for (const ordered_json& row : report.at("runs")) {
     const ordered_json& metrics = row.at("metrics");
@@ -129,7 +129,9 @@ Table case_table(const ordered_json& report, const ordered_json& name,
                error_text(metrics.at("whole").at("position_error")),
                error_text(horizon.at("angle_error")), count_text(impacts.at("matched")),
                count_text(impacts.at("exact")), count_text(impacts.at("found")),
-               error_text(impacts.at("first_time_error")), settled(metrics), measured(metrics),
+               error_text(impacts.at("first_time_error")),
+               error_text(impacts.at("worst_time_error")), settled(metrics),
+               count_text(metrics.at("settling_time").at("later_impacts")), measured(metrics),
                error_text(metrics.at("overstretch")),
                error_text(metrics.at("energy").at("largest_gain")), cost_text(row, ratios)});
   }
@@ -159,11 +161,11 @@ std::string engines_section(const ordered_json& report) {
     if (!engine.at("problem").is_null()) {
       continue;
     }
-    out += fmt::format("### {} {}, {}\n\n", text(engine.at("name")), text(engine.at("version")),
-                       text(engine.at("precision")));
+    out += fmt::format("### {} {}, {}\n\n", markdown_text(text(engine.at("name"))),
+                       markdown_text(text(engine.at("version"))), text(engine.at("precision")));
     for (const ordered_json& model : engine.at("models")) {
-      out += fmt::format("**{}**: {}\n\n", text(model.at("name")),
-                         printable(model.at("sentence").get<std::string>(), 1000));
+      out += fmt::format("**{}**: {}\n\n", markdown_text(text(model.at("name"))),
+                         markdown_text(printable(model.at("sentence").get<std::string>(), 1000)));
       Table settings({"setting", "value", "reason"}, 3);
       for (const ordered_json& setting : model.at("settings")) {
         settings.add({text(setting.at("name")), text(setting.at("value")),
@@ -178,9 +180,13 @@ std::string engines_section(const ordered_json& report) {
 std::string how_to_read(const ordered_json& report) {
   const ordered_json& options = report.at("options");
   return fmt::format(
-      "- The **exact** engine is the control: the exact solution, sent through the same loop, "
+      "- The **exact** engine is the control: the exact solution through the same loop and "
+      "comparison "
+      "as every engine. Its `event` model names its impacts, as the engines' `event` models do; "
+      "its "
+      "`sampled` model gives only what happened in each step, so its errors are those of the "
       "impact "
-      "detector and comparison as every engine. Its errors are what the bench itself adds.\n"
+      "detector at that step: no fixed-step model can be seen to do better.\n"
       "- An **error** is the largest distance from the exact position, in the case's length unit: "
       "*early* up to the exact solution's impact {} (and before the next), *horizon* up to the "
       "predictability horizon, *whole* up to the end of the exact solution or of the run. Over all "
@@ -190,19 +196,25 @@ std::string how_to_read(const ordered_json& report) {
       "- **Impacts** are counted when faster than {:g}. *Matched* pairs an impact with an exact "
       "one of "
       "the same cable, each the other's nearest in time, up to the horizon.\n"
-      "- **Settled** is the time of the last counted impact before the exact solution's impacts "
-      "accumulate.\n"
-      "- **Restitution** is measured at each counted impact as rebound rate over closing rate of "
-      "the "
-      "cable: mean (smallest to largest). The *e error* is the worst distance from the cable's "
-      "own.\n"
-      "- **Overstretch** is how far the longest cable exceeds its length, **energy gain** how far "
-      "the "
-      "energy rises above its start; both over every step. A scheme whose velocities belong to the "
-      "middle of a step shows an offset of half a step of gravity here, even when it gains "
-      "nothing.\n"
+      "- **Settled** is the time of the last counted impact up to the end of the exact solution, "
+      "where "
+      "its impacts accumulate; *later* counts the run's impacts after that.\n"
+      "- **Restitution** is measured at each counted impact of a single step, up to the end of the "
+      "exact solution, as rebound rate over closing rate of the cable: mean (smallest to largest). "
+      "The "
+      "rates are of the velocities the engine has before and after the step, at the pose before "
+      "it. The "
+      "*e error* is the worst distance from the cable's own restitution.\n"
+      "- **Overstretch** is how far the most overstretched cable exceeds its length, **energy "
+      "gain** "
+      "how far the energy rises above its start; both over every step of the run, for models with "
+      "fixed "
+      "steps also after the exact solution has ended. A scheme whose velocities belong to the "
+      "middle of "
+      "a step shows an offset of half a step of gravity here, even when it gains nothing.\n"
       "- **Cost** is the processor time of one step over that of one closed-form flight with its "
-      "gaps, measured side by side in the same process.\n"
+      "gaps, measured side by side in the same process; the start of the run is shared out over "
+      "the steps.\n"
       "- A run that *stopped* reached an accumulation of impacts: the exact solution and the event "
       "models end there.\n",
       options.at("early_impacts").get<int>(), options.at("count_speed").get<double>());
@@ -213,12 +225,12 @@ std::string context_section(const ordered_json& report) {
   return fmt::format(
       "- tautline {}, built with {} as {}\n- {}, {} cores\n- started {}, {:.1f} s, {} of {} runs "
       "kept "
-      "from before\n- command: `{}`\n",
+      "from before\n- command: {}\n",
       text(report.at("program").at("version")), text(context.at("compiler")),
       text(context.at("build_type")), text(context.at("processor")), context.at("cores").get<int>(),
       text(context.at("started")), context.at("elapsed").get<double>(),
       context.at("kept_runs").get<int>(), report.at("planned_runs").get<int>(),
-      text(context.at("command")));
+      markdown_text(printable(context.at("command").get<std::string>(), 1000)));
 }
 
 }  // namespace
@@ -240,7 +252,7 @@ std::string report_markdown(const ordered_json& report) {
   out += "\n## Case by case\n";
   const auto ratios = cost_ratios(report);
   for (const ordered_json& row : report.at("cases")) {
-    out += fmt::format("\n### {}\n\n", text(row.at("name")));
+    out += fmt::format("\n### {}\n\n", markdown_text(text(row.at("name"))));
     out += case_table(report, row.at("name"), ratios).markdown();
   }
   out += "\n## How each engine models a cable\n\n" + engines_section(report);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/text.hpp"
 #include "tautline/geometry.hpp"
 
@@ -22,29 +24,41 @@ ordered_json who(const ReferenceCase& reference, const EngineInfo& engine, const
           {"step", run.step}};
 }
 
+/// A run may stop where impacts accumulate, and rounding moves that instant: one that stops before
+/// this part of the horizon has given up [-].
+constexpr double near_enough = 0.98;
+
 /// "finished", "stopped", "diverged" or "failed", and the reason of the last three.
-std::pair<std::string, std::string> status(const RunReply& reply) {
+std::pair<std::string, std::string> status(const ReferenceCase& reference, const RunReply& reply) {
   if (!reply.trajectory) {
     return {"failed", printable(reply.failure)};
   }
   const Trajectory& run = *reply.trajectory;
   if (run.diverged) {
-    return {"diverged", fmt::format("the body left every reasonable range before t = {:.6g}",
+    return {"diverged", fmt::format("the body left every reasonable range after t = {:.6g}",
                                     run.points.back().time)};
   }
   if (run.stop) {
-    return {"stopped", printable(run.stop->reason)};
+    const bool early = run.stop->time < near_enough * reference.horizon;
+    return {early ? "failed" : "stopped",
+            (early ? "gave up before the horizon: " : "") + printable(run.stop->reason)};
   }
   return {"finished", ""};
+}
+
+/// A number that is null where the run has no sample in the window.
+ordered_json if_covered(const Deviation& deviation, double value) {
+  return deviation.covered > 0.0 ? ordered_json(value) : ordered_json(nullptr);
 }
 
 ordered_json window_json(const Metrics& metrics, std::size_t window) {
   const Deviation& deviation = metrics.deviation[window];
   const ImpactMatch& impacts = metrics.impacts[window];
   return {{"until", deviation.until},
-          {"position_error", deviation.position},
-          {"angle_error", deviation.angle},
-          {"velocity_error", deviation.velocity},
+          {"covered", deviation.covered},
+          {"position_error", if_covered(deviation, deviation.position)},
+          {"angle_error", if_covered(deviation, deviation.angle)},
+          {"velocity_error", if_covered(deviation, deviation.velocity)},
           {"impacts",
            {{"exact", impacts.exact},
             {"found", impacts.found},
@@ -60,7 +74,9 @@ ordered_json metrics_json(const Metrics& metrics) {
     json[std::string(to_string(window))] = window_json(metrics, static_cast<std::size_t>(window));
   }
   json["settling_time"] = {{"exact", or_null(metrics.exact_settling_time)},
-                           {"found", or_null(metrics.settling_time)}};
+                           {"found", or_null(metrics.settling_time)},
+                           {"later_impacts", metrics.later_impacts}};
+  json["long_impacts"] = metrics.long_impacts;
   json["overstretch"] = metrics.overstretch;
   json["energy"] = {{"largest_gain", metrics.energy_gain}, {"error", metrics.energy_error}};
   json["restitution"] = nullptr;
@@ -79,10 +95,14 @@ ordered_json metrics_json(const Metrics& metrics) {
 ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
                      const PlannedRun& run, const RunReply& reply, const CompareOptions& options) {
   ordered_json row = who(reference, engine, run);
-  const auto [word, reason] = status(reply);
+  const auto [word, reason] = status(reference, reply);
   row["status"] = word;
   row["reason"] = reason;
-  row["printed_bytes"] = reply.printed;
+  row["output_tail"] = nullptr;
+  if (!reply.trajectory && !reply.output_tail.empty()) {
+    row["output_tail"] = printable(reply.output_tail.substr(
+        reply.output_tail.size() - std::min(reply.output_tail.size(), quotable_length)));
+  }
   row["metrics"] = nullptr;
   if (reply.trajectory) {
     row["stride"] = reply.trajectory->stride;

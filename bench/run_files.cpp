@@ -34,12 +34,9 @@ std::string file_content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// FNV-1a: short, stable between machines, and nobody attacks a result tree's resume.
-std::uint64_t hash(std::string_view text) {
-  std::uint64_t value = 14695981039346656037ULL;
-  for (const char letter : text) {
-    value = (value ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
-  }
+/// Of the program itself: what it compares, and how, may change without its version.
+std::uint64_t program_hash() {
+  static const std::uint64_t value = stable_hash(file_content("/proc/self/exe"));
   return value;
 }
 
@@ -105,7 +102,7 @@ std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
       fmt::format("{} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
                   options.samples, TAUTLINE_VERSION) +
       file_content(options.engines[run.engine].plugin);
-  return fmt::format("{:016x}", hash(text));
+  return fmt::format("{:016x}{:016x}", stable_hash(text), program_hash());
 }
 
 void write_run(const fs::path& folder, const SuiteOptions& options, const PlannedRun& run,

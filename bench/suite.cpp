@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "bench/horizon.hpp"
@@ -140,6 +141,12 @@ std::vector<std::string> suite_problems(const SuiteOptions& options) {
         break;
       }
     }
+  }
+  if (std::set<double>(options.steps.begin(), options.steps.end()).size() != options.steps.size()) {
+    problems.emplace_back("a step is given twice");
+  }
+  if (!(options.limits.time > 0.0)) {
+    problems.push_back(fmt::format("--time-limit {}: must be above 0 [s]", options.limits.time));
   }
   if (options.jobs < 1 || options.jobs > most_jobs) {
     problems.push_back(fmt::format("--jobs {}: must be 1 to {}", options.jobs, most_jobs));

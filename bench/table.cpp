@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string_view>
 #include <utility>
 
 namespace tautline::bench {
@@ -19,24 +20,22 @@ std::string padded(const std::string& text, std::size_t width, bool left) {
   return left ? text + space : space + text;
 }
 
-/// Markdown reads these characters as its own.
-std::string escaped(const std::string& cell) {
+}  // namespace
+
+std::string markdown_text(const std::string& text) {
   std::string result;
-  for (const char letter : cell) {
+  for (const char letter : text) {
     if (letter == '\n' || letter == '\r') {
       result += ' ';
       continue;
     }
-    if (letter == '|' || letter == '<' || letter == '`' || letter == '*' || letter == '[' ||
-        letter == '\\' || letter == '&') {
+    if (std::string_view("|<>`*[]!&#").find(letter) != std::string_view::npos) {
       result += '\\';
     }
     result += letter;
   }
   return result;
 }
-
-}  // namespace
 
 Table::Table(std::vector<std::string> headings, std::size_t left)
     : headings_(std::move(headings)), left_(left) {}
@@ -72,7 +71,7 @@ std::string Table::line(const std::vector<std::string>& cells,
 std::string Table::markdown() const {
   std::vector<std::vector<std::string>> rows = rows_;
   for (auto& row : rows) {
-    std::transform(row.begin(), row.end(), row.begin(), escaped);
+    std::transform(row.begin(), row.end(), row.begin(), markdown_text);
   }
   const std::vector<std::size_t> width = widths(rows);
   std::vector<std::string> rule;

@@ -5,6 +5,9 @@
 
 namespace tautline::bench {
 
+/// `text` with the characters that Markdown and HTML read as their own made harmless, on one line.
+[[nodiscard]] std::string markdown_text(const std::string& text);
+
 /// A table of text whose columns line up, so that it reads the same rendered and raw.
 class Table {
  public:

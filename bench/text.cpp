@@ -160,4 +160,12 @@ std::string printable(std::string_view text, std::size_t longest) {
   return result;
 }
 
+std::uint64_t stable_hash(std::string_view text) {
+  std::uint64_t result = 0xcbf29ce484222325U;  // Fowler, Noll and Vo, 64 bit
+  for (const char letter : text) {
+    result = (result ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
+  }
+  return result;
+}
+
 }  // namespace tautline::bench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,5 +31,9 @@ inline constexpr std::size_t quotable_length = 160;
 /// that turn the direction of writing and bytes that are not UTF-8 become "\x1b"; what is longer
 /// than `longest` bytes is cut and ends in "...".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = quotable_length);
+
+/// A number for a text that is the same on every machine and in every release (FNV-1a). Not for
+/// secrets.
+[[nodiscard]] std::uint64_t stable_hash(std::string_view text);
 
 }  // namespace tautline::bench

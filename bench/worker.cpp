@@ -11,6 +11,7 @@
 #include <ctime>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "bench/case_file.hpp"
 #include "bench/plugin.hpp"
@@ -37,15 +38,16 @@ double processor_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// A second run that only steps, and beside it as many closed-form flights with their gaps.
+/// A second run that is only started and stepped, and beside it as many closed-form flights with
+/// their gaps.
 Cost measure_cost(const Case& the_case, const Engine& engine, const std::string& model,
                   double step) {
+  const double start = processor_time();
   const auto simulation = engine.start(the_case, model, step);
   const auto whole_steps = static_cast<std::size_t>(the_case.duration / step);
   const std::size_t steps = std::max<std::size_t>(1, std::min(whole_steps, timed_steps));
   const double dt = std::min(step, the_case.duration);
   std::size_t done = 0;
-  const double start = processor_time();
   for (; done < steps && !simulation->stopped(); ++done) {
     simulation->step(dt);
   }
@@ -59,7 +61,7 @@ Cost measure_cost(const Case& the_case, const Engine& engine, const std::string&
   }
   const double end = processor_time();
   [[maybe_unused]] const volatile double keep = sum;  // the loop must not be optimised away
-  const auto count = static_cast<double>(done);
+  const auto count = static_cast<double>(std::max<std::size_t>(1, done));
   return {(middle - start) / count, (end - middle) / count};
 }
 
@@ -137,21 +139,27 @@ Exchange exchange(const ordered_json& request, const WorkerLimits& limits) {
 }  // namespace
 
 RunReply run_in_worker(const RunRequest& request) {
-  const Exchange answer = exchange({{"plugin", request.plugin.string()},
-                                    {"case", write_case(request.the_case)},
-                                    {"model", request.model},
-                                    {"step", request.step},
-                                    {"memory", request.limits.memory}},
-                                   request.limits);
   RunReply reply;
-  reply.failure = answer.failure;
-  reply.output_tail = answer.end.output_tail;
-  reply.printed = answer.end.printed;
-  reply.interrupted = answer.end.kind == ProcessEnd::Kind::interrupted;
-  if (answer.message) {
-    reply.trajectory = trajectory_from(*answer.message);
-    const ordered_json& cost = answer.message->head.at("cost");
-    reply.cost = {cost.at(0), cost.at(1)};
+  try {
+    const Exchange answer = exchange({{"plugin", request.plugin.string()},
+                                      {"case", write_case(request.the_case)},
+                                      {"model", request.model},
+                                      {"step", request.step},
+                                      {"memory", request.limits.memory}},
+                                     request.limits);
+    reply.failure = answer.failure;
+    reply.output_tail = answer.end.output_tail;
+    reply.printed = answer.end.printed;
+    reply.interrupted = answer.end.kind == ProcessEnd::Kind::interrupted;
+    if (answer.message) {
+      const ordered_json& cost = answer.message->head.at("cost");
+      reply.cost = {cost.at(0), cost.at(1)};
+      reply.trajectory = trajectory_from(*answer.message);
+    }
+  } catch (const std::system_error& error) {
+    reply.failure = std::string("cannot run a worker: ") + error.what();
+  } catch (const ordered_json::exception&) {
+    reply.failure = "gave a result that makes no sense";
   }
   return reply;
 }
@@ -188,7 +196,7 @@ int worker_main() {
     bytes.remove_prefix(static_cast<std::size_t>(size));
   }
   std::fflush(nullptr);
-  ::_exit(0);  // an engine's static destructors have nothing to say any more
+  ::_exit(0);  // without static destructors: an engine has nothing to say any more
 }
 
 }  // namespace tautline::bench

@@ -18,7 +18,7 @@ struct WorkerLimits {
 
 /// What one step cost, measured on the processor clock of the worker's thread.
 struct Cost {
-  double step = 0.0;       // [s], processor time of one step
+  double step = 0.0;       // [s], processor time of one step, with its share of the start
   double reference = 0.0;  // [s], of one closed-form flight and its gaps, measured side by side
 };
 
@@ -50,7 +50,7 @@ struct DescribeReply {
   std::string failure;
 };
 [[nodiscard]] DescribeReply describe_in_worker(const std::filesystem::path& plugin,
-                                               const WorkerLimits& limits = {});
+                                               const WorkerLimits& limits = {.time = 10.0});
 
 /// The other side: reads a request from descriptor 0, does it, writes the reply to descriptor 3.
 /// Returns the exit code. Called by the program's hidden command.

@@ -19,6 +19,8 @@ struct BadEngine {
 
 void PrintTo(const BadEngine& engine, std::ostream* out) { *out << engine.way; }
 
+constexpr std::size_t exact_runs = 2;  // models of the exact engine, whose rows come first
+
 class BadEngines : public testing::TestWithParam<BadEngine> {};
 
 TEST_P(BadEngines, GiveOneClearRowAndHarmNothingElse) {
@@ -38,15 +40,15 @@ TEST_P(BadEngines, GiveOneClearRowAndHarmNothingElse) {
   EXPECT_EQ(runs.at(0).at("status"), "finished");
   EXPECT_EQ(runs.at(0).at("metrics").at("whole").at("position_error"), 0.0);
   if (status.empty()) {
-    EXPECT_EQ(runs.size(), 1U);
+    EXPECT_EQ(runs.size(), exact_runs);
     EXPECT_NE(report.at("engines").at(1).at("problem").get<std::string>().find(reason),
               std::string::npos)
         << report.at("engines").dump(2);
   } else {
-    ASSERT_EQ(runs.size(), 2U);
-    EXPECT_EQ(runs.at(1).at("status"), status);
-    EXPECT_NE(runs.at(1).at("reason").get<std::string>().find(reason), std::string::npos)
-        << runs.at(1).at("reason");
+    ASSERT_EQ(runs.size(), exact_runs + 1);
+    EXPECT_EQ(runs.at(exact_runs).at("status"), status);
+    EXPECT_NE(runs.at(exact_runs).at("reason").get<std::string>().find(reason), std::string::npos)
+        << runs.at(exact_runs).at("reason");
   }
   const std::string markdown = content_of(out.path() / "results/report.md");
   EXPECT_EQ(markdown.find('\x1b'), std::string::npos) << "control characters reached the report";
@@ -64,6 +66,13 @@ std::vector<BadEngine> every_way() {
       {"throw", "failed", "the fixture throws at step 10"},
       {"nan", "diverged", "left every reasonable range"},
       {"exit", "failed", "ended by itself with exit code 0 and no result"},
+      {"inf", "diverged", "left every reasonable range"},
+      {"gives-up", "failed", "gave up before the horizon: the fixture has had enough"},
+      {"stop-first", "failed", "gave up before the horizon: the fixture does not do this case"},
+      {"stop-nan", "failed", "the engine stopped at a time that is not in the run"},
+      {"wrong-cable", "failed", "the engine gave an event that is not of this case"},
+      {"no-impulses", "failed", "the engine gave 0 impulses for 1 cables"},
+      {"own-exception", "failed", "an error of the module's own"},
       {"mute", "", "crashed: SIGSEGV"},
       {"wrong-interface", "", "tautline-engine 0, from long ago"}};
 #ifndef __SANITIZE_ADDRESS__  // which leaves no limit on address space in place
@@ -77,6 +86,24 @@ INSTANTIATE_TEST_SUITE_P(Every, BadEngines, testing::ValuesIn(every_way()), [](c
   std::erase(name, '-');
   return name;
 });
+
+TEST(BadRuns, DoNotStopAResume) {
+  const TemporaryFolder folder;
+  const std::string engines = bad_engine("inf") + "," + bad_engine("nan") + "," +
+                              bad_engine("gives-up") + "," + bad_engine("segfault");
+  std::vector<std::string> command = {
+      "bench",   "bouncing-ball", "--engines", engines,
+      "--steps", "1e-2,1e-3",     "--out",     (folder.path() / "r").string()};
+  EXPECT_EQ(program(command).code, 1);
+  const auto runs = [&folder] {
+    return json::parse(content_of(folder.path() / "r/report.json"), nullptr, false).at("runs");
+  };
+  const json first = runs();
+  EXPECT_EQ(first.size(), 8U);
+  command.emplace_back("--resume");
+  EXPECT_EQ(program(command).code, 1);
+  EXPECT_EQ(runs(), first);
+}
 
 TEST(ChatteringEngine, IsCapturedAndItsTailKept) {
   const TemporaryFolder out;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -30,6 +31,9 @@ TEST_P(Program, RefusesInOneSentenceWithExitCode2) {
   EXPECT_EQ(outcome.code, 2) << outcome.output << outcome.errors;
   EXPECT_NE(outcome.errors.find(GetParam().sentence), std::string::npos) << outcome.errors;
   EXPECT_EQ(outcome.output, "") << "an error belongs on standard error alone";
+  if (outcome.errors.starts_with("tautline: ")) {  // the option parser's own words are two lines
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+  }
 }
 
 const std::vector<std::string> bench_ball = {"bench", "bouncing-ball", "--engines", "exact"};
@@ -81,6 +85,15 @@ INSTANTIATE_TEST_SUITE_P(
                  "--jobs 100000: must be 1 to 256"},
         BadUsage{"ZeroJobs", with(bench_ball, {"--jobs", "0"}), "--jobs 0: must be 1 to 256"},
         BadUsage{"NegativeJobs", with(bench_ball, {"--jobs=-1"}), "--jobs"},
+        BadUsage{"StepTwice", with(bench_ball, {"--steps", "1e-2,0.01"}), "a step is given twice"},
+        BadUsage{"NegativeUntil",
+                 {"bench", "breakwater/*", "--until=-1"},
+                 "--until -1: must be a finite number above 0 [s]"},
+        BadUsage{"EmptyOut", with(bench_ball, {"--out", ""}), "--out: is empty"},
+        BadUsage{"NanTimeLimitOfRun",
+                 {"run", "bouncing-ball", "--engine", "exact", "--model", "event", "--time-limit",
+                  "nan"},
+                 "--time-limit nan: must be above 0 [s]"},
         BadUsage{"ZeroTimeLimit", with(bench_ball, {"--time-limit", "0"}),
                  "--time-limit 0: must be above 0 [s]"}),
     [](const auto& test) { return test.param.name; });
@@ -105,6 +118,35 @@ TEST(Solve, WritesJsonToAFileAndStaysSilent) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(json::parse(content_of(file)).at("ending"), "zeno");
+}
+
+TEST(Output, ThatCannotBeWrittenIsAFailure) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"solve", "bouncing-ball"}, {"cases"}, {"engines"}}) {
+    const Outcome outcome = program(command, "sh -c '\"$0\" \"$@\" >/dev/full'");
+    EXPECT_EQ(outcome.code, 1) << command.front();
+    EXPECT_NE(outcome.errors.find("cannot write to standard output"), std::string::npos);
+  }
+}
+
+TEST(Report, MakesHostileNamesHarmless) {
+  const TemporaryFolder folder;
+  std::string text = program({"cases", "bouncing-ball"}).output;
+  const std::string name =
+      "<script>alert(1)</script> ![x](http://a) `../../` " + std::string(3000, 'y');
+  text.replace(text.find("bouncing-ball"), 13, name);
+  const std::string file = folder.file("hostile.toml", text).string();
+  const Outcome outcome = program({"bench", file, "--engines", "exact", "--steps", "1e-2", "--out",
+                                   (folder.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const std::string markdown = content_of(folder.path() / "r/report.md");
+  for (const std::string raw : {"<script", "![x"}) {
+    for (std::size_t at = markdown.find(raw); at != std::string::npos;
+         at = markdown.find(raw, at + 1)) {
+      EXPECT_TRUE(at > 0 && markdown[at - 1] == '\\') << raw;
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path().parent_path() / "runs"));
 }
 
 TEST(Solve, SaysThatADiskIsFull) {

@@ -93,6 +93,42 @@ TEST_F(StandardCase, MissedAndInventedImpactsAreSeen) {
   EXPECT_LE(metrics.impacts[whole].matched, 78U);
 }
 
+TEST_F(StandardCase, WhatARunDoesNotReachItMisses) {
+  Trajectory run = as_run(the_case, solution, 0.0, 0.0);
+  std::erase_if(run.points, [](const Point& point) { return point.time > 0.2; });
+  std::erase_if(run.impacts, [](const RecordedImpact& impact) { return impact.time > 0.2; });
+  const Metrics metrics = compare(the_case, solution, 6.0, run);
+  EXPECT_EQ(metrics.deviation[horizon_window].until, 6.0);
+  EXPECT_NEAR(metrics.deviation[horizon_window].covered, 0.2, 2e-3);
+  EXPECT_EQ(metrics.impacts[whole].exact, 79U);
+  EXPECT_EQ(metrics.impacts[whole].matched, 1U);
+}
+
+TEST_F(StandardCase, AWindowWithoutSamplesIsNotCovered) {
+  Trajectory run = as_run(the_case, solution, 0.0, 0.0);
+  std::erase_if(run.points,
+                [](const Point& point) { return point.time > 0.0 && point.time < 5.0; });
+  const Metrics metrics = compare(the_case, solution, 6.0, run);
+  EXPECT_EQ(metrics.deviation[early].covered, 0.0);
+  EXPECT_GT(metrics.deviation[horizon_window].covered, 5.0);
+}
+
+TEST_F(StandardCase, ImpactsAfterTheEndAndOfSeveralStepsAreCountedApart) {
+  Trajectory run = as_run(the_case, solution, 0.0, 0.0);
+  run.impacts[2].steps = 5;
+  run.impacts[2].rate_after = 7.0;  // would be a restitution far above 1
+  RecordedImpact late = run.impacts[0];
+  late.time = 15.0;
+  run.impacts.push_back(late);
+  const Metrics metrics = compare(the_case, solution, 6.0, run);
+  EXPECT_EQ(metrics.long_impacts, 1U);
+  EXPECT_EQ(metrics.later_impacts, 1U);
+  ASSERT_TRUE(metrics.restitution);
+  EXPECT_EQ(metrics.restitution->count, 78U);
+  EXPECT_NEAR(metrics.restitution->largest, 0.9, 1e-12);
+  EXPECT_EQ(metrics.settling_time, metrics.exact_settling_time);
+}
+
 TEST(Matching, PairsMutualNearestOnOneCable) {
   const std::vector<CountedImpact> exact = {{1.0, 0}, {2.0, 1}, {3.0, 0}};
   const std::vector<CountedImpact> found = {{1.01, 0}, {1.02, 0}, {2.1, 0}, {3.05, 0}};

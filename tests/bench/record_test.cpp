@@ -95,29 +95,27 @@ TEST(Record, BelievesASimulationThatLocatesItsImpacts) {
   EXPECT_DOUBLE_EQ(run.impacts[0].rate_after, 0.5);
 }
 
-TEST(Record, MeasuresTheRestitutionOfASemiImplicitStepExactly) {
-  // velocity first, then position: the velocities that bounce are those of the middle of a step
-  Case the_case = bouncing_ball(0.5);
-  the_case.duration = 1.2;
-  constexpr double step = 1e-3;
-  double wanted = 0.0;
-  Scripted simulation(the_case, [&](Scripted& s, int /*index*/, double dt) {
+TEST(Record, MeasuresTheRestitutionOfTheVelocitiesThatTheEngineStores) {
+  // semi-implicit Euler with a row, as engines do it: the bounce of the stored velocity includes
+  // this step's gravity, whatever the step
+  for (const double step : {1e-1, 1e-2, 1e-3}) {
+    Case the_case = bouncing_ball(0.5);
+    the_case.duration = 1.5;
     const Cable& cable = the_case.cables[0];
-    // the true velocity is half a kick of gravity later than the one in store
-    const double closing = -(s.now.velocity.y() - 0.5 * dt);
-    if (gap(cable, s.now) <= 0.0 && closing > 0.0) {
-      wanted = 0.5 * closing;
-      s.pulls[0] = closing + wanted;
-      s.now.velocity.y() = wanted + 0.5 * dt;
-    }
-    s.now.velocity.y() -= dt;
-    s.now.position.y() += dt * s.now.velocity.y();
-  });
-  const Trajectory run = record(the_case, simulation, step);
-  ASSERT_EQ(run.impacts.size(), 1U);
-  EXPECT_NEAR(run.impacts[0].rate_before, -1.0, 2.0 * step);
-  EXPECT_NEAR(run.impacts[0].rate_after, wanted, 1e-12);
-  EXPECT_NEAR(-run.impacts[0].rate_after / run.impacts[0].rate_before, 0.5, 1e-12);
+    Scripted simulation(the_case, [&cable](Scripted& s, int /*index*/, double dt) {
+      const double closing = -s.now.velocity.y();
+      s.now.velocity.y() -= dt;
+      if (gap(cable, s.now) <= 0.0 && closing > 0.0) {
+        s.pulls[0] = 0.5 * closing - s.now.velocity.y();
+        s.now.velocity.y() = 0.5 * closing;
+      }
+      s.now.position.y() += dt * s.now.velocity.y();
+    });
+    const Trajectory run = record(the_case, simulation, step);
+    ASSERT_GE(run.impacts.size(), 1U);
+    EXPECT_NEAR(run.impacts[0].rate_before, -1.0, 2.0 * step);
+    EXPECT_NEAR(-run.impacts[0].rate_after / run.impacts[0].rate_before, 0.5, 1e-14);
+  }
 }
 
 TEST(Record, TakesAsManyStepsAsFitAndAShorterLastOne) {
@@ -155,7 +153,7 @@ TEST(Record, EndsARunThatLeavesEveryReasonableRange) {
     });
     const Trajectory run = record(plumb(), simulation, 0.1);
     EXPECT_TRUE(run.diverged);
-    EXPECT_DOUBLE_EQ(run.points.back().time, 0.4);
+    EXPECT_DOUBLE_EQ(run.points.back().time, 0.3);  // the last sound state
   }
 }
 

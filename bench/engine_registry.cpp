@@ -142,10 +142,9 @@ EngineChoice choose_engines(const std::vector<std::string>& wanted) {
     choice.engines = std::move(all);
     return choice;
   }
-  std::vector<std::string> names;
-  for (const RegisteredEngine& engine : all) {
-    names.push_back(engine.name);
-  }
+  std::vector<std::string> names(all.size());
+  std::transform(all.begin(), all.end(), names.begin(),
+                 [](const RegisteredEngine& engine) { return engine.name; });
   for (const std::string& want : wanted) {
     if (is_path(want)) {
       choice.engines.push_back(ask(fs::absolute(want)));

@@ -1,6 +1,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -69,6 +69,13 @@ std::string now_utc() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
+/// The most memory that this program, or one process it started, held at once [bytes].
+double most_memory(int whose) {
+  rusage usage{};
+  getrusage(whose, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // which is in kilobytes
+}
+
 /// True if a run or an engine did not do what it should.
 bool any_failure(const nlohmann::ordered_json& report) {
   const auto bad_run = [](const auto& run) {
@@ -112,11 +119,14 @@ int bench_command(const BenchCommand& command) {
   progress.finish();
   context.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   context.kept = result.kept;
+  context.program_memory = most_memory(RUSAGE_SELF);
+  context.worker_memory = most_memory(RUSAGE_CHILDREN);
   const auto report = report_json(options, references, result, context);
   write_reports(command, report);
   if (command.json != "-") {
-    fmt::print("{}\n{} runs in {:.1f} s; report: {} and report.json beside it\n",
+    fmt::print("{}\n{} runs in {:.1f} s, {:.0f} MB; report: {} and report.json beside it\n",
                report_summary(report), result.runs.size(), context.elapsed,
+               (context.program_memory + options.jobs * context.worker_memory) / 1e6,
                (command.out / "report.md").string());
   }
   if (result.interrupted) {

@@ -226,12 +226,14 @@ std::string context_section(const ordered_json& report) {
   const ordered_json& context = report.at("context");
   return fmt::format(
       "- tautline {}, built with {} as {}\n- {}, {} cores\n- started {}, {:.1f} s, {} of {} runs "
-      "kept "
-      "from before\n- command: {}\n",
+      "kept from before; at most {:.0f} MB in the program and {:.0f} MB in a worker\n"
+      "- command: {}\n",
       text(report.at("program").at("version")), text(context.at("compiler")),
       text(context.at("build_type")), text(context.at("processor")), context.at("cores").get<int>(),
       text(context.at("started")), context.at("elapsed").get<double>(),
       context.at("kept_runs").get<int>(), report.at("planned_runs").get<int>(),
+      context.at("program_memory").get<double>() / 1e6,
+      context.at("worker_memory").get<double>() / 1e6,
       markdown_text(printable(context.at("command").get<std::string>(), 1000)));
 }
 

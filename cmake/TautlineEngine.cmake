@@ -42,6 +42,7 @@ function(tautline_engine_module name)
     PREFIX ""
     LIBRARY_OUTPUT_DIRECTORY "${TAUTLINE_ENGINE_DIR}")
   target_link_libraries(${target} PRIVATE tautline::engine ${arg_LIBRARIES})
+  set_property(GLOBAL APPEND PROPERTY TAUTLINE_ENGINE_MODULES ${target})
   install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/tautline/engines)
 endfunction()
 

@@ -259,7 +259,7 @@ TEST(Engines, AreListedWithVersionsAndModels) {
   const json engines = json::parse(outcome.output).at("engines");
   EXPECT_EQ(engines.at(0).at("name"), "exact");
   for (const json& engine : engines) {
-    if (engine.at("missing") == "") {
+    if (engine.at("missing").get<std::string>().empty()) {
       EXPECT_FALSE(engine.at("version").get<std::string>().empty());
       EXPECT_FALSE(engine.at("models").empty());
     }

@@ -96,6 +96,7 @@ TEST(Slope, IsTheOrderOfAPowerLaw) {
   const std::vector<double> steps = {1e-1, 1e-2, 1e-3, 1e-4};
   for (const double order : {0.0, 1.0, 2.0, -0.5}) {
     std::vector<double> errors;
+    errors.reserve(steps.size());
     for (const double step : steps) {
       errors.push_back(3.0 * std::pow(step, order));
     }

@@ -45,7 +45,7 @@ class Library {
 
 void use_library() {
   static const Library library;
-  dAllocateODEDataForThread(dAllocateMaskAll);
+  dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
 }
 
 std::string precision() {

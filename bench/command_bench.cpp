@@ -1,6 +1,5 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -69,11 +68,13 @@ std::string now_utc() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-/// The most memory that this program, or one process it started, held at once [bytes].
-double most_memory(int whose) {
-  rusage usage{};
-  getrusage(whose, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);  // which is in kilobytes
+/// The most memory that one worker held at once [bytes].
+double worker_memory(const SuiteResult& result) {
+  double most = 0.0;
+  for (const RunResult& run : result.runs) {
+    most = run.timing.is_null() ? most : std::max(most, run.timing.at("memory").get<double>());
+  }
+  return most;
 }
 
 /// True if a run or an engine did not do what it should.
@@ -119,8 +120,8 @@ int bench_command(const BenchCommand& command) {
   progress.finish();
   context.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   context.kept = result.kept;
-  context.program_memory = most_memory(RUSAGE_SELF);
-  context.worker_memory = most_memory(RUSAGE_CHILDREN);
+  context.program_memory = peak_memory();
+  context.worker_memory = worker_memory(result);
   const auto report = report_json(options, references, result, context);
   write_reports(command, report);
   if (command.json != "-") {

@@ -14,7 +14,9 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -213,6 +215,16 @@ ProcessEnd run_process(const std::vector<std::string>& arguments, const Descript
     end.output_tail.erase(0, end.output_tail.size() - tail_length);
   }
   return end;
+}
+
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) {
+      return 1024.0 * std::strtod(line.c_str() + std::strlen("VmHWM:"), nullptr);  // in kB
+    }
+  }
+  return 0.0;
 }
 
 std::string signal_name(int signal) {

@@ -40,6 +40,10 @@ void catch_interruption();
                                      const Descriptor& input, const Descriptor& result,
                                      double time_limit);
 
+/// The most memory this process has held at once [bytes]; what it was before an exec does not
+/// count.
+[[nodiscard]] double peak_memory();
+
 /// "SIGSEGV" and its like; "signal 42" for one without a name.
 [[nodiscard]] std::string signal_name(int signal);
 

@@ -120,6 +120,7 @@ ordered_json timing_row(const ReferenceCase& reference, const EngineInfo& engine
     return nullptr;
   }
   ordered_json row = who(reference, engine, run);
+  row["memory"] = reply.cost.memory;
   row["step_cost"] = reply.cost.step;
   row["reference_cost"] = reply.cost.reference;
   row["cost_ratio"] = reply.cost.reference > 0.0 ? reply.cost.step / reply.cost.reference : 0.0;

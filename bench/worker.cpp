@@ -62,7 +62,7 @@ Cost measure_cost(const Case& the_case, const Engine& engine, const std::string&
   const double end = processor_time();
   [[maybe_unused]] const volatile double keep = sum;  // the loop must not be optimised away
   const auto count = static_cast<double>(std::max<std::size_t>(1, done));
-  return {(middle - start) / count, (end - middle) / count};
+  return {(middle - start) / count, peak_memory(), (end - middle) / count};
 }
 
 Message do_run(const ordered_json& request, const Plugin& plugin) {
@@ -73,7 +73,7 @@ Message do_run(const ordered_json& request, const Plugin& plugin) {
   const auto simulation = plugin.engine().start(the_case, model, step);
   Message reply = trajectory_message(record(the_case, *simulation, step));
   const Cost cost = measure_cost(the_case, plugin.engine(), model, step);
-  reply.head["cost"] = {cost.step, cost.reference};
+  reply.head["cost"] = {cost.step, cost.memory, cost.reference};
   return reply;
 }
 
@@ -153,7 +153,7 @@ RunReply run_in_worker(const RunRequest& request) {
     reply.interrupted = answer.end.kind == ProcessEnd::Kind::interrupted;
     if (answer.message) {
       const ordered_json& cost = answer.message->head.at("cost");
-      reply.cost = {cost.at(0), cost.at(1)};
+      reply.cost = {cost.at(0), cost.at(1), cost.at(2)};
       reply.trajectory = trajectory_from(*answer.message);
     }
   } catch (const std::system_error& error) {

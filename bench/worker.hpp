@@ -19,6 +19,7 @@ struct WorkerLimits {
 /// What one step cost, measured on the processor clock of the worker's thread.
 struct Cost {
   double step = 0.0;       // [s], processor time of one step, with its share of the start
+  double memory = 0.0;     // [bytes], the most the worker held at once
   double reference = 0.0;  // [s], of one closed-form flight and its gaps, measured side by side
 };
 

@@ -1,11 +1,10 @@
 #include "tautline/accumulation.hpp"
 
-#include <Eigen/QR>
-#include <algorithm>
-#include <cmath>
-
+#include "instantiate.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
+#include "tautline/projection.hpp"
+#include "tautline/series.hpp"
 
 namespace tautline {
 namespace {
@@ -18,102 +17,136 @@ constexpr double certificate_margin = 20.0;
 constexpr double several_cables = 4.0;
 
 /// Size of the gaps' accelerations [m/s^2] and the rate [1/s] at which they change.
+template <class Real>
 struct Scales {
-  double acceleration;
-  double rate;
+  Real acceleration;
+  Real rate;
 };
 
-Scales scales(const Case& the_case, const State& state) {
-  const double speed = speed_scale(the_case, state);
-  double shortest = the_case.cables.front().length;
-  double radius = 0.0;
-  for (const Cable& cable : the_case.cables) {
-    shortest = std::min(shortest, cable.length);
-    radius = std::max(radius, cable.attachment.norm());
+template <class Real>
+Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+  const Real speed = speed_scale(the_case, state);
+  Real shortest = the_case.cables.front().length;
+  Real radius(0);
+  for (const BasicCable<Real>& cable : the_case.cables) {
+    shortest = min(shortest, cable.length);
+    radius = max(radius, Real(cable.attachment.norm()));
   }
-  Scales result{};
+  Scales<Real> result{};
   result.acceleration =
       the_case.gravity.norm() + state.spin * state.spin * radius + speed * speed / shortest;
-  result.rate = std::abs(state.spin) + speed / shortest + std::sqrt(result.acceleration / shortest);
+  result.rate = abs(state.spin) + speed / shortest + sqrt(Real(result.acceleration / shortest));
   return result;
-}
-
-/// The gap rates of `cables` [m/s].
-CableVector rates(const Case& the_case, const State& state, CableSet cables) {
-  CableVector result(static_cast<Eigen::Index>(cables.size()));
-  Eigen::Index row = 0;
-  for (const std::size_t index : cables) {
-    result[row++] = gap_rate(the_case.cables[index], state);
-  }
-  return result;
-}
-
-/// The state with the gap rates of `cables` removed, M-orthogonally (Eq. 18).
-State projected(const Case& the_case, const State& state, CableSet cables) {
-  const CableMatrix g = delassus(the_case, state, cables);
-  const CableVector impulses =
-      g.completeOrthogonalDecomposition().solve(-rates(the_case, state, cables));
-  return with_impulses(the_case, state, cables, impulses);
 }
 
 /// How the bounces on a set of almost taut cables go on.
+template <class Real>
 struct Bouncing {
-  double speed;        // [m/s], the fastest rebound their normal energy allows
-  double remaining;    // [s] until all bounces are over
-  double uncertainty;  // [s] of `remaining`
+  bool ends;         // false: one of the cables is elastic and never stops
+  Real speed;        // [m/s], the fastest rebound their normal energy allows
+  Real error;        // [-], of later velocities, if the bounces are replaced by their end
+  Real remaining;    // [s] until all bounces are over
+  Real uncertainty;  // [s] of `remaining`
 };
 
-/// From the normal energy of `cables` (Eq. 17) and the tensions that will hold them; none if a
-/// tension is not certain to stay > 0 until the bounces are over.
-std::optional<Bouncing> bouncing(const Case& the_case, const State& state, CableSet touching,
-                                 CableSet cables, const CableVector& tension, const Scales& scale) {
-  const CableMatrix g = delassus(the_case, state, cables);
-  const CableVector rate = rates(the_case, state, cables);
-  const CableVector pull = tension.cwiseProduct(g.diagonal());  // [m/s^2], what closes each cable
-  double twice_energy = rate.dot(CableVector(g.completeOrthogonalDecomposition().solve(rate)));
+/// The normal energy of `cables`, twice, per mass of the normal coordinates (Eq. 17).
+template <class Real>
+Real twice_normal_energy(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                         CableSet touching, CableSet cables,
+                         const BasicCableVector<Real>& tension) {
+  const BasicCableVector<Real> rate = gap_rates(the_case, state, cables);
+  const BasicCableVector<Real> solved = multipliers(the_case, state, cables, rate);
+  Real result = rate.dot(solved);
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    const double height = gap(the_case.cables[index], state);
-    twice_energy += touching.contains(index) ? 0.0 : 2.0 * tension[row] * std::max(0.0, height);
+    const Real height = max(Real(0), gap(the_case.cables[index], state));
+    result += touching.contains(index) ? Real(0) : Real(2 * tension[row] * height);
     ++row;
   }
-  Bouncing result{};
-  row = 0;
+  return result;
+}
+
+/// From the normal energy of `cables` and the tensions that will hold them; none if a tension is
+/// not certain to stay > 0 until the bounces are over.
+template <class Real>
+std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
+                                       const BasicState<Real>& state, CableSet touching,
+                                       CableSet cables, const BasicCableVector<Real>& tension,
+                                       const Scales<Real>& scale) {
+  const BasicCableMatrix<Real> g = delassus(the_case, state, cables);
+  const BasicCableVector<Real> pull = tension.cwiseProduct(g.diagonal());  // [m/s^2], closes it
+  const Real energy = twice_normal_energy(the_case, state, touching, cables, tension);
+  Bouncing<Real> result{true, Real(0), Real(0), Real(0), Real(0)};
+  Real heights(0);  // [m s], the largest integral over time of a gap (Eq. 20)
+  Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    const double lost = 1.0 - the_case.cables[index].restitution;
-    if (pull[row] <= 0.0 || lost <= 0.0) {
+    const Real speed = sqrt(Real(energy * g(row, row)));
+    const Real kept = restitution_up_to(the_case.cables[index], speed);
+    if (!(pull[row] > 0)) {
       return std::nullopt;
     }
-    const double speed = std::sqrt(twice_energy * g(row, row));
-    result.speed = std::max(result.speed, speed);
-    result.remaining = std::max(result.remaining, 2.0 * speed / (pull[row] * lost));
+    const Real flight = 2 * speed / pull[row];
+    const Real height = speed * flight / 4;
+    result.speed = max(result.speed, speed);
+    if (kept < 1) {
+      result.remaining = max(result.remaining, Real(flight / (1 - kept)));
+      heights = max(heights, Real(2 * height * flight / (3 * (1 - kept * kept * kept))));
+    } else {  // it bounces for ever, at this height
+      result.ends = false;
+      result.remaining = max(result.remaining, flight);
+      heights = max(heights, Real(height / scale.rate));
+    }
     ++row;
   }
-  const double change = scale.acceleration * scale.rate * result.remaining;  // of a pull, meanwhile
+  result.error =
+      certificate_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
+  const Real change = scale.acceleration * scale.rate * result.remaining;  // of a pull, meanwhile
   if (!(pull.minCoeff() > certificate_margin * change)) {  // also where `change` overflows to NaN
     return std::nullopt;
   }
-  if (cables.size() ==
-      1) {  // a geometric series (Eq. 19); only the change of the pull is neglected
-    result.uncertainty = result.remaining * change / pull.minCoeff();
-  } else {  // how the cables hand the energy to each other is open: up to several_cables times that
-    result.remaining *= 0.5 * several_cables;
+  if (cables.size() > 1) {  // how the cables hand the energy to each other is open
+    result.error *= several_cables;
+    result.remaining *= several_cables / 2;
     result.uncertainty = result.remaining;
   }
   return result;
 }
 
+/// One cable's bounces: their geometric series with the first order of the change of the pull
+/// (Eq. 21).
+template <class Real>
+void refine(Bouncing<Real>& bounces, const BasicCase<Real>& the_case, const BasicState<Real>& state,
+            const BasicState<Real>& after, std::size_t index) {
+  const BasicCable<Real>& cable = the_case.cables[index];
+  const TautSeries<Real> motion(the_case, after, CableSet::of(index), 3);
+  const auto lever = motion.lever(index);
+  const auto tension = motion.tension(index);
+  const Eigen::Matrix<Real, 3, 1> weight = inverse_mass(the_case.body);
+  const Real k = cable.length * cable.length * weight[0] + lever[0] * lever[0] * weight[2];
+  const Real k_rate = 2 * lever[0] * lever[1] * weight[2];
+  const Real root = sqrt(k);
+  const Real c = tension[0] * root / cable.length;
+  const Real c_rate = (tension[1] * root + tension[0] * k_rate / (2 * root)) / cable.length;
+  const Real s = abs(gap_rate(cable, state)) * cable.length / root;
+  const Real lost = 1 - restitution_up_to(cable, bounces.speed);
+  const Real first = 2 * s / (c * lost);
+  const Real second = -first * 2 * c_rate * s / (3 * c * c * lost);
+  bounces.remaining = first + second;
+  bounces.uncertainty = abs(second) + 4 * epsilon<Real>() * first;
+}
+
 /// The cables outside `cables` that could close within `remaining` [s].
-CableSet within_reach(const Case& the_case, const State& state, CableSet cables, double remaining,
-                      const Scales& scale) {
+template <class Real>
+CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                      CableSet cables, const Real& remaining, const Scales<Real>& scale) {
   CableSet result;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     if (cables.contains(index)) {
       continue;
     }
-    const Cable& cable = the_case.cables[index];
-    const double closing = std::max(0.0, -gap_rate(cable, state));
-    const double reach =
+    const BasicCable<Real>& cable = the_case.cables[index];
+    const Real closing = max(Real(0), Real(-gap_rate(cable, state)));
+    const Real reach =
         closing * remaining + certificate_margin * scale.acceleration * remaining * remaining;
     if (gap(cable, state) <= reach) {
       result.insert(index);
@@ -123,15 +156,16 @@ CableSet within_reach(const Case& the_case, const State& state, CableSet cables,
 }
 
 /// The touching cables slow enough to be candidates; empty if one of them is still closing.
-CableSet slow_contacts(const Case& the_case, const State& state, const Touching& touching,
-                       double capture_speed) {
+template <class Real>
+CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                       const BasicTouching<Real>& touching, const Real& fastest) {
   CableSet slow;
   for (const std::size_t index : touching.cables) {
-    const double rate = gap_rate(the_case.cables[index], state);
+    const Real rate = gap_rate(the_case.cables[index], state);
     if (rate < -touching.rate_rounding) {
       return {};
     }
-    if (rate <= capture_speed) {
+    if (rate <= fastest) {
       slow.insert(index);
     }
   }
@@ -139,12 +173,13 @@ CableSet slow_contacts(const Case& the_case, const State& state, const Touching&
 }
 
 /// Those of `cables` that `held` keeps at zero gap: pulled, or left there by the others.
-CableSet staying(CableSet cables, const Tensions& held, const Scales& scale) {
-  constexpr double rounding = 1e-12;  // [-], of an acceleration that is zero
+template <class Real>
+CableSet staying(CableSet cables, const BasicTensions<Real>& held, const Scales<Real>& scale) {
+  const Real rounding = 4500 * epsilon<Real>();  // [-], of an acceleration that is zero
   CableSet result;
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    if (held.tension[row] > 0.0 || held.acceleration[row] <= rounding * scale.acceleration) {
+    if (held.tension[row] > 0 || held.acceleration[row] <= rounding * scale.acceleration) {
       result.insert(index);
     }
     ++row;
@@ -152,45 +187,76 @@ CableSet staying(CableSet cables, const Tensions& held, const Scales& scale) {
   return result;
 }
 
-/// True where every one of `cables` touches at zero rate.
-bool all_rest(const Case& the_case, const State& state, const Touching& touching, CableSet cables) {
-  return (touching.cables | cables) == touching.cables &&
-         rates(the_case, state, cables).cwiseAbs().maxCoeff() <= touching.rate_rounding;
+/// The cables of `cables` that move: not at exactly zero gap and rate.
+template <class Real>
+CableSet moving(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                const BasicTouching<Real>& touching, CableSet cables) {
+  CableSet result;
+  for (const std::size_t index : cables) {
+    if (!touching.cables.contains(index) ||
+        abs(gap_rate(the_case.cables[index], state)) > touching.rate_rounding) {
+      result.insert(index);
+    }
+  }
+  return result;
+}
+
+/// No faster rebound can meet the limits: the error's cube root with a pull of five times gravity.
+template <class Real>
+Real fastest_candidate(const CompletionLimits& limits, const Scales<Real>& scale) {
+  if (limits.speed) {
+    return Real(*limits.speed);
+  }
+  return 4 * pow(Real(limits.error), Real(1) / 3) * scale.acceleration / scale.rate;
 }
 
 }  // namespace
 
-std::optional<Capture> capture(const Case& the_case, const State& state, const Touching& touching,
-                               double capture_speed) {
-  CableSet cables = slow_contacts(the_case, state, touching, capture_speed);
-  const Scales scale = scales(the_case, state);
+template <class Real>
+std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
+                                          const BasicState<Real>& state,
+                                          const BasicTouching<Real>& touching,
+                                          const CompletionLimits& limits) {
+  const Scales<Real> scale = scales(the_case, state);
+  CableSet cables =
+      slow_contacts(the_case, state, touching, fastest_candidate<Real>(limits, scale));
   // a round loses cables that leave or gains one that takes part; few rounds settle it
   for (std::size_t round = 0; round < 2 * max_cables && !cables.empty(); ++round) {
-    const State after = projected(the_case, state, cables);
-    const std::optional<Tensions> held = resting_tensions(the_case, after, cables);
+    if (moving(the_case, state, touching, cables).empty()) {
+      return std::nullopt;
+    }
+    const BasicState<Real> after = projected(the_case, state, cables);
+    const auto held = resting_tensions(the_case, after, cables);
     if (!held || !held->tension.allFinite() || !held->acceleration.allFinite() ||
-        !std::isfinite(energy(the_case, after))) {  // what overflows is not certain
+        !isfinite(energy(the_case, after))) {  // what overflows is not certain
       return std::nullopt;
     }
     if (const CableSet rest = staying(cables, *held, scale); rest != cables) {
       cables = rest;
       continue;
     }
-    if (all_rest(the_case, state, touching, cables)) {
-      return Capture{cables, 0.0, 0.0, after};
-    }
-    const auto bounces = bouncing(the_case, state, touching.cables, cables, held->tension, scale);
-    if (!bounces || bounces->speed > capture_speed) {
+    auto bounces = bouncing(the_case, state, touching.cables, cables, held->tension, scale);
+    if (!bounces ||
+        (limits.speed ? bounces->speed > *limits.speed : !(bounces->error <= limits.error))) {
       return std::nullopt;
     }
-    const double latest = bounces->remaining + bounces->uncertainty;
+    const Real latest = bounces->remaining + bounces->uncertainty;
     const CableSet near = within_reach(the_case, state, cables, latest, scale);
     if (near.empty()) {
-      return Capture{cables, bounces->remaining, bounces->uncertainty, after};
+      if (cables.size() == 1 && bounces->ends) {
+        refine(*bounces, the_case, state, after, *cables.begin());
+      }
+      return BasicCapture<Real>{cables, bounces->ends, bounces->remaining, bounces->uncertainty,
+                                after};
     }
     cables = cables | near;
   }
   return std::nullopt;
 }
+
+template std::optional<BasicCapture<Instance>> capture(const BasicCase<Instance>&,
+                                                       const BasicState<Instance>&,
+                                                       const BasicTouching<Instance>&,
+                                                       const CompletionLimits&);
 
 }  // namespace tautline

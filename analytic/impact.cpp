@@ -1,12 +1,13 @@
 #include "tautline/impact.hpp"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
-#include <limits>
+#include <span>
 #include <vector>
 
+#include "instantiate.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline {
@@ -20,52 +21,71 @@ constexpr double dependent_rows = 1e-12;
 
 /// The trial z that makes m z + q zero on the rows of `active` and z zero elsewhere;
 /// empty if those rows are dependent.
-CableVector active_set_solution(const CableMatrix& m, const CableVector& q,
-                                const std::vector<Eigen::Index>& active) {
-  CableVector z = CableVector::Zero(q.size());
+template <class Real>
+BasicCableVector<Real> active_set_solution(const BasicCableMatrix<Real>& m,
+                                           const BasicCableVector<Real>& q,
+                                           std::span<const Eigen::Index> active) {
+  BasicCableVector<Real> z = BasicCableVector<Real>::Zero(q.size());
   if (active.empty()) {
     return z;
   }
-  const CableMatrix block = m(active, active);
-  const CableVector right = -q(active);
-  const Eigen::LDLT<CableMatrix> factors(block);
+  if (active.size() == 1) {
+    const Eigen::Index row = active.front();
+    if (!(m(row, row) > 0)) {
+      return {};
+    }
+    z[row] = -q[row] / m(row, row);
+    return z;
+  }
+  const BasicCableMatrix<Real> block = m(active, active);
+  const BasicCableVector<Real> right = -q(active);
+  const Eigen::LDLT<BasicCableMatrix<Real>> factors(block);
   if (factors.vectorD().minCoeff() <= dependent_rows * block.diagonal().maxCoeff()) {
     return {};
   }
-  z(active) = CableVector(factors.solve(right));
+  z(active) = BasicCableVector<Real>(factors.solve(right));
   return z;
+}
+
+/// The rows set in `bits`; the first entries of `rows` hold them.
+std::span<const Eigen::Index> rows_of(unsigned bits, std::array<Eigen::Index, max_cables>& rows) {
+  std::size_t count = 0;
+  for (; bits != 0; bits &= bits - 1U) {
+    rows[count++] = std::countr_zero(bits);
+  }
+  return {rows.data(), count};
 }
 
 }  // namespace
 
-std::optional<CableVector> solve_lcp(const CableMatrix& m, const CableVector& q) {
+template <class Real>
+std::optional<BasicCableVector<Real>> solve_lcp(
+    const BasicCableMatrix<Real>& m, const std::type_identity_t<BasicCableVector<Real>>& q) {
   // A solution with independent active rows always exists (Caratheodory), so the at most
   // 1 + 8 + 28 + 56 sets of up to three rows are all there is to try. In exact arithmetic one of
   // them violates nothing; rounding decides between neighbours, so the smallest violation wins.
   const auto count = static_cast<unsigned>(q.size());
-  const double scale = q.cwiseAbs().maxCoeff();
-  double smallest = std::numeric_limits<double>::infinity();
-  CableVector best;
+  if (count == 1 && m(0, 0) > 0 && isfinite(q[0])) {
+    return BasicCableVector<Real>::Constant(1, max(Real(0), Real(-q[0] / m(0, 0))));
+  }
+  const Real scale = q.cwiseAbs().maxCoeff();
+  Real smallest = infinity<Real>();
+  BasicCableVector<Real> best;
   for (unsigned bits = 0; bits < (1U << count); ++bits) {
     if (std::popcount(bits) > degrees_of_freedom) {
       continue;
     }
-    std::vector<Eigen::Index> active;
-    for (unsigned row = 0; row < count; ++row) {
-      if (((bits >> row) & 1U) != 0) {
-        active.push_back(row);
-      }
-    }
-    const CableVector z = active_set_solution(m, q, active);
+    std::array<Eigen::Index, max_cables> rows{};
+    const BasicCableVector<Real> z = active_set_solution<Real>(m, q, rows_of(bits, rows));
     if (z.size() != q.size()) {
       continue;
     }
-    const CableVector w = m * z + q;
-    const CableVector pull = m.diagonal().cwiseProduct(z);  // z in the units of w
-    const double violation = std::max({0.0, -w.minCoeff(), -pull.minCoeff()});
+    const BasicCableVector<Real> w = m * z + q;
+    const BasicCableVector<Real> pull = m.diagonal().cwiseProduct(z);  // z in the units of w
+    const Real violation = max(Real(0), max(Real(-w.minCoeff()), Real(-pull.minCoeff())));
     if (violation < smallest) {
       smallest = violation;
-      best = z.cwiseMax(0.0);
+      best = z.cwiseMax(Real(0));
     }
   }
   constexpr double acceptable = 1e-9;  // [-] of |q|: rounding is near 1e-15, infeasibility near 1
@@ -75,51 +95,73 @@ std::optional<CableVector> solve_lcp(const CableMatrix& m, const CableVector& q)
   return best;
 }
 
-Impact newton_impact(const Case& the_case, const State& before, CableSet cables) {
+template <class Real>
+BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicState<Real>& before,
+                                CableSet cables) {
   assert(!cables.empty() && "an impact needs a cable");
-  const CableMatrix g = delassus(the_case, before, cables);
-  CableVector q(g.rows());  // (1 + restitution) times the rate before
+  const BasicCableMatrix<Real> g = delassus(the_case, before, cables);
+  BasicCableVector<Real> q(g.rows());  // (1 + restitution) times the rate before
   std::vector<Eigen::Index> rows;
   for (const std::size_t index : cables) {
-    const Cable& cable = the_case.cables[index];
+    const BasicCable<Real>& cable = the_case.cables[index];
+    const Real rate = gap_rate(cable, before);
     rows.push_back(static_cast<Eigen::Index>(rows.size()));
-    q[rows.back()] = (1.0 + cable.restitution) * gap_rate(cable, before);
+    q[rows.back()] = (1 + restitution(cable, rate)) * rate;
   }
-  Impact impact;
-  const double overflowed = std::numeric_limits<double>::quiet_NaN();
+  BasicImpact<Real> impact;
   if (!g.allFinite() || !q.allFinite()) {
-    impact.impulses = CableVector::Constant(q.size(), overflowed);
-  } else if (std::optional<CableVector> impulses = solve_lcp(g, q)) {
+    impact.impulses = BasicCableVector<Real>::Constant(q.size(), not_a_number<Real>());
+  } else if (const auto impulses = solve_lcp(g, q)) {
     impact.impulses = *impulses;
   } else {
     // a resting cable's rate, above zero by rounding, left no solution: such cables take no part
-    std::erase_if(rows, [&](Eigen::Index row) { return q[row] > 0.0; });
-    impact.impulses = CableVector::Zero(q.size());
+    std::erase_if(rows, [&](Eigen::Index row) { return q[row] > 0; });
+    impact.impulses = BasicCableVector<Real>::Zero(q.size());
     // solvable: z >= 0 with J^T z = 0 and closing or resting rates only forces z . q = 0
-    const CableVector none =
-        CableVector::Constant(static_cast<Eigen::Index>(rows.size()), overflowed);
-    impact.impulses(rows) = solve_lcp(g(rows, rows), q(rows)).value_or(none);
+    const BasicCableVector<Real> none = BasicCableVector<Real>::Constant(
+        static_cast<Eigen::Index>(rows.size()), not_a_number<Real>());
+    const BasicCableMatrix<Real> part = g(rows, rows);
+    const BasicCableVector<Real> rates = q(rows);
+    impact.impulses(rows) = solve_lcp(part, rates).value_or(none);
   }
   impact.after = with_impulses(the_case, before, cables, impact.impulses);
   return impact;
 }
 
-std::optional<Tensions> resting_tensions(const Case& the_case, const State& state,
-                                         CableSet cables) {
-  const CableMatrix g = delassus(the_case, state, cables);
-  CableVector free(g.rows());
+template <class Real>
+bool independent(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
+  if (cables.size() > degrees_of_freedom) {
+    return false;
+  }
+  const BasicCableMatrix<Real> g = delassus(the_case, state, cables);
+  const Eigen::LDLT<BasicCableMatrix<Real>> factors(g);
+  return cables.empty() || factors.vectorD().minCoeff() > dependent_rows * g.diagonal().maxCoeff();
+}
+
+template <class Real>
+std::optional<BasicTensions<Real>> resting_tensions(const BasicCase<Real>& the_case,
+                                                    const BasicState<Real>& state,
+                                                    CableSet cables) {
+  const BasicCableMatrix<Real> g = delassus(the_case, state, cables);
+  BasicCableVector<Real> free(g.rows());
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
     free[row++] = free_gap_acceleration(the_case, index, state);
   }
-  Tensions result;
-  const std::optional<CableVector> tension = solve_lcp(g, free);
+  const auto tension = solve_lcp(g, free);
   if (!tension) {
     return std::nullopt;
   }
-  result.tension = *tension;
-  result.acceleration = g * result.tension + free;
-  return result;
+  return BasicTensions<Real>{*tension, g * *tension + free};
 }
+
+template std::optional<BasicCableVector<Instance>> solve_lcp(const BasicCableMatrix<Instance>&,
+                                                             const BasicCableVector<Instance>&);
+template BasicImpact<Instance> newton_impact(const BasicCase<Instance>&,
+                                             const BasicState<Instance>&, CableSet);
+template bool independent(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);
+template std::optional<BasicTensions<Instance>> resting_tensions(const BasicCase<Instance>&,
+                                                                 const BasicState<Instance>&,
+                                                                 CableSet);
 
 }  // namespace tautline

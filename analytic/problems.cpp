@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -101,6 +100,32 @@ class Checker {
       if (!(cable.restitution >= 0.0 && cable.restitution <= 1.0)) {
         add(name + ": restitution " + text(cable.restitution) + " is outside [0, 1]");
       }
+      check_speeds(name, cable);
+    }
+  }
+
+  /// What makes the restitution depend on the speed.
+  void check_speeds(const std::string& name, const Cable& cable) {
+    speed(name + ": capture_speed", cable.capture_speed);
+    const auto& table = cable.restitution_table;
+    for (std::size_t point = 0; point < table.size(); ++point) {
+      const std::string entry = name + ": restitution_table[" + std::to_string(point) + "]";
+      speed(entry + ": speed", table[point].speed);
+      if (point > 0 && table[point].speed <= table[point - 1].speed) {
+        add(entry + ": speed " + text(table[point].speed) + " must be above the one before, " +
+            text(table[point - 1].speed) + " [m/s]");
+      }
+      if (!(table[point].restitution >= 0.0 && table[point].restitution <= 1.0)) {
+        add(entry + ": restitution " + text(table[point].restitution) + " is outside [0, 1]");
+      }
+    }
+  }
+
+  void speed(const std::string& what, double value) {
+    if (!std::isfinite(value) || value < 0.0) {
+      add(what + " " + text(value) + " must be a finite number, 0 or above [m/s]");
+    } else {
+      finite(what, {value});
     }
   }
 
@@ -168,11 +193,6 @@ class Checker {
 };
 
 }  // namespace
-
-bool is_point_mass(const Case& the_case) {
-  return std::all_of(the_case.cables.begin(), the_case.cables.end(),
-                     [](const Cable& cable) { return cable.attachment.isZero(0.0); });
-}
 
 std::vector<std::string> problems(const Case& the_case) { return Checker(the_case).run(); }
 

@@ -1,142 +1,108 @@
 #include "tautline/scenarios.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
+#include <utility>
+
+#include "instantiate.hpp"
 
 namespace tautline {
 namespace {
 
-/// The start shared by all rigid-body rows of Table 5.1 (Eq. 5.122), but for angle and spin.
-State table_start(double angle = 0.0, double spin = 0.0) {
-  return {Vec2(0.1, 0.1), angle, Vec2(0.2, -0.1), spin};
+/// Four digits of a decimal number: `hundredths` / 100, rounded once.
+template <class Real>
+Real decimal(int hundredths) {
+  return Real(hundredths) / 100;
 }
 
-TableRow row(std::string_view number, double r, double e, double a, double b, Shape shape,
-             const State& initial = table_start()) {
-  return {number, {r, e, a, b, shape, initial}};
-}
+/// A start of Table 5.1, in hundredths: position, angle, velocity, spin.
+struct Start {
+  int x = 10, y = 10, angle = 0, vx = 20, vy = -10, spin = 0;  // of all rigid-body rows, Eq. 5.122
+};
 
-/// A container of 2 t on one sling that is not above its centre of mass, SI units.
-Case crane_load() {
-  Case result;
-  result.name = "crane-load";
-  result.body = {2000.0, 3400.0};
-  result.gravity = Vec2(0.0, -9.81);
-  result.cables = {{Vec2(0.0, 12.0), Vec2(0.4, 1.2), 8.0, 0.3}};
-  result.initial = {Vec2(0.5, 3.6), 0.1, Vec2(0.8, 0.0), 0.0};
-  result.duration = 10.0;
-  return result;
-}
+/// A row of Table 5.1: number, then r, e, a, b in hundredths.
+struct Row {
+  std::string_view number;
+  int r, e, a, b;
+  Shape shape;
+  Start start = {};
+};
 
-/// A buoy held down by gravity's mirror image: net buoyancy pulls it up, three cables hold it, SI.
-Case buoy_three_cables() {
-  Case result;
-  result.name = "buoy-three-cables";
-  result.body = {150.0, 40.0};
-  result.gravity = Vec2(0.0, 3.0);
-  result.cables = {{Vec2(-6.0, -8.0), Vec2(-0.6, -0.3), 10.0, 0.6},
-                   {Vec2(0.0, -8.0), Vec2(0.0, -0.5), 8.4, 0.4},
-                   {Vec2(6.0, -8.0), Vec2(0.6, -0.3), 10.0, 0.6}};
-  result.initial = {Vec2(0.5, -0.4), 0.15, Vec2(-0.6, 0.5), 0.2};
-  result.duration = 20.0;
-  return result;
-}
-
-/// A square plate slung from its four corners, nondimensional.
-Case plate_four_cables() {
-  Case result;
-  result.name = "plate-four-cables";
-  result.body = {1.0, 0.06};
-  result.cables = {{Vec2(-1.0, 1.5), Vec2(-0.3, 0.3), 1.6, 0.8},
-                   {Vec2(1.0, 1.5), Vec2(0.3, 0.3), 1.6, 0.8},
-                   {Vec2(-1.6, 1.5), Vec2(-0.3, -0.3), 2.3, 0.7},
-                   {Vec2(1.6, 1.5), Vec2(0.3, -0.3), 2.3, 0.7}};
-  result.initial = {Vec2(0.15, 0.1), 0.1, Vec2(-0.3, 0.2), 0.5};
-  result.duration = 20.0;
-  return result;
-}
-
-/// The standard breakwater with gravity turned by 0.2 rad: nothing is symmetric any more.
-Case tilted_breakwater() {
-  Case result =
-      breakwater({1.5, 0.9, 0.1, 0.0, Shape::ring, table_start(), 20.0}, "tilted-gravity");
-  constexpr double tilt = 0.2;  // [rad]
-  result.gravity = Vec2(std::sin(tilt), -std::cos(tilt));
-  return result;
-}
+constexpr Row rows[] = {
+    {"1910121100", 150, 90, 10, 0, Shape::ring},
+    {"2910121100", 250, 90, 10, 0, Shape::ring},
+    {"1911121100", 150, 90, 10, 10, Shape::box},
+    {"2911121100", 250, 90, 10, 10, Shape::box},
+    {"1921121100", 150, 90, 20, 10, Shape::box},
+    {"2921121100", 250, 90, 20, 10, Shape::box},
+    {"1110121100", 150, 100, 10, 0, Shape::ring},
+    {"1710121100", 150, 70, 10, 0, Shape::ring},
+    {"1510121100", 150, 50, 10, 0, Shape::ring},
+    {"1920121100", 150, 90, 20, 0, Shape::ring},
+    {"1930121100", 150, 90, 30, 0, Shape::ring},
+    {"1922121100", 150, 90, 20, 20, Shape::box},
+    {"1933121100", 150, 90, 30, 30, Shape::box},
+    {"1931121100", 150, 90, 30, 10, Shape::box},
+    {"19101211050", 150, 90, 10, 0, Shape::ring, {.angle = 5}},
+    {"1910121110", 150, 90, 10, 0, Shape::ring, {.angle = 10}},
+    {"19101211150", 150, 90, 10, 0, Shape::ring, {.angle = 15}},
+    {"19101211002", 150, 90, 10, 0, Shape::ring, {.spin = 2}},
+    {"19101211005", 150, 90, 10, 0, Shape::ring, {.spin = 5}},
+    {"1910121101", 150, 90, 10, 0, Shape::ring, {.spin = 10}},
+    {"1900461100", 150, 90, 0, 0, Shape::ring, {40, 100, 0, 60, -10, 0}},
+};
 
 }  // namespace
 
-Case breakwater(const Breakwater& parameters, const std::string& name, ChapterLimits limits) {
+template <class Real>
+BasicCase<Real> breakwater(const BasicBreakwater<Real>& parameters, const std::string& name,
+                           ChapterLimits limits) {
   const auto& [r, e, a, b, shape, initial, duration] = parameters;
-  if (!(r > 1.0 - a)) {
-    throw std::invalid_argument("breakwater: r " + std::to_string(r) + " is not above 1 - a = " +
-                                std::to_string(1.0 - a) + ": the body cannot float");
+  const Real span = 1 - a;
+  if (!(r > span)) {
+    throw std::invalid_argument(
+        "breakwater: r " + std::to_string(static_cast<double>(r)) + " is not above 1 - a = " +
+        std::to_string(static_cast<double>(span)) + ": the body cannot float");
   }
-  const double h = std::sqrt(r * r - (1.0 - a) * (1.0 - a));  // Eq. 5.30
-  Case result;
+  const Real h = sqrt(Real(r * r - span * span));  // Eq. 5.30
+  const Real one(1);
+  using Vector = BasicVec2<Real>;
+  BasicCase<Real> result;
   result.name = name;
-  result.body = {1.0, shape == Shape::ring ? a * a : (a * a + b * b) / 3.0};
-  result.cables = {{Vec2(-1.0, h + b), Vec2(-a, b), r, e}, {Vec2(1.0, h + b), Vec2(a, b), r, e}};
+  result.body = {one, shape == Shape::ring ? Real(a * a) : Real((a * a + b * b) / 3)};
+  result.cables = {{Vector(-one, h + b), Vector(-a, b), r, e},
+                   {Vector(one, h + b), Vector(a, b), r, e}};
   result.initial = initial;
   result.duration = duration;
   if (limits == ChapterLimits::on) {
-    result.angle_limit = 0.5 * std::numbers::pi;  // section 5.2.2.2
-    result.ceiling = h + b;                       // Eqs. 5.22 and 5.23
+    result.angle_limit = 2 * atan(one);  // pi / 2, section 5.2.2.2
+    result.ceiling = h + b;              // Eqs. 5.22 and 5.23
   }
   return result;
 }
 
-const std::vector<TableRow>& table_5_1() {
-  static const std::vector<TableRow> rows = {
-      row("1910121100", 1.5, 0.9, 0.1, 0.0, Shape::ring),
-      row("2910121100", 2.5, 0.9, 0.1, 0.0, Shape::ring),
-      row("1911121100", 1.5, 0.9, 0.1, 0.1, Shape::box),
-      row("2911121100", 2.5, 0.9, 0.1, 0.1, Shape::box),
-      row("1921121100", 1.5, 0.9, 0.2, 0.1, Shape::box),
-      row("2921121100", 2.5, 0.9, 0.2, 0.1, Shape::box),
-      row("1110121100", 1.5, 1.0, 0.1, 0.0, Shape::ring),
-      row("1710121100", 1.5, 0.7, 0.1, 0.0, Shape::ring),
-      row("1510121100", 1.5, 0.5, 0.1, 0.0, Shape::ring),
-      row("1920121100", 1.5, 0.9, 0.2, 0.0, Shape::ring),
-      row("1930121100", 1.5, 0.9, 0.3, 0.0, Shape::ring),
-      row("1922121100", 1.5, 0.9, 0.2, 0.2, Shape::box),
-      row("1933121100", 1.5, 0.9, 0.3, 0.3, Shape::box),
-      row("1931121100", 1.5, 0.9, 0.3, 0.1, Shape::box),
-      row("19101211050", 1.5, 0.9, 0.1, 0.0, Shape::ring, table_start(0.05)),
-      row("1910121110", 1.5, 0.9, 0.1, 0.0, Shape::ring, table_start(0.10)),
-      row("19101211150", 1.5, 0.9, 0.1, 0.0, Shape::ring, table_start(0.15)),
-      row("19101211002", 1.5, 0.9, 0.1, 0.0, Shape::ring, table_start(0.0, 0.02)),
-      row("19101211005", 1.5, 0.9, 0.1, 0.0, Shape::ring, table_start(0.0, 0.05)),
-      row("1910121101", 1.5, 0.9, 0.1, 0.0, Shape::ring, table_start(0.0, 0.10)),
-      row("1900461100", 1.5, 0.9, 0.0, 0.0, Shape::ring,
-          {Vec2(0.4, 1.0), 0.0, Vec2(0.6, -0.1), 0.0}),
-  };
-  return rows;
+template <class Real>
+std::vector<BasicTableRow<Real>> table_5_1() {
+  std::vector<BasicTableRow<Real>> table;
+  for (const Row& row : rows) {
+    const Start& start = row.start;
+    BasicBreakwater<Real> parameters;
+    parameters.r = decimal<Real>(row.r);
+    parameters.e = decimal<Real>(row.e);
+    parameters.a = decimal<Real>(row.a);
+    parameters.b = decimal<Real>(row.b);
+    parameters.shape = row.shape;
+    parameters.initial.position = {decimal<Real>(start.x), decimal<Real>(start.y)};
+    parameters.initial.angle = decimal<Real>(start.angle);
+    parameters.initial.velocity = {decimal<Real>(start.vx), decimal<Real>(start.vy)};
+    parameters.initial.spin = decimal<Real>(start.spin);
+    table.push_back({row.number, parameters});
+  }
+  return table;
 }
 
-Case bouncing_ball(double restitution) {
-  Case result;
-  result.name = "bouncing-ball";
-  result.body = {1.0, 0.4};
-  result.cables = {{Vec2(0.0, 2.0), Vec2(0.0, 0.0), 2.0, restitution}};
-  result.initial.position = Vec2(0.0, 0.5);
-  result.duration = 10.0;
-  return result;
-}
-
-std::vector<Case> shipped_cases() {
-  std::vector<Case> cases;
-  for (const TableRow& table_row : table_5_1()) {
-    cases.push_back(
-        breakwater(table_row.parameters, "breakwater/" + std::string(table_row.number)));
-  }
-  for (Case& other : std::vector<Case>{bouncing_ball(), crane_load(), buoy_three_cables(),
-                                       plate_four_cables(), tilted_breakwater()}) {
-    cases.push_back(std::move(other));
-  }
-  return cases;
-}
+template BasicCase<Instance> breakwater(const BasicBreakwater<Instance>&, const std::string&,
+                                        ChapterLimits);
+template std::vector<BasicTableRow<Instance>> table_5_1();
 
 }  // namespace tautline

@@ -1,46 +1,52 @@
 #include "tautline/solve.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "tautline/accumulation.hpp"
+#include "instantiate.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/impact.hpp"
+#include "tautline/hold.hpp"
+#include "tautline/limits.hpp"
+#include "tautline/projection.hpp"
 
 namespace tautline {
 namespace {
 
 /// Rounding of a gap rate against the fastest speed so far [-]: some ten operations of one ulp
 /// each. Not against the present speed: the body may be stopped within an instant by ever smaller
-/// impacts, and what is left then is rounding of the speeds before.
-constexpr double rate_rounding = 1e-14;
+/// impacts, and what is left then is rounding of the speeds before. 1e-14 in double.
+template <class Real>
+Real rate_rounding() {
+  return 45 * epsilon<Real>();
+}
 
-/// The instant that ends a flight, and what happens there.
+/// The instant that ends an arc, and what happens there.
+template <class Real>
 struct Stop {
-  double dt;                     // [s] from the start of the flight; NaN: numbers overflowed
-  std::optional<Ending> ending;  // none: `cables` become taut, and the motion goes on
-  CableSet cables;
+  Real dt;                       // [s] from the start of the arc; NaN: numbers overflowed
+  std::optional<Ending> ending;  // none: the motion goes on
+  CableSet cables;               // that become taut
 };
 
-/// True while the state, its energy and the squares of its numbers fit a double.
-bool fits(const Case& the_case, const State& state) {
-  return std::isfinite(energy(the_case, state)) && std::isfinite(state.angle) &&
-         std::isfinite(state.position.squaredNorm()) &&
-         std::isfinite(state.velocity.squaredNorm()) && std::isfinite(state.spin * state.spin);
+/// True while the state, its energy and the squares of its numbers fit a Real.
+template <class Real>
+bool fits(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+  return isfinite(energy(the_case, state)) && isfinite(state.angle) &&
+         isfinite(state.position.squaredNorm()) && isfinite(state.velocity.squaredNorm()) &&
+         isfinite(Real(state.spin * state.spin));
 }
 
 /// The motion so far: where it is now, and what has been recorded.
+template <class Real>
 class Motion {
  public:
-  explicit Motion(const Case& the_case, const SolveOptions& options)
+  explicit Motion(const BasicCase<Real>& the_case, const SolveOptions& options)
       : case_(the_case), options_(options), state_(the_case.initial) {
     note_speed();
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      const Cable& cable = case_.cables[index];
+      const BasicCable<Real>& cable = case_.cables[index];
       if (gap(cable, state_) <= gap_rounding * cable.length) {
         touching_.cables.insert(index);
       }
@@ -48,20 +54,23 @@ class Motion {
   }
 
   /// The whole algorithm.
-  Solution run() {
+  BasicSolution<Real> run() {
     for (std::size_t round = 0; round < options_.max_events; ++round) {
-      if (const auto taut = capture(case_, state_, touching_, options_.capture_speed)) {
-        return finish_taut(*taut);
+      complete_accumulation();
+      if (!hold_resting()) {
+        return finish(Ending::singular);
       }
-      const Stop stop = next_stop();
-      if (std::isnan(stop.dt) || !fits(case_, fly(state_, case_.gravity, stop.dt))) {
+      if (at_rest()) {
+        return come_to_rest();
+      }
+      const Stop<Real> stop = next_stop();
+      if (isnan(stop.dt) || !move(stop)) {
         return finish(Ending::overflow);
       }
-      fly_to(stop);
       if (stop.ending) {
         return finish(*stop.ending);
       }
-      if (!hit()) {
+      if (!stop.cables.empty() && !hit()) {
         return finish(Ending::overflow);
       }
     }
@@ -69,57 +78,170 @@ class Motion {
   }
 
  private:
-  /// The earliest of: a contact, a limit of the case's validity, the end of the duration.
-  [[nodiscard]] Stop next_stop() const {
-    const double remaining = case_.duration - time_;
-    Stop stop{remaining, Ending::reached_duration, {}};
-    if (const auto search = first_contact(case_, state_, touching_, stop.dt); search.contact) {
+  /// Where the bounces of the touching cables accumulate, their end.
+  void complete_accumulation() {
+    if (touching_.cables == taut_) {
+      return;  // nothing bounces
+    }
+    const auto done = capture(case_, state_, touching_, options_.completion);
+    if (!done) {
+      return;
+    }
+    record(EventKind::taut, done->cables,
+           -multipliers<Real>(case_, state_, done->cables, gap_rates(case_, state_, done->cables)),
+           done->after);
+    if (done->ends) {
+      accumulations_.push_back({time_, time_ + done->remaining, done->uncertainty, done->cables,
+                                energy(case_, events_.back().before) - energy(case_, state_)});
+    }
+    touching_.cables = touching_.cables | done->cables;
+    taut_ = taut_ | done->cables;
+  }
+
+  /// Finds out which of the cables at zero gap and rate stay taut, and records what has changed.
+  /// False where the motion has no continuation.
+  [[nodiscard]] bool hold_resting() {
+    held_.reset();
+    if (!resting().empty()) {
+      held_ = hold(case_, state_, touching_, resting());
+      if (!held_ && is_caught()) {
+        state_.velocity.setZero();
+        state_.spin = Real(0);
+        held_ = hold(case_, state_, touching_, resting());
+      }
+      if (!held_ || is_singular(*held_)) {
+        return false;
+      }
+    }
+    const CableSet taut = held_ ? held_->taut() : CableSet{};
+    if (const CableSet lost = taut_ - taut; !lost.empty()) {
+      record(EventKind::slack, lost, zeros(lost), state_);
+    }
+    if (const CableSet won = taut - taut_; !won.empty()) {
+      state_ = projected(case_, state_, taut);
+      record(EventKind::taut, won, zeros(won), state_);
+    }
+    taut_ = taut;
+    return true;
+  }
+
+  /// The touching cables whose gap rate is zero within rounding.
+  [[nodiscard]] CableSet resting() const {
+    CableSet result;
+    for (const std::size_t index : touching_.cables) {
+      if (abs(gap_rate(case_.cables[index], state_)) <= touching_.rate_rounding) {
+        result.insert(index);
+      }
+    }
+    return result;
+  }
+
+  /// True where what is left of the motion is rounding of the motion before, between cables that
+  /// leave it nowhere to go.
+  [[nodiscard]] bool is_caught() const {
+    constexpr double of_rounding = 100.0;  // [-], left by a long row of impacts within an instant
+    return speed_scale(case_, state_) <= of_rounding * touching_.rate_rounding;
+  }
+
+  /// True where no time step is small enough: tensions grow without bound.
+  [[nodiscard]] bool is_singular(const BasicHold<Real>& held) const {
+    return !(time_ + held.reach > time_);
+  }
+
+  /// True where held cables keep the body from moving, now and so for ever.
+  [[nodiscard]] bool at_rest() const {
+    if (taut_.empty()) {
+      return false;
+    }
+    Real radius(0);
+    for (const BasicCable<Real>& cable : case_.cables) {
+      radius = max(radius, Real(cable.attachment.norm()));
+    }
+    const auto& motion = held_->motion;
+    const Real still = rate_rounding<Real>() * 100 * case_.gravity.norm();
+    return speed_scale(case_, state_) <= touching_.rate_rounding &&
+           (radius > 0 || state_.spin == 0) &&
+           abs(motion.x()[2]) + abs(motion.y()[2]) + radius * abs(motion.angle()[2]) <= still;
+  }
+
+  /// The earliest of: a contact, a release, the reach of a series, a limit of the case's validity,
+  /// the end of the duration.
+  [[nodiscard]] Stop<Real> next_stop() const {
+    Stop<Real> stop{case_.duration - time_, Ending::reached_duration, {}};
+    if (held_) {
+      const auto change = first_change(case_, *held_, stop.dt);
+      if (!(change.dt >= stop.dt) || !change.cables.empty()) {
+        stop = {change.dt, std::nullopt, change.cables};
+      }
+    } else if (const auto search = first_contact(case_, state_, touching_, stop.dt);
+               search.contact) {
       stop = {search.contact->dt, std::nullopt, search.contact->cables};
     }
-    if (std::isnan(stop.dt)) {
+    if (isnan(stop.dt)) {
       return stop;
     }
-    if (const auto dt = time_to_angle_limit(case_, state_, stop.dt)) {
+    if (const auto dt = held_ ? time_to_angle_limit(case_, held_->motion, stop.dt)
+                              : time_to_angle_limit(case_, state_, stop.dt)) {
       stop = {*dt, Ending::angle_limit, {}};
     }
-    if (const auto dt = time_to_ceiling(case_, state_, stop.dt)) {
+    if (const auto dt = held_ ? time_to_ceiling(case_, held_->motion, stop.dt)
+                              : time_to_ceiling(case_, state_, stop.dt)) {
       stop = {*dt, Ending::ceiling, {}};
     }
     return stop;
   }
 
-  /// Appends the arc of the flight and moves to its end.
-  void fly_to(const Stop& stop) {
-    const double end = stop.ending == Ending::reached_duration ? case_.duration : time_ + stop.dt;
-    arcs_.push_back({time_, end, state_, {}});
-    state_ = fly(state_, case_.gravity, stop.dt);
-    close_gaps(stop.cables);
-    time_ = end;
-    touching_.cables = stop.dt > 0.0 ? stop.cables : touching_.cables | stop.cables;
-    note_speed();
-  }
-
-  /// Takes back what rounding has left of the gaps of cables at zero gap once it is more than a few
-  /// flights leave: over thousands of bounces it would add up.
-  void close_gaps(CableSet cables) {
-    constexpr double drift = 1e-14;  // [-] of a cable's length; one flight leaves some 1e-16
-    for (const std::size_t index : cables) {
-      const Cable& cable = case_.cables[index];
-      const double left = gap(cable, state_);
-      if (std::abs(left) > drift * cable.length) {
-        state_.position += left * (attachment_point(state_, cable) - cable.anchor).normalized();
+  /// Appends the arc up to `stop` and moves to its end. False, and nothing done, on overflow.
+  [[nodiscard]] bool move(const Stop<Real>& stop) {
+    const Real end =
+        stop.ending == Ending::reached_duration ? case_.duration : Real(time_ + stop.dt);
+    BasicArc<Real> arc{time_, end, state_, taut_, {}};
+    if (held_ && !held_->pulling.empty()) {  // else the closed form of flight
+      const auto terms = static_cast<Eigen::Index>(held_->motion.x().size());
+      arc.series.resize(terms, 3);
+      Eigen::Index axis = 0;
+      for (const auto channel : {held_->motion.x(), held_->motion.y(), held_->motion.angle()}) {
+        arc.series.col(axis++) =
+            Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, 1>>(channel.data(), terms);
       }
     }
+    BasicState<Real> next = arc.after(stop.dt, case_.gravity);
+    if (!fits(case_, next)) {
+      return false;
+    }
+    arcs_.push_back(std::move(arc));
+    const CableSet held = held_ ? held_->pulling : CableSet{};
+    state_ = on_cables(next, held, stop.cables);
+    time_ = end;
+    touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
+    note_speed();
+    return true;
+  }
+
+  /// `state` with what rounding has left of the gaps and rates of taut cables taken away, and of
+  /// the gaps of those just hit once it is more than a few arcs leave.
+  [[nodiscard]] BasicState<Real> on_cables(BasicState<Real> state, CableSet held,
+                                           CableSet hit) const {
+    const Real drift = 45 * epsilon<Real>();  // [-] of a cable's length; one arc leaves one or two
+    bool drifted = !held.empty();
+    for (const std::size_t index : hit) {
+      const BasicCable<Real>& cable = case_.cables[index];
+      drifted = drifted || abs(gap(cable, state)) > drift * cable.length;
+    }
+    if (drifted) {
+      state = with_zero_gaps(case_, state, held | hit);
+    }
+    return held.empty() ? state : with_zero_rates(case_, state, held);
   }
 
   /// Keeps the rounding of gap rates up to date.
   void note_speed() {
     touching_.rate_rounding =
-        std::max(touching_.rate_rounding, rate_rounding * speed_scale(case_, state_));
+        max(touching_.rate_rounding, Real(rate_rounding<Real>() * speed_scale(case_, state_)));
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
-  /// False, and nothing done, where the rebound does not fit a double.
+  /// False, and nothing done, where the rebound does not fit a Real.
   [[nodiscard]] bool hit() {
     CableSet closing;
     for (const std::size_t index : touching_.cables) {
@@ -130,53 +252,68 @@ class Motion {
     if (closing.empty()) {
       return true;
     }
-    Impact impact = newton_impact(case_, state_, closing);
+    BasicImpact<Real> impact = resolve_impact(options_.law, case_, state_, closing);
     if (!fits(case_, impact.after) || !impact.impulses.allFinite()) {
       return false;
     }
-    events_.push_back(
-        {time_, EventKind::impact, closing, std::move(impact.impulses), state_, impact.after});
-    state_ = impact.after;
+    record(EventKind::impact, closing, std::move(impact.impulses), impact.after);
     return true;
   }
 
-  Solution finish_taut(const Capture& taut) {
-    const auto count = static_cast<Eigen::Index>(taut.cables.size());
-    events_.push_back(
-        {time_, EventKind::taut, taut.cables, CableVector::Zero(count), state_, taut.after});
-    state_ = taut.after;
-    if (taut.remaining == 0.0) {  // exactly: resting cables have no bounces left
-      return finish(Ending::taut);
-    }
-    accumulation_ = Accumulation{time_ + taut.remaining, taut.uncertainty, taut.cables, taut.after,
-                                 energy(case_, taut.after)};
-    return finish(Ending::zeno);
+  /// Appends an event that takes the present state to `after`.
+  void record(EventKind kind, CableSet cables, BasicCableVector<Real> impulses,
+              BasicState<Real> after) {
+    events_.push_back({time_, kind, cables, std::move(impulses), state_, after});
+    state_ = std::move(after);
   }
 
-  Solution finish(Ending ending) {
+  [[nodiscard]] static BasicCableVector<Real> zeros(CableSet cables) {
+    return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
+  }
+
+  BasicSolution<Real> come_to_rest() {
+    state_.velocity.setZero();
+    state_.spin = Real(0);
+    BasicArc<Real> rest{time_, case_.duration, state_, taut_, {}};
+    rest.series.resize(1, 3);
+    rest.series << state_.position.x(), state_.position.y(), state_.angle;
+    arcs_.push_back(std::move(rest));
+    return solution(Ending::rest);
+  }
+
+  BasicSolution<Real> finish(Ending ending) {
     if (ending != Ending::reached_duration) {
-      arcs_.push_back({time_, time_, state_, {}});  // the last state, after its event
+      arcs_.push_back({time_, time_, state_, taut_, {}});  // the last state, after its event
     }
-    return {case_.gravity, std::move(arcs_), std::move(events_), ending, std::move(accumulation_)};
+    return solution(ending);
   }
 
-  const Case& case_;
+  BasicSolution<Real> solution(Ending ending) {
+    return {case_.gravity, std::move(arcs_), std::move(events_), ending, std::move(accumulations_)};
+  }
+
+  const BasicCase<Real>& case_;
   const SolveOptions& options_;
-  double time_ = 0.0;
-  State state_;
-  Touching touching_;
-  std::vector<Arc> arcs_;
-  std::vector<Event> events_;
-  std::optional<Accumulation> accumulation_;
+  Real time_ = Real(0);
+  BasicState<Real> state_;
+  BasicTouching<Real> touching_;
+  CableSet taut_;                        // as far as recorded
+  std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
+  std::vector<BasicArc<Real>> arcs_;
+  std::vector<BasicEvent<Real>> events_;
+  std::vector<BasicAccumulation<Real>> accumulations_;
 };
 
 }  // namespace
 
-Solution solve(const Case& the_case, const SolveOptions& options) {
-  if (const auto broken = problems(the_case); !broken.empty()) {
+template <class Real>
+BasicSolution<Real> solve(const BasicCase<Real>& the_case, const SolveOptions& options) {
+  if (const auto broken = problems(in_double(the_case)); !broken.empty()) {
     throw std::invalid_argument(broken.front());
   }
-  return Motion(the_case, options).run();
+  return Motion<Real>(the_case, options).run();
 }
+
+template BasicSolution<Instance> solve(const BasicCase<Instance>&, const SolveOptions&);
 
 }  // namespace tautline

@@ -22,6 +22,11 @@ Cable read_cable(StrictTable& table) {
   cable.attachment = table.pair("attachment", "[m]");
   cable.length = table.number("length", above_zero, "[m]");
   cable.restitution = table.number("restitution", zero_to_one, "");
+  cable.capture_speed =
+      table.optional_number("capture_speed", zero_or_above, "[m/s]").value_or(0.0);
+  for (const Vec2& point : table.pairs("restitution_table", "[speed, restitution]", "[m/s, -]")) {
+    cable.restitution_table.push_back({point.x(), point.y()});
+  }
   table.refuse_unknown_keys();
   return cable;
 }

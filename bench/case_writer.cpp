@@ -16,6 +16,14 @@ std::string pair(const Vec2& value) {
   return "[" + number(value.x()) + ", " + number(value.y()) + "]";
 }
 
+std::string pairs(const std::vector<RestitutionPoint>& table) {
+  std::string result;
+  for (const RestitutionPoint& point : table) {
+    result += (result.empty() ? "[" : ", ") + pair({point.speed, point.restitution});
+  }
+  return result + "]";
+}
+
 std::string quoted(const std::string& text) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string result = "\"";
@@ -55,6 +63,12 @@ std::string write_case(const Case& the_case) {
     line("attachment", pair(cable.attachment));
     line("length", number(cable.length));
     line("restitution", number(cable.restitution));
+    if (cable.capture_speed != 0.0) {  // exactly: the default
+      line("capture_speed", number(cable.capture_speed));
+    }
+    if (!cable.restitution_table.empty()) {
+      line("restitution_table", pairs(cable.restitution_table));
+    }
   }
   text += "\n[initial]\n";
   line("position", pair(the_case.initial.position));

@@ -28,7 +28,7 @@ void print_metrics(const ordered_json& object, const std::string& prefix, Table&
   for (const auto& [key, value] : object.items()) {
     std::string name = prefix + key;
     std::replace(name.begin(), name.end(), '_', ' ');
-    if (value.is_object()) {
+    if (value.is_structured()) {
       print_metrics(value, name + ": ", table);
     } else {
       table.add({name, value_text(value)});

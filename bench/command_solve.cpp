@@ -2,23 +2,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/certify.hpp"
 #include "bench/commands.hpp"
 #include "bench/solution_json.hpp"
+#include "bench/solution_text.hpp"
 #include "bench/table.hpp"
 #include "bench/text.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
-
-std::string cable_list(CableSet cables) {
-  std::string result;
-  for (const std::size_t index : cables) {
-    result += (result.empty() ? "" : "+") + std::to_string(index);
-  }
-  return result;
-}
 
 /// The fastest closing rate and the sum of the impulses of one event.
 std::vector<std::string> event_cells(const Case& the_case, const Event& event) {
@@ -40,39 +35,13 @@ std::vector<std::string> event_cells(const Case& the_case, const Event& event) {
           fmt::format("{:.6f}", after.spin)};
 }
 
-/// What an ending means, in a sentence.
-std::string ending_sentence(const Case& the_case, const Solution& solution) {
-  const double end = solution.end_time();
-  switch (solution.ending()) {
-    case Ending::reached_duration:
-      return fmt::format("The run reached its duration, t = {}.", end);
-    case Ending::zeno:
-      return fmt::format(
-          "Impacts accumulate on cable {} at t = {:.9f} (+- {:.0e}): infinitely many before then.\n"
-          "{:.6g} of the initial energy {:.6g} is left for the motion on taut cables, which is not "
-          "followed further.",
-          cable_list(solution.accumulation()->cables), solution.accumulation()->time,
-          solution.accumulation()->uncertainty, solution.accumulation()->energy,
-          energy(the_case, the_case.initial));
-    case Ending::taut:
-      return fmt::format(
-          "Cable {} stays taut from t = {:.9f}; the motion on taut cables is not followed further.",
-          cable_list(solution.events().back().cables), end);
-    case Ending::angle_limit:
-      return fmt::format("|angle| reached the limit {} at t = {:.9f}.", *the_case.angle_limit, end);
-    case Ending::ceiling:
-      return fmt::format("An attachment reached the ceiling {} at t = {:.9f}.", *the_case.ceiling,
-                         end);
-    case Ending::event_limit:
-      return fmt::format("Stopped after {} events, at t = {:.9f}.", solution.events().size(), end);
-    case Ending::overflow:
-      return fmt::format(
-          "Stopped at t = {:.9f}: past it the motion has numbers too large for a double.", end);
-  }
-  return "";
-}
+/// Everything `solve` says of a case beside its motion.
+struct Extras {
+  Settling settling;
+  std::optional<Certificate> certificate;
+};
 
-void print_solution(const Case& the_case, const Solution& solution,
+void print_solution(const Case& the_case, const Solution& solution, const Extras& extras,
                     const std::vector<double>& times) {
   fmt::print("{}: {} cable{}, {} events\n\n", printable(the_case.name), the_case.cables.size(),
              the_case.cables.size() == 1 ? "" : "s", solution.events().size());
@@ -95,7 +64,10 @@ void print_solution(const Case& the_case, const Solution& solution,
   if (!samples.empty()) {
     fmt::print("{}\n", samples.plain());
   }
-  fmt::print("{}\n", ending_sentence(the_case, solution));
+  if (extras.certificate) {
+    fmt::print("{}\n", certificate_text(*extras.certificate, the_case, solution));
+  }
+  fmt::print("{}", summary_text(the_case, solution, extras.settling));
 }
 
 /// The one case that `command` means, with its overrides; or complains.
@@ -114,26 +86,49 @@ std::optional<Case> wanted_case(const SolveCommand& command) {
   return found;
 }
 
+/// What is wrong with --certify and --digits; none if nothing is.
+std::optional<std::string> certify_problem(const SolveCommand& command) {
+  if (!command.digits) {
+    return std::nullopt;
+  }
+  return command.certify
+             ? digits_problem(*command.digits)
+             : fmt::format("--digits {}: is for --certify, which is not given", *command.digits);
+}
+
 }  // namespace
 
 int solve_command(const SolveCommand& command) {
+  if (const auto broken = certify_problem(command)) {
+    complain({*broken});
+    return exit_usage;
+  }
   const std::optional<Case> the_case = wanted_case(command);
   if (!the_case) {
     return exit_usage;
   }
-  const SolveOptions options;
+  SolveOptions options;
+  options.law = command.law;
   const Solution solution = solve(*the_case, options);
   const std::vector<std::string> broken = sample_problems(solution, command.at);
   if (!broken.empty()) {
     complain(broken);
     return exit_usage;
   }
+  Extras extras{settling(*the_case, solution), std::nullopt};
+  if (command.certify) {
+    extras.certificate =
+        certify(*the_case, options, solution, command.digits.value_or(default_digits));
+  }
   if (command.json.empty()) {
-    print_solution(*the_case, solution, command.at);
+    print_solution(*the_case, solution, extras, command.at);
     return exit_done;
   }
-  write_output(command.json,
-               solution_json(*the_case, options, solution, command.at).dump(2) + "\n");
+  auto json = solution_json(*the_case, options, solution, extras.settling, command.at);
+  if (extras.certificate) {
+    json["certificate"] = certificate_json(*extras.certificate);
+  }
+  write_output(command.json, json.dump(2) + "\n");
   return exit_done;
 }
 

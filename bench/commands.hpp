@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/impact.hpp"
 
 namespace tautline::bench {
 
@@ -21,7 +22,10 @@ struct SolveCommand {
   std::vector<double> at;             // [s], times of samples
   std::optional<double> angle_limit;  // [rad], instead of the case's
   std::optional<double> ceiling;      // [m], instead of the case's
-  std::string json;                   // file, "-" for standard output, or empty
+  ImpactLaw law = ImpactLaw::simultaneous;
+  bool certify = false;       // also solve with more digits, and compare
+  std::optional<int> digits;  // of that; `default_digits` if not given
+  std::string json;           // file, "-" for standard output, or empty
 };
 [[nodiscard]] int solve_command(const SolveCommand& command);
 
@@ -52,6 +56,13 @@ struct BenchCommand {
   std::string command_line;  // as it was typed, for the report
 };
 [[nodiscard]] int bench_command(const BenchCommand& command);
+
+/// What `tautline reproduce` was asked.
+struct ReproduceCommand {
+  std::filesystem::path out = "results";
+  std::string json;
+};
+[[nodiscard]] int reproduce_command(const ReproduceCommand& command);
 
 /// What `tautline engines` was asked.
 struct EnginesCommand {

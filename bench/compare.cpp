@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "bench/compare_settling.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -100,7 +101,7 @@ std::vector<CountedImpact> counted(const Trajectory& run, double count_speed) {
   return result;
 }
 
-/// Adds what the run's counted impacts say: restitution up to `end`, and what there is besides.
+/// Adds what the run's counted impacts say: restitution up to `end` [s], and what there is besides.
 void add_run_impacts(const Case& the_case, const Trajectory& run, double end, double count_speed,
                      Metrics& metrics) {
   MeasuredRestitution result;
@@ -120,7 +121,7 @@ void add_run_impacts(const Case& the_case, const Trajectory& run, double end, do
       continue;
     }
     const double measured = -impact.rate_after / impact.rate_before;
-    const double wanted = the_case.cables[impact.cable].restitution;
+    const double wanted = restitution(the_case.cables[impact.cable], impact.rate_before);
     ++result.count;
     sum += measured;
     result.smallest = std::min(result.smallest, measured);
@@ -131,15 +132,6 @@ void add_run_impacts(const Case& the_case, const Trajectory& run, double end, do
     result.mean = sum / static_cast<double>(result.count);
     metrics.restitution = result;
   }
-}
-
-/// The last of `impacts` that is not after `end`.
-std::optional<double> last_time(const std::vector<CountedImpact>& impacts, double end) {
-  std::optional<double> last;
-  for (const CountedImpact& impact : impacts) {
-    last = impact.time <= end ? std::optional(impact.time) : last;
-  }
-  return last;
 }
 
 /// Where the early window ends: halfway to the impact after its last.
@@ -191,8 +183,14 @@ std::vector<std::pair<std::size_t, std::size_t>> match_impacts(
   return pairs;
 }
 
-Metrics compare(const Case& the_case, const Solution& solution, double horizon,
-                const Trajectory& run, const CompareOptions& options) {
+bool reaches(const Trajectory& run, double time) {
+  constexpr double near_enough = 0.98;  // [-]
+  const double end = run.stop ? run.stop->time : run.points.back().time;
+  return end >= near_enough * time;
+}
+
+Metrics compare(const Case& the_case, const Solution& solution, const Settling& settling,
+                double horizon, const Trajectory& run, const CompareOptions& options) {
   const double end = solution.end_time();
   const auto exact = counted_impacts(the_case, solution, options.count_speed);
   const auto found = counted(run, options.count_speed);
@@ -204,17 +202,16 @@ Metrics compare(const Case& the_case, const Solution& solution, double horizon,
     metrics.deviation[window] = deviation(solution, run, ends[window]);
     metrics.impacts[window] = within(exact, found, pairs, ends[window]);
   }
-  if (solution.ending() == Ending::zeno || solution.ending() == Ending::taut) {
-    metrics.exact_settling_time = last_time(exact, solution.end_time());
-    metrics.settling_time = last_time(found, solution.end_time());
-  }
+  metrics.last_impacts = match_last_impacts(settling, run, end);
+  metrics.swing = match_swing(the_case, solution, settling, run);
   metrics.overstretch = run.overstretch;
   metrics.energy_gain = run.largest_energy - energy(the_case, run.points.front().state);
   const auto last = std::find_if(run.points.rbegin(), run.points.rend(),
                                  [end](const Point& point) { return point.time <= end; });
   metrics.energy_error =
       std::abs(energy(the_case, last->state) - energy(the_case, solution.at(last->time)));
-  add_run_impacts(the_case, run, end, options.count_speed, metrics);
+  add_run_impacts(the_case, run, settling.lock ? settling.lock->time : end, options.count_speed,
+                  metrics);
   return metrics;
 }
 

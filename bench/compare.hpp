@@ -9,6 +9,7 @@
 
 #include "bench/record.hpp"
 #include "tautline/case.hpp"
+#include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline::bench {
@@ -45,8 +46,8 @@ struct ImpactMatch {
   std::optional<double> worst_time_error;  // [s], over the pairs
 };
 
-/// Restitution measured at each counted impact of a single step, up to the end of the exact
-/// solution, against the cables' own.
+/// Restitution measured at each counted impact of a single step, up to the exact lock, or to the
+/// end of the exact solution without one, against the cables' own.
 struct MeasuredRestitution {
   std::size_t count = 0;
   double smallest = 0.0;  // [-]
@@ -55,17 +56,34 @@ struct MeasuredRestitution {
   double worst = 0.0;     // [-], largest distance from the cable's restitution
 };
 
+/// The last impact faster than a threshold: settling by its first definition.
+struct LastImpactMatch {
+  double speed;                 // [m/s], the threshold
+  std::optional<double> exact;  // [s]; none if the exact motion does not lock
+  std::optional<double> found;  // [s], the run's; none too if it stopped before `exact`
+};
+
+/// The swing on the cables that are taut in the end, over the last period of a run.
+struct SwingMatch {
+  double from;             // [s]
+  double until;            // [s], one period of the exact swing later
+  double exact_energy;     // [J], above the equilibrium of the exact swing
+  double energy;           // [J], the run's above the same, mean over its samples
+  double exact_amplitude;  // [rad], half the range of the angle
+  double amplitude;        // [rad], the same over the run's samples
+};
+
 /// Everything `compare` says of one run.
 struct Metrics {
   std::array<Deviation, windows.size()> deviation;  // by Window
   std::array<ImpactMatch, windows.size()> impacts;  // by Window
-  std::optional<double> exact_settling_time;  // [s], last counted impact before an accumulation
-  std::optional<double> settling_time;        // [s], the run's, up to the end of the exact solution
-  std::size_t later_impacts = 0;              // counted impacts of the run after that end
-  std::size_t long_impacts = 0;               // counted impacts, up to that end, of several steps
-  double overstretch = 0.0;                   // [m], largest
-  double energy_gain = 0.0;                   // [J], largest rise above the start
-  double energy_error = 0.0;                  // [J], against exact at the end of Window::whole
+  std::vector<LastImpactMatch> last_impacts;        // in falling speed
+  std::size_t later_impacts = 0;    // counted impacts of the run after the exact lock
+  std::size_t long_impacts = 0;     // counted impacts, up to the exact lock, of several steps
+  std::optional<SwingMatch> swing;  // none without an exact swing, or a period of it in the run
+  double overstretch = 0.0;         // [m], largest
+  double energy_gain = 0.0;         // [J], largest rise above the start
+  double energy_error = 0.0;        // [J], against exact at the end of Window::whole
   std::optional<MeasuredRestitution> restitution;  // none if no impact was counted
 };
 
@@ -80,11 +98,16 @@ struct CountedImpact {
 [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> match_impacts(
     const std::vector<CountedImpact>& exact, const std::vector<CountedImpact>& found);
 
-/// Holds `run` against `solution`, both of `the_case`; `horizon` [s] from `predictability_horizon`.
-/// Windows end where the exact solution says; what a run that ends earlier does not reach, it
-/// misses.
-[[nodiscard]] Metrics compare(const Case& the_case, const Solution& solution, double horizon,
-                              const Trajectory& run, const CompareOptions& options = {});
+/// True where `run` goes on to `time` [s]. It may stop where impacts accumulate, and rounding moves
+/// that instant: a little before is near enough.
+[[nodiscard]] bool reaches(const Trajectory& run, double time);
+
+/// Holds `run` against `solution`, both of `the_case`; `settling` of the solution, `horizon` [s]
+/// from `predictability_horizon`. Windows end where the exact solution says; what a run that ends
+/// earlier does not reach, it misses.
+[[nodiscard]] Metrics compare(const Case& the_case, const Solution& solution,
+                              const Settling& settling, double horizon, const Trajectory& run,
+                              const CompareOptions& options = {});
 
 /// The impacts of a solution whose fastest cable closes faster than `count_speed`, one entry a
 /// cable.

@@ -1,16 +1,17 @@
 #pragma once
 
 #include "tautline/case.hpp"
+#include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline::bench {
 
-/// The predictability horizon [s]: the first instant at which an exact run that started `apart`
-/// away has moved `visible` away from `solution` of the same case, in position [m]. Beyond it,
-/// differences say nothing about an engine. If none moves that far, the instant at which the first
-/// of them ends. The runs are started `apart` to either side in each of the six initial values, in
-/// units of the case, as far as those starts are admissible.
+/// The predictability horizon [s]: the first instant at which a run that started `local_error` away
+/// from the exact one can be `visible` away, to first order, in the metric of
+/// analytic/README.md, Eq. 45 [m]. Beyond it, differences say nothing about an engine. The end of
+/// `solution`, which solves `the_case` under `law`, if the error does not grow that much.
 [[nodiscard]] double predictability_horizon(const Case& the_case, const Solution& solution,
-                                            double apart = 1e-12, double visible = 1e-3);
+                                            ImpactLaw law = ImpactLaw::simultaneous,
+                                            double local_error = 1e-12, double visible = 1e-3);
 
 }  // namespace tautline::bench

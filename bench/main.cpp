@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <string>
 
 #include "bench/commands.hpp"
@@ -36,6 +37,14 @@ std::string typed(int count, char** arguments) {
   return result;
 }
 
+std::map<std::string, tautline::ImpactLaw> law_names() {
+  std::map<std::string, tautline::ImpactLaw> names;
+  for (const tautline::ImpactLaw law : tautline::impact_laws) {
+    names.emplace(tautline::to_string(law), law);
+  }
+  return names;
+}
+
 constexpr const char* case_help =
     "a case file (TOML), the name of a shipped case, or a pattern of such names in quotes: "
     "'breakwater/19*'; `tautline cases` lists them";
@@ -43,7 +52,7 @@ constexpr const char* case_help =
 /// The commands and their options; `code` gets the exit code of the one that ran. Everything given
 /// here must outlive `app`, which runs the command while it parses.
 void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, BenchCommand& bench,
-            EnginesCommand& engines, CasesCommand& cases) {
+            ReproduceCommand& reproduce, EnginesCommand& engines, CasesCommand& cases) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
 
@@ -57,6 +66,16 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
   command->add_option("--angle-limit", solve.angle_limit, "end where |angle| reaches this [rad]");
   command->add_option("--ceiling", solve.ceiling,
                       "end where an attachment rises to this height [m]");
+  command
+      ->add_option_function<std::string>(
+          "--law", [&solve](const std::string& name) { solve.law = law_names().at(name); },
+          "how impacts on several cables are resolved")
+      ->check(CLI::IsMember(law_names()))
+      ->default_str("simultaneous");
+  command->add_flag("--certify", solve.certify,
+                    "solve with many digits as well, and say how far the doubles are right");
+  command->add_option("--digits", solve.digits,
+                      "decimal digits for --certify, 20 to 1000 (default: 50)");
   command->add_option("--json", solve.json,
                       "write everything as JSON to this file, or to stdout: -");
   command->callback([&] { code = solve_command(solve); });
@@ -94,6 +113,14 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
                       "also write the report as JSON to this file, or to stdout: -");
   command->callback([&] { code = bench_command(bench); });
 
+  command = app.add_subcommand("reproduce",
+                               "The source chapter's tables and figures, and what it got wrong");
+  command->add_option("--out", reproduce.out, "folder for chapter.md, chapter.json and chapter/")
+      ->capture_default_str();
+  command->add_option("--json", reproduce.json,
+                      "also write chapter.json to this file, or to stdout: -");
+  command->callback([&] { code = reproduce_command(reproduce); });
+
   command =
       app.add_subcommand("engines", "The engines that are here, their models, and those missing");
   command->add_option("--json", engines.json,
@@ -113,10 +140,11 @@ int run_program(int count, char** arguments) {
   SolveCommand solve;
   RunCommand run;
   BenchCommand bench;
+  ReproduceCommand reproduce;
   EnginesCommand engines;
   CasesCommand cases;
   bench.command_line = typed(count, arguments);
-  set_up(app, code, solve, run, bench, engines, cases);
+  set_up(app, code, solve, run, bench, reproduce, engines, cases);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

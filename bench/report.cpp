@@ -72,7 +72,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   for (const ReferenceCase& reference : references) {
     cases.push_back(case_row(reference, options.compare));
   }
-  ordered_json report = {{"schema", 1},
+  ordered_json report = {{"schema", 2},
                          {"program", {{"name", "tautline"}, {"version", TAUTLINE_VERSION}}}};
   report["complete"] = result.runs.size() == result.planned;
   report["planned_runs"] = result.planned;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bench/solution_json.hpp"
 #include "bench/text.hpp"
 #include "tautline/geometry.hpp"
 
@@ -24,9 +25,14 @@ ordered_json who(const ReferenceCase& reference, const EngineInfo& engine, const
           {"step", run.step}};
 }
 
-/// A run may stop where impacts accumulate, and rounding moves that instant: one that stops before
-/// this part of the horizon has given up [-].
-constexpr double near_enough = 0.98;
+/// When the exact motion first has a taut cable [s]; its end without one. Engines that locate
+/// impacts may stop there: they do not follow the motion on taut cables.
+double first_taut(const Solution& solution) {
+  const auto& events = solution.events();
+  const auto found = std::find_if(events.begin(), events.end(),
+                                  [](const Event& event) { return event.kind == EventKind::taut; });
+  return found != events.end() ? found->time : solution.end_time();
+}
 
 /// "finished", "stopped", "diverged" or "failed", and the reason of the last three.
 std::pair<std::string, std::string> status(const ReferenceCase& reference, const RunReply& reply) {
@@ -39,7 +45,7 @@ std::pair<std::string, std::string> status(const ReferenceCase& reference, const
                                     run.points.back().time)};
   }
   if (run.stop) {
-    const bool early = run.stop->time < near_enough * reference.horizon;
+    const bool early = !reaches(run, std::min(reference.horizon, first_taut(reference.solution)));
     return {early ? "failed" : "stopped",
             (early ? "gave up before the horizon: " : "") + printable(run.stop->reason)};
   }
@@ -68,14 +74,30 @@ ordered_json window_json(const Metrics& metrics, std::size_t window) {
             {"worst_time_error", or_null(impacts.worst_time_error)}}}};
 }
 
+ordered_json settling_match_json(const Metrics& metrics) {
+  ordered_json impacts = ordered_json::array();
+  for (const LastImpactMatch& last : metrics.last_impacts) {
+    impacts.push_back(
+        {{"speed", last.speed}, {"exact", or_null(last.exact)}, {"found", or_null(last.found)}});
+  }
+  ordered_json swing = nullptr;
+  if (const auto& match = metrics.swing) {
+    swing = {{"from", match->from},
+             {"until", match->until},
+             {"energy", {{"exact", match->exact_energy}, {"found", match->energy}}},
+             {"amplitude", {{"exact", match->exact_amplitude}, {"found", match->amplitude}}}};
+  }
+  return {{"last_impacts", std::move(impacts)},
+          {"later_impacts", metrics.later_impacts},
+          {"swing", std::move(swing)}};
+}
+
 ordered_json metrics_json(const Metrics& metrics) {
   ordered_json json;
   for (const Window window : windows) {
     json[std::string(to_string(window))] = window_json(metrics, static_cast<std::size_t>(window));
   }
-  json["settling_time"] = {{"exact", or_null(metrics.exact_settling_time)},
-                           {"found", or_null(metrics.settling_time)},
-                           {"later_impacts", metrics.later_impacts}};
+  json["settling"] = settling_match_json(metrics);
   json["long_impacts"] = metrics.long_impacts;
   json["overstretch"] = metrics.overstretch;
   json["energy"] = {{"largest_gain", metrics.energy_gain}, {"error", metrics.energy_error}};
@@ -108,8 +130,9 @@ ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
     row["stride"] = reply.trajectory->stride;
     row["recorded_impacts"] = reply.trajectory->impacts.size();
     row["slow_impacts"] = reply.trajectory->slow_impacts;
-    row["metrics"] = metrics_json(compare(reference.the_case, reference.solution, reference.horizon,
-                                          *reply.trajectory, options));
+    row["metrics"] =
+        metrics_json(compare(reference.the_case, reference.solution, reference.settling,
+                             reference.horizon, *reply.trajectory, options));
   }
   return row;
 }
@@ -130,13 +153,6 @@ ordered_json timing_row(const ReferenceCase& reference, const EngineInfo& engine
 ordered_json case_row(const ReferenceCase& reference, const CompareOptions& options) {
   const Solution& solution = reference.solution;
   const Case& the_case = reference.the_case;
-  ordered_json accumulation = nullptr;
-  if (const auto& found = solution.accumulation()) {
-    accumulation = {{"time", found->time},
-                    {"uncertainty", found->uncertainty},
-                    {"cables", found->cables.indices()},
-                    {"energy", found->energy}};
-  }
   return {{"name", the_case.name},
           {"cables", the_case.cables.size()},
           {"duration", the_case.duration},
@@ -146,7 +162,7 @@ ordered_json case_row(const ReferenceCase& reference, const CompareOptions& opti
           {"counted_impacts", counted_impacts(the_case, solution, options.count_speed).size()},
           {"start_energy", energy(the_case, the_case.initial)},
           {"end_energy", energy(the_case, solution.at(solution.end_time()))},
-          {"accumulation", std::move(accumulation)}};
+          {"settling", settling_json(reference.settling)}};
 }
 
 }  // namespace tautline::bench

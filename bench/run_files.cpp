@@ -151,7 +151,7 @@ Descriptor open_tree(const fs::path& out, bool clear) {
     }
   }
   write_file(out / marker,
-             "A result tree of `tautline bench`, which may clear and rewrite this folder.\n");
+             "A result tree of `tautline`, which may clear and rewrite this folder.\n");
   return folder;
 }
 
@@ -168,7 +168,7 @@ std::optional<std::string> tree_problem(const fs::path& out) {
     return std::nullopt;
   }
   return fmt::format(
-      "--out {}: holds files that `tautline bench` did not write; give an empty or new "
+      "--out {}: holds files that `tautline` did not write; give an empty or new "
       "folder",
       name);
 }

@@ -1,7 +1,6 @@
 #include "bench/solution_json.hpp"
 
 #include "bench/text.hpp"
-#include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -11,10 +10,17 @@ using Json = nlohmann::ordered_json;
 Json pair_json(const Vec2& value) { return Json::array({value.x(), value.y()}); }
 
 Json cable_json(const Cable& cable) {
-  return {{"anchor", pair_json(cable.anchor)},
-          {"attachment", pair_json(cable.attachment)},
-          {"length", cable.length},
-          {"restitution", cable.restitution}};
+  Json result = {{"anchor", pair_json(cable.anchor)},
+                 {"attachment", pair_json(cable.attachment)},
+                 {"length", cable.length},
+                 {"restitution", cable.restitution}};
+  if (cable.capture_speed != 0.0) {  // exactly: the default
+    result["capture_speed"] = cable.capture_speed;
+  }
+  for (const RestitutionPoint& point : cable.restitution_table) {
+    result["restitution_table"].push_back(pair_json({point.speed, point.restitution}));
+  }
+  return result;
 }
 
 Json event_json(const Event& event) {
@@ -31,11 +37,36 @@ Json event_json(const Event& event) {
 }
 
 Json accumulation_json(const Accumulation& accumulation) {
-  return {{"time", accumulation.time},
+  return {{"start", accumulation.start},
+          {"time", accumulation.time},
           {"uncertainty", accumulation.uncertainty},
           {"cables", accumulation.cables.indices()},
-          {"state", state_json(accumulation.state)},
-          {"energy", accumulation.energy}};
+          {"energy_lost", accumulation.energy_lost}};
+}
+
+Json swing_json(const Swing& swing) {
+  return {{"energy", swing.energy},
+          {"period", swing.period},
+          {"least", swing.least},
+          {"largest", swing.largest},
+          {"amplitude", swing.amplitude}};
+}
+
+Json lock_json(const Lock& lock) {
+  return {{"time", lock.time},
+          {"uncertainty", lock.uncertainty},
+          {"cables", lock.cables.indices()},
+          {"permanent", lock.permanent},
+          {"rests", lock.rests},
+          {"swing", lock.swing ? swing_json(*lock.swing) : Json(nullptr)}};
+}
+
+Json mark_json(const std::optional<EventMark>& mark) {
+  if (!mark) {
+    return nullptr;
+  }
+  return {
+      {"time", mark->time}, {"kind", to_string(mark->kind)}, {"cables", mark->cables.indices()}};
 }
 
 Json sample_json(double time, const State& state) {
@@ -72,6 +103,46 @@ Json case_json(const Case& the_case) {
   return result;
 }
 
+Json settling_json(const Settling& settling) {
+  Json impacts = Json::array();
+  for (const LastImpact& last : settling.last_impacts) {
+    impacts.push_back(
+        {{"speed", last.speed}, {"time", last.time ? Json(*last.time) : Json(nullptr)}});
+  }
+  return {{"last_impacts", std::move(impacts)},
+          {"lock", settling.lock ? lock_json(*settling.lock) : Json(nullptr)}};
+}
+
+Json ledger_json(const EnergyLedger& ledger) {
+  return {{"start", ledger.start},
+          {"impacts", ledger.impacts},
+          {"completions", ledger.completions},
+          {"end", ledger.end},
+          {"residual", ledger.residual}};
+}
+
+Json certificate_json(const Certificate& certificate) {
+  Json correct = Json::array();
+  for (const CorrectDigits& part : certificate.correct) {
+    correct.push_back(
+        {{"digits", part.digits}, {"until", part.until ? Json(*part.until) : Json(nullptr)}});
+  }
+  const EventMatch& events = certificate.events;
+  return {{"digits", certificate.digits},
+          {"completion_error", certificate.completion_error},
+          {"correct", std::move(correct)},
+          {"events",
+           {{"same", events.count},
+            {"until", events.until},
+            {"all", events.all},
+            {"next_in_double", mark_json(events.in_double)},
+            {"next_in_digits", mark_json(events.in_digits)},
+            {"in_digits", certificate.event_count}}},
+          {"ending", to_string(certificate.ending)},
+          {"end_time", certificate.end_time},
+          {"energy", ledger_json(certificate.energy)}};
+}
+
 std::vector<std::string> sample_problems(const Solution& solution,
                                          std::span<const double> sample_times) {
   std::vector<std::string> result;
@@ -86,23 +157,26 @@ std::vector<std::string> sample_problems(const Solution& solution,
 }
 
 Json solution_json(const Case& the_case, const SolveOptions& options, const Solution& solution,
-                   std::span<const double> sample_times) {
+                   const Settling& settling, std::span<const double> sample_times) {
   const State end_state = solution.at(solution.end_time());
-  Json result = {
-      {"schema", solution_schema},
-      {"case", case_json(the_case)},
-      {"options", {{"capture_speed", options.capture_speed}, {"max_events", options.max_events}}},
-      {"events", Json::array()},
-      {"ending", to_string(solution.ending())},
-      {"end_time", solution.end_time()},
-      {"end_state", state_json(end_state)},
-      {"energy",
-       {{"start", energy(the_case, the_case.initial)}, {"end", energy(the_case, end_state)}}}};
+  Json result = {{"schema", solution_schema},
+                 {"case", case_json(the_case)},
+                 {"options",
+                  {{"law", to_string(options.law)},
+                   {"completion_error", options.completion.error},
+                   {"max_events", options.max_events}}},
+                 {"events", Json::array()},
+                 {"ending", to_string(solution.ending())},
+                 {"end_time", solution.end_time()},
+                 {"end_state", state_json(end_state)},
+                 {"energy", ledger_json(energy_ledger(the_case, solution))},
+                 {"settling", settling_json(settling)}};
   for (const Event& event : solution.events()) {
     result["events"].push_back(event_json(event));
   }
-  if (solution.accumulation()) {
-    result["accumulation"] = accumulation_json(*solution.accumulation());
+  result["accumulations"] = Json::array();
+  for (const Accumulation& accumulation : solution.accumulations()) {
+    result["accumulations"].push_back(accumulation_json(accumulation));
   }
   if (!sample_times.empty()) {
     result["samples"] = Json::array();

@@ -56,12 +56,34 @@ std::optional<double> StrictTable::optional_number(std::string_view key, const R
 
 Vec2 StrictTable::pair(std::string_view key, std::string_view unit) {
   const toml::node* node = find_required(key, with_unit("two numbers [x, y]", unit));
-  return node != nullptr ? checked_pair(*node, full_name(key), unit) : Vec2(Vec2::Zero());
+  return node != nullptr ? checked_pair(*node, full_name(key), "[x, y]", unit) : Vec2(Vec2::Zero());
 }
 
 std::optional<Vec2> StrictTable::optional_pair(std::string_view key, std::string_view unit) {
   const toml::node* node = find(key);
-  return node != nullptr ? std::optional(checked_pair(*node, full_name(key), unit)) : std::nullopt;
+  return node != nullptr ? std::optional(checked_pair(*node, full_name(key), "[x, y]", unit))
+                         : std::nullopt;
+}
+
+std::vector<Vec2> StrictTable::pairs(std::string_view key, std::string_view form,
+                                     std::string_view unit) {
+  std::vector<Vec2> result;
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    return result;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty()) {
+    refuse(*node, full_name(key),
+           (array == nullptr ? "is " + type_name(*node) : std::string("none given")) + ", " +
+               with_unit("an array of pairs " + std::string(form), unit));
+    return result;
+  }
+  for (std::size_t index = 0; index < array->size(); ++index) {
+    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    result.push_back(checked_pair(*array->get(index), name, form, unit));
+  }
+  return result;
 }
 
 StrictTable StrictTable::table(std::string_view key) {
@@ -144,9 +166,9 @@ double StrictTable::checked(const toml::node& node, const std::string& name, con
 }
 
 Vec2 StrictTable::checked_pair(const toml::node& node, const std::string& name,
-                               std::string_view unit) {
+                               std::string_view form, std::string_view unit) {
   const toml::array* array = node.as_array();
-  const std::string right = with_unit("two numbers [x, y]", unit);
+  const std::string right = with_unit("two numbers " + std::string(form), unit);
   if (array == nullptr) {
     refuse(node, name, "is " + type_name(node) + ", " + right);
     return Vec2::Zero();

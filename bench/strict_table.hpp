@@ -38,6 +38,11 @@ class StrictTable {
   [[nodiscard]] std::optional<Vec2> optional_pair(std::string_view key, std::string_view unit);
   [[nodiscard]] StrictTable table(std::string_view key);
 
+  /// An array of pairs, such as [[0.0, 0.9], [1.0, 0.5]]; empty where the key is missing. `form`
+  /// tells what the two numbers are.
+  [[nodiscard]] std::vector<Vec2> pairs(std::string_view key, std::string_view form,
+                                        std::string_view unit);
+
   /// One table for each of the 1 to `most` entries of an array; `right` tells what it should hold.
   [[nodiscard]] std::vector<StrictTable> tables(std::string_view key, std::size_t most,
                                                 const std::string& right);
@@ -50,7 +55,8 @@ class StrictTable {
   const toml::node* find_required(std::string_view key, const std::string& right);
   double checked(const toml::node& node, const std::string& name, const Range& range,
                  std::string_view unit);
-  Vec2 checked_pair(const toml::node& node, const std::string& name, std::string_view unit);
+  Vec2 checked_pair(const toml::node& node, const std::string& name, std::string_view form,
+                    std::string_view unit);
   void refuse(const toml::node& node, const std::string& name, const std::string& why);
   [[nodiscard]] std::string full_name(std::string_view key) const;
 

@@ -54,7 +54,8 @@ std::vector<ReferenceCase> solve_cases(const std::vector<Case>& cases) {
   for (const Case& the_case : cases) {
     Solution solution = solve(the_case);
     const double horizon = predictability_horizon(the_case, solution);
-    references.push_back({the_case, std::move(solution), horizon});
+    Settling settled = settling(the_case, solution);
+    references.push_back({the_case, std::move(solution), std::move(settled), horizon});
   }
   return references;
 }

@@ -10,6 +10,7 @@
 #include "bench/engine_registry.hpp"
 #include "bench/worker.hpp"
 #include "tautline/case.hpp"
+#include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline::bench {
@@ -32,6 +33,7 @@ struct SuiteOptions {
 struct ReferenceCase {
   Case the_case;
   Solution solution;
+  Settling settling;
   double horizon;  // [s]
 };
 

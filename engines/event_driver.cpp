@@ -1,6 +1,7 @@
 #include "tautline/event_driver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "tautline/clock.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/hold.hpp"
 
 namespace tautline {
 namespace {
@@ -18,9 +20,8 @@ namespace {
 /// the closed form.
 constexpr double rate_rounding = 1e-12;
 
-/// A rebound slower than this may be the start of the end of an accumulation [m/s]; the default of
-/// SolveOptions, so that a run stops where the exact solution ends.
-constexpr double capture_speed = 1e-6;
+/// When an accumulation is over for this driver: its remaining rebounds are slower [m/s].
+const CompletionLimits completion = {.speed = 1e-6};
 
 /// A step with more strikes than this is given up, and so is one with more contacts in a row that
 /// are no impact [-]. From 1 m/s down to the capture speed with restitution 0.99 takes 1400.
@@ -83,15 +84,32 @@ class EventDriven final : public Simulation {
       return true;
     }
     const State now = adapter_->state();
-    if (const auto taut = capture(case_, now, touching(now), capture_speed)) {
-      // exactly: resting cables have no bounces left
-      stop(taut->remaining == 0.0 ? "cables stay taut" : "impacts accumulate", time);
+    if (const auto bounces = capture(case_, now, touching(now), completion)) {
+      stop("impacts accumulate", time);
+    } else if (stays_taut(now)) {
+      stop("cables stay taut", time);
     } else if (events_.size() > most_strikes) {
       stop(more_than_most("impacts in one step"), time);
     } else if (idle > most_strikes) {
       stop(more_than_most("contacts in a row without an impact"), time);
     }
     return stop_.has_value();
+  }
+
+  /// True where a touching cable rests at `state` and tension keeps it taut from now on.
+  [[nodiscard]] bool stays_taut(const State& state) const {
+    const Touching contacts = touching(state);
+    CableSet resting;
+    for (const std::size_t index : touching_) {
+      if (std::abs(gap_rate(case_.cables[index], state)) <= contacts.rate_rounding) {
+        resting.insert(index);
+      }
+    }
+    if (resting.empty()) {
+      return false;
+    }
+    const auto held = hold(case_, state, contacts, resting);
+    return !held || !held->taut().empty();
   }
 
   /// Flies to the first contact, at most `rest` [s], and returns how long that took. Leaves in

@@ -79,7 +79,7 @@ class ContactSimulation final : public Simulation {
       const Cable& cable = case_.cables[index];
       const CableRow row = cable_row(cable, start);
       if (acts(row, Activation::overstretched, dt)) {
-        contacts_[index]->touch(row, cable.anchor, cable.restitution);
+        contacts_[index]->touch(row, cable.anchor, restitution(cable, row.rate));
       } else {
         contacts_[index]->part();
       }
@@ -114,7 +114,8 @@ ModelEntry entry(Model model, Tuning tuning) {
   return {std::move(model),
           [tuning](const Case& the_case, double step) -> std::unique_ptr<Simulation> {
             return std::make_unique<ContactSimulation>(the_case, tuning, step);
-          }};
+          },
+          true};
 }
 
 }  // namespace

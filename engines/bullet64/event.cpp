@@ -45,8 +45,9 @@ class BulletEventAdapter final : public EventAdapter {
     const State before = world_.state();
     std::vector<btTypedConstraint*> struck;
     for (const std::size_t index : cables) {
-      const CableRow row = cable_row(case_.cables[index], before);
-      cables_[index]->pull(row, rebound_rate(row, case_.cables[index].restitution));
+      const Cable& cable = case_.cables[index];
+      const CableRow row = cable_row(cable, before);
+      cables_[index]->pull(row, rebound_rate(row, restitution(cable, row.rate)));
       struck.push_back(cables_[index].get());
     }
     solve(struck);
@@ -93,7 +94,8 @@ std::vector<ModelEntry> event_models() {
               "Semi-implicit Euler then flies the exact parabola."}})},
        [](const Case& the_case, double /*step*/) {
          return drive_by_events(the_case, std::make_unique<BulletEventAdapter>(the_case));
-       }}};
+       },
+       true}};
 }
 
 }  // namespace tautline::bullet

@@ -38,7 +38,7 @@ class RowSimulation final : public Simulation {
       const Cable& cable = case_.cables[index];
       const CableRow row = cable_row(cable, start);
       if (acts(row, activation_, dt)) {
-        cables_[index]->pull(row, wanted_rate(row, cable.restitution, correction_));
+        cables_[index]->pull(row, wanted_rate(row, restitution(cable, row.rate), correction_));
       } else {
         cables_[index]->let_go();
       }
@@ -65,7 +65,8 @@ ModelEntry entry(const std::string& name, const std::string& sentence, Activatio
              "With Bullet's 10 the order of the cables shows: mirror images differ by 3e-7."}})},
       [activation](const Case& the_case, double step) -> std::unique_ptr<Simulation> {
         return std::make_unique<RowSimulation>(the_case, activation, step);
-      }};
+      },
+      true};
 }
 
 }  // namespace

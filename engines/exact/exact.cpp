@@ -80,7 +80,8 @@ ModelEntry entry(std::string name, std::string sentence, Report report) {
   return {{std::move(name), std::move(sentence), {}},
           [report](const Case& the_case, double /*step*/) -> std::unique_ptr<Simulation> {
             return std::make_unique<ExactSimulation>(the_case, report);
-          }};
+          },
+          true};
 }
 
 const std::vector<ModelEntry>& table() {

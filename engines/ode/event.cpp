@@ -31,10 +31,11 @@ class OdeEventAdapter final : public EventAdapter {
     const State before = world_.state();
     for (const std::size_t index : cables) {
       const Cable& cable = case_.cables[index];
+      const CableRow row = cable_row(cable, before);
       dSurfaceParameters surface{};
       surface.mode = dContactBounce | dContactSoftERP;  // the gap is zero: nothing to correct
-      surface.bounce = cable.restitution;
-      world_.pull(index, cable_row(cable, before), surface);
+      surface.bounce = restitution(cable, row.rate);
+      world_.pull(index, row, surface);
     }
     const double largest = delassus(case_, before, cables).diagonal().maxCoeff();
     dWorldSetCFM(world_.id(), cables.size() > 1 ? softness * largest : 0.0);
@@ -85,7 +86,8 @@ std::vector<ModelEntry> event_models() {
         std::move(settings)},
        [](const Case& the_case, double /*step*/) {
          return drive_by_events(the_case, std::make_unique<OdeEventAdapter>(the_case));
-       }}};
+       },
+       true}};
 }
 
 }  // namespace tautline::ode

@@ -43,17 +43,17 @@ class FixedStepSimulation final : public Simulation {
       const Cable& cable = case_.cables[index];
       const CableRow row_now = cable_row(cable, start);
       if (acts(row_now, choice_.activation, dt)) {
-        world_.pull(index, row_now, surface(cable, dt));
+        world_.pull(index, row_now, surface(restitution(cable, row_now.rate), dt));
       }
     }
     world_.advance(dt);
   }
 
  private:
-  [[nodiscard]] dSurfaceParameters surface(const Cable& cable, double dt) const {
+  [[nodiscard]] dSurfaceParameters surface(double bounce, double dt) const {
     dSurfaceParameters result{};
     result.mode = dContactBounce | dContactSoftERP;
-    result.bounce = cable.restitution;
+    result.bounce = bounce;
     result.bounce_vel = choice_.bounce_vel;
     result.soft_erp = correction_in_step(dt, step_);
     return result;
@@ -90,7 +90,8 @@ ModelEntry entry(std::string name, std::string sentence, std::vector<Setting> ow
   return {{std::move(name), std::move(sentence), std::move(settings)},
           [choice](const Case& the_case, double step) -> std::unique_ptr<Simulation> {
             return std::make_unique<FixedStepSimulation>(the_case, choice, step);
-          }};
+          },
+          true};
 }
 
 std::vector<Setting> exact_row_settings() {

@@ -56,6 +56,35 @@ std::vector<Broken> broken_cases() {
       {"RestitutionNotANumber",
        [](Case& c) { c.cables[0].restitution = std::nan(""); },
        {"cable 0: restitution nan is outside [0, 1]"}},
+      {"CaptureSpeedNegative",
+       [](Case& c) { c.cables[1].capture_speed = -0.1; },
+       {"cable 1: capture_speed -0.1 must be a finite number, 0 or above [m/s]"}},
+      {"CaptureSpeedInfinite",
+       [](Case& c) { c.cables[0].capture_speed = infinite; },
+       {"cable 0: capture_speed inf must be a finite number, 0 or above [m/s]"}},
+      {"CaptureSpeedTooLarge",
+       [](Case& c) { c.cables[0].capture_speed = 1e21; },
+       {"cable 0: capture_speed 1e+21 is larger in size than 1e+20"}},
+      {"TableSpeedNotANumber",
+       [](Case& c) {
+         c.cables[1].restitution_table = {{std::nan(""), 0.5}};
+       },
+       {"cable 1: restitution_table[0]: speed nan must be a finite number, 0 or above [m/s]"}},
+      {"TableSpeedNegative",
+       [](Case& c) {
+         c.cables[1].restitution_table = {{-1.0, 0.5}};
+       },
+       {"cable 1: restitution_table[0]: speed -1 must be a finite number, 0 or above [m/s]"}},
+      {"TableSpeedsNotRising",
+       [](Case& c) {
+         c.cables[0].restitution_table = {{0.0, 0.9}, {2.0, 0.5}, {2.0, 0.4}};
+       },
+       {"cable 0: restitution_table[2]: speed 2 must be above the one before, 2 [m/s]"}},
+      {"TableRestitutionAboveOne",
+       [](Case& c) {
+         c.cables[0].restitution_table = {{0.0, 0.9}, {2.0, 1.5}};
+       },
+       {"cable 0: restitution_table[1]: restitution 1.5 is outside [0, 1]"}},
       {"GravityInfinite",
        [](Case& c) { c.gravity.y() = infinite; },
        {"gravity inf is not a finite number"}},

@@ -3,130 +3,211 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include "support.hpp"
+#include "swing_table.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/ledger.hpp"
+#include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::test {
 namespace {
 
-/// Where a case of Table 5.1 locks into the swing on both cables, computed with 60-digit arithmetic
-/// from the exact decimals of the table.
-struct Swing {
-  const char* number;
-  double time;    // [-], of the accumulation on both cables, six decimals
-  double energy;  // [-], left for the swing, nine decimals
-};
+class Settling : public ::testing::TestWithParam<SwingRow> {};
 
-void PrintTo(const Swing& swing, std::ostream* out) { *out << swing.number; }
+/// Solves a case of Table 5.1 until long after it has locked.
+Solution settled(const Case& the_case, ImpactLaw law) {
+  SolveOptions options;
+  options.law = law;
+  return solve(the_case, options);
+}
 
-class Settling : public ::testing::TestWithParam<Swing> {};
-
-/// The earliest and latest accumulation of copies started one rounding error apart, with what each
-/// says of its own uncertainty.
-struct Spread {
-  double earliest = 1e300;
-  double latest = -1e300;
-};
-
-Spread spread_of_copies(const Case& the_case) {
-  constexpr std::uint64_t seed = 5;
-  constexpr int copies = 40;
-  constexpr double rounding = 1e-16;  // of the decimals 0.1 and 0.2 of the start
-  Random random(seed);
-  Spread result;
-  for (int copy = 0; copy < copies; ++copy) {
-    Case other = the_case;
-    other.initial.position += random.in_square(rounding);
-    other.initial.velocity += random.in_square(rounding);
-    const Solution solution = solve(other);
-    if (solution.ending() != Ending::zeno || solution.accumulation()->cables.size() != 2) {
-      continue;
-    }
-    const Accumulation& end = *solution.accumulation();
-    result.earliest = std::min(result.earliest, end.time - end.uncertainty);
-    result.latest = std::max(result.latest, end.time + end.uncertainty);
+TEST_P(Settling, LocksIntoTheKnownSwing) {
+  const SwingRow& row = GetParam();
+  Case the_case = table_case(row.number);
+  the_case.duration = 40.0;
+  const Energies laws[] = {row.simultaneous, row.sequential};
+  double worst = 0.0;
+  for (const ImpactLaw law : {ImpactLaw::simultaneous, ImpactLaw::sequential}) {
+    const auto found = settling(the_case, settled(the_case, law));
+    ASSERT_TRUE(found.lock.has_value());
+    EXPECT_EQ(found.lock->cables.size(), 2U);
+    EXPECT_TRUE(found.lock->permanent);
+    ASSERT_TRUE(found.lock->swing.has_value());
+    const Energies& known = laws[law == ImpactLaw::sequential ? 1 : 0];
+    worst = std::max(worst, std::abs(found.lock->swing->energy - known.energy));
+    EXPECT_NEAR(found.lock->time, known.lock, row.scatter_of_time);
+    EXPECT_NEAR(found.lock->swing->amplitude, row.amplitude, row.scatter_of_amplitude);
   }
-  return result;
+  expect_within("error of the swing energy", worst, row.scatter_of_energy);
 }
 
-TEST_P(Settling, AccumulatesOnBothCablesAtTheKnownTime) {
-  const Case the_case = table_case(GetParam().number);
-  const Solution solution = solve(the_case);
-  ASSERT_EQ(solution.ending(), Ending::zeno) << to_string(solution.ending());
-  const Accumulation& end = *solution.accumulation();
-  EXPECT_EQ(end.cables.size(), 2U);
-  // the instant is ill-conditioned: rounding of the start moves it by more than the uncertainty,
-  // which counts from the last impact on. The copies show by how much.
-  const Spread copies = spread_of_copies(the_case);
-  std::cout << "  " << GetParam().number << ": " << end.time << " +- " << end.uncertainty
-            << ", expected " << GetParam().time << ", copies from " << copies.earliest << " to "
-            << copies.latest << '\n';
-  constexpr double printed = 0.5e-6;
-  EXPECT_GE(GetParam().time, copies.earliest - printed);
-  EXPECT_LE(GetParam().time, copies.latest + printed);
-  constexpr double worst_case = 3e-4;  // measured on 60 copies 1e-16 apart of the standard case
-  expect_within("error of the time", std::abs(end.time - GetParam().time), worst_case);
-  // the energy varies with the cube of what moves the time
-  expect_within("error of the energy", std::abs(end.energy - GetParam().energy), 2e-9);
-}
-
-INSTANTIATE_TEST_SUITE_P(Table51, Settling,
-                         ::testing::Values(Swing{"1910121100", 8.128808, 0.019679140},
-                                           Swing{"2910121100", 10.111110, 0.021261313},
-                                           Swing{"19101211050", 8.168028, 0.020663484},
-                                           Swing{"1910121110", 8.345253, 0.016823732},
-                                           Swing{"1931121100", 7.359323, 0.020654809}),
+INSTANTIATE_TEST_SUITE_P(Table51, Settling, ::testing::ValuesIn(swing_table),
                          [](const auto& param) {
                            return "Case" + std::string(param.param.number);
                          });
 
-TEST(Accumulation, KeepsItsPromisesInEveryCaseOfTable51) {
-  double worst_rate = 0.0;
-  double worst_gap = 0.0;
-  for (const TableRow& row : table_5_1()) {
-    Case the_case = breakwater(row.parameters, std::string(row.number));
-    the_case.duration = 60.0;  // long enough for all that dissipate
-    const Solution solution = solve(the_case);
-    ASSERT_EQ(solution.accumulation().has_value(), solution.ending() == Ending::zeno);
-    EXPECT_EQ(solution.ending() == Ending::zeno, row.parameters.e < 1.0) << row.number;
-    if (!solution.accumulation()) {
-      continue;
-    }
-    const Accumulation& end = *solution.accumulation();
-    EXPECT_GE(end.time, solution.end_time()) << row.number;
-    EXPECT_GT(end.uncertainty, 0.0) << row.number;
-    EXPECT_EQ(solution.events().back().kind, EventKind::taut) << row.number;
-    EXPECT_EQ(difference(solution.at(solution.end_time()), end.state), 0.0) << row.number;
-    EXPECT_EQ(end.energy, energy(the_case, end.state)) << row.number;
-    for (const std::size_t index : end.cables) {
-      worst_rate = std::max(worst_rate, std::abs(gap_rate(the_case.cables[index], end.state)));
-      worst_gap = std::max(worst_gap, std::abs(gap(the_case.cables[index], end.state)));
-    }
-  }
-  constexpr double rounding = 1e-14;
-  constexpr double least_pull =
-      0.01;  // [-], smallest gap acceleration of these cases, rounded down
-  const double capture = SolveOptions{}.capture_speed;
-  expect_within("rate of a captured cable", worst_rate, rounding);
-  expect_within("gap of a captured cable", worst_gap, 0.5 * capture * capture / least_pull);
+TEST(Settling, ThePointMassComesToRest) {
+  Case the_case = table_case("1900461100");
+  the_case.duration = 40.0;
+  const Solution solution = solve(the_case);
+  EXPECT_EQ(solution.ending(), Ending::rest) << to_string(solution.ending());
+  const auto found = settling(the_case, solution);
+  ASSERT_TRUE(found.lock.has_value());
+  EXPECT_TRUE(found.lock->rests);
+  EXPECT_TRUE(found.lock->permanent);
+  EXPECT_FALSE(found.lock->swing.has_value());
+  // copies of the start 1e-16 apart come to rest up to 0.15 apart, the exact decimals at 29.2015
+  EXPECT_NEAR(found.lock->time, 29.2015, 0.15);
+  expect_within("distance from the origin at the end", solution.at(40.0).position.norm(), 1e-15);
 }
 
-TEST(Accumulation, ComesOutTheSameForAnyCaptureSpeed) {
-  const Case the_case = table_case("1510121100");
-  const Accumulation fine = *solve(the_case).accumulation();
-  for (const double speed : {1e-3, 1e-4, 1e-5}) {
-    SolveOptions options;
-    options.capture_speed = speed;
-    const Solution solution = solve(the_case, options);
-    ASSERT_EQ(solution.ending(), Ending::zeno) << "capture speed " << speed;
-    const Accumulation& coarse = *solution.accumulation();
-    EXPECT_LE(std::abs(coarse.time - fine.time), coarse.uncertainty + fine.uncertainty)
-        << "capture speed " << speed;
-    std::cout << "  capture speed " << speed << ": time differs by " << coarse.time - fine.time
-              << ", uncertainty " << coarse.uncertainty << '\n';
+TEST(Settling, AnElasticBodyNeverSettles) {
+  Case the_case = table_case("1110121100");
+  the_case.duration = 40.0;
+  const Solution solution = solve(the_case);
+  EXPECT_TRUE(solution.accumulations().empty());
+  const auto found = settling(the_case, solution);
+  EXPECT_FALSE(found.lock.has_value());
+  ASSERT_TRUE(found.last_impacts[0].time.has_value());
+  EXPECT_GT(*found.last_impacts[0].time, 39.0);
+}
+
+TEST(Settling, FastImpactsEndBeforeSlowOnes) {
+  const Case the_case = table_case("1910121100");
+  const auto found = settling(the_case, solve(the_case));
+  ASSERT_EQ(found.last_impacts.size(), 2U);
+  EXPECT_EQ(found.last_impacts[0].speed, 0.01);
+  EXPECT_EQ(found.last_impacts[1].speed, 0.001);
+  EXPECT_LT(*found.last_impacts[0].time, *found.last_impacts[1].time);
+  EXPECT_NEAR(*found.last_impacts[1].time, 8.114010, 2e-5);  // reference in 60 digits
+}
+
+TEST(Settling, WithoutImpactsThereIsNoLastOne) {
+  Case ball = bouncing_ball();
+  ball.duration = 0.1;
+  const auto found = settling(ball, solve(ball));
+  EXPECT_FALSE(found.last_impacts[0].time.has_value());
+  EXPECT_FALSE(found.lock.has_value());
+}
+
+TEST(Ledger, ClosesInEveryCaseOfTable51) {
+  double worst = 0.0;
+  for (const TableRow& row : table_5_1()) {
+    Case the_case = breakwater(row.parameters, std::string(row.number));
+    the_case.duration = 100.0;
+    const Solution solution = solve(the_case);
+    EXPECT_EQ(solution.end_time(), 100.0) << row.number;
+    const EnergyLedger ledger = energy_ledger(the_case, solution);
+    EXPECT_GE(ledger.impacts, row.parameters.e < 1.0 ? 1e-3 : -1e-13) << row.number;
+    EXPECT_GE(ledger.completions, 0.0) << row.number;
+    worst = std::max(worst, std::abs(ledger.residual));
   }
+  expect_within("energy unaccounted for", worst, 1e-12);
+}
+
+TEST(Swing, KeepsItsCablesTautOverAThousandTimes) {
+  Case the_case = table_case("1910121100");
+  the_case.duration = 1000.0;
+  const Solution solution = solve(the_case);
+  EXPECT_EQ(solution.ending(), Ending::reached_duration);
+  double drift = 0.0;
+  double rate = 0.0;
+  const double start = 9.0;  // after the lock
+  const double energy_then = energy(the_case, solution.at(start));
+  double energy_change = 0.0;
+  constexpr int samples = 20'000;
+  for (int k = 0; k <= samples; ++k) {
+    const State state = solution.at(start + (1000.0 - start) * k / samples);
+    for (const Cable& cable : the_case.cables) {
+      drift = std::max(drift, std::abs(gap(cable, state)));
+      rate = std::max(rate, std::abs(gap_rate(cable, state)));
+    }
+    energy_change = std::max(energy_change, std::abs(energy(the_case, state) - energy_then));
+  }
+  expect_within("drift of a taut cable", drift, 1e-13);
+  expect_within("rate of a taut cable", rate, 1e-13);
+  expect_within("change of the swing's energy", energy_change, 1e-13);
+}
+
+TEST(Swing, HasTheKnownPeriods) {
+  const Case the_case = table_case("1910121100");
+  const auto period = [&](double angle) {
+    const auto found = swing(the_case, on_linkage(the_case, angle));
+    return found ? found->period : 0.0;
+  };
+  // linear: omega^2 = k / m, k = b + a/h + a^2 h / (1-a)^2, m = (b - a h / (1-a))^2 + Ic
+  const double a = 0.1;
+  const double h = std::sqrt(1.5 * 1.5 - 0.9 * 0.9);
+  const double k = a / h + a * a * h / 0.81;
+  const double m = std::pow(a * h / 0.9, 2) + 0.01;
+  const double linear = 2.0 * std::numbers::pi / std::sqrt(k / m);
+  EXPECT_NEAR(linear, 3.342624, 0.5e-6);
+  expect_within("linear period", std::abs(period(1e-5) - linear), 1e-9);
+  expect_within("period at 0.65 rad", std::abs(period(0.65) - 3.27271739), 0.5e-8);
+  expect_within("period at 1.5 rad", std::abs(period(1.5) - 3.45272097), 0.5e-8);
+}
+
+TEST(Swing, MeasuresItsAmplitudeAndEnergy) {
+  const Case the_case = table_case("1910121100");
+  for (const double angle : {1e-6, 1e-3, 0.3, 1.2}) {
+    const State start = on_linkage(the_case, angle);
+    const auto found = swing(the_case, start);
+    ASSERT_TRUE(found.has_value()) << angle;
+    constexpr double rounding = 1e-14;  // [rad], of some hundred steps
+    EXPECT_NEAR(found->amplitude, angle, rounding);
+    EXPECT_NEAR(found->largest, angle, rounding);
+    EXPECT_NEAR(found->energy, energy(the_case, start), 1e-15);  // the equilibrium is the origin
+  }
+}
+
+TEST(CriticalSwing, HasTheKnownAngleAndEnergy) {
+  struct Known {
+    const char* number;
+    double angle, energy;
+  };
+  for (const Known& known : {Known{"1910121100", 1.689219374433, 0.102381206615},
+                             Known{"1933121100", 0.566196535588, 0.111552138024}}) {
+    const auto found = critical_swing(table_case(known.number), State{});
+    ASSERT_TRUE(found.has_value()) << known.number;
+    constexpr double ten_digits = 0.5e-10;
+    expect_within("angle of release", std::abs(found->angle - known.angle), ten_digits);
+    expect_within("energy of release", std::abs(found->energy - known.energy), ten_digits);
+  }
+}
+
+TEST(CriticalSwing, NeedsTwoTautCables) {
+  EXPECT_FALSE(critical_swing(bouncing_ball(), State{}).has_value());
+  EXPECT_FALSE(critical_swing(table_case("1900461100"), State{}).has_value());
+  State lifted;
+  lifted.position.y() = 0.1;
+  EXPECT_FALSE(critical_swing(table_case("1910121100"), lifted).has_value());
+}
+
+TEST(Release, OfTheBoxLosesItsLeftCableWhereItMust) {
+  Case box = table_case("1933121100");
+  box.initial = on_linkage(box, 0.7);
+  box.duration = 1.0;
+  const Solution solution = solve(box);
+  ASSERT_GE(solution.events().size(), 3U);
+  const Event& taut = solution.events()[0];
+  EXPECT_EQ(taut.kind, EventKind::taut);
+  EXPECT_EQ(taut.time, 0.0);
+  EXPECT_NEAR(energy(box, taut.after), 0.16306, 0.5e-5);
+  const Event& slack = solution.events()[1];
+  EXPECT_EQ(slack.kind, EventKind::slack);
+  EXPECT_EQ(slack.cables, CableSet::of(0));
+  expect_within("time of the release", std::abs(slack.time - 0.3674072758), 0.5e-10);
+  expect_within("angle there", std::abs(slack.before.angle - 0.57475423), 0.5e-8);
+  expect_within("spin there", std::abs(slack.before.spin + 0.70273813), 0.5e-8);
+  const Event& impact = solution.events()[2];
+  EXPECT_EQ(impact.kind, EventKind::impact);
+  EXPECT_TRUE(impact.cables.contains(0));
+  expect_within("time of the next impact", std::abs(impact.time - 0.8183714), 0.5e-7);
+  expect_within("speed of that impact", std::abs(gap_rate(box.cables[0], impact.before) + 0.1281),
+                0.5e-4);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(Solution, ThrowsOutsideItsTimes) {
 }
 
 TEST(Solution, NeedsAnArc) {
-  EXPECT_THROW(Solution(Vec2::Zero(), {}, {}, Ending::taut, std::nullopt), std::invalid_argument);
+  EXPECT_THROW(Solution(Vec2::Zero(), {}, {}, Ending::rest, {}), std::invalid_argument);
 }
 
 TEST(Solution, IsTheSameToTheLastBitEveryTime) {
@@ -150,8 +150,8 @@ TEST(Names, AreThoseUsedInFiles) {
   EXPECT_EQ(to_string(EventKind::taut), "taut");
   EXPECT_EQ(to_string(EventKind::slack), "slack");
   EXPECT_EQ(to_string(Ending::reached_duration), "reached_duration");
-  EXPECT_EQ(to_string(Ending::zeno), "zeno");
-  EXPECT_EQ(to_string(Ending::taut), "taut");
+  EXPECT_EQ(to_string(Ending::rest), "rest");
+  EXPECT_EQ(to_string(Ending::singular), "singular");
   EXPECT_EQ(to_string(Ending::angle_limit), "angle_limit");
   EXPECT_EQ(to_string(Ending::ceiling), "ceiling");
   EXPECT_EQ(to_string(Ending::event_limit), "event_limit");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,8 @@ void expect_always(const std::string& claim, const std::function<void()>& proper
   EXPECT_TRUE(rc::check(claim, property)) << claim;
 }
 
-const Breakwater& table_row(std::string_view number) {
-  const auto& rows = table_5_1();
+Breakwater table_row(std::string_view number) {
+  const std::vector<TableRow> rows = table_5_1();
   const auto found = std::find_if(rows.begin(), rows.end(),
                                   [&](const TableRow& row) { return row.number == number; });
   if (found == rows.end()) {
@@ -56,6 +57,23 @@ const Breakwater& table_row(std::string_view number) {
 
 Case table_case(std::string_view number) {
   return breakwater(table_row(number), std::string(number));
+}
+
+State on_linkage(const Case& the_case, double angle) {
+  State state;
+  state.angle = angle;
+  constexpr int enough = 50;  // of Newton's method, far more than it takes
+  for (int iteration = 0; iteration < enough; ++iteration) {
+    Eigen::Matrix2d slope;
+    Vec2 gaps;
+    for (const Eigen::Index row : {0, 1}) {
+      const Cable& cable = the_case.cables[static_cast<std::size_t>(row)];
+      slope.row(row) = gap_gradient(cable, state).head<2>().transpose();
+      gaps[row] = gap(cable, state);
+    }
+    state.position -= slope.inverse() * gaps;
+  }
+  return state;
 }
 
 double difference(const State& a, const State& b) {

@@ -20,10 +20,13 @@ void expect_within(const std::string& what, double reached, double allowed);
 void expect_always(const std::string& claim, const std::function<void()>& property);
 
 /// The row of Table 5.1 with this number; it must exist.
-[[nodiscard]] const Breakwater& table_row(std::string_view number);
+[[nodiscard]] Breakwater table_row(std::string_view number);
 
 /// The case of that row.
 [[nodiscard]] Case table_case(std::string_view number);
+
+/// The breakwater at rest with both cables taut at this angle [rad]: on its four-bar linkage.
+[[nodiscard]] State on_linkage(const Case& the_case, double angle);
 
 /// The largest difference of one of the six numbers of two states, each in its own unit.
 [[nodiscard]] double difference(const State& a, const State& b);

@@ -67,6 +67,12 @@ const std::vector<BadInput> wrong_values = {
     {"inertia = 0.01",
      "inertia = -inf",
      {"ball.toml:7: body.inertia = -inf: must be a finite number, 0 or above [kg m^2]"}},
+    {"restitution = 0.9",
+     "restitution = 0.9\ncapture_speed = -1.0",
+     {"ball.toml:14: cables[0].capture_speed = -1: must be a finite number, 0 or above [m/s]"}},
+    {"restitution = 0.9",
+     "restitution = 0.9\nrestitution_table = [[0.0, nan]]",
+     {"ball.toml:14: cables[0].restitution_table[0][1] = nan: must be a finite number [m/s, -]"}},
     {"20.0", "+inf", {"ball.toml:2: duration = inf: must be a finite number above 0 [s]"}},
     {"[0.0, -1.0]",
      "[0.0, nan]",
@@ -113,6 +119,18 @@ const std::vector<BadInput> wrong_types = {
      {"ball.toml: body.mass: is missing, must be a finite number above 0 [kg]",
       "ball.toml: body.inertia: is missing, must be a finite number, 0 or above [kg m^2]",
       "ball.toml:4: body = 3: is an integer, must be a table"}},
+    {"restitution = 0.9",
+     "restitution = 0.9\nrestitution_table = 0.5",
+     {"ball.toml:14: cables[0].restitution_table = 0.5: is a number, must be an array of pairs "
+      "[speed, restitution] [m/s, -]"}},
+    {"restitution = 0.9",
+     "restitution = 0.9\nrestitution_table = []",
+     {"ball.toml:14: cables[0].restitution_table = []: none given, must be an array of pairs "
+      "[speed, restitution] [m/s, -]"}},
+    {"restitution = 0.9",
+     "restitution = 0.9\nrestitution_table = [[0.0, 0.9], 1.0]",
+     {"ball.toml:14: cables[0].restitution_table[1] = 1: is a number, must be two numbers [speed, "
+      "restitution] [m/s, -]"}},
     {"[[cables]]", "[cables]", {"ball.toml:9: cables: is a table, " + cables_right}},
 };
 
@@ -157,6 +175,10 @@ const std::vector<BadInput> wrong_cases = {
      "inertia = 0",
      {"ball.toml:7: body: inertia 0 is for a point mass, whose attachments are all [0, 0]; give an "
       "inertia above 0 [kg m^2]"}},
+    {"restitution = 0.9",
+     "restitution = 0.9\nrestitution_table = [[1.0, 0.9], [0.5, 0.8]]",
+     {"ball.toml:9: cable 0: restitution_table[1]: speed 0.5 must be above the one before, 1 "
+      "[m/s]"}},
     {"\n[body]",
      "ceiling = 0.1\n[body]",
      {"ball.toml:9: cable 0: attachment starts at height 0.25, above ceiling 0.1"}},
@@ -211,6 +233,25 @@ TEST(CaseText, IntegersStandForNumbers) {
   const CaseReading reading = read_case_text(changed(integers), "ball.toml");
   ASSERT_TRUE(reading.the_case) << reading.problems.front();
   EXPECT_EQ(reading.the_case->gravity, Vec2(0.0, -1.0));
+}
+
+TEST(CaseText, RestitutionMayDependOnTheSpeed) {
+  const BadInput table = {
+      "restitution = 0.9",
+      "restitution = 0.9\ncapture_speed = 0.125\nrestitution_table = [[0, 1], [2.5, 0.5]]",
+      {}};
+  const CaseReading reading = read_case_text(changed(table), "ball.toml");
+  ASSERT_TRUE(reading.the_case) << reading.problems.front();
+  const Cable& cable = reading.the_case->cables.front();
+  EXPECT_EQ(cable.capture_speed, 0.125);
+  ASSERT_EQ(cable.restitution_table.size(), 2U);
+  EXPECT_EQ(cable.restitution_table[1].speed, 2.5);
+  EXPECT_EQ(cable.restitution_table[1].restitution, 0.5);
+  const Cable plain = read_case_text(sound, "ball.toml").the_case->cables.front();
+  EXPECT_FALSE(depends_on_speed(plain));
+  // a case without them is written as before they existed
+  EXPECT_EQ(write_case(bouncing_ball()).find("capture_speed"), std::string::npos);
+  EXPECT_EQ(write_case(bouncing_ball()).find("restitution_table"), std::string::npos);
 }
 
 TEST(CaseText, EmptyFileLacksEveryKeyThatIsRequired) {

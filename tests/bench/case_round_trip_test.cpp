@@ -69,6 +69,14 @@ Case any_case() {
     const double distance = (attachment_point(result.initial, cable) - cable.anchor).norm();
     cable.length = distance + 0.01 + std::abs(moderate());
     cable.restitution = std::abs(moderate()) / 10.0;
+    if (*rc::gen::arbitrary<bool>()) {
+      cable.capture_speed = std::abs(any_finite());
+    }
+    double speed = 0.0;
+    for (int points = *rc::gen::inRange(0, 4); points > 0; --points) {
+      speed += 0.01 + std::abs(moderate());
+      cable.restitution_table.push_back({speed, std::abs(moderate()) / 10.0});
+    }
     result.cables.push_back(cable);
   }
   if (*rc::gen::arbitrary<bool>()) {
@@ -90,7 +98,8 @@ void spoil(Case& the_case) {
   *(*rc::gen::element(&the_case.body.mass, &the_case.body.inertia, &the_case.duration,
                       &the_case.gravity.x(), &initial.position.y(), &initial.angle,
                       &initial.velocity.x(), &initial.spin, &cable.anchor.x(),
-                      &cable.attachment.y(), &cable.length, &cable.restitution)) = value;
+                      &cable.attachment.y(), &cable.length, &cable.restitution,
+                      &cable.capture_speed)) = value;
 }
 
 /// A case or sentences, never both or neither; each sentence is one legible line about the source.

@@ -65,14 +65,23 @@ INSTANTIATE_TEST_SUITE_P(
             "AbsurdStep", with(bench_ball, {"--steps", "1e-30"}),
             "step 1e-30 needs 1e+31 steps for case bouncing-ball, which lasts 10 s; at most 1e+09"},
         BadUsage{"ForeignFolder", with(bench_ball, {"--out", "/etc"}),
-                 "--out /etc: holds files that `tautline bench` did not write"},
+                 "--out /etc: holds files that `tautline` did not write"},
         BadUsage{"OutIsAFile", with(bench_ball, {"--out", "/etc/passwd"}), "is not a folder"},
         BadUsage{"NegativeDuration",
                  {"solve", "bouncing-ball", "--until=-1"},
                  "duration -1 must be a finite number above 0 [s]"},
         BadUsage{"SampleAfterTheEnd",
-                 {"solve", "bouncing-ball", "--at", "1,9"},
-                 "sample time 9 is outside [0, 2.99999"},
+                 {"solve", "bouncing-ball", "--at", "1,11"},
+                 "sample time 11 is outside [0, 10]: the solution ends there (rest)"},
+        BadUsage{"TooFewDigits",
+                 {"solve", "bouncing-ball", "--certify", "--digits", "19"},
+                 "--digits 19: must be 20 to 1000"},
+        BadUsage{"TooManyDigits",
+                 {"solve", "bouncing-ball", "--certify", "--digits", "1001"},
+                 "--digits 1001: must be 20 to 1000"},
+        BadUsage{"DigitsForNothing",
+                 {"solve", "bouncing-ball", "--digits", "50"},
+                 "--digits 50: is for --certify, which is not given"},
         BadUsage{"PatternWhereOneIsMeant",
                  {"solve", "breakwater/*"},
                  "means 21 cases; this command takes one"},
@@ -102,8 +111,17 @@ TEST(Solve, PrintsTheDocumentedJsonForScripts) {
   const Outcome outcome = program({"solve", "breakwater/1910121100", "--json", "-", "--at", "3"});
   EXPECT_EQ(outcome.code, 0);
   const json solution = json::parse(outcome.output);
-  EXPECT_EQ(solution.at("schema"), 1);
-  EXPECT_EQ(solution.at("ending"), "zeno");
+  EXPECT_EQ(solution.at("schema"), 2);
+  EXPECT_EQ(solution.at("ending"), "reached_duration");
+  EXPECT_EQ(solution.at("end_time"), 20.0);
+  // computed with 60 digits; rounding moves the lock by up to 3e-4
+  const json& lock = solution.at("settling").at("lock");
+  EXPECT_EQ(lock.at("cables"), json::array({0, 1}));
+  EXPECT_EQ(lock.at("permanent"), true);
+  EXPECT_NEAR(lock.at("time").get<double>(), 8.1288, 3e-4);
+  EXPECT_NEAR(lock.at("swing").at("energy").get<double>(), 0.019679140, 1e-8);
+  EXPECT_NEAR(lock.at("swing").at("amplitude").get<double>(), 0.65026, 1e-5);
+  EXPECT_FALSE(solution.contains("certificate"));
   const json& first = solution.at("events").at(0);
   EXPECT_EQ(first.at("kind"), "impact");
   EXPECT_EQ(first.at("cables"), json::array({0}));
@@ -117,7 +135,41 @@ TEST(Solve, WritesJsonToAFileAndStaysSilent) {
   const Outcome outcome = program({"solve", "bouncing-ball", "--json", file});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.output, "");
-  EXPECT_EQ(json::parse(content_of(file)).at("ending"), "zeno");
+  const json solution = json::parse(content_of(file));
+  EXPECT_EQ(solution.at("ending"), "rest");
+  EXPECT_NEAR(solution.at("settling").at("lock").at("time").get<double>(), 3.0, 1e-12);
+}
+
+TEST(Solve, EndsItsTextWithWhatBecameOfTheMotion) {
+  const Outcome outcome = program({"solve", "breakwater/1910121100"});
+  EXPECT_EQ(outcome.code, 0);
+  const std::size_t table = outcome.output.rfind(" taut     0+1 ");
+  ASSERT_NE(table, std::string::npos);
+  const std::string end = outcome.output.substr(table);
+  for (const char* part : {"The run reached its duration, t = 20.\n",
+                           "on cables 0+1 are taut, for good", "amplitude 0.6502",
+                           "Of the initial energy 0.125 above the equilibrium 0.0196791 is left"}) {
+    EXPECT_NE(end.find(part), std::string::npos) << part << "\nis not in\n" << end;
+  }
+  const std::string ball = program({"solve", "bouncing-ball", "--until", "2.7"}).output;
+  EXPECT_NE(ball.find("No cable is taut at the end"), std::string::npos) << ball;
+}
+
+TEST(Solve, CertifiesInTextAndJson) {
+  const std::vector<std::string> ball = {"solve", "bouncing-ball", "--certify", "--digits", "30"};
+  const Outcome text = program(ball);
+  EXPECT_EQ(text.code, 0);
+  for (const char* part :
+       {"9 digits are correct to the end", "both took the same events", "\n30 digits "}) {
+    EXPECT_NE(text.output.find(part), std::string::npos) << part << "\n" << text.output;
+  }
+  std::vector<std::string> words = ball;
+  words.insert(words.end(), {"--json", "-"});
+  const json certificate = json::parse(program(words).output).at("certificate");
+  EXPECT_EQ(certificate.at("digits"), 30);
+  EXPECT_EQ(certificate.at("correct").at(0).at("digits"), 9);
+  EXPECT_TRUE(certificate.at("correct").at(0).at("until").is_null());
+  EXPECT_EQ(certificate.at("events").at("all"), true);
 }
 
 TEST(Output, ThatCannotBeWrittenIsAFailure) {

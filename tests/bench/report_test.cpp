@@ -92,6 +92,38 @@ TEST(ReportMarkdown, SaysEverythingTheJsonSays) {
   EXPECT_NE(markdown.find("## How to read this report"), std::string::npos);
 }
 
+TEST(Report, ARunThatStopsAtItsFirstTautCableIsNoFailure) {
+  const TemporaryFolder out;
+  const Outcome outcome =
+      program({"bench", "breakwater/1510121100", "--engines", "exact,bullet64", "--models", "event",
+               "--steps", "1e-2", "--out", (out.path() / "r").string()});
+  const json report = json::parse(content_of(out.path() / "r/report.json"));
+  if (report.at("runs").size() < 2) {
+    GTEST_SKIP() << "bullet64 is not built";
+  }
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(report.at("schema"), 2);
+  const json& exact = report.at("runs").at(0);
+  const json& stopped = report.at("runs").at(1);
+  EXPECT_EQ(exact.at("status"), "finished");
+  EXPECT_EQ(exact.at("metrics").at("whole").at("covered"), 20.0);
+  EXPECT_EQ(stopped.at("status"), "stopped");
+  EXPECT_TRUE(stopped.at("reason").get<std::string>().starts_with("impacts accumulate at t = 1."));
+  // computed with 60 digits: locked at 1.532917 with this energy and amplitude
+  const json& lock = report.at("cases").at(0).at("settling").at("lock");
+  EXPECT_NEAR(lock.at("time").get<double>(), 1.532917, 1e-5);
+  const json& swing = exact.at("metrics").at("settling").at("swing");
+  EXPECT_NEAR(swing.at("energy").at("found").get<double>(), 0.030367409, 1e-9);
+  // samples 1e-2 apart miss the largest angle by up to 0.82 (1.9 * 5e-3)^2 / 2
+  EXPECT_NEAR(swing.at("amplitude").at("found").get<double>(), 0.81987, 5e-5);
+  EXPECT_TRUE(stopped.at("metrics").at("settling").at("swing").is_null());
+  // said once in the report and once on the terminal
+  const std::string sentence =
+      "1 of 2 runs stopped at their first taut cable, past which bullet64 event does not go";
+  EXPECT_NE(content_of(out.path() / "r/report.md").find(sentence), std::string::npos);
+  EXPECT_NE(outcome.output.find(sentence), std::string::npos) << outcome.output;
+}
+
 TEST(Slope, IsTheOrderOfAPowerLaw) {
   const std::vector<double> steps = {1e-1, 1e-2, 1e-3, 1e-4};
   for (const double order : {0.0, 1.0, 2.0, -0.5}) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "bench/case_file.hpp"
@@ -27,24 +28,32 @@ Strings keys(const Json& object) {
 Json printed(const Case& the_case, const std::vector<double>& sample_times = {}) {
   const SolveOptions options;
   const Solution solution = solve(the_case, options);
-  return Json::parse(solution_json(the_case, options, solution, sample_times).dump(2));
+  return Json::parse(
+      solution_json(the_case, options, solution, settling(the_case, solution), sample_times)
+          .dump(2));
 }
 
 TEST(SolutionJson, HasTheNamesScriptsDependOn) {
   const Json json = printed(bouncing_ball(), {0.5});
   const Strings state = {"position", "angle", "velocity", "spin"};
-  EXPECT_EQ(json.at("schema"), 1);
+  EXPECT_EQ(json.at("schema"), 2);
   EXPECT_EQ(keys(json.at("case")),
             (Strings{"name", "duration", "gravity", "body", "cables", "initial"}));
   EXPECT_EQ(keys(json.at("case").at("body")), (Strings{"mass", "inertia"}));
   EXPECT_EQ(keys(json.at("case").at("cables").at(0)),
             (Strings{"anchor", "attachment", "length", "restitution"}));
-  EXPECT_EQ(keys(json.at("options")), (Strings{"capture_speed", "max_events"}));
+  EXPECT_EQ(keys(json.at("options")), (Strings{"law", "completion_error", "max_events"}));
   const Json& event = json.at("events").at(0);
   EXPECT_EQ(keys(event), (Strings{"time", "kind", "cables", "impulses", "before", "after"}));
   EXPECT_EQ(keys(event.at("before")), state);
   EXPECT_EQ(keys(json.at("end_state")), state);
-  EXPECT_EQ(keys(json.at("energy")), (Strings{"start", "end"}));
+  EXPECT_EQ(keys(json.at("energy")),
+            (Strings{"start", "impacts", "completions", "end", "residual"}));
+  EXPECT_EQ(keys(json.at("settling")), (Strings{"last_impacts", "lock"}));
+  EXPECT_EQ(keys(json.at("settling").at("last_impacts").at(0)), (Strings{"speed", "time"}));
+  EXPECT_EQ(keys(json.at("settling").at("lock")),
+            (Strings{"time", "uncertainty", "cables", "permanent", "rests", "swing"}));
+  EXPECT_TRUE(json.at("settling").at("lock").at("swing").is_null()) << "the ball rests";
   EXPECT_EQ(keys(json.at("samples").at(0)),
             (Strings{"time", "position", "angle", "velocity", "spin"}));
 }
@@ -88,17 +97,42 @@ TEST(SolutionJson, CaseHasTheKeysOfACaseFile) {
                                  "cables", "initial"}));
 }
 
-TEST(SolutionJson, AccumulationIsThereExactlyWhenTheSolutionHasOne) {
-  for (const Case& the_case : {bouncing_ball(), breakwater({}, "default")}) {
+TEST(SolutionJson, HasEveryAccumulationOfTheSolution) {
+  for (const Case& the_case :
+       {bouncing_ball(), breakwater(table_5_1().front().parameters, "standard")}) {
     const Solution solution = solve(the_case);
-    const Json json = printed(the_case);
-    ASSERT_EQ(json.contains("accumulation"), solution.accumulation().has_value());
-    if (solution.accumulation()) {
-      EXPECT_EQ(keys(json.at("accumulation")),
-                (Strings{"time", "uncertainty", "cables", "state", "energy"}));
-      EXPECT_EQ(json.at("accumulation").at("time").get<double>(), solution.accumulation()->time);
+    const Json all = printed(the_case).at("accumulations");
+    ASSERT_FALSE(all.empty()) << the_case.name;
+    ASSERT_EQ(all.size(), solution.accumulations().size());
+    for (std::size_t index = 0; index < all.size(); ++index) {
+      EXPECT_EQ(keys(all.at(index)),
+                (Strings{"start", "time", "uncertainty", "cables", "energy_lost"}));
+      EXPECT_EQ(all.at(index).at("time").get<double>(), solution.accumulations()[index].time);
     }
   }
+  EXPECT_EQ(printed(bouncing_ball(1.0)).at("accumulations"), Json::array());
+}
+
+TEST(SolutionJson, SettlingIsNullWhereNothingSettles) {
+  const Json elastic = printed(bouncing_ball(1.0)).at("settling");
+  EXPECT_TRUE(elastic.at("lock").is_null());
+  Case still = bouncing_ball(1.0);
+  still.duration = 0.5;  // before the first impact, at 1
+  const Json impacts = printed(still).at("settling").at("last_impacts");
+  ASSERT_EQ(impacts.size(), 2U);
+  EXPECT_EQ(impacts.at(0).at("speed"), 1e-2);
+  EXPECT_EQ(impacts.at(1).at("speed"), 1e-3);
+  EXPECT_TRUE(impacts.at(0).at("time").is_null());
+}
+
+TEST(SolutionJson, LedgerAccountsForEveryJouleOfTheBall) {
+  const Json energy = printed(bouncing_ball(0.5)).at("energy");
+  const auto number = [&](const char* key) { return energy.at(key).get<double>(); };
+  EXPECT_EQ(number("start"), 0.5);
+  EXPECT_EQ(number("end"), 0.0);
+  EXPECT_GT(number("completions"), 0.0);
+  EXPECT_LT(std::abs(number("residual")), 1e-15);
+  EXPECT_NEAR(number("impacts") + number("completions"), 0.5, 1e-15);
 }
 
 TEST(SolutionJson, SamplesComeInTheOrderAsked) {
@@ -120,7 +154,8 @@ TEST(SolutionJson, SampleOutsideTheSolutionIsNamedWithItsEnd) {
   EXPECT_EQ(
       sample_problems(solution, times),
       (Strings{"sample time 1.25" + rest, "sample time -1" + rest, "sample time nan" + rest}));
-  EXPECT_THROW(static_cast<void>(solution_json(the_case, {}, solution, times)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(solution_json(the_case, {}, solution, {}, times)),
+               std::out_of_range);
 }
 
 TEST(SolutionJson, ZeroAndWholeNumbersStayNumbersWithAPoint) {

@@ -49,7 +49,11 @@ std::vector<std::uint64_t> bits(const Case& the_case) {
   for (const Cable& cable : the_case.cables) {
     add_pair(cable.anchor);
     add_pair(cable.attachment);
-    add(cable.length, cable.restitution);
+    add(cable.length, cable.restitution, cable.capture_speed);
+    result.push_back(cable.restitution_table.size());
+    for (const RestitutionPoint& point : cable.restitution_table) {
+      add(point.speed, point.restitution);
+    }
   }
   return result;
 }

@@ -7,17 +7,33 @@
 
 namespace tautline {
 
-/// Cables that stay taut from now on: they rest, or their remaining bounces accumulate at once.
-struct Capture {
-  CableSet cables;
-  double remaining;    // [s] to the limit of the impact times; 0 if the cables simply rest
-  double uncertainty;  // [s] of `remaining`
-  State after;         // velocity projected onto the taut cables, M-orthogonally
+/// How small the remaining bounces must be before they are completed at once.
+struct CompletionLimits {
+  /// Completing changes the later velocities by at most about this fraction of their scale [-].
+  /// The default is far below rounding: rebounds of some 1e-6 m/s in systems of sizes near one.
+  double error = 1e-18;
+  /// Instead of `error`, if given: no remaining rebound is faster than this [m/s].
+  std::optional<double> speed;
 };
 
-/// Whether the cables in `touching` are captured at `state`. None if they will leave, still bounce
-/// faster than `capture_speed` [m/s], or if the certificate of analytic/README.md section 5 fails.
-[[nodiscard]] std::optional<Capture> capture(const Case& the_case, const State& state,
-                                             const Touching& touching, double capture_speed);
+/// An accumulation of impacts: infinitely many bounces that end within a finite time.
+template <class Real>
+struct BasicCapture {
+  CableSet cables;         // taut when it is over
+  bool ends;               // false: an elastic cable goes on bouncing, too low to matter
+  Real remaining;          // [s] to the limit of the impact times, if it ends
+  Real uncertainty;        // [s] of `remaining`
+  BasicState<Real> after;  // projected onto the taut cables, M-orthogonally (Eq. 18)
+};
+using Capture = BasicCapture<double>;
+
+/// The accumulation that the bounces of the cables in `touching` have come to at `state`. None if
+/// they rest already, will leave, still bounce faster than `limits` allow, or if the certificate of
+/// analytic/README.md section 5 fails.
+template <class Real>
+[[nodiscard]] std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
+                                                        const BasicState<Real>& state,
+                                                        const BasicTouching<Real>& touching,
+                                                        const CompletionLimits& limits = {});
 
 }  // namespace tautline

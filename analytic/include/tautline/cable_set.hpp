@@ -55,6 +55,9 @@ class CableSet {
   }
 
   constexpr bool operator==(const CableSet&) const = default;
+  friend constexpr CableSet operator-(CableSet a, CableSet b) {
+    return CableSet(a.bits_ & ~b.bits_);
+  }
   friend constexpr CableSet operator|(CableSet a, CableSet b) {
     return CableSet(a.bits_ | b.bits_);
   }

@@ -1,54 +1,86 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tautline/cable_set.hpp"
+#include "tautline/scalar.hpp"
 
 namespace tautline {
 
-using Vec2 = Eigen::Vector2d;
+template <class Real>
+using BasicVec2 = Eigen::Matrix<Real, 2, 1>;
+using Vec2 = BasicVec2<double>;
 
 /// One number per cable of a set, in rising index order; never on the heap.
-using CableVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_cables, 1>;
-using CableMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_cables, max_cables>;
+template <class Real>
+using BasicCableVector = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, max_cables, 1>;
+using CableVector = BasicCableVector<double>;
+template <class Real>
+using BasicCableMatrix =
+    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, max_cables, max_cables>;
+using CableMatrix = BasicCableMatrix<double>;
 
 /// A planar rigid body.
-struct Body {
-  double mass = 1.0;     // [kg], > 0
-  double inertia = 1.0;  // [kg m^2] about the centre of mass; 0 only for a point mass
+template <class Real>
+struct BasicBody {
+  Real mass = Real(1);     // [kg], > 0
+  Real inertia = Real(1);  // [kg m^2] about the centre of mass; 0 only for a point mass
 };
+using Body = BasicBody<double>;
+
+/// One measurement of a cable's restitution.
+template <class Real>
+struct BasicRestitutionPoint {
+  Real speed = Real(0);        // [m/s], >= 0, at which the cable becomes taut
+  Real restitution = Real(1);  // [-], 0 to 1
+};
+using RestitutionPoint = BasicRestitutionPoint<double>;
 
 /// A massless inextensible line from a point of the world to a point of the body.
-struct Cable {
-  Vec2 anchor = Vec2::Zero();      // [m], in the world
-  Vec2 attachment = Vec2::Zero();  // [m], in the body's frame, from its centre of mass
-  double length = 1.0;             // [m], > 0
-  double restitution = 1.0;        // [-], Newton's coefficient, 0 to 1
+template <class Real>
+struct BasicCable {
+  BasicVec2<Real> anchor = BasicVec2<Real>::Zero();  // [m], in the world
+  BasicVec2<Real> attachment =
+      BasicVec2<Real>::Zero();  // [m], in the body's frame, from its centre
+  Real length = Real(1);        // [m], > 0
+  Real restitution = Real(1);   // [-], Newton's coefficient, 0 to 1
+
+  // Restitution that depends on the speed of the impact; both off by default.
+  Real capture_speed = Real(0);  // [m/s], >= 0: an impact slower than this does not rebound
+  /// Measured restitution over speed, in rising speed; replaces `restitution` unless empty. Linear
+  /// between the points, constant beyond the first and the last.
+  std::vector<BasicRestitutionPoint<Real>> restitution_table = {};
 };
+using Cable = BasicCable<double>;
 
 /// Where the body is and how it moves.
-struct State {
-  Vec2 position = Vec2::Zero();  // [m], of the centre of mass
-  double angle = 0.0;            // [rad], anticlockwise, not wrapped
-  Vec2 velocity = Vec2::Zero();  // [m/s], of the centre of mass
-  double spin = 0.0;             // [rad/s], anticlockwise
+template <class Real>
+struct BasicState {
+  BasicVec2<Real> position = BasicVec2<Real>::Zero();  // [m], of the centre of mass
+  Real angle = Real(0);                                // [rad], anticlockwise, not wrapped
+  BasicVec2<Real> velocity = BasicVec2<Real>::Zero();  // [m/s], of the centre of mass
+  Real spin = Real(0);                                 // [rad/s], anticlockwise
 };
+using State = BasicState<double>;
 
 /// One system, its start and its duration. SI units or nondimensional: `gravity` decides.
-struct Case {
+template <class Real>
+struct BasicCase {
   std::string name;
-  Body body;
-  std::vector<Cable> cables;          // 1 to max_cables
-  Vec2 gravity = Vec2(0.0, -1.0);     // [m/s^2], any constant vector, zero included
-  State initial;                      // every gap >= 0 within `gap_rounding`
-  double duration = 1.0;              // [s], > 0
-  std::optional<double> angle_limit;  // [rad], > 0: the run ends where |angle| reaches it
-  std::optional<double> ceiling;      // [m]: the run ends where an attachment rises to it
+  BasicBody<Real> body;
+  std::vector<BasicCable<Real>> cables;                          // 1 to max_cables
+  BasicVec2<Real> gravity = BasicVec2<Real>(Real(0), -Real(1));  // [m/s^2], any constant vector
+  BasicState<Real> initial;         // every gap >= 0 within `gap_rounding`
+  Real duration = Real(1);          // [s], > 0
+  std::optional<Real> angle_limit;  // [rad], > 0: the run ends where |angle| reaches it
+  std::optional<Real> ceiling;      // [m]: the run ends where an attachment rises to it
 };
+using Case = BasicCase<double>;
 
 /// A gap this small against the cable's length is rounding in the input and counts as zero [-].
 inline constexpr double gap_rounding = 1e-12;
@@ -65,7 +97,97 @@ inline constexpr double smallest_divisor = 1e-60;
 /// right. Empty means `solve` accepts it.
 [[nodiscard]] std::vector<std::string> problems(const Case& the_case);
 
+/// `the_case` rounded to double.
+template <class Real>
+[[nodiscard]] Case in_double(const BasicCase<Real>& the_case) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return the_case;
+  } else {
+    const auto number = [](const Real& value) { return static_cast<double>(value); };
+    const auto vector = [&](const BasicVec2<Real>& v) {
+      return Vec2(number(v.x()), number(v.y()));
+    };
+    const BasicState<Real>& start = the_case.initial;
+    Case result;
+    result.name = the_case.name;
+    result.body = {number(the_case.body.mass), number(the_case.body.inertia)};
+    for (const BasicCable<Real>& cable : the_case.cables) {
+      Cable rounded{vector(cable.anchor),      vector(cable.attachment),    number(cable.length),
+                    number(cable.restitution), number(cable.capture_speed), {}};
+      for (const auto& point : cable.restitution_table) {
+        rounded.restitution_table.push_back({number(point.speed), number(point.restitution)});
+      }
+      result.cables.push_back(std::move(rounded));
+    }
+    result.gravity = vector(the_case.gravity);
+    result.initial = {vector(start.position), number(start.angle), vector(start.velocity),
+                      number(start.spin)};
+    result.duration = number(the_case.duration);
+    if (the_case.angle_limit) {
+      result.angle_limit = number(*the_case.angle_limit);
+    }
+    if (the_case.ceiling) {
+      result.ceiling = number(*the_case.ceiling);
+    }
+    return result;
+  }
+}
+
+/// True where the restitution of `cable` is not the same at all speeds.
+template <class Real>
+[[nodiscard]] bool depends_on_speed(const BasicCable<Real>& cable) {
+  return cable.capture_speed > 0 || !cable.restitution_table.empty();
+}
+
+/// The restitution [-] of an impact on `cable` whose gap closes at `rate` [m/s]; its sign is
+/// ignored.
+template <class Real>
+[[nodiscard]] Real restitution(const BasicCable<Real>& cable, const Real& rate) {
+  const Real speed = abs(rate);
+  if (speed < cable.capture_speed) {
+    return Real(0);
+  }
+  const auto& table = cable.restitution_table;
+  if (table.empty()) {
+    return cable.restitution;
+  }
+  const auto above = std::find_if(table.begin(), table.end(),
+                                  [&](const auto& point) { return point.speed > speed; });
+  if (above == table.begin()) {
+    return table.front().restitution;
+  }
+  const auto below = std::prev(above);
+  if (above == table.end()) {
+    return below->restitution;
+  }
+  const Real part = (speed - below->speed) / (above->speed - below->speed);
+  return below->restitution + part * (above->restitution - below->restitution);
+}
+
+/// The largest restitution [-] of impacts on `cable` no faster than `speed` [m/s].
+template <class Real>
+[[nodiscard]] Real restitution_up_to(const BasicCable<Real>& cable, const Real& speed) {
+  if (speed < cable.capture_speed) {
+    return Real(0);
+  }
+  Real largest = max(restitution(cable, speed), restitution(cable, cable.capture_speed));
+  for (const auto& point : cable.restitution_table) {
+    if (point.speed <= speed && point.speed >= cable.capture_speed) {
+      largest = max(largest, point.restitution);
+    }
+  }
+  return largest;
+}
+
 /// True where `problems` accepts zero inertia: every attachment is the centre of mass.
-[[nodiscard]] bool is_point_mass(const Case& the_case);
+template <class Real>
+[[nodiscard]] bool is_point_mass(const BasicCase<Real>& the_case) {
+  for (const BasicCable<Real>& cable : the_case.cables) {
+    if (cable.attachment.x() != 0 || cable.attachment.y() != 0) {  // exactly
+      return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace tautline

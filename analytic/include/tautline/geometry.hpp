@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 #include "tautline/case.hpp"
 
@@ -8,58 +11,156 @@ namespace tautline {
 
 // Equation numbers are those of analytic/README.md.
 
-/// The attachment relative to the centre of mass, in world axes [m].
-[[nodiscard]] Vec2 attachment_arm(const State& state, const Cable& cable);
-
-/// The body's attachment point in the world [m] (Eq. 1).
-[[nodiscard]] Vec2 attachment_point(const State& state, const Cable& cable);
-
-/// The velocity of that point [m/s] (Eq. 2).
-[[nodiscard]] Vec2 attachment_velocity(const State& state, const Cable& cable);
-
-/// Length minus distance [m]; admissible when >= 0 (Eq. 3).
-[[nodiscard]] double gap(const Cable& cable, const State& state);
-
-/// d gap / dt [m/s]; negative when closing (Eq. 4).
-[[nodiscard]] double gap_rate(const Cable& cable, const State& state);
-
-/// d^2 gap / dt^2 in free flight [m/s^2] (Eq. 5); negative when gravity closes the cable.
-[[nodiscard]] double free_gap_acceleration(const Case& the_case, std::size_t index,
-                                           const State& state);
-
-/// d gap / d(x, y, angle) [-, -, m]: the row of the constraint Jacobian (Eq. 6).
-/// Requires distance > 0.
-[[nodiscard]] Eigen::Vector3d gap_gradient(const Cable& cable, const State& state);
-
-/// Diagonal of the inverse mass matrix for (x, y, angle) [1/kg, 1/kg, 1/(kg m^2)].
-/// A point mass does not turn: its third entry is 0.
-[[nodiscard]] Eigen::Vector3d inverse_mass(const Body& body);
-
-/// J M^-1 J^T over `cables`, in rising index order, symmetric positive semidefinite (Eq. 7).
-[[nodiscard]] CableMatrix delassus(const Case& the_case, const State& state, CableSet cables);
-
-/// Applies `impulses` [N s], one per cable of `cables`, at the state's pose (Eq. 8).
-[[nodiscard]] State with_impulses(const Case& the_case, const State& state, CableSet cables,
-                                  const CableVector& impulses);
-
-/// Kinetic plus potential energy [J]; zero potential at the origin of the world (Eq. 9).
-[[nodiscard]] double energy(const Case& the_case, const State& state);
-
-/// Linear momentum [N s].
-[[nodiscard]] Vec2 momentum(const Case& the_case, const State& state);
-
-/// Angular momentum about a world point [N m s].
-[[nodiscard]] double angular_momentum(const Case& the_case, const State& state, const Vec2& about);
-
-/// A bound of the speeds of the body's attachment points [m/s].
-[[nodiscard]] double speed_scale(const Case& the_case, const State& state);
-
 /// Scalar cross product a x b.
-[[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) {
+template <class Real>
+[[nodiscard]] Real cross(const BasicVec2<Real>& a, const BasicVec2<Real>& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
 /// `v` turned by +90 degrees.
-[[nodiscard]] inline Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
+template <class Real>
+[[nodiscard]] BasicVec2<Real> perpendicular(const BasicVec2<Real>& v) {
+  return {-v.y(), v.x()};
+}
+
+/// The attachment relative to the centre of mass, in world axes [m].
+template <class Real>
+[[nodiscard]] BasicVec2<Real> attachment_arm(const BasicState<Real>& state,
+                                             const BasicCable<Real>& cable) {
+  const Real c = cos(state.angle);
+  const Real s = sin(state.angle);
+  return {c * cable.attachment.x() - s * cable.attachment.y(),
+          s * cable.attachment.x() + c * cable.attachment.y()};
+}
+
+/// The body's attachment point in the world [m] (Eq. 1).
+template <class Real>
+[[nodiscard]] BasicVec2<Real> attachment_point(const BasicState<Real>& state,
+                                               const BasicCable<Real>& cable) {
+  return state.position + attachment_arm(state, cable);
+}
+
+/// The velocity of that point [m/s] (Eq. 2).
+template <class Real>
+[[nodiscard]] BasicVec2<Real> attachment_velocity(const BasicState<Real>& state,
+                                                  const BasicCable<Real>& cable) {
+  return state.velocity + state.spin * perpendicular(attachment_arm(state, cable));
+}
+
+/// Length minus distance [m]; admissible when >= 0 (Eq. 3).
+template <class Real>
+[[nodiscard]] Real gap(const BasicCable<Real>& cable, const BasicState<Real>& state) {
+  return cable.length - (attachment_point(state, cable) - cable.anchor).norm();
+}
+
+/// d gap / dt [m/s]; negative when closing (Eq. 4).
+template <class Real>
+[[nodiscard]] Real gap_rate(const BasicCable<Real>& cable, const BasicState<Real>& state) {
+  const BasicVec2<Real> from_anchor = attachment_point(state, cable) - cable.anchor;
+  return -from_anchor.dot(attachment_velocity(state, cable)) / from_anchor.norm();
+}
+
+/// d^2 gap / dt^2 in free flight [m/s^2] (Eq. 5); negative when gravity closes the cable.
+template <class Real>
+[[nodiscard]] Real free_gap_acceleration(const BasicCase<Real>& the_case, std::size_t index,
+                                         const BasicState<Real>& state) {
+  const BasicCable<Real>& cable = the_case.cables[index];
+  const BasicVec2<Real> arm = attachment_arm(state, cable);
+  const BasicVec2<Real> from_anchor = state.position + arm - cable.anchor;
+  const Real distance = from_anchor.norm();
+  const BasicVec2<Real> velocity = state.velocity + state.spin * perpendicular(arm);
+  const Real spin_squared = state.spin * state.spin;
+  const BasicVec2<Real> acceleration = the_case.gravity - spin_squared * arm;
+  const Real across = cross(from_anchor, velocity) / distance;
+  return -(from_anchor.dot(acceleration) + across * across) / distance;
+}
+
+/// d gap / d(x, y, angle) [-, -, m]: the row of the constraint Jacobian (Eq. 6).
+/// Requires distance > 0.
+template <class Real>
+[[nodiscard]] Eigen::Matrix<Real, 3, 1> gap_gradient(const BasicCable<Real>& cable,
+                                                     const BasicState<Real>& state) {
+  const BasicVec2<Real> arm = attachment_arm(state, cable);
+  const BasicVec2<Real> u = (state.position + arm - cable.anchor).normalized();
+  return {-u.x(), -u.y(), -cross(arm, u)};
+}
+
+/// Diagonal of the inverse mass matrix for (x, y, angle) [1/kg, 1/kg, 1/(kg m^2)].
+/// A point mass does not turn: its third entry is 0.
+template <class Real>
+[[nodiscard]] Eigen::Matrix<Real, 3, 1> inverse_mass(const BasicBody<Real>& body) {
+  const Real one(1);
+  const Real inverse_inertia = body.inertia > 0 ? Real(one / body.inertia) : Real(0);
+  return {one / body.mass, one / body.mass, inverse_inertia};
+}
+
+/// J M^-1 J^T over `cables`, in rising index order, symmetric positive semidefinite (Eq. 7).
+template <class Real>
+[[nodiscard]] BasicCableMatrix<Real> delassus(const BasicCase<Real>& the_case,
+                                              const BasicState<Real>& state, CableSet cables) {
+  const auto count = static_cast<Eigen::Index>(cables.size());
+  Eigen::Matrix<Real, Eigen::Dynamic, 3, 0, max_cables, 3> jacobian(count, 3);
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    jacobian.row(row++) = gap_gradient(the_case.cables[index], state).transpose();
+  }
+  return jacobian * inverse_mass(the_case.body).asDiagonal() * jacobian.transpose();
+}
+
+/// Applies `impulses` [N s], one per cable of `cables`, at the state's pose (Eq. 8).
+template <class Real>
+[[nodiscard]] BasicState<Real> with_impulses(const BasicCase<Real>& the_case,
+                                             const BasicState<Real>& state, CableSet cables,
+                                             const BasicCableVector<Real>& impulses) {
+  Eigen::Matrix<Real, 3, 1> change = Eigen::Matrix<Real, 3, 1>::Zero();
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    change += impulses[row++] * gap_gradient(the_case.cables[index], state);
+  }
+  change = change.cwiseProduct(inverse_mass(the_case.body)).eval();
+  BasicState<Real> result = state;
+  result.velocity += change.template head<2>();
+  result.spin += change[2];
+  return result;
+}
+
+/// Kinetic energy [J].
+template <class Real>
+[[nodiscard]] Real kinetic_energy(const BasicBody<Real>& body, const BasicState<Real>& state) {
+  return (body.mass * state.velocity.squaredNorm() + body.inertia * state.spin * state.spin) / 2;
+}
+
+/// Kinetic plus potential energy [J]; zero potential at the origin of the world (Eq. 9).
+template <class Real>
+[[nodiscard]] Real energy(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+  return kinetic_energy(the_case.body, state) -
+         the_case.body.mass * the_case.gravity.dot(state.position);
+}
+
+/// Linear momentum [N s].
+template <class Real>
+[[nodiscard]] BasicVec2<Real> momentum(const BasicCase<Real>& the_case,
+                                       const BasicState<Real>& state) {
+  return the_case.body.mass * state.velocity;
+}
+
+/// Angular momentum about a world point [N m s].
+template <class Real>
+[[nodiscard]] Real angular_momentum(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                    const BasicVec2<Real>& about) {
+  const BasicVec2<Real> from = state.position - about;
+  return the_case.body.mass * cross(from, state.velocity) + the_case.body.inertia * state.spin;
+}
+
+/// A bound of the speeds of the body's attachment points [m/s].
+template <class Real>
+[[nodiscard]] Real speed_scale(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+  Real radius(0);
+  for (const BasicCable<Real>& cable : the_case.cables) {
+    const Real norm = cable.attachment.norm();
+    radius = norm > radius ? norm : radius;
+  }
+  return state.velocity.norm() + abs(state.spin) * radius;
+}
 
 }  // namespace tautline

@@ -1,38 +1,85 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
+#include <string_view>
+#include <type_traits>
 
 #include "tautline/case.hpp"
 
 namespace tautline {
 
-/// The impulses of one impact and the state after it.
-struct Impact {
-  CableVector impulses;  // [N s], >= 0, one per cable of the set, in rising index order
-  State after;
+/// How an impact on several cables at once is resolved (analytic/README.md section 4). One cable
+/// alone has one law; these differ where several hit at once, or one hits while others are taut.
+/// Every cable's restitution is that of its own closing rate before the impact, in `sequential`
+/// before each of its hits.
+enum class ImpactLaw {
+  simultaneous,  // Moreau's form of Newton's law: one LCP for all cables; velocity-level time
+                 // stepping converges to it
+  poisson,       // compression of all cables, then each gives back restitution times its impulse;
+                 // with one restitution the same as simultaneous
+  sequential,    // one cable after the other, the fastest closing first, the lowest index on ties
+  energetic,     // Stronge's: each gives back restitution squared of its work of compression; the
+                 // cables are linear springs, equally stiff, that act while the pose stands still
 };
+
+/// All of them.
+inline constexpr std::array impact_laws = {ImpactLaw::simultaneous, ImpactLaw::poisson,
+                                           ImpactLaw::sequential, ImpactLaw::energetic};
+
+/// The name used in files and commands: "simultaneous", and so on.
+[[nodiscard]] std::string_view to_string(ImpactLaw law);
+
+/// The impulses of one impact and the state after it.
+template <class Real>
+struct BasicImpact {
+  BasicCableVector<Real> impulses;  // [N s], >= 0, one per cable of the set, rising index order
+  BasicState<Real> after;
+};
+using Impact = BasicImpact<double>;
 
 /// Newton's impact law for all of `cables`, each at zero gap and closing or resting (Eq. 14):
 /// 0 <= impulse, perpendicular to, rate after + restitution * rate before >= 0.
 /// Never gains energy (analytic/README.md section 4). A rate > 0 before is a caller's mistake;
 /// one within rounding of zero is taken as it is, or left out where that leaves no solution.
-[[nodiscard]] Impact newton_impact(const Case& the_case, const State& before, CableSet cables);
+template <class Real>
+[[nodiscard]] BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case,
+                                              const BasicState<Real>& before, CableSet cables);
+
+/// The same for any law; simultaneous is `newton_impact`. No law gains energy, and none leaves a
+/// cable closing but for rounding. Where `sequential` or `energetic` come to no end (elastic cables
+/// that leave the body nowhere to go) they give up after a fixed number of steps, and what still
+/// closes is stopped without restitution. Impulses are NaN where numbers overflow.
+template <class Real>
+[[nodiscard]] BasicImpact<Real> resolve_impact(ImpactLaw law, const BasicCase<Real>& the_case,
+                                               const BasicState<Real>& before, CableSet cables);
 
 /// Solves the linear complementarity problem 0 <= z, perpendicular to, m z + q >= 0 for a matrix
 /// m = J M^-1 J^T of a planar body: symmetric positive semidefinite with rank <= 3, up to 8 by 8.
 /// m z is unique; among the solutions z of a redundant set, one with at most three entries > 0.
 /// None if the problem has no solution.
-[[nodiscard]] std::optional<CableVector> solve_lcp(const CableMatrix& m, const CableVector& q);
+template <class Real>
+[[nodiscard]] std::optional<BasicCableVector<Real>> solve_lcp(
+    const BasicCableMatrix<Real>& m, const std::type_identity_t<BasicCableVector<Real>>& q);
+
+/// True where the rows of `cables` in the constraint Jacobian are independent, beyond rounding.
+template <class Real>
+[[nodiscard]] bool independent(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                               CableSet cables);
 
 /// The tensions [N] that hold `cables`, all at zero gap and resting, and what they leave (Eq. 16):
 /// 0 <= tension, perpendicular to, gap acceleration >= 0.
-struct Tensions {
-  CableVector tension;       // [N], one per cable of the set
-  CableVector acceleration;  // [m/s^2], of each gap under these tensions
+template <class Real>
+struct BasicTensions {
+  BasicCableVector<Real> tension;       // [N], one per cable of the set
+  BasicCableVector<Real> acceleration;  // [m/s^2], of each gap under these tensions
 };
+using Tensions = BasicTensions<double>;
 /// None where no tension can hold the cables: the pose is admissible, no motion through it is.
-[[nodiscard]] std::optional<Tensions> resting_tensions(const Case& the_case, const State& state,
-                                                       CableSet cables);
+template <class Real>
+[[nodiscard]] std::optional<BasicTensions<Real>> resting_tensions(const BasicCase<Real>& the_case,
+                                                                  const BasicState<Real>& state,
+                                                                  CableSet cables);
 
 }  // namespace tautline

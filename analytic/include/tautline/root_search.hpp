@@ -5,14 +5,18 @@
 #include <limits>
 #include <optional>
 
+#include "tautline/scalar.hpp"
+
 namespace tautline {
 
 /// A function of time at one instant, with its first two derivatives.
-struct Sample {
-  double value;
-  double rate;
-  double curvature;
+template <class Real>
+struct BasicSample {
+  Real value;
+  Real rate;
+  Real curvature;
 };
+using Sample = BasicSample<double>;
 
 /// What is known about a function where a search starts, better than its rounded sample says.
 struct SearchStart {
@@ -20,20 +24,23 @@ struct SearchStart {
 };
 
 /// What a search for the first root found.
-struct RootSearch {
-  std::optional<double> root;  // none: no root in [0, horizon]; NaN: unknown, numbers overflowed
-  int steps = 0;               // evaluations of the function, the measure of work
+template <class Real>
+struct BasicRootSearch {
+  std::optional<Real> root;  // none: no root in [0, horizon]; NaN: unknown, numbers overflowed
+  int steps = 0;             // evaluations of the function, the measure of work
 };
+using RootSearch = BasicRootSearch<double>;
 
 /// The smallest t >= 0 with value + rate t - bend t^2 / 2 = 0, infinite if there is none.
 /// Requires value >= 0. Each branch adds two numbers of one sign, so nothing cancels.
-[[nodiscard]] inline double first_quadratic_root(double value, double rate, double bend) {
-  const double discriminant = rate * rate + 2.0 * bend * value;
-  if (discriminant < 0.0 || (bend <= 0.0 && rate >= 0.0)) {
-    return std::numeric_limits<double>::infinity();
+template <class Real>
+[[nodiscard]] Real first_quadratic_root(const Real& value, const Real& rate, const Real& bend) {
+  const Real discriminant = rate * rate + 2 * bend * value;
+  if (discriminant < 0 || (bend <= 0 && rate >= 0)) {
+    return infinity<Real>();
   }
-  const double root = std::sqrt(discriminant);
-  return rate >= 0.0 ? (rate + root) / bend : 2.0 * value / (root - rate);
+  const Real root = sqrt(discriminant);
+  return rate >= 0 ? Real((rate + root) / bend) : Real(2 * value / (root - rate));
 }
 
 /// A step from `now` at time s, at most `window`, before whose end f has no root.
@@ -41,23 +48,24 @@ struct RootSearch {
 /// Proof. On [s, s + w] let |f'''| <= J and c = f''(s). Then f'' >= c - J w there, so by Taylor
 /// f(s + t) >= f + f' t - (J w - c) t^2 / 2 for t <= w, and f has no root before the smaller of w
 /// and the root of the right-hand side. Any w gives a valid step; the loop looks for a long one.
-template <class Function>
-[[nodiscard]] double safe_step(const Function& f, const Sample& now, double s, double window) {
-  const auto reach = [&](double w) {
-    return first_quadratic_root(now.value, now.rate, f.jerk_bound(s, w) * w - now.curvature);
+template <class Function, class Real>
+[[nodiscard]] Real safe_step(const Function& f, const BasicSample<Real>& now, const Real& s,
+                             const Real& window) {
+  const auto reach = [&](const Real& w) {
+    return first_quadratic_root<Real>(now.value, now.rate, f.jerk_bound(s, w) * w - now.curvature);
   };
-  double trial = std::min(window, first_quadratic_root(now.value, now.rate, -now.curvature));
+  Real trial = min(window, first_quadratic_root<Real>(now.value, now.rate, -now.curvature));
   // at the best w both limits agree; the geometric mean closes three quarters of the log distance.
   // From a graze the right-hand side has its root at zero unless w is small: never all the way
-  constexpr double least = std::numeric_limits<double>::epsilon();
+  const Real least = epsilon<Real>();
   for (int refinement = 0; refinement < 3; ++refinement) {
-    const double found = reach(trial);
+    const Real found = reach(trial);
     if (found >= trial) {
       return trial;
     }
-    trial = std::sqrt(trial * std::max(found, least * trial));
+    trial = sqrt(Real(trial * max(found, Real(least * trial))));
   }
-  return std::min(trial, reach(trial));
+  return min(trial, reach(trial));
 }
 
 /// True where Newton's method from `now` must converge to the first root after s.
@@ -65,30 +73,31 @@ template <class Function>
 /// Kantorovich: with |f''| <= M on [s, s + 2 f/|f'|] and M f <= f'^2 / 2 there is exactly one root
 /// in that interval, and Newton started at s converges to it. A quarter instead of a half saves
 /// steps.
-template <class Function>
-[[nodiscard]] bool newton_is_certain(const Function& f, const Sample& now, double s) {
-  if (now.rate >= 0.0) {
+template <class Function, class Real>
+[[nodiscard]] bool newton_is_certain(const Function& f, const BasicSample<Real>& now,
+                                     const Real& s) {
+  if (now.rate >= 0) {
     return false;
   }
-  const double width = -2.0 * now.value / now.rate;
-  const double bound = std::abs(now.curvature) + f.jerk_bound(s, width) * width;
-  return bound * now.value <= 0.25 * now.rate * now.rate;
+  const Real width = -2 * now.value / now.rate;
+  const Real bound = abs(now.curvature) + f.jerk_bound(s, width) * width;
+  return 4 * bound * now.value <= now.rate * now.rate;
 }
 
 /// Newton's method with the second derivative, inside its certified region: each correction is the
 /// first root of the Taylor parabola, at most 2 f/|f'|, until one no longer changes the time.
-template <class Function>
-[[nodiscard]] double finish_by_newton(const Function& f, Sample now, double s, int& steps) {
-  constexpr int enough = 8;  // cubic from 1/4: four reach the last bit, the rest is rounding
+template <class Function, class Real>
+[[nodiscard]] Real finish_by_newton(const Function& f, BasicSample<Real> now, Real s, int& steps) {
+  constexpr int enough = 8;  // cubic from 1/4: four reach a double's last bit, six 100 digits
   for (int iteration = 0; iteration < enough; ++iteration) {
-    const double bend = 2.0 * now.curvature * now.value;
-    const double slope = std::sqrt(std::max(0.0, now.rate * now.rate - bend));
-    const double correction = 2.0 * now.value / (slope - now.rate);
-    const double size = std::abs(correction);
+    const Real bend = 2 * now.curvature * now.value;
+    const Real slope = sqrt(max(Real(0), Real(now.rate * now.rate - bend)));
+    const Real correction = 2 * now.value / (slope - now.rate);
+    const Real size = abs(correction);
     // f there is at most J size^3 / 6 and |f'| at least half its size here: below rounding of the
     // time there is nothing to gain
-    const bool done = f.jerk_bound(s, size) * size * size * size <=
-                      3.0 * std::numeric_limits<double>::epsilon() * s * std::abs(now.rate);
+    const bool done =
+        f.jerk_bound(s, size) * size * size * size <= 3 * epsilon<Real>() * s * abs(now.rate);
     s += correction;
     if (done) {
       break;
@@ -110,34 +119,35 @@ template <class Function>
 ///
 /// `Function` offers at(s) -> Sample, and jerk_bound(s, w), an upper bound of |f'''| on [s, s + w]
 /// as long as f >= 0 there; it must not shrink when w grows.
-template <class Function>
-[[nodiscard]] RootSearch first_root(const Function& f, double horizon, SearchStart start = {}) {
-  RootSearch search;
-  double s = 0.0;
-  Sample now = f.at(s);
+template <class Function, class Real>
+[[nodiscard]] BasicRootSearch<Real> first_root(const Function& f, const Real& horizon,
+                                               SearchStart start = {}) {
+  BasicRootSearch<Real> search;
+  Real s(0);
+  BasicSample<Real> now = f.at(s);
   search.steps = 1;
   if (start.at_zero) {
-    now.value = 0.0;
+    now.value = Real(0);
   }
-  double least_step = 0.0;
+  Real least_step(0);
   const auto unknown = [&search] {
-    search.root = std::numeric_limits<double>::quiet_NaN();
+    search.root = not_a_number<Real>();
     return search;
   };
   while (true) {
     // their sum is finite only where each is
-    if (!std::isfinite(now.value + now.rate + now.curvature)) {
+    if (!isfinite(Real(now.value + now.rate + now.curvature))) {
       return unknown();
     }
-    if (now.value <= 0.0) {
-      if (now.rate < 0.0 || (now.rate == 0.0 && now.curvature < 0.0)) {
+    if (now.value <= 0) {
+      if (now.rate < 0 || (now.rate == 0 && now.curvature < 0)) {
         search.root = s;
         return search;
       }
-      now.value = 0.0;
+      now.value = Real(0);
     } else if (newton_is_certain(f, now, s)) {
-      const double root = finish_by_newton(f, now, s, search.steps);
-      if (!std::isfinite(root)) {
+      const Real root = finish_by_newton(f, now, s, search.steps);
+      if (!isfinite(root)) {
         return unknown();
       }
       if (root <= horizon) {
@@ -148,18 +158,19 @@ template <class Function>
     if (s >= horizon) {
       return search;
     }
-    double step = safe_step(f, now, s, horizon - s);
-    if (!std::isfinite(step)) {
+    Real step = safe_step(f, now, s, Real(horizon - s));
+    if (!isfinite(step)) {
       return unknown();
     }
     if (s + step == s) {  // below the resolution of time
-      if (!std::isfinite(f.jerk_bound(s, 0.0))) {
+      if (!isfinite(f.jerk_bound(s, Real(0)))) {
         return unknown();
       }
-      step = std::max(std::nextafter(s, horizon) - s, 2.0 * least_step);
+      const Real finest = epsilon<Real>() * max(s, Real(epsilon<Real>() * horizon));
+      step = max(finest, Real(2 * least_step));
       least_step = step;
     }
-    s = std::min(horizon, s + step);
+    s = min(horizon, Real(s + step));
     now = f.at(s);
     ++search.steps;
   }

@@ -17,32 +17,39 @@ enum class Shape {
 /// A breakwater hung from two equal cables (source chapter, Fig. 5.1): nondimensional, mass and
 /// gravity 1, anchors at (-1, h + b) and (1, h + b), attachments at (-a, b) and (a, b); the origin
 /// is the equilibrium. Cable 0 is the left one, cable 1 the right.
-struct Breakwater {
-  double r = 1.5;  // [-], cable length; > 1 - a, or the body cannot float (Eq. 5.1)
-  double e = 0.9;  // [-], restitution of both cables
-  double a = 0.1;  // [-], half width, >= 0
-  double b = 0.0;  // [-], depth of the centre of mass below the attachments
+template <class Real>
+struct BasicBreakwater {
+  Real r = Real(15) / 10;  // [-], cable length; > 1 - a, or the body cannot float (Eq. 5.1)
+  Real e = Real(9) / 10;   // [-], restitution of both cables
+  Real a = Real(1) / 10;   // [-], half width, >= 0
+  Real b = Real(0);        // [-], depth of the centre of mass below the attachments
   Shape shape = Shape::ring;
-  State initial;
-  double duration = 20.0;
+  BasicState<Real> initial = {};
+  Real duration = Real(20);
 };
+using Breakwater = BasicBreakwater<double>;
 
 /// The chapter's validity limits: rotation within +-pi/2, attachments below the anchors.
 enum class ChapterLimits { off, on };
 
 /// The case of a breakwater. Throws std::invalid_argument if r <= 1 - a.
-[[nodiscard]] Case breakwater(const Breakwater& parameters, const std::string& name,
-                              ChapterLimits limits = ChapterLimits::off);
+template <class Real>
+[[nodiscard]] BasicCase<Real> breakwater(const BasicBreakwater<Real>& parameters,
+                                         const std::string& name,
+                                         ChapterLimits limits = ChapterLimits::off);
 
 /// One row of the source chapter's Table 5.1.
-struct TableRow {
+template <class Real>
+struct BasicTableRow {
   std::string_view number;  // the chapter's case number
-  Breakwater parameters;
+  BasicBreakwater<Real> parameters;
 };
+using TableRow = BasicTableRow<double>;
 
 /// The 21 distinct cases of Table 5.1, in the order of their first mention; the last is the point
-/// mass.
-[[nodiscard]] const std::vector<TableRow>& table_5_1();
+/// mass. The numbers are the nearest of type Real to the table's decimals.
+template <class Real = double>
+[[nodiscard]] std::vector<BasicTableRow<Real>> table_5_1();
 
 /// Case zero: a ball on one cable through its centre of mass, dropped straight below the anchor.
 /// Bounces form a geometric series that ends at (1 + e) / (1 - e) times the time of the first fall.

@@ -16,68 +16,89 @@ enum class EventKind {
 };
 
 /// An instant at which the motion changes. Times count from the start of the run.
-struct Event {
-  double time;           // [s]
-  EventKind kind;        //
-  CableSet cables;       // that take part
-  CableVector impulses;  // [N s], one per cable of `cables`, in rising index order
-  State before;
-  State after;
+template <class Real>
+struct BasicEvent {
+  Real time;        // [s]
+  EventKind kind;   //
+  CableSet cables;  // that take part
+  /// [N s], one per cable of `cables`, in rising index order. Of an accumulation that is completed:
+  /// what removes the remaining rates, < 0 where gravity will have done it.
+  BasicCableVector<Real> impulses;
+  BasicState<Real> before;
+  BasicState<Real> after;
 };
+using Event = BasicEvent<double>;
 
 /// A stretch of motion without events.
-struct Arc {
-  double start;   // [s]
-  double end;     // [s], >= start
-  State initial;  // at `start`
-  CableSet taut;  // held at zero gap along the arc; empty in free flight
+template <class Real>
+struct BasicArc {
+  Real start;                // [s]
+  Real end;                  // [s], >= start
+  BasicState<Real> initial;  // at `start`
+  CableSet taut;             // held at zero gap along the arc; empty in free flight
+  /// Taylor coefficients of x, y and angle in the time since `start`, one column each; empty: the
+  /// closed form of free flight.
+  Eigen::Matrix<Real, Eigen::Dynamic, 3> series;
+
+  /// The state `dt` [s] after the start.
+  [[nodiscard]] BasicState<Real> after(const Real& dt, const BasicVec2<Real>& gravity) const;
 };
+using Arc = BasicArc<double>;
 
 /// Why a solution ends.
 enum class Ending {
   reached_duration,  // nothing ended it before the case's duration
-  zeno,              // impacts accumulate: infinitely many before a finite time
-  taut,              // a resting cable stays taut at once, without an accumulation
+  rest,              // the body has come to rest for good; the last arc lasts to the duration
   angle_limit,       // |angle| reached the case's limit
   ceiling,           // an attachment reached the case's ceiling
-  event_limit,       // more events than SolveOptions allows
+  singular,          // taut cables came into one line: their tension grows without bound there
+  event_limit,       // more events and steps than SolveOptions allows
   overflow,          // the numbers of the motion no longer fit a double
 };
 
-/// The accumulation that ended a solution with Ending::zeno.
-struct Accumulation {
-  double time;         // [s], the limit of the impact times
-  double uncertainty;  // [s], `time` is off by at most this, rounding before the end not counted
-  CableSet cables;     // taut from then on
-  State state;         // where the solution ends, velocity projected onto the taut cables
-  double energy;       // [J], of `state`: what is left for the motion on taut cables
+/// Infinitely many impacts within a finite time, followed one by one up to `start` and completed at
+/// once there: the state jumps to the one that the motion after `time` comes from.
+template <class Real>
+struct BasicAccumulation {
+  Real start;        // [s], of the event that completes it, kind EventKind::taut
+  Real time;         // [s], the limit of the impact times
+  Real uncertainty;  // [s], `time` is off by at most this, rounding before `start` not counted
+  CableSet cables;   // taut from then on
+  Real energy_lost;  // [J], by the impacts after `start`
 };
+using Accumulation = BasicAccumulation<double>;
 
 /// The exact motion of a case: its arcs and events in rising time.
-class Solution {
+template <class Real>
+class BasicSolution {
  public:
-  Solution(Vec2 gravity, std::vector<Arc> arcs, std::vector<Event> events, Ending ending,
-           std::optional<Accumulation> accumulation);
+  BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc<Real>> arcs,
+                std::vector<BasicEvent<Real>> events, Ending ending,
+                std::vector<BasicAccumulation<Real>> accumulations);
 
   /// The state at `time` in [0, end_time()], exact; at an event, the state after it.
   /// Throws std::out_of_range outside.
-  [[nodiscard]] State at(double time) const;
+  [[nodiscard]] BasicState<Real> at(const Real& time) const;
 
-  [[nodiscard]] const std::vector<Arc>& arcs() const { return arcs_; }
-  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  [[nodiscard]] const BasicVec2<Real>& gravity() const { return gravity_; }
+  [[nodiscard]] const std::vector<BasicArc<Real>>& arcs() const { return arcs_; }
+  [[nodiscard]] const std::vector<BasicEvent<Real>>& events() const { return events_; }
   [[nodiscard]] Ending ending() const { return ending_; }
-  [[nodiscard]] double end_time() const { return arcs_.back().end; }
+  [[nodiscard]] const Real& end_time() const { return arcs_.back().end; }
 
-  /// Present exactly when ending() is Ending::zeno.
-  [[nodiscard]] const std::optional<Accumulation>& accumulation() const { return accumulation_; }
+  /// Every accumulation that was completed, in rising time.
+  [[nodiscard]] const std::vector<BasicAccumulation<Real>>& accumulations() const {
+    return accumulations_;
+  }
 
  private:
-  Vec2 gravity_;
-  std::vector<Arc> arcs_;  // never empty; each starts where the one before ends
-  std::vector<Event> events_;
+  BasicVec2<Real> gravity_;
+  std::vector<BasicArc<Real>> arcs_;  // never empty; each starts where the one before ends
+  std::vector<BasicEvent<Real>> events_;
   Ending ending_;
-  std::optional<Accumulation> accumulation_;
+  std::vector<BasicAccumulation<Real>> accumulations_;
 };
+using Solution = BasicSolution<double>;
 
 /// The names used in files: "impact", "reached_duration", and so on.
 [[nodiscard]] std::string_view to_string(EventKind kind);

@@ -2,22 +2,28 @@
 
 #include <cstddef>
 
+#include "tautline/accumulation.hpp"
 #include "tautline/case.hpp"
+#include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline {
 
 struct SolveOptions {
-  /// A rebound slower than this may be the start of the end of an accumulation [m/s]. Projecting
-  /// the velocity there changes the later motion by about the cube of it: 1e-18 for the default.
-  double capture_speed = 1e-6;
+  /// How impacts that involve several cables are resolved. One cable alone: all laws agree.
+  ImpactLaw law = ImpactLaw::simultaneous;
 
-  /// The run ends with Ending::event_limit after this many events.
+  /// When the rest of an accumulation is completed at once. The default error is below rounding.
+  CompletionLimits completion;
+
+  /// The run ends with Ending::event_limit after this many events and steps of taut motion.
   std::size_t max_events = 1'000'000;
 };
 
 /// The exact motion of `the_case` from time 0. Never throws on a case without `problems`; a case
 /// with problems is a caller's mistake and throws std::invalid_argument with the first of them.
-[[nodiscard]] Solution solve(const Case& the_case, const SolveOptions& options = {});
+template <class Real>
+[[nodiscard]] BasicSolution<Real> solve(const BasicCase<Real>& the_case,
+                                        const SolveOptions& options = {});
 
 }  // namespace tautline

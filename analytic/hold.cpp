@@ -1,0 +1,202 @@
+#include "tautline/hold.hpp"
+
+#include <bit>
+#include <utility>
+
+#include "instantiate.hpp"
+#include "tautline/impact.hpp"
+
+namespace tautline {
+namespace {
+
+/// A number this small against those it is made of is rounding of zero [-]: 1e-12 in double.
+template <class Real>
+Real rounding() {
+  return 4500 * epsilon<Real>();
+}
+
+/// Terms of the series: the 28 of a double make steps of about a quarter of the radius of
+/// convergence, which is the cheapest; more digits need more terms in proportion.
+template <class Real>
+std::size_t series_order() {
+  using std::log;
+  const double digits = -static_cast<double>(log(epsilon<Real>())) / 2.302585092994046;
+  return digits < 17.0 ? 28 : static_cast<std::size_t>(6.0 + 1.1 * digits);
+}
+
+/// The first coefficient that is not rounding of zero over a time `h`: its sign, and how many are
+/// before it. Sign 0: all are.
+struct Leading {
+  int sign;
+  std::size_t zeros;
+};
+template <class Real>
+Leading leading(std::span<const Real> coefficients, std::size_t known_zeros, const Real& h,
+                const Real& scale) {
+  Real power(1);
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const Real term = coefficients[k] * power;
+    if (k >= known_zeros && abs(term) > rounding<Real>() * scale) {
+      return {term > 0 ? 1 : -1, k};
+    }
+    power *= h;
+  }
+  return {0, coefficients.size()};
+}
+
+/// The acceleration [m/s^2] that gravity and the turn give, and the time [s] over which a cable of
+/// the shortest length notices it.
+template <class Real>
+std::pair<Real, Real> natural_scales(const BasicCase<Real>& the_case,
+                                     const BasicState<Real>& state) {
+  Real shortest = the_case.cables.front().length;
+  Real radius(0);
+  for (const BasicCable<Real>& cable : the_case.cables) {
+    shortest = min(shortest, cable.length);
+    radius = max(radius, Real(cable.attachment.norm()));
+  }
+  const Real speed = speed_scale(the_case, state);
+  const Real acceleration =
+      the_case.gravity.norm() + state.spin * state.spin * radius + speed * speed / shortest;
+  return {acceleration,
+          acceleration > 0 ? Real(sqrt(Real(shortest / acceleration))) : infinity<Real>()};
+}
+
+/// The series of full order, or of a lower one where its coefficients overflow: a body that turns a
+/// million times in its unit of time.
+template <class Real>
+TautSeries<Real> longest_series(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                CableSet pulling) {
+  std::size_t order = series_order<Real>();
+  constexpr std::size_t least_order = 6;
+  for (; order > least_order; order /= 2) {
+    TautSeries<Real> motion(the_case, state, pulling, order);
+    if (motion.fits()) {
+      return motion;
+    }
+  }
+  return TautSeries<Real>(the_case, state, pulling, least_order);
+}
+
+/// One candidate: `pulling` of `resting` are held. None if a tension or a gap turns negative.
+template <class Real>
+std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
+                                         const BasicState<Real>& state,
+                                         const BasicTouching<Real>& touching, CableSet resting,
+                                         CableSet pulling, CableSet doubtful) {
+  const auto [acceleration, time] = natural_scales(the_case, state);
+  BasicHold<Real> result{pulling, {}, longest_series(the_case, state, pulling), Real(0), {}};
+  result.reach = result.motion.reach(epsilon<Real>() / 4);
+  const Real least = min(result.reach, time);
+  const Real h = isfinite(least) ? least : Real(1);  // nothing changes: any time will do
+  for (const std::size_t index : resting | touching.cables) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    if (pulling.contains(index)) {
+      if (doubtful.contains(index)) {
+        const Real scale = the_case.body.mass * acceleration;
+        const Leading first = leading(result.motion.tension(index), 0, h, scale);
+        if (first.sign <= 0) {
+          return std::nullopt;
+        }
+        result.zeros[index] = first.zeros;
+      }
+    } else if (!resting.contains(index)) {
+      result.zeros[index] = 1;  // it opens at its rate
+    } else {
+      const Leading first = leading(result.motion.gap(index), 2, h, cable.length);
+      if (first.sign < 0) {
+        return std::nullopt;
+      }
+      if (first.sign == 0) {
+        result.following.insert(index);
+      }
+      result.zeros[index] = first.zeros;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                    const BasicTouching<Real>& touching, CableSet resting) {
+  const auto held = resting_tensions(the_case, state, resting);
+  if (!held) {
+    return std::nullopt;
+  }
+  const Real acceleration = natural_scales(the_case, state).first;
+  CableSet certain;
+  CableSet doubtful;  // tension and acceleration are both zero: the next derivatives decide
+  Eigen::Index row = 0;
+  for (const std::size_t index : resting) {
+    const Real pull = held->tension[row] * gap_gradient(the_case.cables[index], state)
+                                               .cwiseProduct(inverse_mass(the_case.body))
+                                               .dot(gap_gradient(the_case.cables[index], state));
+    if (pull > rounding<Real>() * acceleration) {
+      certain.insert(index);
+    } else if (held->acceleration[row] <= rounding<Real>() * acceleration) {
+      doubtful.insert(index);
+    }
+    ++row;
+  }
+  const std::vector<std::size_t> choices = doubtful.indices();
+  for (unsigned bits = 0; bits < (1U << choices.size()); ++bits) {
+    CableSet pulling = certain;
+    for (std::size_t choice = 0; choice < choices.size(); ++choice) {
+      if (((bits >> choice) & 1U) != 0) {
+        pulling.insert(choices[choice]);
+      }
+    }
+    if (bits != 0 && !independent(the_case, state, pulling)) {
+      continue;
+    }
+    if (auto found = candidate(the_case, state, touching, resting, pulling, doubtful)) {
+      return found;
+    }
+  }
+  return candidate(the_case, state, touching, {}, certain, {});  // rounding denies all of them
+}
+
+template <class Real>
+BasicFirstContact<Real> first_change(const BasicCase<Real>& the_case, const BasicHold<Real>& held,
+                                     const std::type_identity_t<Real>& horizon) {
+  BasicFirstContact<Real> result{min(held.reach, horizon), {}};
+  std::array<std::optional<Real>, max_cables> roots;
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    if (held.following.contains(index)) {
+      continue;
+    }
+    const bool pulls = held.pulling.contains(index);
+    const Polynomial<Real> f(pulls ? held.motion.tension(index) : held.motion.gap(index),
+                             held.zeros[index]);
+    const Real until = result.dt * (1 + simultaneous<Real>());
+    if (f.least(until) > 0) {
+      continue;
+    }
+    const BasicRootSearch<Real> search = first_root(f, until);
+    if (search.root && isnan(*search.root)) {
+      return {*search.root, {}};
+    }
+    if (search.root && *search.root < result.dt) {
+      result.dt = *search.root;
+    }
+    if (!pulls) {
+      roots[index] = search.root;
+    }
+  }
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    if (roots[index] && *roots[index] <= result.dt * (1 + simultaneous<Real>())) {
+      result.cables.insert(index);
+    }
+  }
+  return result;
+}
+
+template std::optional<BasicHold<Instance>> hold(const BasicCase<Instance>&,
+                                                 const BasicState<Instance>&,
+                                                 const BasicTouching<Instance>&, CableSet);
+template BasicFirstContact<Instance> first_change(const BasicCase<Instance>&,
+                                                  const BasicHold<Instance>&, const Instance&);
+
+}  // namespace tautline

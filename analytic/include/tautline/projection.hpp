@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Eigen/QR>
+
+#include "tautline/case.hpp"
+#include "tautline/geometry.hpp"
+
+namespace tautline {
+
+/// The gap rates of `cables` [m/s].
+template <class Real>
+[[nodiscard]] BasicCableVector<Real> gap_rates(const BasicCase<Real>& the_case,
+                                               const BasicState<Real>& state, CableSet cables) {
+  BasicCableVector<Real> result(static_cast<Eigen::Index>(cables.size()));
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    result[row++] = gap_rate(the_case.cables[index], state);
+  }
+  return result;
+}
+
+/// The multipliers z of smallest size with J M^-1 J^T z = right over `cables`.
+template <class Real>
+[[nodiscard]] BasicCableVector<Real> multipliers(const BasicCase<Real>& the_case,
+                                                 const BasicState<Real>& state, CableSet cables,
+                                                 const BasicCableVector<Real>& right) {
+  const BasicCableMatrix<Real> g = delassus(the_case, state, cables);
+  if (g.rows() == 1) {
+    return right / g(0, 0);
+  }
+  if (g.rows() == 2) {  // by far the most frequent: in closed form unless the rows are dependent
+    constexpr double dependent_rows = 1e-12;  // [-]
+    const Real determinant = g(0, 0) * g(1, 1) - g(0, 1) * g(0, 1);
+    if (determinant > dependent_rows * g(0, 0) * g(1, 1)) {
+      BasicCableVector<Real> z(2);
+      z[0] = (g(1, 1) * right[0] - g(0, 1) * right[1]) / determinant;
+      z[1] = (g(0, 0) * right[1] - g(0, 1) * right[0]) / determinant;
+      return z;
+    }
+  }
+  return g.completeOrthogonalDecomposition().solve(right);
+}
+
+/// The state with the gap rates of `cables` removed, M-orthogonally (Eq. 18).
+template <class Real>
+[[nodiscard]] BasicState<Real> with_zero_rates(const BasicCase<Real>& the_case,
+                                               const BasicState<Real>& state, CableSet cables) {
+  const BasicCableVector<Real> rates = gap_rates(the_case, state, cables);
+  return with_impulses<Real>(the_case, state, cables,
+                             -multipliers<Real>(the_case, state, cables, rates));
+}
+
+/// The state with the gaps of `cables` closed, M-orthogonally, by Newton's method. The gaps are
+/// small against the lengths.
+template <class Real>
+[[nodiscard]] BasicState<Real> with_zero_gaps(const BasicCase<Real>& the_case,
+                                              BasicState<Real> state, CableSet cables) {
+  constexpr int enough = 8;  // quadratic: three reach a double's last bit, seven 100 digits
+  const Real rounding = 4 * epsilon<Real>();
+  for (int iteration = 0; iteration < enough; ++iteration) {
+    BasicCableVector<Real> gaps(static_cast<Eigen::Index>(cables.size()));
+    Eigen::Index row = 0;
+    Real largest(0);
+    for (const std::size_t index : cables) {
+      const BasicCable<Real>& cable = the_case.cables[index];
+      gaps[row] = gap(cable, state);
+      largest = max(largest, Real(abs(gaps[row++]) / cable.length));
+    }
+    if (largest <= rounding) {
+      break;
+    }
+    const BasicCableVector<Real> z = multipliers<Real>(the_case, state, cables, -gaps);
+    BasicState<Real> step;  // the gradients at the present pose, as a change of pose
+    step.position = state.position;
+    step.angle = state.angle;
+    step = with_impulses<Real>(the_case, step, cables, z);
+    state.position += step.velocity;
+    state.angle += step.spin;
+  }
+  return state;
+}
+
+/// Both: the nearest state, in the metric of M, in which `cables` are taut.
+template <class Real>
+[[nodiscard]] BasicState<Real> projected(const BasicCase<Real>& the_case,
+                                         const BasicState<Real>& state, CableSet cables) {
+  return with_zero_rates(the_case, with_zero_gaps(the_case, state, cables), cables);
+}
+
+}  // namespace tautline

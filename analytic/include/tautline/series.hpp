@@ -1,0 +1,135 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "tautline/case.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/root_search.hpp"
+
+namespace tautline {
+
+/// A polynomial of time, given by its coefficients in rising order, for `first_root`. `zeros` says
+/// how many of the leading coefficients are zero exactly: they are divided out.
+template <class Real>
+class Polynomial {
+ public:
+  explicit Polynomial(std::span<const Real> coefficients, std::size_t zeros = 0)
+      : coefficients_(coefficients.subspan(zeros)) {}
+
+  [[nodiscard]] BasicSample<Real> at(const Real& s) const {
+    Real value(0);
+    Real rate(0);
+    Real half_curvature(0);
+    for (std::size_t k = coefficients_.size(); k-- > 0;) {
+      half_curvature = half_curvature * s + rate;
+      rate = rate * s + value;
+      value = value * s + coefficients_[k];
+    }
+    return {value, rate, 2 * half_curvature};
+  }
+
+  /// The third derivative's bound on [0, s + w]: the sum of the sizes of its terms.
+  [[nodiscard]] Real jerk_bound(const Real& s, const Real& window) const {
+    const Real end = s + window;
+    Real bound(0);
+    for (std::size_t k = coefficients_.size(); k-- > 3;) {
+      bound = bound * end + abs(coefficients_[k]) * static_cast<double>(k * (k - 1) * (k - 2));
+    }
+    return bound;
+  }
+
+  /// A lower bound of the polynomial on [0, end]: positive means that it has no root there.
+  [[nodiscard]] Real least(const Real& end) const {
+    Real change(0);
+    for (std::size_t k = coefficients_.size(); k-- > 1;) {
+      change = change * end + min(Real(0), coefficients_[k]);
+    }
+    return coefficients_.empty() ? Real(0) : Real(coefficients_.front() + change * end);
+  }
+
+ private:
+  std::span<const Real> coefficients_;
+};
+
+/// The motion from `start` with the cables of `taut` held at zero gap, as Taylor series in the time
+/// since then (analytic/README.md section 6). The rows of `taut` are independent, their gaps and
+/// gap rates zero. With an empty set it is free flight.
+template <class Real>
+class TautSeries {
+ public:
+  /// Series up to t^order, order >= 2.
+  TautSeries(const BasicCase<Real>& the_case, const BasicState<Real>& start, CableSet taut,
+             std::size_t order);
+  TautSeries(TautSeries&&) noexcept = default;
+  TautSeries& operator=(TautSeries&&) noexcept = default;
+  TautSeries(const TautSeries&) = delete;  // its channels point into its own store
+  TautSeries& operator=(const TautSeries&) = delete;
+  ~TautSeries() = default;
+
+  [[nodiscard]] CableSet taut() const { return taut_; }
+
+  /// Coefficients 0 to order.
+  [[nodiscard]] std::span<const Real> x() const { return x_; }
+  [[nodiscard]] std::span<const Real> y() const { return y_; }
+  [[nodiscard]] std::span<const Real> angle() const { return angle_; }
+
+  /// Coefficients 0 to order of (length^2 - distance^2) / (2 length) [m], Eq. 11.
+  [[nodiscard]] std::span<const Real> gap(std::size_t index) const { return cables_[index].gap; }
+
+  /// Coefficients 0 to order - 2 of the tension [N] of a taut cable.
+  [[nodiscard]] std::span<const Real> tension(std::size_t index) const {
+    return cables_[index].tension;
+  }
+
+  /// Coefficients 0 to order - 2 of (arm x from-anchor) [m^2] of a taut cable.
+  [[nodiscard]] std::span<const Real> lever(std::size_t index) const {
+    return cables_[index].lever;
+  }
+
+  /// Coefficients 0 to order of the attachment's height [m].
+  [[nodiscard]] std::vector<Real> height(std::size_t index) const;
+
+  /// True while every coefficient is finite.
+  [[nodiscard]] bool fits() const {
+    return std::all_of(store_.begin(), store_.end(), [](const Real& c) { return isfinite(c); });
+  }
+
+  /// How long [s] the series keep their last terms below `error` [-] of lengths and tensions.
+  [[nodiscard]] Real reach(const Real& error) const;
+
+ private:
+  using Channel = std::span<Real>;  // of coefficients, in store_
+  struct CableSeries {
+    Channel arm_x, arm_y;    // centre of mass to attachment [m]
+    Channel from_x, from_y;  // anchor to attachment [m]
+    Channel lever;           // arm x from-anchor [m^2]
+    Channel pull;            // tension / length [N/m]
+    Channel gap, tension;
+  };
+
+  void start_channels(const BasicState<Real>& start);
+  void couple();
+
+  void expand_trigonometry(std::size_t k);
+  void expand_cable(std::size_t index, std::size_t k);
+  void expand_motion(std::size_t k);
+  void expand_gap(std::size_t index);
+
+  const BasicCase<Real>* case_;
+  CableSet taut_;
+  std::size_t order_;
+  std::vector<Real> store_;
+  Channel x_, y_, angle_, sine_, cosine_;
+  std::array<CableSeries, max_cables> cables_;
+  /// Independent rows are three at most.
+  using Coupling = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+  Coupling inverse_;  // of the matrix K_0 of Eq. 23
+};
+
+}  // namespace tautline
+
+#include "tautline/series_impl.hpp"

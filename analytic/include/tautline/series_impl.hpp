@@ -1,0 +1,281 @@
+#pragma once
+
+// The recurrences of series.hpp, apart from their declarations. Equation numbers are those of
+// analytic/README.md.
+
+#include <Eigen/LU>
+
+#include "tautline/series.hpp"
+
+namespace tautline {
+namespace series {
+
+// Several sums share a loop: a processor adds them side by side.
+
+/// Coefficient k of a b - c d.
+template <class Real>
+[[nodiscard]] Real cross_product(std::span<const Real> a, std::span<const Real> b,
+                                 std::span<const Real> c, std::span<const Real> d, std::size_t k) {
+  Real plus(0);
+  Real minus(0);
+  for (std::size_t j = 0; j <= k; ++j) {
+    plus += a[j] * b[k - j];
+    minus += c[j] * d[k - j];
+  }
+  return plus - minus;
+}
+
+/// Coefficients k of p a, p b and p c, without the terms of p[k]; k >= 1.
+template <class Real>
+[[nodiscard]] std::array<Real, 3> known_products(std::span<const Real> p, std::span<const Real> a,
+                                                 std::span<const Real> b, std::span<const Real> c,
+                                                 std::size_t k) {
+  Real with_a(0);
+  Real with_b(0);
+  Real with_c(0);
+  for (std::size_t j = 0; j < k; ++j) {
+    with_a += p[j] * a[k - j];
+    with_b += p[j] * b[k - j];
+    with_c += p[j] * c[k - j];
+  }
+  return {with_a, with_b, with_c};
+}
+
+/// Half of coefficient k of a^2 + b^2; k >= 1.
+template <class Real>
+[[nodiscard]] Real half_square(std::span<const Real> a, std::span<const Real> b, std::size_t k) {
+  Real of_a = a[0] * a[k];
+  Real of_b = b[0] * b[k];
+  for (std::size_t j = 1; 2 * j < k; ++j) {
+    of_a += a[j] * a[k - j];
+    of_b += b[j] * b[k - j];
+  }
+  const std::size_t middle = k / 2;
+  return k % 2 == 0 ? Real(of_a + of_b + (a[middle] * a[middle] + b[middle] * b[middle]) / 2)
+                    : Real(of_a + of_b);
+}
+
+}  // namespace series
+
+template <class Real>
+TautSeries<Real>::TautSeries(const BasicCase<Real>& the_case, const BasicState<Real>& start,
+                             CableSet taut, std::size_t order)
+    : case_(&the_case), taut_(taut), order_(order) {
+  start_channels(start);
+  couple();
+  for (std::size_t k = 0; k + 2 <= order; ++k) {
+    expand_motion(k);
+  }
+  for (std::size_t index = 0; index < case_->cables.size(); ++index) {
+    expand_gap(index);
+  }
+}
+
+/// Makes the channels and sets the coefficients 0 and 1 that the state gives.
+template <class Real>
+void TautSeries<Real>::start_channels(const BasicState<Real>& start) {
+  const std::size_t terms = order_ + 1;
+  constexpr std::size_t of_a_slack_cable = 5;
+  constexpr std::size_t more_of_a_taut_one = 2;
+  store_.assign(
+      terms * (5 + of_a_slack_cable * case_->cables.size() + more_of_a_taut_one * taut_.size()),
+      Real(0));
+  Real* next = store_.data();
+  const auto make = [&](Channel& channel, std::size_t size) {
+    channel = Channel(next, size);
+    next += terms;
+  };
+  for (Channel* channel : {&x_, &y_, &angle_, &sine_, &cosine_}) {
+    make(*channel, terms);
+  }
+  x_[0] = start.position.x();
+  y_[0] = start.position.y();
+  angle_[0] = start.angle;
+  x_[1] = start.velocity.x();
+  y_[1] = start.velocity.y();
+  angle_[1] = start.spin;
+  sine_[0] = sin(start.angle);
+  cosine_[0] = cos(start.angle);
+  expand_trigonometry(1);
+  for (std::size_t index = 0; index < case_->cables.size(); ++index) {
+    CableSeries& cable = cables_[index];
+    for (Channel* channel : {&cable.arm_x, &cable.arm_y, &cable.from_x, &cable.from_y}) {
+      make(*channel, terms);
+    }
+    if (taut_.contains(index)) {
+      for (Channel* channel : {&cable.lever, &cable.pull, &cable.tension}) {
+        make(*channel, order_ - 1);
+      }
+    } else {
+      make(cable.gap, terms);
+    }
+    expand_cable(index, 0);
+    expand_cable(index, 1);
+  }
+}
+
+/// The inverse of the matrix K_0 of Eq. 23.
+template <class Real>
+void TautSeries<Real>::couple() {
+  const Eigen::Matrix<Real, 3, 1> weight = inverse_mass(case_->body);
+  const auto count = static_cast<Eigen::Index>(taut_.size());
+  for (const std::size_t index : taut_) {
+    CableSeries& cable = cables_[index];
+    cable.lever[0] = cable.arm_x[0] * cable.from_y[0] - cable.arm_y[0] * cable.from_x[0];
+  }
+  Coupling coupling(count, count);
+  Eigen::Index row = 0;
+  for (const std::size_t i : taut_) {
+    const CableSeries& a = cables_[i];
+    Eigen::Index column = 0;
+    for (const std::size_t j : taut_) {
+      const CableSeries& b = cables_[j];
+      coupling(row, column++) =
+          (a.from_x[0] * b.from_x[0] + a.from_y[0] * b.from_y[0]) * weight[0] +
+          a.lever[0] * b.lever[0] * weight[2];
+    }
+    ++row;
+  }
+  if (count > 0) {
+    inverse_ = coupling.inverse();
+  }
+}
+
+/// sin' = angle' cos, cos' = -angle' sin. Coefficient k needs the angle's up to k.
+template <class Real>
+void TautSeries<Real>::expand_trigonometry(std::size_t k) {
+  Real sine(0);
+  Real cosine(0);
+  for (std::size_t j = 1; j <= k; ++j) {
+    const Real turn = angle_[j] * static_cast<double>(j);
+    sine += turn * cosine_[k - j];
+    cosine -= turn * sine_[k - j];
+  }
+  sine_[k] = sine / static_cast<double>(k);
+  cosine_[k] = cosine / static_cast<double>(k);
+}
+
+template <class Real>
+void TautSeries<Real>::expand_cable(std::size_t index, std::size_t k) {
+  const BasicCable<Real>& cable = case_->cables[index];
+  CableSeries& series = cables_[index];
+  const auto& p = cable.attachment;
+  series.arm_x[k] = p.x() * cosine_[k] - p.y() * sine_[k];
+  series.arm_y[k] = p.x() * sine_[k] + p.y() * cosine_[k];
+  series.from_x[k] = x_[k] + series.arm_x[k];
+  series.from_y[k] = y_[k] + series.arm_y[k];
+  if (k == 0) {
+    series.from_x[0] -= cable.anchor.x();
+    series.from_y[0] -= cable.anchor.y();
+  }
+}
+
+/// From coefficients up to k + 1 of the pose, the tensions' k and the pose's k + 2 (Eqs. 22-24).
+template <class Real>
+void TautSeries<Real>::expand_motion(std::size_t k) {
+  const Eigen::Matrix<Real, 3, 1> weight = inverse_mass(case_->body);
+  const double per_second = static_cast<double>((k + 1) * (k + 2));
+  Real force_x(0);  // of coefficient k, without the unknown tensions; per mass
+  Real force_y(0);
+  Real moment(0);  // per inertia
+  if (k == 0) {
+    force_x = case_->gravity.x();
+    force_y = case_->gravity.y();
+  } else {
+    for (const std::size_t index : taut_) {
+      CableSeries& cable = cables_[index];
+      cable.lever[k] =
+          series::cross_product<Real>(cable.arm_x, cable.from_y, cable.arm_y, cable.from_x, k);
+      const auto [along_x, along_y, turning] =
+          series::known_products<Real>(cable.pull, cable.from_x, cable.from_y, cable.lever, k);
+      force_x -= along_x * weight[0];
+      force_y -= along_y * weight[0];
+      moment -= turning * weight[2];
+    }
+  }
+  // sine and cosine of order k + 2 but for the angle's coefficient k + 2, which is still zero
+  expand_trigonometry(k + 2);
+  Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, 3, 1> right(static_cast<Eigen::Index>(taut_.size()));
+  Eigen::Index row = 0;
+  for (const std::size_t index : taut_) {
+    expand_cable(index, k + 2);  // the arm's known part only: x and y are still zero, too
+    const CableSeries& cable = cables_[index];
+    const Real stretch = series::half_square<Real>(cable.from_x, cable.from_y, k + 2);
+    right[row++] = per_second * stretch + cable.from_x[0] * force_x + cable.from_y[0] * force_y +
+                   cable.lever[0] * moment;
+  }
+  if (row > 0) {
+    row = 0;
+    for (const std::size_t index : taut_) {
+      CableSeries& cable = cables_[index];
+      const Real pull = inverse_.row(row++).transpose().dot(right);
+      cable.pull[k] = pull;
+      force_x -= pull * cable.from_x[0] * weight[0];
+      force_y -= pull * cable.from_y[0] * weight[0];
+      moment -= pull * cable.lever[0] * weight[2];
+    }
+  }
+  x_[k + 2] = force_x / per_second;
+  y_[k + 2] = force_y / per_second;
+  angle_[k + 2] = moment / per_second;
+  sine_[k + 2] += cosine_[0] * angle_[k + 2];
+  cosine_[k + 2] -= sine_[0] * angle_[k + 2];
+  for (std::size_t index = 0; index < case_->cables.size(); ++index) {
+    expand_cable(index, k + 2);
+  }
+}
+
+template <class Real>
+void TautSeries<Real>::expand_gap(std::size_t index) {
+  const Real& length = case_->cables[index].length;
+  CableSeries& cable = cables_[index];
+  if (taut_.contains(index)) {
+    for (std::size_t k = 0; k + 2 <= order_; ++k) {
+      cable.tension[k] = cable.pull[k] * length;
+    }
+    return;
+  }
+  for (std::size_t k = 1; k <= order_; ++k) {
+    cable.gap[k] = -series::half_square<Real>(cable.from_x, cable.from_y, k) / length;
+  }
+  cable.gap[0] =
+      (length * length - cable.from_x[0] * cable.from_x[0] - cable.from_y[0] * cable.from_y[0]) /
+      (2 * length);
+}
+
+template <class Real>
+std::vector<Real> TautSeries<Real>::height(std::size_t index) const {
+  const Channel from_y = cables_[index].from_y;
+  std::vector<Real> result(from_y.begin(), from_y.end());
+  result[0] += case_->cables[index].anchor.y();
+  return result;
+}
+
+template <class Real>
+Real TautSeries<Real>::reach(const Real& error) const {
+  Real reach = infinity<Real>();
+  const auto limit = [&](const Real& last, const Real& scale, std::size_t k) {
+    if (last > 0 && scale > 0) {
+      reach = min(reach, Real(pow(Real(error * scale / last), Real(1) / static_cast<double>(k))));
+    }
+  };
+  for (const std::size_t k : {order_ - 1, order_}) {
+    Real pose = abs(angle_[k]);  // against a radian and the shortest cable
+    for (std::size_t index = 0; index < case_->cables.size(); ++index) {
+      const Real& length = case_->cables[index].length;
+      const CableSeries& cable = cables_[index];
+      pose = max(pose, Real(max(abs(cable.from_x[k]), abs(cable.from_y[k])) / length));
+    }
+    limit(pose, Real(1), k);
+    Real pull(0);
+    Real pull_scale(0);
+    for (const std::size_t index : taut_) {
+      pull = max(pull, Real(abs(cables_[index].tension[k - 2])));
+      pull_scale = max(pull_scale, Real(abs(cables_[index].tension[0])));
+    }
+    limit(pull, pull_scale, k - 2);
+  }
+  return reach;
+}
+
+}  // namespace tautline

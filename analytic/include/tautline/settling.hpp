@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tautline/case.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline {
+
+/// The last impact faster than a threshold.
+template <class Real>
+struct BasicLastImpact {
+  Real speed;                // [m/s], of closing, the threshold
+  std::optional<Real> time;  // [s]; none: no impact is that fast
+};
+using LastImpact = BasicLastImpact<double>;
+
+/// The periodic motion of a body whose taut cables leave it one degree of freedom.
+template <class Real>
+struct BasicSwing {
+  Real energy;     // [J], above the equilibrium it swings about
+  Real period;     // [s]
+  Real least;      // [rad], smallest angle
+  Real largest;    // [rad]
+  Real amplitude;  // [rad], half the difference
+};
+using Swing = BasicSwing<double>;
+
+/// The final set of taut cables.
+template <class Real>
+struct BasicLock {
+  Real time;         // [s], from which on they are taut; the limit of the last accumulation
+  Real uncertainty;  // [s], of `time`; 0 where no accumulation led here
+  CableSet cables;
+  /// True where no tension falls to zero ever after: the body rests, or a whole period of its swing
+  /// has been followed without a release.
+  bool permanent;
+  bool rests;
+  std::optional<BasicSwing<Real>> swing;  // with one degree of freedom left, and no rest
+};
+using Lock = BasicLock<double>;
+
+/// What settling means (analytic/README.md section 7).
+template <class Real>
+struct BasicSettling {
+  std::vector<BasicLastImpact<Real>> last_impacts;  // for 1e-2 and 1e-3 [m/s]
+  std::optional<BasicLock<Real>> lock;              // none: the motion ends with all cables slack
+};
+using Settling = BasicSettling<double>;
+
+/// Settling of `solution`, which solves `the_case`. Looks past the end of the solution for up to a
+/// period of the swing.
+template <class Real>
+[[nodiscard]] BasicSettling<Real> settling(const BasicCase<Real>& the_case,
+                                           const BasicSolution<Real>& solution);
+
+/// The swing on the cables that are taut at `state`; none if one becomes slack or is hit, or if the
+/// motion has not one degree of freedom.
+template <class Real>
+[[nodiscard]] std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
+                                                    const BasicState<Real>& state);
+
+/// The largest swing without a release: let go at rest at `angle`, a tension just touches zero.
+struct CriticalSwing {
+  double angle;   // [rad], of the release; `state` was at the equilibrium
+  double energy;  // [J], above the equilibrium
+};
+
+/// Of the swing on the two cables that are taut at `equilibrium`, a state of rest, released on the
+/// side of positive angles; none if `equilibrium` is none, or no release up to pi loses a cable.
+[[nodiscard]] std::optional<CriticalSwing> critical_swing(const Case& the_case,
+                                                          const State& equilibrium);
+
+}  // namespace tautline

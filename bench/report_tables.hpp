@@ -1,0 +1,30 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bench/table.hpp"
+
+namespace tautline::bench {
+
+// The tables of a report, each drawn from the report alone.
+
+/// The answers over all cases, by engine, model and step.
+[[nodiscard]] Table summary_table(const nlohmann::ordered_json& report);
+
+[[nodiscard]] Table convergence_table(const nlohmann::ordered_json& report);
+
+/// What the exact solutions say of every case.
+[[nodiscard]] Table cases_table(const nlohmann::ordered_json& report);
+
+/// Every run of the case `name` that there is something to say of.
+[[nodiscard]] Table case_table(const nlohmann::ordered_json& report,
+                               const nlohmann::ordered_json& name);
+
+/// Engines that are not here and runs that failed or diverged.
+[[nodiscard]] Table failures_table(const nlohmann::ordered_json& report);
+
+/// A string of the report, safe to print.
+[[nodiscard]] std::string report_text(const nlohmann::ordered_json& value);
+
+}  // namespace tautline::bench

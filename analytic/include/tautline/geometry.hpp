@@ -85,6 +85,21 @@ template <class Real>
   return {-u.x(), -u.y(), -cross(arm, u)};
 }
 
+/// The rate of that row along the motion [1/s, 1/s, m/s]: the gap's second derivatives times the
+/// velocity.
+template <class Real>
+[[nodiscard]] Eigen::Matrix<Real, 3, 1> gap_gradient_rate(const BasicCable<Real>& cable,
+                                                          const BasicState<Real>& state) {
+  const BasicVec2<Real> arm = attachment_arm(state, cable);
+  const BasicVec2<Real> from_anchor = state.position + arm - cable.anchor;
+  const Real distance = from_anchor.norm();
+  const BasicVec2<Real> u = from_anchor / distance;
+  const BasicVec2<Real> arm_rate = state.spin * perpendicular(arm);
+  const BasicVec2<Real> velocity = state.velocity + arm_rate;
+  const BasicVec2<Real> u_rate = (velocity - u.dot(velocity) * u) / distance;
+  return {-u_rate.x(), -u_rate.y(), -(cross(arm_rate, u) + cross(arm, u_rate))};
+}
+
 /// Diagonal of the inverse mass matrix for (x, y, angle) [1/kg, 1/kg, 1/(kg m^2)].
 /// A point mass does not turn: its third entry is 0.
 template <class Real>

@@ -80,11 +80,29 @@ template <class Real>
   return state;
 }
 
-/// Both: the nearest state, in the metric of M, in which `cables` are taut.
+/// The state in which `cables` are taut and the momentum along them is that of `state`: the nearest
+/// pose in the metric of M, then the velocity without the rates (Eq. 18). Momentum, not velocity,
+/// is what bounces of small height keep: like a skater who moves out, the body slows down by the
+/// gaps times the curvature.
 template <class Real>
 [[nodiscard]] BasicState<Real> projected(const BasicCase<Real>& the_case,
                                          const BasicState<Real>& state, CableSet cables) {
-  return with_zero_rates(the_case, with_zero_gaps(the_case, state, cables), cables);
+  BasicCableVector<Real> gaps(static_cast<Eigen::Index>(cables.size()));
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    gaps[row++] = gap(the_case.cables[index], state);
+  }
+  const BasicCableVector<Real> shift = multipliers<Real>(the_case, state, cables, gaps);
+  Eigen::Matrix<Real, 3, 1> change = Eigen::Matrix<Real, 3, 1>::Zero();
+  row = 0;
+  for (const std::size_t index : cables) {
+    change += shift[row++] * gap_gradient_rate(the_case.cables[index], state);
+  }
+  change = change.cwiseProduct(inverse_mass(the_case.body)).eval();
+  BasicState<Real> result = with_zero_gaps(the_case, state, cables);
+  result.velocity += change.template head<2>();
+  result.spin += change[2];
+  return with_zero_rates(the_case, result, cables);
 }
 
 }  // namespace tautline

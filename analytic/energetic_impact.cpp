@@ -297,16 +297,17 @@ class SpringImpact {
     }
     // at a limit from which it starts its value has one zero, or two where it starts at rest
     const std::size_t zeros = spring.mode == Mode::held ? 0 : spring.rate == 0 ? 2 : 1;
-    const auto down = fall(series, series[0] == 0 ? zeros : 0);
+    auto down = fall(series, series[0] == 0 ? zeros : 0);
     if (spring.mode == Mode::slack) {
       return down;
     }
     std::vector<Real> room;
+    room.reserve(series.size());
     for (const Real& term : series) {
       room.push_back(-term);
     }
     room[0] += spring.largest;
-    const auto up = fall(room, room[0] == 0 ? zeros : 0);
+    auto up = fall(room, room[0] == 0 ? zeros : 0);
     return !up || (down && *down < *up) ? down : up;
   }
 
@@ -413,9 +414,8 @@ BasicCableVector<Real> energetic_impulses(const BasicCase<Real>& the_case,
     row_scale = max(row_scale, Real(springs.back().row.norm()));
   }
   const Real speed_scale = velocity.norm();
-  const BasicCableVector<Real> none = BasicCableVector<Real>::Zero(count);
   if (!(speed_scale > 0)) {
-    return none;
+    return BasicCableVector<Real>::Zero(count);
   }
   for (Spring<Real>& spring : springs) {
     spring.row /= row_scale;

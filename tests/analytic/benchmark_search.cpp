@@ -11,7 +11,7 @@ namespace {
 
 /// The search alone, on the flights of the standard case: two cables, the one just hit touching.
 void first_contact_per_arc(benchmark::State& state) {
-  const TableRow& row = table_5_1().front();
+  const TableRow row = table_5_1().front();
   const Case the_case = breakwater(row.parameters, "standard");
   const Solution solution = solve(the_case);
   std::vector<const Event*> impacts;

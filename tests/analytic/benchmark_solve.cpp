@@ -10,7 +10,7 @@ namespace {
 
 /// A case of Table 5.1 to t = 20, with all its events.
 void solve_table_row(benchmark::State& state, std::size_t row) {
-  const TableRow& table_row = table_5_1()[row];
+  const TableRow table_row = table_5_1()[row];
   const Case the_case = breakwater(table_row.parameters, std::string(table_row.number));
   std::size_t events = 0;
   for ([[maybe_unused]] const auto _ : state) {

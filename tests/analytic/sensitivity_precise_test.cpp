@@ -66,8 +66,8 @@ double relative(const Matrix& reached, const Matrix& expected) {
 std::string expect_derivative(const std::string& what, const BasicCase<Multi>& the_case,
                               const SolveOptions& options) {
   const auto solution = solve(the_case, options);
-  const std::string order = order_of_events(solution);
-  const Multi time = solution.end_time();
+  std::string order = order_of_events(solution);
+  const Multi& time = solution.end_time();
   const BasicSensitivity<Multi> sensitivity(the_case, solution, options.law);
   expect_within(
       what, relative(sensitivity.at(time), difference_quotients(the_case, options, order, time)),

@@ -398,21 +398,21 @@ BasicCableVector<Real> energetic_impulses(const BasicCase<Real>& the_case,
                                           const BasicState<Real>& before, CableSet cables) {
   const auto count = static_cast<Eigen::Index>(cables.size());
   const Vector3<Real> weight = inverse_mass(the_case.body).cwiseSqrt();
-  Vector3<Real> velocity(before.velocity.x(), before.velocity.y(), before.spin);
   std::vector<Spring<Real>> springs;
-  Real row_scale(0);
-  Eigen::Index index_of_axis = 0;
-  for (const Real& w : weight) {  // a point mass does not turn
-    velocity[index_of_axis] = w > 0 ? Real(velocity[index_of_axis] / w) : Real(0);
-    ++index_of_axis;
-  }
+  Rows<Real> rows(count, 3);
+  BasicCableVector<Real> rates(count);
   for (const std::size_t index : cables) {
+    const auto row = static_cast<Eigen::Index>(springs.size());
     const BasicCable<Real>& cable = the_case.cables[index];
-    const Real e = restitution(cable, gap_rate(cable, before));
+    rates[row] = gap_rate(cable, before);
+    const Real e = restitution(cable, rates[row]);
     springs.push_back({gap_gradient(cable, before).cwiseProduct(weight),
                        e < least_restitution ? Real(0) : Real(e * e)});
-    row_scale = max(row_scale, Real(springs.back().row.norm()));
+    rows.row(row) = springs.back().row.transpose();
   }
+  // the motion that changes no gap takes no part, and its speed would hide slow gap rates
+  const Vector3<Real> velocity = rows.completeOrthogonalDecomposition().solve(rates);
+  const Real row_scale = rows.rowwise().norm().maxCoeff();
   const Real speed_scale = velocity.norm();
   if (!(speed_scale > 0)) {
     return BasicCableVector<Real>::Zero(count);

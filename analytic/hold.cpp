@@ -87,6 +87,9 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
   const auto [acceleration, time] = natural_scales(the_case, state);
   BasicHold<Real> result{pulling, {}, longest_series(the_case, state, pulling), Real(0), {}};
   result.reach = result.motion.reach(epsilon<Real>() / 4);
+  if (!pulling.empty()) {  // or tensions that hold a body still, rounded, would move it in the end
+    result.reach = min(result.reach, time);
+  }
   const Real least = min(result.reach, time);
   const Real h = isfinite(least) ? least : Real(1);  // nothing changes: any time will do
   for (const std::size_t index : resting | touching.cables) {

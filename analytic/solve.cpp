@@ -56,14 +56,17 @@ class Motion {
   /// The whole algorithm.
   BasicSolution<Real> run() {
     for (std::size_t round = 0; round < options_.max_events; ++round) {
-      complete_accumulation();
-      if (!hold_resting()) {
-        return finish(Ending::singular);
+      Stop<Real> stop{Real(0), std::nullopt, closing_at_once()};
+      if (stop.cables.empty()) {
+        complete_accumulation();
+        if (!hold_resting()) {
+          return finish(Ending::singular);
+        }
+        if (at_rest()) {
+          return come_to_rest();
+        }
+        stop = next_stop();
       }
-      if (at_rest()) {
-        return come_to_rest();
-      }
-      const Stop<Real> stop = next_stop();
       if (isnan(stop.dt) || !move(stop)) {
         return finish(Ending::overflow);
       }
@@ -78,6 +81,17 @@ class Motion {
   }
 
  private:
+  /// The cables at zero gap that an impact has left closing: their impact is at once.
+  [[nodiscard]] CableSet closing_at_once() const {
+    CableSet result;
+    for (const std::size_t index : touching_.cables) {
+      if (gap_rate(case_.cables[index], state_) < -touching_.rate_rounding) {
+        result.insert(index);
+      }
+    }
+    return result;
+  }
+
   /// Where the bounces of the touching cables accumulate, their end.
   void complete_accumulation() {
     if (touching_.cables == taut_) {
@@ -153,14 +167,18 @@ class Motion {
     if (taut_.empty()) {
       return false;
     }
+    const auto& motion = held_->motion;
     Real radius(0);
     for (const BasicCable<Real>& cable : case_.cables) {
       radius = max(radius, Real(cable.attachment.norm()));
     }
-    const auto& motion = held_->motion;
+    if (speed_scale(case_, state_) > touching_.rate_rounding || (radius == 0 && state_.spin != 0)) {
+      return false;
+    }
+    // pulling cables are independent: as many as there are ways to move leave none
+    const bool turns = radius > 0 && inverse_mass(case_.body)[2] > 0;
     const Real still = rate_rounding<Real>() * 100 * case_.gravity.norm();
-    return speed_scale(case_, state_) <= touching_.rate_rounding &&
-           (radius > 0 || state_.spin == 0) &&
+    return held_->pulling.size() >= (turns ? 3U : 2U) ||
            abs(motion.x()[2]) + abs(motion.y()[2]) + radius * abs(motion.angle()[2]) <= still;
   }
 
@@ -195,7 +213,7 @@ class Motion {
   [[nodiscard]] bool move(const Stop<Real>& stop) {
     const Real end =
         stop.ending == Ending::reached_duration ? case_.duration : Real(time_ + stop.dt);
-    BasicArc<Real> arc{time_, end, state_, taut_, {}};
+    BasicArc<Real> arc{time_, end, state_, held(), {}};
     if (held_ && !held_->pulling.empty()) {  // else the closed form of flight
       const auto terms = static_cast<Eigen::Index>(held_->motion.x().size());
       arc.series.resize(terms, 3);
@@ -210,8 +228,7 @@ class Motion {
       return false;
     }
     arcs_.push_back(std::move(arc));
-    const CableSet held = held_ ? held_->pulling : CableSet{};
-    state_ = on_cables(next, held, stop.cables);
+    state_ = on_cables(next, held_ ? held_->pulling : CableSet{}, stop.cables);
     time_ = end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     note_speed();
@@ -257,6 +274,7 @@ class Motion {
       return false;
     }
     record(EventKind::impact, closing, std::move(impact.impulses), impact.after);
+    held_.reset();
     return true;
   }
 
@@ -266,6 +284,9 @@ class Motion {
     events_.push_back({time_, kind, cables, std::move(impulses), state_, after});
     state_ = std::move(after);
   }
+
+  /// The cables taut from here on; none right after an impact, before it is known.
+  [[nodiscard]] CableSet held() const { return held_ ? taut_ : CableSet{}; }
 
   [[nodiscard]] static BasicCableVector<Real> zeros(CableSet cables) {
     return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
@@ -283,7 +304,7 @@ class Motion {
 
   BasicSolution<Real> finish(Ending ending) {
     if (ending != Ending::reached_duration) {
-      arcs_.push_back({time_, time_, state_, taut_, {}});  // the last state, after its event
+      arcs_.push_back({time_, time_, state_, held(), {}});  // the last state, after its event
     }
     return solution(ending);
   }

@@ -80,6 +80,34 @@ template <class Real>
   return state;
 }
 
+/// What the velocity of `state` gains [m/s, m/s, rad/s] where the gaps of `cables` are closed and
+/// the momentum along the cables is kept (Eq. 18), up to parts across them.
+template <class Real>
+[[nodiscard]] Eigen::Matrix<Real, 3, 1> momentum_kept(const BasicCase<Real>& the_case,
+                                                      const BasicState<Real>& state,
+                                                      CableSet cables) {
+  constexpr double almost_dependent = 1e-4;  // [-], pivots that would multiply rounding of the gaps
+  constexpr Eigen::Index all = 3;            // independent cables leave no motion along them
+  BasicCableVector<Real> gaps(static_cast<Eigen::Index>(cables.size()));
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    gaps[row++] = gap(the_case.cables[index], state);
+  }
+  Eigen::CompleteOrthogonalDecomposition<BasicCableMatrix<Real>> solver;
+  solver.setThreshold(Real(almost_dependent));
+  solver.compute(delassus(the_case, state, cables));
+  Eigen::Matrix<Real, 3, 1> result = Eigen::Matrix<Real, 3, 1>::Zero();
+  if (solver.rank() == all) {
+    return result;
+  }
+  const BasicCableVector<Real> shift = solver.solve(gaps);
+  row = 0;
+  for (const std::size_t index : cables) {
+    result += shift[row++] * gap_gradient_rate(the_case.cables[index], state);
+  }
+  return result.cwiseProduct(inverse_mass(the_case.body));
+}
+
 /// The state in which `cables` are taut and the momentum along them is that of `state`: the nearest
 /// pose in the metric of M, then the velocity without the rates (Eq. 18). Momentum, not velocity,
 /// is what bounces of small height keep: like a skater who moves out, the body slows down by the
@@ -87,18 +115,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] BasicState<Real> projected(const BasicCase<Real>& the_case,
                                          const BasicState<Real>& state, CableSet cables) {
-  BasicCableVector<Real> gaps(static_cast<Eigen::Index>(cables.size()));
-  Eigen::Index row = 0;
-  for (const std::size_t index : cables) {
-    gaps[row++] = gap(the_case.cables[index], state);
-  }
-  const BasicCableVector<Real> shift = multipliers<Real>(the_case, state, cables, gaps);
-  Eigen::Matrix<Real, 3, 1> change = Eigen::Matrix<Real, 3, 1>::Zero();
-  row = 0;
-  for (const std::size_t index : cables) {
-    change += shift[row++] * gap_gradient_rate(the_case.cables[index], state);
-  }
-  change = change.cwiseProduct(inverse_mass(the_case.body)).eval();
+  const Eigen::Matrix<Real, 3, 1> change = momentum_kept(the_case, state, cables);
   BasicState<Real> result = with_zero_gaps(the_case, state, cables);
   result.velocity += change.template head<2>();
   result.spin += change[2];

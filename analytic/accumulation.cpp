@@ -25,18 +25,10 @@ struct Scales {
 
 template <class Real>
 Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
-  const Real speed = speed_scale(the_case, state);
-  Real shortest = the_case.cables.front().length;
-  Real radius(0);
-  for (const BasicCable<Real>& cable : the_case.cables) {
-    shortest = min(shortest, cable.length);
-    radius = max(radius, Real(cable.attachment.norm()));
-  }
-  Scales<Real> result{};
-  result.acceleration =
-      the_case.gravity.norm() + state.spin * state.spin * radius + speed * speed / shortest;
-  result.rate = abs(state.spin) + speed / shortest + sqrt(Real(result.acceleration / shortest));
-  return result;
+  const Real shortest = shortest_length(the_case);
+  const Real acceleration = acceleration_scale(the_case, state);
+  return {acceleration, abs(state.spin) + speed_scale(the_case, state) / shortest +
+                            sqrt(Real(acceleration / shortest))};
 }
 
 /// How the bounces on a set of almost taut cables go on.
@@ -155,17 +147,33 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
   return result;
 }
 
+/// True where bounces that begin with `rebound` [m/s] may meet the limits: where they would with a
+/// pull as large as the accelerations of the motion. A stronger one has to wait a little.
+template <class Real>
+bool is_slow(const BasicCable<Real>& cable, const Real& rebound, const CompletionLimits& limits,
+             const Scales<Real>& scale) {
+  if (limits.speed) {
+    return rebound <= *limits.speed;
+  }
+  const Real kept = restitution_up_to(cable, rebound);
+  const Real lost = kept < 1 ? Real(1 - kept * kept * kept) : Real(1);
+  const Real ratio = rebound * scale.rate / scale.acceleration;
+  return 2 * certificate_margin * ratio * ratio * ratio <= 3 * lost * limits.error;  // Eq. 20
+}
+
 /// The touching cables slow enough to be candidates; empty if one of them is still closing.
 template <class Real>
 CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                       const BasicTouching<Real>& touching, const Real& fastest) {
+                       const BasicTouching<Real>& touching, const CompletionLimits& limits,
+                       const Scales<Real>& scale) {
   CableSet slow;
   for (const std::size_t index : touching.cables) {
-    const Real rate = gap_rate(the_case.cables[index], state);
+    const BasicCable<Real>& cable = the_case.cables[index];
+    const Real rate = gap_rate(cable, state);
     if (rate < -touching.rate_rounding) {
       return {};
     }
-    if (rate <= fastest) {
+    if (is_slow(cable, rate, limits, scale)) {
       slow.insert(index);
     }
   }
@@ -201,15 +209,6 @@ CableSet moving(const BasicCase<Real>& the_case, const BasicState<Real>& state,
   return result;
 }
 
-/// No faster rebound can meet the limits: the error's cube root with a pull of five times gravity.
-template <class Real>
-Real fastest_candidate(const CompletionLimits& limits, const Scales<Real>& scale) {
-  if (limits.speed) {
-    return Real(*limits.speed);
-  }
-  return 4 * pow(Real(limits.error), Real(1) / 3) * scale.acceleration / scale.rate;
-}
-
 }  // namespace
 
 template <class Real>
@@ -218,17 +217,14 @@ std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
                                           const BasicTouching<Real>& touching,
                                           const CompletionLimits& limits) {
   const Scales<Real> scale = scales(the_case, state);
-  CableSet cables =
-      slow_contacts(the_case, state, touching, fastest_candidate<Real>(limits, scale));
+  CableSet cables = slow_contacts(the_case, state, touching, limits, scale);
   // a round loses cables that leave or gains one that takes part; few rounds settle it
   for (std::size_t round = 0; round < 2 * max_cables && !cables.empty(); ++round) {
     if (moving(the_case, state, touching, cables).empty()) {
       return std::nullopt;
     }
-    const BasicState<Real> after = projected(the_case, state, cables);
-    const auto held = resting_tensions(the_case, after, cables);
-    if (!held || !held->tension.allFinite() || !held->acceleration.allFinite() ||
-        !isfinite(energy(the_case, after))) {  // what overflows is not certain
+    const auto held = resting_tensions(the_case, state, cables);
+    if (!held || !held->tension.allFinite() || !held->acceleration.allFinite()) {
       return std::nullopt;
     }
     if (const CableSet rest = staying(cables, *held, scale); rest != cables) {
@@ -243,6 +239,10 @@ std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
     const Real latest = bounces->remaining + bounces->uncertainty;
     const CableSet near = within_reach(the_case, state, cables, latest, scale);
     if (near.empty()) {
+      const BasicState<Real> after = projected(the_case, state, cables);
+      if (!isfinite(energy(the_case, after))) {
+        return std::nullopt;
+      }
       if (cables.size() == 1 && bounces->ends) {
         refine(*bounces, the_case, state, after, *cables.begin());
       }

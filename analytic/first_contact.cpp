@@ -31,7 +31,8 @@ class GapAlongFlight {
                        : (cable.length * cable.length - from_anchor_.squaredNorm()) /
                              (2 * cable.length)),
         radius_(cable.attachment.norm()),
-        turning_(start.spin * start.spin * radius_) {
+        turning_(start.spin * start.spin * radius_),
+        gravity_size_(the_case.gravity.norm()) {
     const Real rate =
         -from_anchor_.dot(start.velocity + start.spin * perpendicular(arm_)) / cable.length;
     drift_ = at_zero && rate < 0 && rate >= -rate_rounding ? Real(-rate) : Real(0);
@@ -58,9 +59,9 @@ class GapAlongFlight {
   /// and jerk over the window, and D the distance, which is at most the length until the first root
   /// and at most V w beyond it after.
   [[nodiscard]] Real jerk_bound(const Real& s, const Real& window) const {
-    const Real speed = (start_.velocity + s * gravity_).norm() + window * gravity_.norm() +
+    const Real speed = (start_.velocity + s * gravity_).norm() + window * gravity_size_ +
                        abs(start_.spin) * radius_;
-    const Real acceleration = gravity_.norm() + turning_;
+    const Real acceleration = gravity_size_ + turning_;
     const Real distance = cable_.length + speed * window;
     const Real jerk = abs(start_.spin) * turning_;
     return (3 * speed * acceleration + distance * jerk) / cable_.length;
@@ -76,6 +77,7 @@ class GapAlongFlight {
   Real drift_;                   // [m/s], takes away a closing rate that is rounding
   Real radius_;                  // [m], attachment to centre of mass
   Real turning_;                 // [m/s^2], centripetal acceleration of the attachment
+  Real gravity_size_;            // [m/s^2]
 };
 
 }  // namespace

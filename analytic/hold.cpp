@@ -1,9 +1,9 @@
 #include "tautline/hold.hpp"
 
 #include <bit>
-#include <utility>
 
 #include "instantiate.hpp"
+#include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 
 namespace tautline {
@@ -44,30 +44,13 @@ Leading leading(std::span<const Real> coefficients, std::size_t known_zeros, con
   return {0, coefficients.size()};
 }
 
-/// The acceleration [m/s^2] that gravity and the turn give, and the time [s] over which a cable of
-/// the shortest length notices it.
-template <class Real>
-std::pair<Real, Real> natural_scales(const BasicCase<Real>& the_case,
-                                     const BasicState<Real>& state) {
-  Real shortest = the_case.cables.front().length;
-  Real radius(0);
-  for (const BasicCable<Real>& cable : the_case.cables) {
-    shortest = min(shortest, cable.length);
-    radius = max(radius, Real(cable.attachment.norm()));
-  }
-  const Real speed = speed_scale(the_case, state);
-  const Real acceleration =
-      the_case.gravity.norm() + state.spin * state.spin * radius + speed * speed / shortest;
-  return {acceleration,
-          acceleration > 0 ? Real(sqrt(Real(shortest / acceleration))) : infinity<Real>()};
-}
-
 /// The series of full order, or of a lower one where its coefficients overflow: a body that turns a
-/// million times in its unit of time.
+/// million times in its unit of time. A cable that `bounces` on the motion returns long before
+/// the end of the series: a third of the order does.
 template <class Real>
 TautSeries<Real> longest_series(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                CableSet pulling) {
-  std::size_t order = series_order<Real>();
+                                CableSet pulling, bool bounces) {
+  std::size_t order = bounces ? series_order<Real>() / 3 : series_order<Real>();
   constexpr std::size_t least_order = 6;
   for (; order > least_order; order /= 2) {
     TautSeries<Real> motion(the_case, state, pulling, order);
@@ -84,8 +67,13 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
                                          const BasicState<Real>& state,
                                          const BasicTouching<Real>& touching, CableSet resting,
                                          CableSet pulling, CableSet doubtful) {
-  const auto [acceleration, time] = natural_scales(the_case, state);
-  BasicHold<Real> result{pulling, {}, longest_series(the_case, state, pulling), Real(0), {}};
+  const Real acceleration = acceleration_scale(the_case, state);
+  // over which a cable notices that acceleration
+  const Real time = acceleration > 0 ? Real(sqrt(Real(shortest_length(the_case) / acceleration)))
+                                     : infinity<Real>();
+  const bool bounces = !(touching.cables - resting).empty();
+  BasicHold<Real> result{
+      pulling, {}, longest_series(the_case, state, pulling, bounces), Real(0), {}};
   result.reach = result.motion.reach(epsilon<Real>() / 4);
   if (!pulling.empty()) {  // or tensions that hold a body still, rounded, would move it in the end
     result.reach = min(result.reach, time);
@@ -128,14 +116,14 @@ std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const Basic
   if (!held) {
     return std::nullopt;
   }
-  const Real acceleration = natural_scales(the_case, state).first;
+  const Real acceleration = acceleration_scale(the_case, state);
   CableSet certain;
   CableSet doubtful;  // tension and acceleration are both zero: the next derivatives decide
   Eigen::Index row = 0;
   for (const std::size_t index : resting) {
-    const Real pull = held->tension[row] * gap_gradient(the_case.cables[index], state)
-                                               .cwiseProduct(inverse_mass(the_case.body))
-                                               .dot(gap_gradient(the_case.cables[index], state));
+    const Eigen::Matrix<Real, 3, 1> gradient = gap_gradient(the_case.cables[index], state);
+    const Real pull =
+        held->tension[row] * gradient.cwiseProduct(inverse_mass(the_case.body)).dot(gradient);
     if (pull > rounding<Real>() * acceleration) {
       certain.insert(index);
     } else if (held->acceleration[row] <= rounding<Real>() * acceleration) {
@@ -159,6 +147,14 @@ std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const Basic
     }
   }
   return candidate(the_case, state, touching, {}, certain, {});  // rounding denies all of them
+}
+
+template <class Real>
+std::optional<BasicHold<Real>> continued(const BasicCase<Real>& the_case,
+                                         const BasicState<Real>& state,
+                                         const BasicTouching<Real>& touching,
+                                         const BasicHold<Real>& held) {
+  return candidate(the_case, state, touching, held.taut(), held.pulling, {});
 }
 
 template <class Real>
@@ -199,6 +195,10 @@ BasicFirstContact<Real> first_change(const BasicCase<Real>& the_case, const Basi
 template std::optional<BasicHold<Instance>> hold(const BasicCase<Instance>&,
                                                  const BasicState<Instance>&,
                                                  const BasicTouching<Instance>&, CableSet);
+template std::optional<BasicHold<Instance>> continued(const BasicCase<Instance>&,
+                                                      const BasicState<Instance>&,
+                                                      const BasicTouching<Instance>&,
+                                                      const BasicHold<Instance>&);
 template BasicFirstContact<Instance> first_change(const BasicCase<Instance>&,
                                                   const BasicHold<Instance>&, const Instance&);
 

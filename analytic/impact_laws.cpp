@@ -91,9 +91,8 @@ BasicImpact<Real> completed(const BasicCase<Real>& the_case, const BasicState<Re
 template <class Real>
 BasicImpact<Real> resolve_impact(ImpactLaw law, const BasicCase<Real>& the_case,
                                  const BasicState<Real>& before, CableSet cables) {
-  const bool fits = delassus(the_case, before, cables).allFinite() &&
-                    gap_rates(the_case, before, cables).allFinite();
-  if (cables.size() > 1 && fits) {
+  if (cables.size() > 1 && delassus(the_case, before, cables).allFinite() &&
+      gap_rates(the_case, before, cables).allFinite()) {
     switch (law) {
       case ImpactLaw::poisson:
         return completed(the_case, before, cables, poisson_impulses(the_case, before, cables));

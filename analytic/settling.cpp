@@ -168,10 +168,9 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
   if (!held || held->pulling.size() + 1 != freedoms) {
     return std::nullopt;
   }
-  constexpr double longest = 500.0;  // [time scales]; near-critical swings are slow
-  for (Real length = 8 * time_scale(the_case); length < longest * time_scale(the_case);
-       length *= 2) {
-    free.duration = length;
+  // [time scales]; near-critical swings are slow
+  for (const int length : {8, 16, 32, 64, 128, 256}) {
+    free.duration = length * time_scale(the_case);
     const BasicSolution<Real> motion = solve(free);
     if (motion.ending() != Ending::reached_duration || motion.events().size() != 1) {
       return std::nullopt;  // it comes to rest, or loses a cable, or hits another one

@@ -28,6 +28,7 @@ struct Stop {
   Real dt;                       // [s] from the start of the arc; NaN: numbers overflowed
   std::optional<Ending> ending;  // none: the motion goes on
   CableSet cables;               // that become taut
+  bool is_step = false;          // where a series ends, and nothing happens
 };
 
 /// True while the state, its energy and the squares of its numbers fit a Real.
@@ -56,10 +57,10 @@ class Motion {
   /// The whole algorithm.
   BasicSolution<Real> run() {
     for (std::size_t round = 0; round < options_.max_events; ++round) {
-      Stop<Real> stop{Real(0), std::nullopt, closing_at_once()};
+      Stop<Real> stop{Real(0), std::nullopt, contacts().closing};  // left by an impact: at once
       if (stop.cables.empty()) {
         complete_accumulation();
-        if (!hold_resting()) {
+        if (!held_ && !hold_resting()) {
           return finish(Ending::singular);
         }
         if (at_rest()) {
@@ -81,12 +82,19 @@ class Motion {
   }
 
  private:
-  /// The cables at zero gap that an impact has left closing: their impact is at once.
-  [[nodiscard]] CableSet closing_at_once() const {
-    CableSet result;
+  /// The cables at zero gap that close now and those that rest, up to rounding.
+  struct Contacts {
+    CableSet closing;
+    CableSet resting;
+  };
+  [[nodiscard]] Contacts contacts() const {
+    Contacts result;
     for (const std::size_t index : touching_.cables) {
-      if (gap_rate(case_.cables[index], state_) < -touching_.rate_rounding) {
-        result.insert(index);
+      const Real rate = gap_rate(case_.cables[index], state_);
+      if (rate < -touching_.rate_rounding) {
+        result.closing.insert(index);
+      } else if (rate <= touching_.rate_rounding) {
+        result.resting.insert(index);
       }
     }
     return result;
@@ -115,13 +123,12 @@ class Motion {
   /// Finds out which of the cables at zero gap and rate stay taut, and records what has changed.
   /// False where the motion has no continuation.
   [[nodiscard]] bool hold_resting() {
-    held_.reset();
-    if (!resting().empty()) {
-      held_ = hold(case_, state_, touching_, resting());
+    if (const CableSet resting = contacts().resting; !resting.empty()) {
+      held_ = hold(case_, state_, touching_, resting);
       if (!held_ && is_caught()) {
         state_.velocity.setZero();
         state_.spin = Real(0);
-        held_ = hold(case_, state_, touching_, resting());
+        held_ = hold(case_, state_, touching_, contacts().resting);
       }
       if (!held_ || is_singular(*held_)) {
         return false;
@@ -137,17 +144,6 @@ class Motion {
     }
     taut_ = taut;
     return true;
-  }
-
-  /// The touching cables whose gap rate is zero within rounding.
-  [[nodiscard]] CableSet resting() const {
-    CableSet result;
-    for (const std::size_t index : touching_.cables) {
-      if (abs(gap_rate(case_.cables[index], state_)) <= touching_.rate_rounding) {
-        result.insert(index);
-      }
-    }
-    return result;
   }
 
   /// True where what is left of the motion is rounding of the motion before, between cables that
@@ -168,10 +164,7 @@ class Motion {
       return false;
     }
     const auto& motion = held_->motion;
-    Real radius(0);
-    for (const BasicCable<Real>& cable : case_.cables) {
-      radius = max(radius, Real(cable.attachment.norm()));
-    }
+    const Real radius = attachment_radius(case_);
     if (speed_scale(case_, state_) > touching_.rate_rounding || (radius == 0 && state_.spin != 0)) {
       return false;
     }
@@ -189,7 +182,8 @@ class Motion {
     if (held_) {
       const auto change = first_change(case_, *held_, stop.dt);
       if (!(change.dt >= stop.dt) || !change.cables.empty()) {
-        stop = {change.dt, std::nullopt, change.cables};
+        stop = {change.dt, std::nullopt, change.cables,
+                change.cables.empty() && change.dt == held_->reach};
       }
     } else if (const auto search = first_contact(case_, state_, touching_, stop.dt);
                search.contact) {
@@ -213,7 +207,7 @@ class Motion {
   [[nodiscard]] bool move(const Stop<Real>& stop) {
     const Real end =
         stop.ending == Ending::reached_duration ? case_.duration : Real(time_ + stop.dt);
-    BasicArc<Real> arc{time_, end, state_, held(), {}};
+    BasicArc<Real> arc{time_, end, state_, held_ ? taut_ : CableSet{}, {}};
     if (held_ && !held_->pulling.empty()) {  // else the closed form of flight
       const auto terms = static_cast<Eigen::Index>(held_->motion.x().size());
       arc.series.resize(terms, 3);
@@ -232,6 +226,10 @@ class Motion {
     time_ = end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     note_speed();
+    held_ = stop.is_step ? continued(case_, state_, touching_, *held_) : std::nullopt;
+    if (held_ && is_singular(*held_)) {
+      held_.reset();
+    }
     return true;
   }
 
@@ -260,21 +258,16 @@ class Motion {
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
   /// False, and nothing done, where the rebound does not fit a Real.
   [[nodiscard]] bool hit() {
-    CableSet closing;
-    for (const std::size_t index : touching_.cables) {
-      if (gap_rate(case_.cables[index], state_) <= touching_.rate_rounding) {
-        closing.insert(index);
-      }
-    }
-    if (closing.empty()) {
+    const auto [closing, resting] = contacts();
+    const CableSet cables = closing | resting;
+    if (cables.empty()) {
       return true;
     }
-    BasicImpact<Real> impact = resolve_impact(options_.law, case_, state_, closing);
+    BasicImpact<Real> impact = resolve_impact(options_.law, case_, state_, cables);
     if (!fits(case_, impact.after) || !impact.impulses.allFinite()) {
       return false;
     }
-    record(EventKind::impact, closing, std::move(impact.impulses), impact.after);
-    held_.reset();
+    record(EventKind::impact, cables, std::move(impact.impulses), impact.after);
     return true;
   }
 
@@ -284,9 +277,6 @@ class Motion {
     events_.push_back({time_, kind, cables, std::move(impulses), state_, after});
     state_ = std::move(after);
   }
-
-  /// The cables taut from here on; none right after an impact, before it is known.
-  [[nodiscard]] CableSet held() const { return held_ ? taut_ : CableSet{}; }
 
   [[nodiscard]] static BasicCableVector<Real> zeros(CableSet cables) {
     return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
@@ -304,7 +294,8 @@ class Motion {
 
   BasicSolution<Real> finish(Ending ending) {
     if (ending != Ending::reached_duration) {
-      arcs_.push_back({time_, time_, state_, held(), {}});  // the last state, after its event
+      arcs_.push_back(
+          {time_, time_, state_, taut_ - (taut_ - contacts().resting), {}});  // the last state
     }
     return solution(ending);
   }

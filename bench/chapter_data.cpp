@@ -71,8 +71,8 @@ std::string impacts_csv(const ChapterCase& solved) {
 
 std::string boundary_csv(const Breakwater& parameters) {
   std::string csv = "x [S],y on g1 = 0 [S],y on g2 = 0 [S],lowest y [S]\n";
-  const auto& [r, e, a, b, shape, initial, duration] = parameters;
-  const double span = 1.0 - a;
+  const double r = parameters.r;
+  const double span = 1.0 - parameters.a;
   const double h = std::sqrt(r * r - span * span);
   // between these neither cable, stretched, is above its anchor's height
   const double reach = r - span;

@@ -11,7 +11,7 @@ namespace tautline {
 struct CompletionLimits {
   /// Completing changes the later velocities by at most about this fraction of their scale [-].
   /// The default is far below rounding: rebounds of some 1e-6 m/s in systems of sizes near one.
-  double error = 1e-18;
+  double error = 1e-17;
   /// Instead of `error`, if given: no remaining rebound is faster than this [m/s].
   std::optional<double> speed;
 };

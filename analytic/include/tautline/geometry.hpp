@@ -167,15 +167,40 @@ template <class Real>
   return the_case.body.mass * cross(from, state.velocity) + the_case.body.inertia * state.spin;
 }
 
-/// A bound of the speeds of the body's attachment points [m/s].
+/// The largest distance of an attachment from the centre of mass [m].
 template <class Real>
-[[nodiscard]] Real speed_scale(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+[[nodiscard]] Real attachment_radius(const BasicCase<Real>& the_case) {
   Real radius(0);
   for (const BasicCable<Real>& cable : the_case.cables) {
     const Real norm = cable.attachment.norm();
     radius = norm > radius ? norm : radius;
   }
-  return state.velocity.norm() + abs(state.spin) * radius;
+  return radius;
+}
+
+/// A bound of the speeds of the body's attachment points [m/s].
+template <class Real>
+[[nodiscard]] Real speed_scale(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+  return state.velocity.norm() + abs(state.spin) * attachment_radius(the_case);
+}
+
+/// The shortest length of a cable [m].
+template <class Real>
+[[nodiscard]] Real shortest_length(const BasicCase<Real>& the_case) {
+  Real shortest = the_case.cables.front().length;
+  for (const BasicCable<Real>& cable : the_case.cables) {
+    shortest = cable.length < shortest ? cable.length : shortest;
+  }
+  return shortest;
+}
+
+/// The size of the gaps' accelerations that gravity, the turn and the lengths give [m/s^2] (Eq. 5).
+template <class Real>
+[[nodiscard]] Real acceleration_scale(const BasicCase<Real>& the_case,
+                                      const BasicState<Real>& state) {
+  const Real speed = speed_scale(the_case, state);
+  return the_case.gravity.norm() + state.spin * state.spin * attachment_radius(the_case) +
+         speed * speed / shortest_length(the_case);
 }
 
 }  // namespace tautline

@@ -33,6 +33,14 @@ template <class Real>
                                                   const BasicTouching<Real>& touching,
                                                   CableSet resting);
 
+/// The same motion where its series end: the cables that pulled go on pulling. None where rounding
+/// says otherwise.
+template <class Real>
+[[nodiscard]] std::optional<BasicHold<Real>> continued(const BasicCase<Real>& the_case,
+                                                       const BasicState<Real>& state,
+                                                       const BasicTouching<Real>& touching,
+                                                       const BasicHold<Real>& held);
+
 /// The first instant up to min(hold.reach, horizon) at which a slack cable becomes taut, or at
 /// which a tension falls to zero, then with no cable; or that bound itself, with none.
 template <class Real>

@@ -43,25 +43,26 @@ template <class Real>
   return rate >= 0 ? Real((rate + root) / bend) : Real(2 * value / (root - rate));
 }
 
-/// A step from `now` at time s, at most `window`, before whose end f has no root.
+/// A step from `now` at time s, at most `window`, before whose end f has no root (Eq. 13).
 ///
-/// Proof. On [s, s + w] let |f'''| <= J and c = f''(s). Then f'' >= c - J w there, so by Taylor
-/// f(s + t) >= f + f' t - (J w - c) t^2 / 2 for t <= w, and f has no root before the smaller of w
-/// and the root of the right-hand side. Any w gives a valid step; the loop looks for a long one.
+/// Proof. On [s, s + w] let |f'''| <= J and c = f''(s). Then f'' >= c - J t there, so by Taylor
+/// f(s + t) >= f + f' t + c t^2 / 2 - J t^3 / 6 >= f + f' t - (J w / 3 - c) t^2 / 2 for t <= w, and
+/// f has no root before the smaller of w and the root of the right-hand side. Any w is valid.
 template <class Function, class Real>
 [[nodiscard]] Real safe_step(const Function& f, const BasicSample<Real>& now, const Real& s,
                              const Real& window) {
   const auto reach = [&](const Real& w) {
-    return first_quadratic_root<Real>(now.value, now.rate, f.jerk_bound(s, w) * w - now.curvature);
+    return first_quadratic_root<Real>(now.value, now.rate,
+                                      f.jerk_bound(s, w) * w / 3 - now.curvature);
   };
   Real trial = min(window, first_quadratic_root<Real>(now.value, now.rate, -now.curvature));
-  // at the best w both limits agree; the geometric mean closes three quarters of the log distance.
+  // at the best w both limits agree; a geometric mean closes three quarters of the log distance.
   // From a graze the right-hand side has its root at zero unless w is small: never all the way
   const Real least = epsilon<Real>();
   for (int refinement = 0; refinement < 3; ++refinement) {
     const Real found = reach(trial);
-    if (found >= trial) {
-      return trial;
+    if (2 * found >= trial) {  // near enough
+      return min(trial, found);
     }
     trial = sqrt(Real(trial * max(found, Real(least * trial))));
   }

@@ -16,13 +16,21 @@ namespace series {
 template <class Real>
 [[nodiscard]] Real cross_product(std::span<const Real> a, std::span<const Real> b,
                                  std::span<const Real> c, std::span<const Real> d, std::size_t k) {
-  Real plus(0);
-  Real minus(0);
-  for (std::size_t j = 0; j <= k; ++j) {
-    plus += a[j] * b[k - j];
-    minus += c[j] * d[k - j];
+  std::array<Real, 2> even{Real(0), Real(0)};
+  std::array<Real, 2> odd = even;
+  const auto add = [&](std::array<Real, 2>& sums, std::size_t j) {
+    sums[0] += a[j] * b[k - j];
+    sums[1] += c[j] * d[k - j];
+  };
+  std::size_t j = 0;
+  for (; j < k; j += 2) {
+    add(even, j);
+    add(odd, j + 1);
   }
-  return plus - minus;
+  if (j == k) {
+    add(even, j);
+  }
+  return even[0] + odd[0] - even[1] - odd[1];
 }
 
 /// Coefficients k of p a, p b and p c, without the terms of p[k]; k >= 1.
@@ -30,15 +38,23 @@ template <class Real>
 [[nodiscard]] std::array<Real, 3> known_products(std::span<const Real> p, std::span<const Real> a,
                                                  std::span<const Real> b, std::span<const Real> c,
                                                  std::size_t k) {
-  Real with_a(0);
-  Real with_b(0);
-  Real with_c(0);
-  for (std::size_t j = 0; j < k; ++j) {
-    with_a += p[j] * a[k - j];
-    with_b += p[j] * b[k - j];
-    with_c += p[j] * c[k - j];
+  using Sums = std::array<Real, 3>;
+  const auto add = [&](Sums& sums, std::size_t j) {
+    sums[0] += p[j] * a[k - j];
+    sums[1] += p[j] * b[k - j];
+    sums[2] += p[j] * c[k - j];
+  };
+  Sums even{Real(0), Real(0), Real(0)};
+  Sums odd = even;
+  std::size_t j = 0;
+  for (; j + 1 < k; j += 2) {
+    add(even, j);
+    add(odd, j + 1);
   }
-  return {with_a, with_b, with_c};
+  if (j < k) {
+    add(even, j);
+  }
+  return {even[0] + odd[0], even[1] + odd[1], even[2] + odd[2]};
 }
 
 /// Half of coefficient k of a^2 + b^2; k >= 1.
@@ -268,7 +284,7 @@ Real TautSeries<Real>::reach(const Real& error) const {
     }
     limit(pose, Real(1), k);
     Real pull(0);
-    Real pull_scale(0);
+    Real pull_scale = case_->body.mass * case_->gravity.norm();  // a tension may fall to zero
     for (const std::size_t index : taut_) {
       pull = max(pull, Real(abs(cables_[index].tension[k - 2])));
       pull_scale = max(pull_scale, Real(abs(cables_[index].tension[0])));

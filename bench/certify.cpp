@@ -56,6 +56,34 @@ BasicCase<Multi> in_digits(const Case& the_case) {
   return result;
 }
 
+double rounded(const Multi& value) { return static_cast<double>(value); }
+
+EnergyLedger rounded(const BasicEnergyLedger<Multi>& ledger) {
+  return {rounded(ledger.start), rounded(ledger.impacts), rounded(ledger.completions),
+          rounded(ledger.end), rounded(ledger.residual)};
+}
+
+Settling rounded(const BasicSettling<Multi>& settling) {
+  Settling result;
+  for (const BasicLastImpact<Multi>& last : settling.last_impacts) {
+    LastImpact same{rounded(last.speed), std::nullopt};
+    if (last.time) {
+      same.time = rounded(*last.time);
+    }
+    result.last_impacts.push_back(same);
+  }
+  if (const auto& lock = settling.lock) {
+    result.lock = {rounded(lock->time), rounded(lock->uncertainty),
+                   lock->cables,        lock->permanent,
+                   lock->rests,         std::nullopt};
+    if (const auto& swing = lock->swing) {
+      result.lock->swing = {rounded(swing->energy), rounded(swing->period), rounded(swing->least),
+                            rounded(swing->largest), rounded(swing->amplitude)};
+    }
+  }
+  return result;
+}
+
 /// Two solutions of one case.
 class Pair {
  public:
@@ -150,10 +178,8 @@ Certificate certify(const Case& the_case, const SolveOptions& options, const Sol
   result.event_count = other.events().size();
   result.ending = other.ending();
   result.end_time = static_cast<double>(other.end_time());
-  const auto ledger = energy_ledger(same_case, other);
-  const auto rounded = [](const Multi& value) { return static_cast<double>(value); };
-  result.energy = {rounded(ledger.start), rounded(ledger.impacts), rounded(ledger.completions),
-                   rounded(ledger.end), rounded(ledger.residual)};
+  result.energy = rounded(energy_ledger(same_case, other));
+  result.settling = rounded(settling(same_case, other));
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "tautline/case.hpp"
 #include "tautline/ledger.hpp"
+#include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
 #include "tautline/solve.hpp"
 
@@ -53,6 +54,7 @@ struct Certificate {
   Ending ending = Ending::reached_duration;
   double end_time = 0.0;  // [s]
   EnergyLedger energy{};  // rounded, the residual too
+  Settling settling;      // the same
 };
 
 /// Solves `the_case` once more with numbers of `digits` decimal digits, and holds `solution`, which

@@ -140,7 +140,8 @@ Json certificate_json(const Certificate& certificate) {
             {"in_digits", certificate.event_count}}},
           {"ending", to_string(certificate.ending)},
           {"end_time", certificate.end_time},
-          {"energy", ledger_json(certificate.energy)}};
+          {"energy", ledger_json(certificate.energy)},
+          {"settling", settling_json(certificate.settling)}};
 }
 
 std::vector<std::string> sample_problems(const Solution& solution,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "bench/table.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/ledger.hpp"
@@ -56,7 +58,8 @@ std::string last_impacts_sentence(const Settling& settling) {
 /// When the final set of cables became taut, and whether they stay so.
 std::string lock_sentence(const Lock& lock) {
   const std::string error =
-      lock.uncertainty > 0.0 ? fmt::format(" (+- {:.0e})", lock.uncertainty) : "";
+      lock.uncertainty > 0.0 ? fmt::format(" (+- {:.0e}, rounding not counted)", lock.uncertainty)
+                             : "";
   const std::string since =
       fmt::format("From t = {:.6f}{} on {} taut", lock.time, error, cables_are(lock.cables));
   if (lock.rests) {
@@ -79,14 +82,26 @@ std::string swing_sentence(const Case& the_case, const Solution& solution, const
 
 /// What is left of the initial energy where there is no swing to measure it against.
 std::string energy_sentence(const EnergyLedger& ledger) {
+  const double rounding = 1e-15 * std::abs(ledger.start);
+  const double end = std::abs(ledger.end) <= rounding ? 0.0 : ledger.end;
   return fmt::format("Impacts have taken {:.6g} of energy: {:.6g} at the start, {:.6g} at the end.",
-                     ledger.impacts + ledger.completions, ledger.start, ledger.end);
+                     ledger.impacts + ledger.completions, ledger.start, end);
 }
 
 std::string mark_text(const std::optional<EventMark>& mark) {
   return mark ? fmt::format("{} on {} at t = {:.9f}", to_string(mark->kind),
                             cable_list(mark->cables), mark->time)
               : "no more event";
+}
+
+std::string certified_lock(const Lock& lock) {
+  std::string result =
+      fmt::format("{} taut from t = {:.9f} on", cables_are(lock.cables), lock.time);
+  if (lock.swing) {
+    result += fmt::format(", with a swing of energy {:.9g} and amplitude {:.9g} rad",
+                          lock.swing->energy, lock.swing->amplitude);
+  }
+  return result;
 }
 
 std::vector<std::string> ledger_cells(const std::string& name, const EnergyLedger& ledger) {
@@ -146,6 +161,10 @@ std::string certificate_text(const Certificate& certificate, const Case& the_cas
   if (certificate.ending != solution.ending()) {
     result += fmt::format("  with {} digits the ending is {} at t = {:.9f}\n", certificate.digits,
                           to_string(certificate.ending), certificate.end_time);
+  }
+  if (certificate.settling.lock) {
+    result += fmt::format("  with {} digits {}\n", certificate.digits,
+                          certified_lock(*certificate.settling.lock));
   }
   Table ledger({"energy", "start", "impacts", "completions", "end", "residual"}, 1);
   ledger.add(ledger_cells("double", energy_ledger(the_case, solution)));

@@ -51,6 +51,18 @@ TEST(Certify, LedgerOfTheStandardCaseHasNoResidualBeyondRounding) {
   EXPECT_LT(in_digits.completions, in_double.completions) << "followed further";
 }
 
+TEST(Certify, SaysWhatTheStandardCaseSettlesInto) {
+  const Settling settling = certificate_of(standard_case()).settling;
+  ASSERT_TRUE(settling.lock && settling.lock->swing);
+  // the lock of the chapter's decimals is at 8.1288076; rounding them to doubles moves it by 1.7e-4
+  EXPECT_NEAR(settling.lock->time, 8.1288076, 3e-4);
+  EXPECT_TRUE(settling.lock->permanent);
+  EXPECT_NEAR(settling.lock->swing->energy, 0.0196791403, 1e-10);
+  EXPECT_NEAR(settling.lock->swing->amplitude, 0.650266, 1e-6);
+  ASSERT_EQ(settling.last_impacts.size(), 2U);
+  EXPECT_NEAR(*settling.last_impacts[1].time, 8.114010, 1e-6);
+}
+
 TEST(Certify, BouncingBallIsRightToTheEnd) {
   for (const double restitution : {0.5, 0.0, 1.0}) {
     const Certificate certificate = certificate_of(bouncing_ball(restitution));
@@ -103,6 +115,7 @@ TEST(Certify, MoreDigitsSayTheSame) {
   const Certificate many = certificate_of(standard_case(), 60);
   EXPECT_NEAR(correct_until(few, 9), correct_until(many, 9), 1e-9);
   EXPECT_EQ(few.events.count, many.events.count);
+  EXPECT_NEAR(few.settling.lock->time, many.settling.lock->time, 1e-8);
   EXPECT_GT(std::abs(few.energy.residual), std::abs(many.energy.residual));
 }
 

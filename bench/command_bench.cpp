@@ -53,6 +53,7 @@ Request read_request(const BenchCommand& command) {
   options.engines = std::move(choice.engines);
   options.models = command.models;
   options.steps = command.steps;
+  options.law = command.law;
   options.out = command.out;
   options.resume = command.resume;
   options.limits.time = command.time_limit;
@@ -111,7 +112,7 @@ int bench_command(const BenchCommand& command) {
   const SuiteOptions& options = request.options;
   ReportContext context{command.command_line, now_utc()};
   const auto start = Clock::now();
-  const std::vector<ReferenceCase> references = solve_cases(options.cases);
+  const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
   catch_interruption();  // up to here nothing has been touched
   const Descriptor tree = open_tree(options.out, !options.resume);
   Progress progress(plan(options).size(), "runs");

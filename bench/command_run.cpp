@@ -64,6 +64,7 @@ int run_command(const RunCommand& command) {
   options.engines = std::move(choice.engines);
   options.models = {command.model};
   options.steps = {command.step};
+  options.law = command.law;
   options.out = command.out;
   options.limits.time = command.time_limit;
   for (std::string& sentence : suite_problems(options)) {
@@ -79,7 +80,7 @@ int run_command(const RunCommand& command) {
   }
   // the runs of other engines and models stay
   const Descriptor tree = options.out.empty() ? Descriptor() : open_tree(options.out, false);
-  const auto references = solve_cases(options.cases);
+  const auto references = solve_cases(options.cases, options.law);
   catch_interruption();
   const SuiteResult result = run_suite(options, references, [](std::size_t) {});
   if (result.runs.empty()) {

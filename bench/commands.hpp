@@ -35,6 +35,7 @@ struct RunCommand {
   std::string engine;
   std::string model;
   double step = 1e-3;  // [s]
+  ImpactLaw law = ImpactLaw::simultaneous;
   double time_limit = 60.0;
   std::string json;
   std::filesystem::path out;  // folder for the run's files, or empty
@@ -48,6 +49,7 @@ struct BenchCommand {
   std::vector<std::string> models;
   std::vector<double> steps = {1e-2, 1e-3, 1e-4};  // [s]
   std::optional<double> until;                     // [s], instead of each case's duration
+  ImpactLaw law = ImpactLaw::simultaneous;
   std::filesystem::path out = "results";
   std::optional<unsigned> jobs;  // one per core if not given
   bool resume = false;

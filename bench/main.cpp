@@ -45,6 +45,19 @@ std::map<std::string, tautline::ImpactLaw> law_names() {
   return names;
 }
 
+/// Adds `--law` to `command`, with what it is for.
+void add_law(CLI::App& command, tautline::ImpactLaw& law, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          "--law", [&law](const std::string& name) { law = law_names().at(name); }, help)
+      ->check(CLI::IsMember(law_names()))
+      ->default_str("simultaneous");
+}
+
+constexpr const char* law_help =
+    "the exact motion's law for impacts on several cables, and that of models that leave the "
+    "choice";
+
 constexpr const char* case_help =
     "a case file (TOML), the name of a shipped case, or a pattern of such names in quotes: "
     "'breakwater/19*'; `tautline cases` lists them";
@@ -66,12 +79,7 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
   command->add_option("--angle-limit", solve.angle_limit, "end where |angle| reaches this [rad]");
   command->add_option("--ceiling", solve.ceiling,
                       "end where an attachment rises to this height [m]");
-  command
-      ->add_option_function<std::string>(
-          "--law", [&solve](const std::string& name) { solve.law = law_names().at(name); },
-          "how impacts on several cables are resolved")
-      ->check(CLI::IsMember(law_names()))
-      ->default_str("simultaneous");
+  add_law(*command, solve.law, "how impacts on several cables are resolved");
   command->add_flag("--certify", solve.certify,
                     "solve with many digits as well, and say how far the doubles are right");
   command->add_option("--digits", solve.digits,
@@ -86,6 +94,7 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
       ->required();
   command->add_option("--model", run.model, "how its cables are modelled")->required();
   command->add_option("--step", run.step, "the engine's step [s]")->capture_default_str();
+  add_law(*command, run.law, law_help);
   command->add_option("--time-limit", run.time_limit, "end the run after this long [s]")
       ->capture_default_str();
   command->add_option("--out", run.out,
@@ -103,6 +112,7 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
       ->delimiter(',');
   command->add_option("--steps", bench.steps, "steps [s]")->delimiter(',')->capture_default_str();
   command->add_option("--until", bench.until, "end every run at this time [s]");
+  add_law(*command, bench.law, law_help);
   command->add_option("--out", bench.out, "folder for the report and the runs' files")
       ->capture_default_str();
   command->add_option("--jobs", bench.jobs, "runs at a time (default: one per core)");

@@ -77,6 +77,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   report["complete"] = result.runs.size() == result.planned;
   report["planned_runs"] = result.planned;
   report["options"] = {{"steps", options.steps},
+                       {"law", to_string(options.law)},
                        {"count_speed", options.compare.count_speed},
                        {"early_impacts", options.compare.early_impacts},
                        {"time_limit", options.limits.time},

@@ -85,8 +85,7 @@ std::string how_to_read(const ordered_json& report) {
       "gaps, measured side by side in the same process; the start of the run is shared out over "
       "the steps.\n"
       "- A run that *stopped* came to its first taut cable: an accumulation of impacts, or a cable "
-      "that tension holds. The event models of engines go no further; the exact solution does. "
-      "Such "
+      "that tension holds. Not every engine goes further; the exact solution does. Such "
       "a run is compared up to its stop, and is a failure only if it stopped well before the exact "
       "motion has a taut cable or reaches its horizon.\n",
       options.at("early_impacts").get<int>(), options.at("count_speed").get<double>());

@@ -25,8 +25,8 @@ ordered_json who(const ReferenceCase& reference, const EngineInfo& engine, const
           {"step", run.step}};
 }
 
-/// When the exact motion first has a taut cable [s]; its end without one. Engines that locate
-/// impacts may stop there: they do not follow the motion on taut cables.
+/// When the exact motion first has a taut cable [s]; its end without one. A simulation
+/// that does not follow the motion on taut cables may stop there.
 double first_taut(const Solution& solution) {
   const auto& events = solution.events();
   const auto found = std::find_if(events.begin(), events.end(),

@@ -99,8 +99,8 @@ std::string events_csv(const Trajectory& run) {
 std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
   const std::string text =
       write_case(options.cases[run.the_case]) + settings_json(options, run).dump() +
-      fmt::format("{} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
-                  options.samples, TAUTLINE_VERSION) +
+      fmt::format("{} {} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
+                  options.samples, to_string(options.law), TAUTLINE_VERSION) +
       file_content(options.engines[run.engine].plugin);
   return fmt::format("{:016x}{:016x}", stable_hash(text), program_hash());
 }

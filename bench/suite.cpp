@@ -34,8 +34,8 @@ std::optional<RunResult> do_run(const SuiteOptions& options, const ReferenceCase
       return earlier;
     }
   }
-  const RunReply reply =
-      run_in_worker({engine.plugin, reference.the_case, run.model.name, run.step, options.limits});
+  const RunReply reply = run_in_worker(
+      {engine.plugin, reference.the_case, run.model.name, {run.step, options.law}, options.limits});
   if (reply.interrupted) {
     return std::nullopt;
   }
@@ -49,11 +49,11 @@ std::optional<RunResult> do_run(const SuiteOptions& options, const ReferenceCase
 
 }  // namespace
 
-std::vector<ReferenceCase> solve_cases(const std::vector<Case>& cases) {
+std::vector<ReferenceCase> solve_cases(const std::vector<Case>& cases, ImpactLaw law) {
   std::vector<ReferenceCase> references;
   for (const Case& the_case : cases) {
-    Solution solution = solve(the_case);
-    const double horizon = predictability_horizon(the_case, solution);
+    Solution solution = solve(the_case, {.law = law});
+    const double horizon = predictability_horizon(the_case, solution, law);
     Settling settled = settling(the_case, solution);
     references.push_back({the_case, std::move(solution), std::move(settled), horizon});
   }

@@ -21,10 +21,11 @@ struct SuiteOptions {
   std::vector<RegisteredEngine> engines;
   std::vector<std::string> models;  // of those; empty means all
   std::vector<double> steps;        // [s]
-  std::filesystem::path out;        // a result tree from `open_tree`; empty writes nothing
-  unsigned jobs = 1;                // worker processes at a time
-  bool resume = false;              // keep runs that `out` already has
-  std::size_t samples = 500;        // rows of a trajectory.csv, next to those at impacts
+  ImpactLaw law = ImpactLaw::simultaneous;
+  std::filesystem::path out;  // a result tree from `open_tree`; empty writes nothing
+  unsigned jobs = 1;          // worker processes at a time
+  bool resume = false;        // keep runs that `out` already has
+  std::size_t samples = 500;  // rows of a trajectory.csv, next to those at impacts
   WorkerLimits limits;
   CompareOptions compare;
 };
@@ -38,7 +39,7 @@ struct ReferenceCase {
 };
 
 /// The exact side of every case.
-[[nodiscard]] std::vector<ReferenceCase> solve_cases(const std::vector<Case>& cases);
+[[nodiscard]] std::vector<ReferenceCase> solve_cases(const std::vector<Case>& cases, ImpactLaw law);
 
 /// One run of the suite.
 struct PlannedRun {

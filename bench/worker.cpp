@@ -41,9 +41,10 @@ double processor_time() {
 /// A second run that is only started and stepped, and beside it as many closed-form flights with
 /// their gaps.
 Cost measure_cost(const Case& the_case, const Engine& engine, const std::string& model,
-                  double step) {
+                  const RunSettings& settings) {
+  const double step = settings.step;
   const double start = processor_time();
-  const auto simulation = engine.start(the_case, model, step);
+  const auto simulation = engine.start(the_case, model, settings);
   const auto whole_steps = static_cast<std::size_t>(the_case.duration / step);
   const std::size_t steps = std::max<std::size_t>(1, std::min(whole_steps, timed_steps));
   const double dt = std::min(step, the_case.duration);
@@ -65,14 +66,23 @@ Cost measure_cost(const Case& the_case, const Engine& engine, const std::string&
   return {(middle - start) / count, peak_memory(), (end - middle) / count};
 }
 
+ImpactLaw impact_law(const std::string& name) {
+  const auto law = std::find_if(impact_laws.begin(), impact_laws.end(),
+                                [&](ImpactLaw known) { return to_string(known) == name; });
+  if (law == impact_laws.end()) {
+    throw std::invalid_argument("impact law " + name + " is unknown");
+  }
+  return *law;
+}
+
 Message do_run(const ordered_json& request, const Plugin& plugin) {
   const auto reading = read_case_text(request.at("case").get<std::string>(), "request");
   const Case& the_case = reading.the_case.value();
   const std::string model = request.at("model");
-  const double step = request.at("step");
-  const auto simulation = plugin.engine().start(the_case, model, step);
-  Message reply = trajectory_message(record(the_case, *simulation, step));
-  const Cost cost = measure_cost(the_case, plugin.engine(), model, step);
+  const RunSettings settings{request.at("step"), impact_law(request.at("law"))};
+  const auto simulation = plugin.engine().start(the_case, model, settings);
+  Message reply = trajectory_message(record(the_case, *simulation, settings.step));
+  const Cost cost = measure_cost(the_case, plugin.engine(), model, settings);
   reply.head["cost"] = {cost.step, cost.memory, cost.reference};
   return reply;
 }
@@ -144,7 +154,8 @@ RunReply run_in_worker(const RunRequest& request) {
     const Exchange answer = exchange({{"plugin", request.plugin.string()},
                                       {"case", write_case(request.the_case)},
                                       {"model", request.model},
-                                      {"step", request.step},
+                                      {"step", request.settings.step},
+                                      {"law", to_string(request.settings.law)},
                                       {"memory", request.limits.memory}},
                                      request.limits);
     reply.failure = answer.failure;

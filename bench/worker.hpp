@@ -28,7 +28,7 @@ struct RunRequest {
   std::filesystem::path plugin;
   Case the_case;
   std::string model;
-  double step = 1e-3;  // [s]
+  RunSettings settings;
   WorkerLimits limits;
 };
 

@@ -3,29 +3,40 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "taut_step.hpp"
 #include "tautline/accumulation.hpp"
 #include "tautline/clock.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/hold.hpp"
+#include "tautline/impact.hpp"
 
 namespace tautline {
 namespace {
 
-/// Rounding of a gap rate against the speeds it comes from [-]. An engine in double keeps its pose
-/// as a matrix or a quaternion and iterates for its impulses: about a hundred times the rounding of
-/// the closed form.
-constexpr double rate_rounding = 1e-12;
-
-/// When an accumulation is over for this driver: its remaining rebounds are slower [m/s].
-const CompletionLimits completion = {.speed = 1e-6};
+/// When the rest of an accumulation is completed at once, with an engine whose rates round to
+/// 1e-12: its remaining rebounds are slower [m/s]. In proportion for another.
+constexpr double completion_speed = 1e-6;
+constexpr double usual_rounding = 1e-12;
 
 /// A step with more strikes than this is given up, and so is one with more contacts in a row that
 /// are no impact [-]. From 1 m/s down to the capture speed with restitution 0.99 takes 1400.
 constexpr std::size_t most_strikes = 10'000;
+
+/// A swing to a foretold release is no shorter than this part of what is left of the step, so that
+/// the tension is past zero then [-].
+constexpr double shortest_swing = 1e-9;
+
+/// Corrections of the length of a swing that ends with a contact: Newton's method from a good
+/// guess.
+constexpr int most_corrections = 10;
+
+/// The end of such a swing is known to this part of the step [-].
+constexpr double contact_rounding = 1e-14;
 
 std::string more_than_most(const std::string& what) {
   return "more than " + std::to_string(most_strikes) + " " + what;
@@ -39,8 +50,13 @@ std::string at_time(const std::string& what, double time) {
 
 class EventDriven final : public Simulation {
  public:
-  EventDriven(const Case& the_case, std::unique_ptr<EventAdapter> adapter)
-      : case_(the_case), adapter_(std::move(adapter)), impulses_(the_case.cables.size()) {
+  EventDriven(const Case& the_case, std::unique_ptr<EventAdapter> adapter, ImpactLaw law)
+      : case_(the_case),
+        adapter_(std::move(adapter)),
+        law_(law),
+        rounding_(adapter_->rounding()),
+        impulses_(the_case.cables.size()) {
+    completion_.speed = completion_speed * std::max(1.0, rounding_.rate / usual_rounding);
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       const Cable& cable = case_.cables[index];
       if (gap(cable, case_.initial) <= gap_rounding * cable.length) {
@@ -54,14 +70,21 @@ class EventDriven final : public Simulation {
   [[nodiscard]] std::span<const Event> events() const override { return events_; }
   [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
 
-  /// Flight, strike, flight, until the step is over.
+  /// Flight or swing, strike, and again, until the step is over.
   void step(double dt) override {
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
     events_.clear();
     double rest = dt;
-    std::size_t idle = 0;  // contacts since the latest strike
-    while (rest > 0.0 && !stops_at(clock_.now() + (dt - rest), idle)) {
-      rest -= fly_to_contact(rest);
+    std::size_t idle = 0;  // moves since the latest strike
+    while (rest > 0.0 && !stop_) {
+      const double time = clock_.now() + (dt - rest);
+      complete_accumulation();
+      hold_resting(time);
+      give_up(time, idle);
+      if (stop_) {
+        break;
+      }
+      rest -= held_ ? swing_to_event(rest, time) : fly_to_contact(rest);
       const std::size_t strikes = events_.size();
       strike(clock_.now() + (dt - rest));
       idle = events_.size() > strikes ? 0 : idle + 1;
@@ -73,43 +96,53 @@ class EventDriven final : public Simulation {
   void stop(const std::string& why, double time) { stop_ = Stop{time, at_time(why, time)}; }
 
   [[nodiscard]] Touching touching(const State& state) const {
-    return {touching_, rate_rounding * speed_scale(case_, state)};
+    return {touching_, rounding_.rate * speed_scale(case_, state)};
   }
 
-  /// Stops where the touching cables have no more than the end of their bounces before them, and
-  /// where the step has used up what it may. The latter says nothing about accumulation: an elastic
+  /// Stops where the step has used up what it may. That says nothing about accumulation: an elastic
   /// ball needs no more than a long step.
-  bool stops_at(double time, std::size_t idle) {
-    if (stop_) {
-      return true;
-    }
-    const State now = adapter_->state();
-    if (const auto bounces = capture(case_, now, touching(now), completion)) {
-      stop("impacts accumulate", time);
-    } else if (stays_taut(now)) {
-      stop("cables stay taut", time);
-    } else if (events_.size() > most_strikes) {
+  void give_up(double time, std::size_t idle) {
+    if (events_.size() > most_strikes) {
       stop(more_than_most("impacts in one step"), time);
     } else if (idle > most_strikes) {
-      stop(more_than_most("contacts in a row without an impact"), time);
+      stop(more_than_most("moves in a row without an impact"), time);
     }
-    return stop_.has_value();
   }
 
-  /// True where a touching cable rests at `state` and tension keeps it taut from now on.
-  [[nodiscard]] bool stays_taut(const State& state) const {
-    const Touching contacts = touching(state);
-    CableSet resting;
-    for (const std::size_t index : touching_) {
-      if (std::abs(gap_rate(case_.cables[index], state)) <= contacts.rate_rounding) {
+  /// Where the bounces of the touching cables accumulate, their end.
+  void complete_accumulation() {
+    if (touching_ == taut_) {
+      return;  // nothing bounces
+    }
+    const State now = adapter_->state();
+    if (const auto done = capture(case_, now, touching(now), completion_)) {
+      adapter_->place(done->after);
+      touching_ = touching_ | done->cables;
+      taut_ = taut_ | done->cables;
+    }
+  }
+
+  /// Finds out which of the cables at zero gap and rate stay taut.
+  void hold_resting(double time) {
+    const State now = adapter_->state();
+    const Touching contacts = touching(now);
+    CableSet resting = taut_;
+    for (const std::size_t index : touching_ - taut_) {
+      if (std::abs(gap_rate(case_.cables[index], now)) <= contacts.rate_rounding) {
         resting.insert(index);
       }
     }
-    if (resting.empty()) {
-      return false;
+    held_.reset();
+    if (!resting.empty()) {
+      held_ = hold(case_, now, contacts, resting);
+      if (!held_) {
+        return stop("no motion holds the taut cables", time);
+      }
     }
-    const auto held = hold(case_, state, contacts, resting);
-    return !held || !held->taut().empty();
+    taut_ = held_ ? held_->taut() : CableSet{};
+    if (held_ && held_->pulling.empty()) {
+      held_.reset();  // a flight
+    }
   }
 
   /// Flies to the first contact, at most `rest` [s], and returns how long that took. Leaves in
@@ -120,10 +153,64 @@ class EventDriven final : public Simulation {
     const double dt = contact ? contact->dt : rest;
     if (dt > 0.0) {
       adapter_->fly(dt);
-      touching_ = {};
+      touching_ = taut_;  // those that follow without a tension
     }
     touching_ = contact ? touching_ | contact->cables : touching_;
     return dt;
+  }
+
+  /// Moves on taut cables to the first contact or release, at most `rest` [s], and returns how long
+  /// that took.
+  double swing_to_event(double rest, double time) {
+    const State start = adapter_->state();
+    auto [dt, contact] = first_change(case_, *held_, rest);
+    if (std::isnan(dt)) {
+      stop("numbers overflow", time);
+      return rest;
+    }
+    dt = std::clamp(dt, shortest_swing * rest, rest);
+    std::optional<CableVector> impulses = taut_step(case_, *adapter_, held_->pulling, dt);
+    // the exact motion foretells the contact of the engine's but for the error of its step
+    for (int pass = 0; impulses && pass < most_corrections; ++pass) {
+      const auto [correction, cables] = late_by(contact);
+      const bool near = std::abs(correction) <= contact_rounding * rest;
+      contact = cables;
+      if (cables.empty() || near || dt - correction > rest || !(dt - correction > 0.0)) {
+        contact = near ? cables : CableSet{};
+        break;
+      }
+      dt -= correction;
+      adapter_->place(start);
+      impulses = taut_step(case_, *adapter_, held_->pulling, dt);
+    }
+    if (!impulses) {
+      stop("no impulses hold the taut cables", time);
+      return dt;
+    }
+    touching_ = taut_ | contact;
+    return dt;
+  }
+
+  /// By how long the end of a swing is too late [s] for the contact of `expected`, or of the slack
+  /// cables that are overstretched there, and with which cable.
+  [[nodiscard]] std::pair<double, CableSet> late_by(CableSet expected) const {
+    const State now = adapter_->state();
+    std::pair<double, CableSet> latest{0.0, expected};
+    bool found = false;
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const Cable& cable = case_.cables[index];
+      const double opening = gap(cable, now);
+      const bool over = !taut_.contains(index) && opening < -rounding_.gap * cable.length;
+      const double rate = gap_rate(cable, now);
+      if ((over || expected.contains(index)) && rate < 0.0) {
+        const double late = opening / rate;
+        if (!found || late > latest.first) {
+          latest = {late, CableSet::of(index)};
+          found = true;
+        }
+      }
+    }
+    return found ? latest : std::pair<double, CableSet>{0.0, CableSet{}};
   }
 
   /// Strikes the touching cables that close or rest, if one of them closes by more than rounding.
@@ -136,25 +223,68 @@ class EventDriven final : public Simulation {
       const double rate = gap_rate(case_.cables[index], before);
       if (rate <= rounding) {
         cables.insert(index);
-        fastest = std::max(fastest, -rate);
+        fastest = std::max(fastest, taut_.contains(index) ? 0.0 : -rate);
       }
     }
     if (fastest <= rounding) {
       return;
     }
-    CableVector impulses = adapter_->strike(cables);
+    CableVector impulses =
+        law_ == ImpactLaw::sequential ? strike_in_turn(cables, rounding) : strike_at_once(cables);
     Eigen::Index row = 0;
     for (const std::size_t index : cables) {
       impulses_[index] += impulses[row++];
     }
+    taut_ = {};  // what the impact leaves at rest is found out anew
     events_.push_back(
         {time, EventKind::impact, cables, std::move(impulses), before, adapter_->state()});
   }
 
+  CableVector strike_at_once(CableSet cables) {
+    const State now = adapter_->state();
+    CableVector rates(static_cast<Eigen::Index>(cables.size()));
+    Eigen::Index row = 0;
+    for (const std::size_t index : cables) {
+      const double rate = gap_rate(case_.cables[index], now);
+      rates[row++] = restitution(case_.cables[index], rate) * std::max(0.0, -rate);
+    }
+    return adapter_->solve(cables, rates);
+  }
+
+  /// The cable that closes fastest by itself, until none closes by more than `rounding` [m/s].
+  CableVector strike_in_turn(CableSet cables, double rounding) {
+    CableVector impulses = CableVector::Zero(static_cast<Eigen::Index>(cables.size()));
+    for (std::size_t strikes = 0; strikes < most_strikes; ++strikes) {
+      const State now = adapter_->state();
+      double fastest = -rounding;
+      Eigen::Index struck_row = -1;
+      std::size_t struck = 0;
+      Eigen::Index row = 0;
+      for (const std::size_t index : cables) {
+        if (const double rate = gap_rate(case_.cables[index], now); rate < fastest) {
+          fastest = rate;
+          struck_row = row;
+          struck = index;
+        }
+        ++row;
+      }
+      if (struck_row < 0) {
+        break;
+      }
+      impulses[struck_row] += strike_at_once(CableSet::of(struck))[0];
+    }
+    return impulses;
+  }
+
   const Case case_;
   std::unique_ptr<EventAdapter> adapter_;
+  ImpactLaw law_;
+  EventAdapter::Rounding rounding_;
+  CompletionLimits completion_;
   Clock clock_;
-  CableSet touching_;  // at zero gap now
+  CableSet touching_;         // at zero gap now
+  CableSet taut_;             // of those, the ones that stay so
+  std::optional<Hold> held_;  // the exact motion from here while cables pull
   std::vector<double> impulses_;
   std::vector<Event> events_;
   std::optional<Stop> stop_;
@@ -163,8 +293,14 @@ class EventDriven final : public Simulation {
 }  // namespace
 
 std::unique_ptr<Simulation> drive_by_events(const Case& the_case,
-                                            std::unique_ptr<EventAdapter> adapter) {
-  return std::make_unique<EventDriven>(the_case, std::move(adapter));
+                                            std::unique_ptr<EventAdapter> adapter, ImpactLaw law) {
+  if (law != ImpactLaw::simultaneous && law != ImpactLaw::sequential) {
+    throw std::invalid_argument(
+        "unsupported: the event driver has the impact laws simultaneous "
+        "and sequential, not " +
+        std::string(to_string(law)));
+  }
+  return std::make_unique<EventDriven>(the_case, std::move(adapter), law);
 }
 
 }  // namespace tautline

@@ -95,8 +95,8 @@ std::vector<ModelEntry> bounce_limit_models() {
                              {"BT_CONSTRAINT_STOP_ERP", "1",
                               "With Bullet's 0.2 the limit brakes the body before it gets there, "
                               "and never bounces."}})},
-       [](const Case& the_case, double step) -> std::unique_ptr<Simulation> {
-         return std::make_unique<BounceLimitSimulation>(the_case, step);
+       [](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
+         return std::make_unique<BounceLimitSimulation>(the_case, settings.step);
        }}};
 }
 

@@ -111,11 +111,12 @@ std::vector<Setting> contact_settings(const std::vector<Setting>& own) {
 }
 
 ModelEntry entry(Model model, Tuning tuning) {
-  return {std::move(model),
-          [tuning](const Case& the_case, double step) -> std::unique_ptr<Simulation> {
-            return std::make_unique<ContactSimulation>(the_case, tuning, step);
-          },
-          true};
+  return {
+      std::move(model),
+      [tuning](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
+        return std::make_unique<ContactSimulation>(the_case, tuning, settings.step);
+      },
+      true};
 }
 
 }  // namespace

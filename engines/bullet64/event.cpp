@@ -41,18 +41,19 @@ class BulletEventAdapter final : public EventAdapter {
     }
   }
 
-  [[nodiscard]] CableVector strike(CableSet cables) override {
+  void place(const State& state) override { world_.place(state); }
+
+  [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     const State before = world_.state();
-    std::vector<btTypedConstraint*> struck;
-    for (const std::size_t index : cables) {
-      const Cable& cable = case_.cables[index];
-      const CableRow row = cable_row(cable, before);
-      cables_[index]->pull(row, rebound_rate(row, restitution(cable, row.rate)));
-      struck.push_back(cables_[index].get());
-    }
-    solve(struck);
-    CableVector impulses(static_cast<Eigen::Index>(cables.size()));
+    std::vector<btTypedConstraint*> acting;
     Eigen::Index position = 0;
+    for (const std::size_t index : cables) {
+      cables_[index]->pull(cable_row(case_.cables[index], before), rates[position++]);
+      acting.push_back(cables_[index].get());
+    }
+    solve(acting);
+    CableVector impulses(rates.size());
+    position = 0;
     for (const std::size_t index : cables) {
       impulses[position++] = cables_[index]->impulse();
     }
@@ -92,8 +93,9 @@ std::vector<ModelEntry> event_models() {
               "With Bullet's 0 a solve goes on while its last bit flickers."},
              {"body velocity", "half of gravity's impulse before and after each step",
               "Semi-implicit Euler then flies the exact parabola."}})},
-       [](const Case& the_case, double /*step*/) {
-         return drive_by_events(the_case, std::make_unique<BulletEventAdapter>(the_case));
+       [](const Case& the_case, const RunSettings& settings) {
+         return drive_by_events(the_case, std::make_unique<BulletEventAdapter>(the_case),
+                                settings.law);
        },
        true}};
 }

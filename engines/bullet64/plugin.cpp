@@ -32,8 +32,8 @@ class BulletEngine final : public Engine {
             "float64", models(table())};
   }
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
-                                                  double step) const override {
-    return start_model(table(), model, the_case, step);
+                                                  const RunSettings& settings) const override {
+    return start_model(table(), model, the_case, settings);
   }
 };
 

@@ -63,8 +63,9 @@ ModelEntry entry(const std::string& name, const std::string& sentence, Activatio
        with_world_settings(
            {{"m_numIterations", std::to_string(iterations),
              "With Bullet's 10 the order of the cables shows: mirror images differ by 3e-7."}})},
-      [activation](const Case& the_case, double step) -> std::unique_ptr<Simulation> {
-        return std::make_unique<RowSimulation>(the_case, activation, step);
+      [activation](const Case& the_case,
+                   const RunSettings& settings) -> std::unique_ptr<Simulation> {
+        return std::make_unique<RowSimulation>(the_case, activation, settings.step);
       },
       true};
 }

@@ -9,13 +9,7 @@ namespace tautline::bullet {
 
 World::World(const Case& the_case)
     : body_(make_body(the_case.body.mass, the_case.body.inertia)), angle_(the_case.initial.angle) {
-  const State& start = the_case.initial;
-  btTransform pose(btQuaternion(btVector3(0, 0, 1), static_cast<btScalar>(start.angle)),
-                   vector(start.position));
-  body_->setWorldTransform(pose);
-  body_->setInterpolationWorldTransform(pose);
-  body_->setLinearVelocity(vector(start.velocity));
-  body_->setAngularVelocity(btVector3(0, 0, static_cast<btScalar>(start.spin)));
+  place(the_case.initial);
   body_->setLinearFactor(btVector3(1, 1, 0));
   body_->setAngularFactor(btVector3(0, 0, 1));
   body_->setFlags(0);
@@ -67,6 +61,16 @@ void World::advance(double dt) {
   dynamics_.stepSimulation(static_cast<btScalar>(dt), as_one_substep);
   angle_ += dt * body_->getAngularVelocity().z();  // the new spin turns the body in Bullet
   angle_ = state().angle;
+}
+
+void World::place(const State& state) {
+  btTransform pose(btQuaternion(btVector3(0, 0, 1), static_cast<btScalar>(state.angle)),
+                   vector(state.position));
+  body_->setWorldTransform(pose);
+  body_->setInterpolationWorldTransform(pose);
+  body_->setLinearVelocity(vector(state.velocity));
+  body_->setAngularVelocity(btVector3(0, 0, static_cast<btScalar>(state.spin)));
+  angle_ = state.angle;
 }
 
 void World::kick(const Vec2& change) {

@@ -24,6 +24,9 @@ class World {
 
   [[nodiscard]] State state() const;
 
+  /// Puts the body there.
+  void place(const State& state);
+
   /// One `stepSimulation` of `dt` [s] as one substep.
   void advance(double dt);
 

@@ -24,8 +24,10 @@ enum class Report { events, impulses_only };
 
 class ExactSimulation final : public Simulation {
  public:
-  ExactSimulation(const Case& the_case, Report report)
-      : report_(report), solution_(solve(the_case)), impulses_(the_case.cables.size()) {}
+  ExactSimulation(const Case& the_case, Report report, ImpactLaw law)
+      : report_(report),
+        solution_(solve(the_case, {.law = law})),
+        impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] State state() const override {
     // before the first step no event has happened, not even one at time 0
@@ -77,11 +79,12 @@ class ExactSimulation final : public Simulation {
 };
 
 ModelEntry entry(std::string name, std::string sentence, Report report) {
-  return {{std::move(name), std::move(sentence), {}},
-          [report](const Case& the_case, double /*step*/) -> std::unique_ptr<Simulation> {
-            return std::make_unique<ExactSimulation>(the_case, report);
-          },
-          true};
+  return {
+      {std::move(name), std::move(sentence), {}},
+      [report](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
+        return std::make_unique<ExactSimulation>(the_case, report, settings.law);
+      },
+      true};
 }
 
 const std::vector<ModelEntry>& table() {
@@ -100,8 +103,8 @@ class ExactEngine final : public Engine {
     return {"exact", TAUTLINE_VERSION, "float64", models(table())};
   }
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
-                                                  double step) const override {
-    return start_model(table(), model, the_case, step);
+                                                  const RunSettings& settings) const override {
+    return start_model(table(), model, the_case, settings);
   }
 };
 

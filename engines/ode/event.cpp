@@ -27,21 +27,22 @@ class OdeEventAdapter final : public EventAdapter {
     world_.kick(0.5 * dt * case_.gravity);
   }
 
-  [[nodiscard]] CableVector strike(CableSet cables) override {
+  void place(const State& state) override { world_.place(state); }
+
+  [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     const State before = world_.state();
+    Eigen::Index position = 0;
     for (const std::size_t index : cables) {
-      const Cable& cable = case_.cables[index];
-      const CableRow row = cable_row(cable, before);
       dSurfaceParameters surface{};
-      surface.mode = dContactBounce | dContactSoftERP;  // the gap is zero: nothing to correct
-      surface.bounce = restitution(cable, row.rate);
-      world_.pull(index, row, surface);
+      surface.mode = dContactMotionN | dContactSoftERP;  // the gap is zero: nothing to correct
+      surface.motionN = rates[position++];
+      world_.pull(index, cable_row(case_.cables[index], before), surface);
     }
     const double largest = delassus(case_, before, cables).diagonal().maxCoeff();
     dWorldSetCFM(world_.id(), cables.size() > 1 ? softness * largest : 0.0);
     world_.solve_here();
-    CableVector impulses(static_cast<Eigen::Index>(cables.size()));
-    Eigen::Index position = 0;
+    CableVector impulses(rates.size());
+    position = 0;
     for (const std::size_t index : cables) {
       impulses[position++] = world_.impulses()[index];
     }
@@ -84,8 +85,8 @@ std::vector<ModelEntry> event_models() {
         "ODE flies and solves, the event driver finds the instants: each impact is one solve at "
         "the exact pose.",
         std::move(settings)},
-       [](const Case& the_case, double /*step*/) {
-         return drive_by_events(the_case, std::make_unique<OdeEventAdapter>(the_case));
+       [](const Case& the_case, const RunSettings& run) {
+         return drive_by_events(the_case, std::make_unique<OdeEventAdapter>(the_case), run.law);
        },
        true}};
 }

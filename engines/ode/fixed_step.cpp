@@ -88,8 +88,8 @@ ModelEntry entry(std::string name, std::string sentence, std::vector<Setting> ow
   settings.insert(settings.end(), surface.begin(), surface.end());
   settings.insert(settings.end(), own.begin(), own.end());
   return {{std::move(name), std::move(sentence), std::move(settings)},
-          [choice](const Case& the_case, double step) -> std::unique_ptr<Simulation> {
-            return std::make_unique<FixedStepSimulation>(the_case, choice, step);
+          [choice](const Case& the_case, const RunSettings& run) -> std::unique_ptr<Simulation> {
+            return std::make_unique<FixedStepSimulation>(the_case, choice, run.step);
           },
           true};
 }

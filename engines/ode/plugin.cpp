@@ -25,8 +25,8 @@ class OdeEngine final : public Engine {
     return {"ode", TAUTLINE_ODE_VERSION, precision(), models(table())};
   }
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
-                                                  double step) const override {
-    return start_model(table(), model, the_case, step);
+                                                  const RunSettings& settings) const override {
+    return start_model(table(), model, the_case, settings);
   }
 };
 

@@ -32,15 +32,10 @@ World::World(const Case& the_case, Rotation rotation)
       feedbacks_(the_case.cables.size()),
       impulses_(the_case.cables.size()),
       angle_(the_case.initial.angle) {
-  const State& start = the_case.initial;
   const dMass mass = mass_of(the_case.body);
   dBodySetMass(body_, &mass);
   dBodySetFiniteRotationMode(body_, rotation == Rotation::finite ? 1 : 0);
-  dBodySetPosition(body_, start.position.x(), start.position.y(), 0);
-  const dQuaternion turn = {std::cos(0.5 * start.angle), 0, 0, std::sin(0.5 * start.angle)};
-  dBodySetQuaternion(body_, turn);
-  dBodySetLinearVel(body_, start.velocity.x(), start.velocity.y(), 0);
-  dBodySetAngularVel(body_, 0, 0, start.spin);
+  place(the_case.initial);
   dWorldSetGravity(world_, gravity_.x(), gravity_.y(), 0);
 }
 
@@ -59,6 +54,15 @@ State World::state() const {
   result.velocity = Vec2(velocity[0], velocity[1]);
   result.spin = dBodyGetAngularVel(body_)[2];
   return result;
+}
+
+void World::place(const State& state) {
+  dBodySetPosition(body_, state.position.x(), state.position.y(), 0);
+  const dQuaternion turn = {std::cos(0.5 * state.angle), 0, 0, std::sin(0.5 * state.angle)};
+  dBodySetQuaternion(body_, turn);
+  dBodySetLinearVel(body_, state.velocity.x(), state.velocity.y(), 0);
+  dBodySetAngularVel(body_, 0, 0, state.spin);
+  angle_ = state.angle;
 }
 
 void World::kick(const Vec2& change) {

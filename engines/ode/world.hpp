@@ -25,6 +25,9 @@ class World {
 
   [[nodiscard]] dWorldID id() const { return world_; }
 
+  /// Puts the body there.
+  void place(const State& state);
+
   /// Adds `change` to the body's velocity [m/s].
   void kick(const Vec2& change);
 

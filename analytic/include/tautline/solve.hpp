@@ -14,7 +14,7 @@ struct SolveOptions {
   ImpactLaw law = ImpactLaw::simultaneous;
 
   /// When the rest of an accumulation is completed at once. The default error is below rounding.
-  CompletionLimits completion;
+  CompletionLimits completion = {};
 
   /// The run ends with Ending::event_limit after this many events and steps of taut motion.
   std::size_t max_events = 1'000'000;

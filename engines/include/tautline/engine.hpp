@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline {
@@ -49,7 +50,8 @@ class Simulation {
   /// Advances by `dt` [s], > 0.
   virtual void step(double dt) = 0;
 
-  /// The impulse of each cable over the latest step [N s], >= 0, one per cable of the case.
+  /// The impulse of each cable over the latest step [N s], >= 0, one per cable of the case. A
+  /// simulation that locates its impacts gives the impulses of these, and not those of tensions.
   [[nodiscard]] virtual std::span<const double> impulses() const = 0;
 
   /// The impacts inside the latest step, for a simulation that locates them itself. One that does
@@ -65,6 +67,17 @@ class Simulation {
   [[nodiscard]] virtual std::optional<Stop> stopped() const { return std::nullopt; }
 };
 
+/// How a run is done.
+struct RunSettings {
+  /// Implicit: most runs have no wish but a step.
+  RunSettings(double step_of_run, ImpactLaw law_of_run = ImpactLaw::simultaneous)
+      : step(step_of_run), law(law_of_run) {}
+
+  double step;  // [s], the length of every step but the last, which may be shorter
+  /// For impacts on several cables, where a model leaves the choice. The others ignore it.
+  ImpactLaw law;
+};
+
 /// An engine, made by a plug-in.
 class Engine {
  public:
@@ -75,11 +88,11 @@ class Engine {
 
   [[nodiscard]] virtual EngineInfo info() const = 0;
 
-  /// A run of `the_case`, which has no `problems`, with one of the models of `info`; every step
-  /// will be `step` [s] long but for the last. Throws std::exception if it cannot.
+  /// A run of `the_case`, which has no `problems`, with one of the models of `info`. Throws
+  /// std::exception if it cannot.
   [[nodiscard]] virtual std::unique_ptr<Simulation> start(const Case& the_case,
                                                           std::string_view model,
-                                                          double step) const = 0;
+                                                          const RunSettings& settings) const = 0;
 };
 
 }  // namespace tautline

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "tautline/engine.hpp"
+#include "tautline/impact.hpp"
 
 namespace tautline {
 
@@ -17,19 +17,35 @@ class EventAdapter {
 
   [[nodiscard]] virtual State state() const = 0;
 
+  /// Puts the body there.
+  virtual void place(const State& state) = 0;
+
   /// The engine's own step of `dt` [s] with no cable, kicked by half of gravity's impulse before
   /// and after where the engine's scheme needs it, so that it flies the exact parabola.
   virtual void fly(double dt) = 0;
 
-  /// One solve by the engine's own solver, at the pose it has and without moving: each of `cables`
-  /// leaves at least at restitution times its closing rate, and is never pushed.
-  /// Returns the impulses [N s], one per cable of `cables`, in rising index order.
-  [[nodiscard]] virtual CableVector strike(CableSet cables) = 0;
+  /// One solve by the engine's own solver, at the pose it has and without moving: the gap of each
+  /// of `cables` opens with at least its rate of `rates` [m/s], and no cable is pushed (Eq. 14).
+  /// Returns the impulses [N s]. Both have one entry per cable of `cables`, in rising index order.
+  [[nodiscard]] virtual CableVector solve(CableSet cables, const CableVector& rates) = 0;
+
+  /// What the engine's numbers and its solver leave.
+  struct Rounding {
+    double gap;   // [-], of a gap against the cable's length
+    double rate;  // [-], of a gap rate against the speed of the body
+  };
+
+  /// An engine in double keeps its pose as a matrix or a quaternion and iterates for its impulses:
+  /// about a hundred times the rounding of the closed form.
+  [[nodiscard]] virtual Rounding rounding() const { return {1e-14, 1e-12}; }
 };
 
-/// A simulation in which `adapter`'s engine flies and strikes, and every event is located by
-/// `first_contact`. Stops, and says so, where impacts accumulate.
+/// A simulation in which `adapter`'s engine flies, solves impacts and holds taut cables
+/// (`taut_step`), and every event is located by the exact search of `analytic/`. Impacts on several
+/// cables follow `law`: simultaneous, one solve for all; or sequential, one solve after another.
+/// Throws std::invalid_argument for the other laws. A simulation that cannot go on says so.
 [[nodiscard]] std::unique_ptr<Simulation> drive_by_events(const Case& the_case,
-                                                          std::unique_ptr<EventAdapter> adapter);
+                                                          std::unique_ptr<EventAdapter> adapter,
+                                                          ImpactLaw law = ImpactLaw::simultaneous);
 
 }  // namespace tautline

@@ -15,7 +15,8 @@ namespace tautline {
 /// A model and how to start a run with it: each adapter is a table of these.
 struct ModelEntry {
   Model model;
-  std::function<std::unique_ptr<Simulation>(const Case& the_case, double step)> start;
+  std::function<std::unique_ptr<Simulation>(const Case& the_case, const RunSettings& settings)>
+      start;
   /// True where every impact gets `restitution(cable, rate)` at its own rate; a model that takes
   /// `cable.restitution` once and for all is not started on a case where it is not constant.
   bool follows_speed = false;
@@ -34,7 +35,8 @@ struct ModelEntry {
 /// cannot do the case.
 [[nodiscard]] inline std::unique_ptr<Simulation> start_model(std::span<const ModelEntry> entries,
                                                              std::string_view name,
-                                                             const Case& the_case, double step) {
+                                                             const Case& the_case,
+                                                             const RunSettings& settings) {
   std::string known;
   for (const ModelEntry& entry : entries) {
     if (entry.model.name == name) {
@@ -45,7 +47,7 @@ struct ModelEntry {
                                       std::to_string(index) + " of the case does not");
         }
       }
-      return entry.start(the_case, step);
+      return entry.start(the_case, settings);
     }
     known += (known.empty() ? "" : ", ") + entry.model.name;
   }

@@ -31,9 +31,9 @@ class StillEngine final : public tautline::Engine {
             .precision = "float64",
             .models = {{.name = "still", .sentence = "Nothing moves.", .settings = {}}}};
   }
-  [[nodiscard]] std::unique_ptr<tautline::Simulation> start(const tautline::Case& the_case,
-                                                            std::string_view /*model*/,
-                                                            double /*step*/) const override {
+  [[nodiscard]] std::unique_ptr<tautline::Simulation> start(
+      const tautline::Case& the_case, std::string_view /*model*/,
+      const tautline::RunSettings& /*settings*/) const override {
     return std::make_unique<StillSimulation>(the_case);
   }
 };

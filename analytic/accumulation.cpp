@@ -58,6 +58,18 @@ Real twice_normal_energy(const BasicCase<Real>& the_case, const BasicState<Real>
   return result;
 }
 
+/// The largest restitution up to `speed` of the cable and those that hang side by side with it.
+template <class Real>
+Real most_kept(const BasicCase<Real>& the_case, std::size_t index, const Real& speed) {
+  Real most(0);
+  for (const BasicCable<Real>& cable : the_case.cables) {
+    if (side_by_side(cable, the_case.cables[index])) {
+      most = max(most, Real(restitution_up_to(cable, speed)));
+    }
+  }
+  return most;
+}
+
 /// From the normal energy of `cables` and the tensions that will hold them; none if a tension is
 /// not certain to stay > 0 until the bounces are over.
 template <class Real>
@@ -73,7 +85,7 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
     const Real speed = sqrt(Real(energy * g(row, row)));
-    const Real kept = restitution_up_to(the_case.cables[index], speed);
+    const Real kept = most_kept(the_case, index, speed);
     if (!(pull[row] > 0)) {
       return std::nullopt;
     }
@@ -180,17 +192,32 @@ CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& 
   return slow;
 }
 
-/// Those of `cables` that `held` keeps at zero gap: pulled, or left there by the others.
+/// Those of `cables` that `held` pulls at. They are independent; the others leave, or are
+/// redundant.
 template <class Real>
-CableSet staying(CableSet cables, const BasicTensions<Real>& held, const Scales<Real>& scale) {
-  const Real rounding = 4500 * epsilon<Real>();  // [-], of an acceleration that is zero
+CableSet pulled(CableSet cables, const BasicTensions<Real>& held) {
   CableSet result;
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    if (held.tension[row] > 0 || held.acceleration[row] <= rounding * scale.acceleration) {
+    if (held.tension[row++] > 0) {
       result.insert(index);
     }
-    ++row;
+  }
+  return result;
+}
+
+/// The cables of `cables` that are at zero gap and rate, up to rounding.
+template <class Real>
+CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables,
+                 const Real& rate_rounding) {
+  constexpr double drift = 1e3;  // [-] roundings of a length
+  CableSet result;
+  for (const std::size_t index : cables) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    if (abs(gap(cable, state)) <= drift * epsilon<Real>() * cable.length &&
+        abs(gap_rate(cable, state)) <= rate_rounding) {
+      result.insert(index);
+    }
   }
   return result;
 }
@@ -227,7 +254,7 @@ std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
     if (!held || !held->tension.allFinite() || !held->acceleration.allFinite()) {
       return std::nullopt;
     }
-    if (const CableSet rest = staying(cables, *held, scale); rest != cables) {
+    if (const CableSet rest = pulled(cables, *held); rest != cables) {
       cables = rest;
       continue;
     }
@@ -237,7 +264,12 @@ std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
       return std::nullopt;
     }
     const Real latest = bounces->remaining + bounces->uncertainty;
-    const CableSet near = within_reach(the_case, state, cables, latest, scale);
+    CableSet near = within_reach(the_case, state, cables, latest, scale);
+    CableSet carried;  // redundant: where the others end taut, so do these
+    if (!near.empty()) {
+      carried = at_zero(the_case, projected(the_case, state, cables), near, touching.rate_rounding);
+      near = near - carried;
+    }
     if (near.empty()) {
       const BasicState<Real> after = projected(the_case, state, cables);
       if (!isfinite(energy(the_case, after))) {
@@ -246,8 +278,8 @@ std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
       if (cables.size() == 1 && bounces->ends) {
         refine(*bounces, the_case, state, after, *cables.begin());
       }
-      return BasicCapture<Real>{cables, bounces->ends, bounces->remaining, bounces->uncertainty,
-                                after};
+      return BasicCapture<Real>{cables | carried, bounces->ends, bounces->remaining,
+                                bounces->uncertainty, after};
     }
     cables = cables | near;
   }

@@ -1,5 +1,6 @@
 #include "tautline/hold.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "instantiate.hpp"
@@ -61,6 +62,15 @@ TautSeries<Real> longest_series(const BasicCase<Real>& the_case, const BasicStat
   return TautSeries<Real>(the_case, state, pulling, least_order);
 }
 
+/// True where a cable of `cables` hangs side by side with `index`, so that their gaps are one.
+template <class Real>
+bool has_twin(const BasicCase<Real>& the_case, std::size_t index, CableSet cables) {
+  const std::vector<std::size_t> indices = cables.indices();
+  return std::any_of(indices.begin(), indices.end(), [&](std::size_t other) {
+    return side_by_side(the_case.cables[index], the_case.cables[other]);
+  });
+}
+
 /// One candidate: `pulling` of `resting` are held. None if a tension or a gap turns negative.
 template <class Real>
 std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
@@ -93,6 +103,8 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
       }
     } else if (!resting.contains(index)) {
       result.zeros[index] = 1;  // it opens at its rate
+    } else if (has_twin(the_case, index, pulling)) {
+      result.following.insert(index);
     } else {
       const Leading first = leading(result.motion.gap(index), 2, h, cable.length);
       if (first.sign < 0) {

@@ -60,7 +60,8 @@ std::span<const Eigen::Index> rows_of(unsigned bits, std::array<Eigen::Index, ma
 
 template <class Real>
 std::optional<BasicCableVector<Real>> solve_lcp(
-    const BasicCableMatrix<Real>& m, const std::type_identity_t<BasicCableVector<Real>>& q) {
+    const BasicCableMatrix<Real>& m, const std::type_identity_t<BasicCableVector<Real>>& q,
+    const std::type_identity_t<Real>& rounding) {
   // A solution with independent active rows always exists (Caratheodory), so the at most
   // 1 + 8 + 28 + 56 sets of up to three rows are all there is to try. In exact arithmetic one of
   // them violates nothing; rounding decides between neighbours, so the smallest violation wins.
@@ -89,7 +90,8 @@ std::optional<BasicCableVector<Real>> solve_lcp(
     }
   }
   constexpr double acceptable = 1e-9;  // [-] of |q|: rounding is near 1e-15, infeasibility near 1
-  if (best.size() != q.size() || smallest > acceptable * scale) {  // no size: all overflowed
+  if (best.size() != q.size() ||
+      smallest > max(Real(acceptable * scale), rounding)) {  // no size: all overflowed
     return std::nullopt;
   }
   return best;
@@ -132,7 +134,7 @@ BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicStat
   BasicImpact<Real> impact;
   if (!g.allFinite() || !q.allFinite()) {
     impact.impulses = BasicCableVector<Real>::Constant(q.size(), not_a_number<Real>());
-  } else if (const auto impulses = solve_lcp(g, q)) {
+  } else if (const auto impulses = solve_lcp(g, q, impact_rounding(the_case, before))) {
     impact.impulses = *impulses;
   } else {
     // a resting cable's rate, above zero by rounding, left no solution: such cables take no part
@@ -143,7 +145,8 @@ BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicStat
         static_cast<Eigen::Index>(rows.size()), not_a_number<Real>());
     const BasicCableMatrix<Real> part = g(rows, rows);
     const BasicCableVector<Real> rates = q(rows);
-    impact.impulses(rows) = solve_lcp(part, rates).value_or(none);
+    impact.impulses(rows) =
+        solve_lcp(part, rates, impact_rounding(the_case, before)).value_or(none);
   }
   impact.after = with_impulses(the_case, before, cables, impact.impulses);
   return impact;
@@ -177,7 +180,8 @@ std::optional<BasicTensions<Real>> resting_tensions(const BasicCase<Real>& the_c
 }
 
 template std::optional<BasicCableVector<Instance>> solve_lcp(const BasicCableMatrix<Instance>&,
-                                                             const BasicCableVector<Instance>&);
+                                                             const BasicCableVector<Instance>&,
+                                                             const Instance&);
 template BasicImpact<Instance> newton_impact(const BasicCase<Instance>&,
                                              const BasicState<Instance>&, CableSet);
 template bool independent(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);

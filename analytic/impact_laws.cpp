@@ -18,8 +18,8 @@ BasicCableVector<Real> unknown(Eigen::Index count) {
 /// motion, so that its projection onto the motions that close nothing exists.
 template <class Real>
 BasicCableVector<Real> stopping(const BasicCableMatrix<Real>& g,
-                                const BasicCableVector<Real>& rates) {
-  return solve_lcp(g, rates).value_or(unknown<Real>(rates.size()));
+                                const BasicCableVector<Real>& rates, const Real& rounding) {
+  return solve_lcp(g, rates, rounding).value_or(unknown<Real>(rates.size()));
 }
 
 /// Poisson's two phases: compression brings every closing rate to zero; expansion gives back
@@ -34,14 +34,15 @@ BasicCableVector<Real> poisson_impulses(const BasicCase<Real>& the_case,
                                         const BasicState<Real>& before, CableSet cables) {
   const BasicCableMatrix<Real> g = delassus(the_case, before, cables);
   const BasicCableVector<Real> rates = gap_rates(the_case, before, cables);
-  const BasicCableVector<Real> compression = stopping<Real>(g, rates);
+  const Real rounding = impact_rounding(the_case, before);
+  const BasicCableVector<Real> compression = stopping(g, rates, rounding);
   BasicCableVector<Real> impulses = compression;
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
     impulses[row] += restitution(the_case.cables[index], rates[row]) * compression[row];
     ++row;
   }
-  return impulses + stopping<Real>(g, rates + g * impulses);
+  return impulses + stopping<Real>(g, rates + g * impulses, rounding);
 }
 
 /// One cable after the other.
@@ -80,7 +81,8 @@ BasicImpact<Real> completed(const BasicCase<Real>& the_case, const BasicState<Re
   const BasicCableVector<Real> rates = gap_rates(the_case, after, cables);
   const Real rounding = 32 * epsilon<Real>() * speed_scale(the_case, before);
   if (rates.minCoeff() < -rounding) {
-    impulses += stopping<Real>(delassus(the_case, before, cables), rates);
+    impulses +=
+        stopping(delassus(the_case, before, cables), rates, impact_rounding(the_case, before));
     after = with_impulses(the_case, before, cables, impulses);
   }
   return {std::move(impulses), std::move(after)};

@@ -13,7 +13,7 @@ namespace tautline {
 // Derivatives of the maps that a motion is made of. Equation numbers are those of
 // analytic/README.md.
 
-/// d state after / d state before of an impact that happens at a given instant (Eqs. 42, 43).
+/// d state after / d state before of an impact that happens at a given instant (Eq. 43).
 /// `held` are those of its cables that were taut before: the differences keep them so.
 template <class Real>
 [[nodiscard]] BasicStateMatrix<Real> rebound_derivative(const BasicCase<Real>& the_case,

@@ -167,10 +167,13 @@ class Checker {
         const Cable& two = case_.cables[j];
         const double apart = (one.anchor - two.anchor).norm();
         const double span = one.length + two.length + (one.attachment - two.attachment).norm();
-        if (span <= apart) {
-          add("cables " + std::to_string(i) + " and " + std::to_string(j) +
-              " cannot reach: their anchors are " + text(apart) +
+        const std::string both = "cables " + std::to_string(i) + " and " + std::to_string(j);
+        if (span < apart) {
+          add(both + " cannot reach: their anchors are " + text(apart) +
               " m apart, lengths and body span only " + text(span) + " m; the body cannot float");
+        } else if (span == apart) {
+          add(both + " have no slack: their anchors are " + text(apart) +
+              " m apart, which is all that lengths and body span; the body cannot float");
         }
       }
     }

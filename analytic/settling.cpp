@@ -168,10 +168,12 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
   if (!held || held->pulling.size() + 1 != freedoms) {
     return std::nullopt;
   }
+  SolveOptions limited;
+  limited.max_events = 20'000;  // steps of its series; a period of a usual swing takes a hundred
   // [time scales]; near-critical swings are slow
   for (const int length : {8, 16, 32, 64, 128, 256}) {
     free.duration = length * time_scale(the_case);
-    const BasicSolution<Real> motion = solve(free);
+    const BasicSolution<Real> motion = solve(free, limited);
     if (motion.ending() != Ending::reached_duration || motion.events().size() != 1) {
       return std::nullopt;  // it comes to rest, or loses a cable, or hits another one
     }

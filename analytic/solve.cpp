@@ -74,8 +74,10 @@ class Motion {
       if (stop.ending) {
         return finish(*stop.ending);
       }
-      if (!stop.cables.empty() && !hit()) {
-        return finish(Ending::overflow);
+      if (!stop.cables.empty()) {
+        if (const auto ending = hit()) {
+          return finish(*ending);
+        }
       }
     }
     return finish(Ending::event_limit);
@@ -256,19 +258,22 @@ class Motion {
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
-  /// False, and nothing done, where the rebound does not fit a Real.
-  [[nodiscard]] bool hit() {
+  /// Where the rebound is not to be computed nothing is done, and the ending that says why
+  /// returned.
+  [[nodiscard]] std::optional<Ending> hit() {
     const auto [closing, resting] = contacts();
     const CableSet cables = closing | resting;
     if (cables.empty()) {
-      return true;
+      return std::nullopt;
     }
     BasicImpact<Real> impact = resolve_impact(options_.law, case_, state_, cables);
     if (!fits(case_, impact.after) || !impact.impulses.allFinite()) {
-      return false;
+      const bool given = delassus(case_, state_, cables).allFinite() &&
+                         gap_rates(case_, state_, cables).allFinite();
+      return given && impact.impulses.hasNaN() ? Ending::singular : Ending::overflow;
     }
     record(EventKind::impact, cables, std::move(impact.impulses), impact.after);
-    return true;
+    return std::nullopt;
   }
 
   /// Appends an event that takes the present state to `after`.

@@ -28,9 +28,8 @@ std::string ending_sentence(const Case& the_case, const Solution& solution) {
                          solution.arcs().back().start, end);
     case Ending::singular:
       return fmt::format(
-          "Stopped at t = {:.9f}: the taut cables come into one line there, and no tension can "
-          "hold "
-          "the body.",
+          "Stopped at t = {:.9f}: the touching cables come so near to one line there that their "
+          "tensions or impulses cannot be told.",
           end);
     case Ending::angle_limit:
       return fmt::format("|angle| reached the limit {} at t = {:.9f}.", *the_case.angle_limit, end);
@@ -38,7 +37,8 @@ std::string ending_sentence(const Case& the_case, const Solution& solution) {
       return fmt::format("An attachment reached the ceiling {} at t = {:.9f}.", *the_case.ceiling,
                          end);
     case Ending::event_limit:
-      return fmt::format("Stopped after {} events, at t = {:.9f}.", solution.events().size(), end);
+      return fmt::format(
+          "Stopped at t = {:.9f}: the limit of events and steps of taut motion is reached.", end);
     case Ending::overflow:
       return fmt::format(
           "Stopped at t = {:.9f}: past it the motion has numbers too large for a double.", end);
@@ -56,7 +56,7 @@ std::string last_impacts_sentence(const Settling& settling) {
 }
 
 /// When the final set of cables became taut, and whether they stay so.
-std::string lock_sentence(const Lock& lock) {
+std::string lock_sentence(const Case& the_case, const Lock& lock) {
   const std::string error =
       lock.uncertainty > 0.0 ? fmt::format(" (+- {:.0e}, rounding not counted)", lock.uncertainty)
                              : "";
@@ -65,9 +65,14 @@ std::string lock_sentence(const Lock& lock) {
   if (lock.rests) {
     return since + ", for good: the body is at rest.";
   }
-  return since + (lock.permanent ? ", for good: no tension falls to zero in a whole period."
-                                 : ", but perhaps not for good: no whole period without a release "
-                                   "was found.");
+  if (lock.permanent) {
+    return since + ", for good: no tension falls to zero in a whole period.";
+  }
+  const std::size_t freedoms = is_point_mass(the_case) ? 2 : 3;
+  return since + (lock.cables.size() + 1 < freedoms
+                      ? "; for how long is not known: with more than one degree of freedom left "
+                        "there is no period to look at."
+                      : ", but perhaps not for good: no whole period without a release was found.");
 }
 
 /// What is left of the initial energy, and the swing.
@@ -129,9 +134,10 @@ std::string summary_text(const Case& the_case, const Solution& solution, const S
     result += last_impacts_sentence(settling) + "\n";
   }
   if (!settling.lock) {
-    result += fmt::format("No cable is taut at the end: the body still bounces.\n");
+    const CableSet taut = solution.arcs().back().taut;
+    result += fmt::format("At the end {} taut.\n", taut.empty() ? "no cable is" : cables_are(taut));
   } else {
-    result += lock_sentence(*settling.lock) + "\n";
+    result += lock_sentence(the_case, *settling.lock) + "\n";
   }
   if (settling.lock && settling.lock->swing) {
     return result + swing_sentence(the_case, solution, *settling.lock->swing) + "\n";

@@ -219,6 +219,33 @@ TEST(CriticalSwing, NeedsTwoTautCables) {
   EXPECT_FALSE(critical_swing(table_case("1910121100"), lifted).has_value());
 }
 
+TEST(Rest, OfASquareOnFourCablesIsExact) {
+  for (const Vec2& gravity : {Vec2(0.0, -1.0), Vec2(0.0, -9.81), Vec2(0.3, -0.7)}) {
+    for (const double e : {0.0, 0.5, 1.0}) {
+      Case square;
+      square.body = {1.0, 2.0 / 3.0 * 0.01};
+      square.gravity = gravity;
+      square.duration = 50.0;
+      for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+          const Vec2 anchor(1.2 * x, y);
+          const Vec2 attachment(0.1 * x, 0.1 * y);
+          square.cables.push_back({anchor, attachment, (anchor - attachment).norm(), e});
+        }
+      }
+      for (const ImpactLaw law : impact_laws) {
+        SolveOptions options;
+        options.law = law;
+        const Solution solution = solve(square, options);
+        EXPECT_EQ(solution.ending(), Ending::rest) << to_string(solution.ending());
+        for (const double time : {0.0, 1e-3, 7.3, 50.0}) {
+          EXPECT_EQ(difference(solution.at(time), State{}), 0.0) << "t = " << time;
+        }
+      }
+    }
+  }
+}
+
 TEST(Release, OfTheBoxLosesItsLeftCableWhereItMust) {
   Case box = table_case("1933121100");
   box.initial = on_linkage(box, 0.7);

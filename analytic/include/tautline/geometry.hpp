@@ -167,6 +167,12 @@ template <class Real>
   return the_case.body.mass * cross(from, state.velocity) + the_case.body.inertia * state.spin;
 }
 
+/// True where both cables hang side by side: their gaps are equal at every pose.
+template <class Real>
+[[nodiscard]] bool side_by_side(const BasicCable<Real>& a, const BasicCable<Real>& b) {
+  return a.length == b.length && a.anchor == b.anchor && a.attachment == b.attachment;
+}
+
 /// The largest distance of an attachment from the centre of mass [m].
 template <class Real>
 [[nodiscard]] Real attachment_radius(const BasicCase<Real>& the_case) {

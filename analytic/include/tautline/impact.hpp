@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "tautline/case.hpp"
+#include "tautline/geometry.hpp"
 
 namespace tautline {
 
@@ -58,10 +59,17 @@ template <class Real>
 /// Solves the linear complementarity problem 0 <= z, perpendicular to, m z + q >= 0 for a matrix
 /// m = J M^-1 J^T of a planar body: symmetric positive semidefinite with rank <= 3, up to 8 by 8.
 /// m z is unique; among the solutions z of a redundant set, one with at most three entries > 0.
-/// None if the problem has no solution.
+/// None if the problem has no solution, not even for a q that differs by `rounding`.
 template <class Real>
 [[nodiscard]] std::optional<BasicCableVector<Real>> solve_lcp(
-    const BasicCableMatrix<Real>& m, const std::type_identity_t<BasicCableVector<Real>>& q);
+    const BasicCableMatrix<Real>& m, const std::type_identity_t<BasicCableVector<Real>>& q,
+    const std::type_identity_t<Real>& rounding = Real(0));
+
+/// By how much the rates of dependent cables may contradict each other, from rounding alone [m/s].
+template <class Real>
+[[nodiscard]] Real impact_rounding(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+  return 4500 * epsilon<Real>() * speed_scale(the_case, state);  // 1e-12 of the speed in double
+}
 
 /// True where the rows of `cables` in the constraint Jacobian are independent, beyond rounding.
 template <class Real>

@@ -109,13 +109,18 @@ template <class Function, class Real>
   return s;
 }
 
+/// After so many steps f is within rounding of zero all the way: roots 1e-7 apart take under a
+/// hundred [-].
+inline constexpr int most_fine_steps = 1000;
+
 /// The first time in [0, horizon] at which f, which starts >= 0, falls through zero.
 ///
 /// Conservative advancement: every step is one `safe_step`, so the search never passes a root, from
 /// the left and at second order or better; within rounding of a simple root Newton finishes.
 /// From a start at zero only a later return counts, unless f is falling at once. A value <= 0 that
 /// is rising is rounding: f touches zero and leaves (a graze), which is no root. Where f stays
-/// within rounding of zero the steps double, so the search ends there too. Where a sample or a
+/// within rounding of zero, below the resolution of time or for very many steps, the steps double,
+/// so the search ends there too. Where a sample or a
 /// bound is too large for a double the root is NaN, never none.
 ///
 /// `Function` offers at(s) -> Sample, and jerk_bound(s, w), an upper bound of |f'''| on [s, s + w]
@@ -163,12 +168,12 @@ template <class Function, class Real>
     if (!isfinite(step)) {
       return unknown();
     }
-    if (s + step == s) {  // below the resolution of time
+    if (s + step == s || search.steps > most_fine_steps) {  // not to be resolved
       if (!isfinite(f.jerk_bound(s, Real(0)))) {
         return unknown();
       }
       const Real finest = epsilon<Real>() * max(s, Real(epsilon<Real>() * horizon));
-      step = max(finest, Real(2 * least_step));
+      step = max({step, finest, Real(2 * least_step)});
       least_step = step;
     }
     s = min(horizon, Real(s + step));

@@ -51,7 +51,7 @@ enum class Ending {
   rest,              // the body has come to rest for good; the last arc lasts to the duration
   angle_limit,       // |angle| reached the case's limit
   ceiling,           // an attachment reached the case's ceiling
-  singular,          // taut cables came into one line: their tension grows without bound there
+  singular,          // touching cables came into one line: no tension or impulse can be told there
   event_limit,       // more events and steps than SolveOptions allows
   overflow,          // the numbers of the motion no longer fit a double
 };

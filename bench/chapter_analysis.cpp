@@ -164,7 +164,8 @@ Correction labels(const ChapterStudy& study) {
           "Figs. 5.6 and 5.7",
           "They show cases 191012110 and 291012110.",
           "The last digit is missing: 1910121100 and 2910121100, by the parameters printed below.",
-          fmt::format("{} rows of Table 5.1 have such a number.", found),
+          found == 0 ? "No row of Table 5.1 has such a number."
+                     : fmt::format("{} rows of Table 5.1 have such a number.", found),
           {{"rows", found}}};
 }
 

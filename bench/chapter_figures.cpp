@@ -129,8 +129,11 @@ std::string finding(const ChapterStudy& study, const ChapterCase& solved, Plot p
   if (p.a > 0.0) {
     result += fmt::format("The largest |theta| is {:.4f} rad. ", largest_angle(solved));
   } else {
-    result += fmt::format("The motions of Figs. 5.19 and 5.20 differ by {:g} at most. ",
-                          largest_difference(study.at(solved.number), study.rigid_point));
+    const double difference = largest_difference(study.at(solved.number), study.rigid_point);
+    result +=
+        difference == 0.0
+            ? "The motions of Figs. 5.19 and 5.20 are the same to the last bit. "
+            : fmt::format("The motions of Figs. 5.19 and 5.20 differ by up to {:g}. ", difference);
   }
   return result;
 }

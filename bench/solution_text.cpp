@@ -148,7 +148,8 @@ std::string summary_text(const Case& the_case, const Solution& solution, const S
 std::string certificate_text(const Certificate& certificate, const Case& the_case,
                              const Solution& solution) {
   std::string result = fmt::format(
-      "Certificate: the same with {} digits. The numbers of the case are the doubles they are.\n",
+      "Certificate: the same with {} digits. The numbers of the case are the doubles they are.\n"
+      "Digits of position and angle, and of velocity while both take the same events:\n",
       certificate.digits);
   for (const CorrectDigits& correct : certificate.correct) {
     result +=

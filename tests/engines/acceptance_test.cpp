@@ -184,7 +184,8 @@ TEST_P(EventModel, FollowsTheMotionOnTautCables) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Acceptance, EventModel,
-                         testing::Values<std::string>("exact", "bullet64", "ode"), engine_name);
+                         testing::Values<std::string>("exact", "bullet64", "ode", "chipmunk"),
+                         engine_name);
 
 TEST(Sampled, IsTheExactSolutionWithoutItsEvents) {
   const auto plugin = plugin_of("exact");
@@ -229,13 +230,14 @@ TEST_P(NativeModel, ConvergesAtFirstOrder) {
   EXPECT_LE(slope, 1.15);
 }
 
-INSTANTIATE_TEST_SUITE_P(Acceptance, NativeModel,
-                         testing::Values(ModelUnderTest{{}, "bullet64", "row"},
-                                         ModelUnderTest{{}, "bullet64", "early"},
-                                         ModelUnderTest{{}, "bullet64", "contact-tuned"},
-                                         ModelUnderTest{{}, "ode", "row"},
-                                         ModelUnderTest{{}, "ode", "early"}),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(
+    Acceptance, NativeModel,
+    testing::Values(ModelUnderTest{{}, "bullet64", "row"}, ModelUnderTest{{}, "bullet64", "early"},
+                    ModelUnderTest{{}, "bullet64", "contact-tuned"},
+                    ModelUnderTest{{}, "ode", "row"}, ModelUnderTest{{}, "ode", "early"},
+                    ModelUnderTest{{}, "chipmunk", "row"}, ModelUnderTest{{}, "chipmunk", "early"},
+                    ModelUnderTest{{}, "chipmunk", "slide-joint-bounce"}),
+    test_name);
 
 TEST(BounceLimit, DoesNotConverge) {
   const auto plugin = plugin_of("bullet64");

@@ -11,7 +11,7 @@ enum class Claim {
   central_restitution,     // a fast hit through the centre of mass rebounds with e
   off_centre_restitution,  // so does one of a spinning body
   slow_restitution,        // so does one at 0.05 m/s
-  step_momentum,           // a step's impulses, at the pose of its start, change the momentum
+  step_momentum,           // a step's impulses, at the pose of its solve, change the momentum
   mirror_symmetry,         // the mirrored case moves in the mirror
 };
 

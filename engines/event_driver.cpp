@@ -175,8 +175,9 @@ class EventDriven final : public Simulation {
       const auto [correction, cables] = late_by(contact);
       const bool near = std::abs(correction) <= contact_rounding * rest;
       contact = cables;
-      if (cables.empty() || near || dt - correction > rest || !(dt - correction > 0.0)) {
-        contact = near ? cables : CableSet{};
+      const bool from_the_start = correction >= dt;
+      if (cables.empty() || near || from_the_start || dt - correction > rest) {
+        contact = near || from_the_start ? cables : CableSet{};
         break;
       }
       dt -= correction;

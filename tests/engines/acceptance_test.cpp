@@ -183,6 +183,28 @@ TEST_P(EventModel, FollowsTheMotionOnTautCables) {
   }
 }
 
+TEST_P(EventModel, GoesThroughEveryShippedCaseToItsEnd) {
+  for (const ImpactLaw law : {ImpactLaw::simultaneous, ImpactLaw::sequential}) {
+    double overstretch = 0.0;
+    double gain = 0.0;
+    for (const Case& the_case : shipped_cases()) {
+      const double end = std::min(the_case.duration, 30.0);
+      const auto simulation = engine().start(the_case, "event", {1e-2, law});
+      double last = energy(the_case, the_case.initial);
+      run(*simulation, 1e-2, end - 1e-9, [&](const Moment& moment) {
+        for (const Cable& cable : the_case.cables) {
+          overstretch = std::max(overstretch, -gap(cable, moment.after) / cable.length);
+        }
+        last = energy(the_case, moment.after);
+      });
+      EXPECT_FALSE(simulation->stopped()) << the_case.name << ": " << simulation->stopped()->reason;
+      gain = std::max(gain, (last - energy(the_case, the_case.initial)) / energy_scale(the_case));
+    }
+    expect_within("overstretch by length, law " + std::string(to_string(law)), overstretch, 1e-11);
+    expect_within("energy gained, of its scale", gain, 1e-11);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Acceptance, EventModel,
                          testing::Values<std::string>("exact", "bullet64", "ode", "chipmunk"),
                          engine_name);

@@ -2,6 +2,8 @@
 // semi-implicit Euler fly the exact parabola, and one `dWorldStep` without gravity, after which the
 // pose is put back, gives the impulses of an impact.
 
+#include <array>
+
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
 #include "world.hpp"
@@ -16,8 +18,7 @@ constexpr double softness = 3e-15;
 
 /// ODE's solver may give up, and leave every row as it is, where one row is satisfied exactly. Rows
 /// that ask for so much more are not [-], of the speed of the body.
-constexpr double least_nudge = 1e-14;
-constexpr double most_nudge = 1e-12;
+constexpr std::array nudges = {1e-14, 1e-13, 1e-12};
 
 class OdeEventAdapter final : public EventAdapter {
  public:
@@ -40,8 +41,8 @@ class OdeEventAdapter final : public EventAdapter {
     const double speed = speed_scale(case_, before);
     dWorldSetCFM(world_.id(), cables.size() > 1 ? softness * largest : 0.0);
     solve_once(cables, rates, before);
-    for (double more = least_nudge; more <= most_nudge; more *= 10.0) {
-      if (is_solved(cables, rates, most_nudge * speed)) {
+    for (const double more : nudges) {
+      if (is_solved(cables, rates, nudges.back() * speed)) {
         break;
       }
       world_.place(before);

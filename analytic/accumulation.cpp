@@ -265,13 +265,11 @@ std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
     }
     const Real latest = bounces->remaining + bounces->uncertainty;
     CableSet near = within_reach(the_case, state, cables, latest, scale);
-    CableSet carried;  // redundant: where the others end taut, so do these
-    if (!near.empty()) {
-      carried = at_zero(the_case, projected(the_case, state, cables), near, touching.rate_rounding);
-      near = near - carried;
-    }
+    const BasicState<Real> after = projected(the_case, state, cables);
+    // redundant: where the others end taut, so do these
+    const CableSet carried = at_zero(the_case, after, near, touching.rate_rounding);
+    near = near - carried;
     if (near.empty()) {
-      const BasicState<Real> after = projected(the_case, state, cables);
       if (!isfinite(energy(the_case, after))) {
         return std::nullopt;
       }

@@ -9,11 +9,13 @@
 
 #include "taut_step.hpp"
 #include "tautline/accumulation.hpp"
+#include "tautline/cable_row.hpp"
 #include "tautline/clock.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/hold.hpp"
 #include "tautline/impact.hpp"
+#include "tautline/projection.hpp"
 
 namespace tautline {
 namespace {
@@ -169,9 +171,9 @@ class EventDriven final : public Simulation {
       return rest;
     }
     dt = std::clamp(dt, shortest_swing * rest, rest);
-    std::optional<CableVector> impulses = taut_step(case_, *adapter_, held_->pulling, dt);
+    bool holds = taut_step(case_, *adapter_, held_->pulling, dt);
     // the exact motion foretells the contact of the engine's but for the error of its step
-    for (int pass = 0; impulses && pass < most_corrections; ++pass) {
+    for (int pass = 0; holds && pass < most_corrections; ++pass) {
       const auto [correction, cables] = late_by(contact);
       const bool near = std::abs(correction) <= contact_rounding * rest;
       contact = cables;
@@ -182,9 +184,9 @@ class EventDriven final : public Simulation {
       }
       dt -= correction;
       adapter_->place(start);
-      impulses = taut_step(case_, *adapter_, held_->pulling, dt);
+      holds = taut_step(case_, *adapter_, held_->pulling, dt);
     }
-    if (!impulses) {
+    if (!holds) {
       stop("no impulses hold the taut cables", time);
       return dt;
     }
@@ -246,8 +248,8 @@ class EventDriven final : public Simulation {
     CableVector rates(static_cast<Eigen::Index>(cables.size()));
     Eigen::Index row = 0;
     for (const std::size_t index : cables) {
-      const double rate = gap_rate(case_.cables[index], now);
-      rates[row++] = restitution(case_.cables[index], rate) * std::max(0.0, -rate);
+      const CableRow cable = cable_row(case_.cables[index], now);
+      rates[row++] = rebound_rate(cable, restitution(case_.cables[index], cable.rate));
     }
     return adapter_->solve(cables, rates);
   }
@@ -255,24 +257,14 @@ class EventDriven final : public Simulation {
   /// The cable that closes fastest by itself, until none closes by more than `rounding` [m/s].
   CableVector strike_in_turn(CableSet cables, double rounding) {
     CableVector impulses = CableVector::Zero(static_cast<Eigen::Index>(cables.size()));
+    const std::vector<std::size_t> indices = cables.indices();
     for (std::size_t strikes = 0; strikes < most_strikes; ++strikes) {
-      const State now = adapter_->state();
-      double fastest = -rounding;
-      Eigen::Index struck_row = -1;
-      std::size_t struck = 0;
-      Eigen::Index row = 0;
-      for (const std::size_t index : cables) {
-        if (const double rate = gap_rate(case_.cables[index], now); rate < fastest) {
-          fastest = rate;
-          struck_row = row;
-          struck = index;
-        }
-        ++row;
-      }
-      if (struck_row < 0) {
+      Eigen::Index fastest = 0;
+      if (!(gap_rates(case_, adapter_->state(), cables).minCoeff(&fastest) < -rounding)) {
         break;
       }
-      impulses[struck_row] += strike_at_once(CableSet::of(struck))[0];
+      const CableSet one = CableSet::of(indices[static_cast<std::size_t>(fastest)]);
+      impulses[fastest] += strike_at_once(one)[0];
     }
     return impulses;
   }

@@ -16,9 +16,8 @@ constexpr int most_passes = 20;
 /// A step is halved at most this often.
 constexpr int most_halvings = 10;
 
-/// The largest gap, against its cable's length, among those of `held` that pull or are
-/// overstretched
-/// [-]. Lowers their `rates` by what would have closed them.
+/// The largest gap among the cables of `held` that pull or are overstretched, against its cable's
+/// length [-]. Lowers their `rates` by what would have closed them.
 double correct(const Case& the_case, const State& state, CableSet held, const CableVector& impulses,
                double dt, CableVector& rates) {
   double worst = 0.0;
@@ -35,10 +34,9 @@ double correct(const Case& the_case, const State& state, CableSet held, const Ca
   return worst;
 }
 
-/// Flies with the impulses before it that leave the gaps of `held` at zero after it. None where
+/// Flies with the impulses before it that leave the gaps of `held` at zero after it. False where
 /// they are not found; the body is then anywhere.
-std::optional<CableVector> fly_held(const Case& the_case, EventAdapter& adapter, CableSet held,
-                                    double dt) {
+bool fly_held(const Case& the_case, EventAdapter& adapter, CableSet held, double dt) {
   const State start = adapter.state();
   const double allowed = adapter.rounding().gap;
   CableVector rates(static_cast<Eigen::Index>(held.size()));
@@ -49,39 +47,38 @@ std::optional<CableVector> fly_held(const Case& the_case, EventAdapter& adapter,
   double before = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < most_passes; ++pass) {
     adapter.place(start);
-    CableVector impulses = adapter.solve(held, rates);
+    const CableVector impulses = adapter.solve(held, rates);
     adapter.fly(dt);
     const double worst = correct(the_case, adapter.state(), held, impulses, dt, rates);
     constexpr double near_rounding = 100.0;  // [-], where more passes help no more
     if (worst <= allowed || (worst <= near_rounding * allowed && worst > 0.5 * before)) {
-      return impulses;
+      return true;
     }
     before = worst;
   }
-  return std::nullopt;
+  return false;
 }
 
 /// `taut_step` with `halvings` left.
-std::optional<CableVector> step_or_halves(const Case& the_case, EventAdapter& adapter,
-                                          CableSet held, double dt, int halvings) {
+bool step_or_halves(const Case& the_case, EventAdapter& adapter, CableSet held, double dt,
+                    int halvings) {
   const State start = adapter.state();
-  if (auto impulses = fly_held(the_case, adapter, held, dt)) {
-    return *impulses + adapter.solve(held, CableVector::Zero(impulses->size()));
+  if (fly_held(the_case, adapter, held, dt)) {
+    static_cast<void>(
+        adapter.solve(held, CableVector::Zero(static_cast<Eigen::Index>(held.size()))));
+    return true;
   }
   if (halvings == 0) {
-    return std::nullopt;
+    return false;
   }
   adapter.place(start);
-  const auto first = step_or_halves(the_case, adapter, held, 0.5 * dt, halvings - 1);
-  const auto second =
-      first ? step_or_halves(the_case, adapter, held, 0.5 * dt, halvings - 1) : std::nullopt;
-  return second ? std::optional<CableVector>(*first + *second) : std::nullopt;
+  return step_or_halves(the_case, adapter, held, 0.5 * dt, halvings - 1) &&
+         step_or_halves(the_case, adapter, held, 0.5 * dt, halvings - 1);
 }
 
 }  // namespace
 
-std::optional<CableVector> taut_step(const Case& the_case, EventAdapter& adapter, CableSet held,
-                                     double dt) {
+bool taut_step(const Case& the_case, EventAdapter& adapter, CableSet held, double dt) {
   return step_or_halves(the_case, adapter, held, dt, most_halvings);
 }
 

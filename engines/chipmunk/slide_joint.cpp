@@ -60,8 +60,8 @@ class SlideJointSimulation final : public Simulation {
       for (std::size_t index = 0; index < joints_.size(); ++index) {
         if (impulses_[index] > 0.0) {
           const Cable& cable = case_.cables[index];
-          const double closing = gap_rate(cable, before);
-          push(cable, restitution(cable, closing) * std::max(0.0, -closing), given[index]);
+          const CableRow row = cable_row(cable, before);
+          push(cable, rebound_rate(row, restitution(cable, row.rate)), given[index]);
         }
       }
     }

@@ -13,28 +13,16 @@ namespace {
 
 static_assert(sizeof(btScalar) == sizeof(double), "bullet64 needs BT_USE_DOUBLE_PRECISION");
 
-const std::vector<ModelEntry>& table() {
-  static const std::vector<ModelEntry> entries = [] {
-    std::vector<ModelEntry> all;
-    for (auto family : {row_models(), contact_models(), bounce_limit_models(), event_models()}) {
-      all.insert(all.end(), family.begin(), family.end());
-    }
-    return all;
-  }();
-  return entries;
+std::string version() {
+  const int number = btGetVersion();  // 324 is 3.24; an inline function: the header's version
+  return std::to_string(number / 100) + "." + std::to_string(number % 100);
 }
 
-class BulletEngine final : public Engine {
+class BulletEngine final : public TableEngine {
  public:
-  [[nodiscard]] EngineInfo info() const override {
-    const int version = btGetVersion();  // 324 is 3.24; an inline function: the header's version
-    return {"bullet64", std::to_string(version / 100) + "." + std::to_string(version % 100),
-            "float64", models(table())};
-  }
-  [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
-                                                  const RunSettings& settings) const override {
-    return start_model(table(), model, the_case, settings);
-  }
+  BulletEngine()
+      : TableEngine("bullet64", version(), precision_of<btScalar>,
+                    {row_models(), contact_models(), bounce_limit_models(), event_models()}) {}
 };
 
 }  // namespace

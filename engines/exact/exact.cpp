@@ -87,25 +87,18 @@ ModelEntry entry(std::string name, std::string sentence, Report report) {
       true};
 }
 
-const std::vector<ModelEntry>& table() {
-  static const std::vector<ModelEntry> entries = {
-      entry("event", "The exact event-driven solution, evaluated at every step.", Report::events),
-      entry("sampled",
-            "The same states with the impulses of each step but not its events: what is wrong with "
-            "its impacts is what detecting them from such steps costs any engine.",
-            Report::impulses_only)};
-  return entries;
-}
-
-class ExactEngine final : public Engine {
+class ExactEngine final : public TableEngine {
  public:
-  [[nodiscard]] EngineInfo info() const override {
-    return {"exact", TAUTLINE_VERSION, "float64", models(table())};
-  }
-  [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
-                                                  const RunSettings& settings) const override {
-    return start_model(table(), model, the_case, settings);
-  }
+  ExactEngine()
+      : TableEngine(
+            "exact", TAUTLINE_VERSION, "float64",
+            {{entry("event", "The exact event-driven solution, evaluated at every step.",
+                    Report::events),
+              entry("sampled",
+                    "The same states with the impulses of each step but not its events: what is "
+                    "wrong with its impacts is what detecting them from such steps costs any "
+                    "engine.",
+                    Report::impulses_only)}}) {}
 };
 
 }  // namespace

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tautline/engine.hpp"
@@ -53,5 +55,33 @@ struct ModelEntry {
   }
   throw std::invalid_argument("model " + std::string(name) + " is unknown; there are " + known);
 }
+
+/// What `EngineInfo` calls the numbers of an engine that computes in `Real`.
+template <class Real>
+inline constexpr const char* precision_of = sizeof(Real) == sizeof(double) ? "float64" : "float32";
+
+/// An engine that is a table of models: what a plug-in's class derives from.
+class TableEngine : public Engine {
+ public:
+  /// The models of all `families`, in their order.
+  TableEngine(std::string name, std::string version, std::string precision,
+              std::initializer_list<std::vector<ModelEntry>> families)
+      : info_{std::move(name), std::move(version), std::move(precision), {}} {
+    for (const std::vector<ModelEntry>& family : families) {
+      entries_.insert(entries_.end(), family.begin(), family.end());
+    }
+    info_.models = models(entries_);
+  }
+
+  [[nodiscard]] EngineInfo info() const override { return info_; }
+  [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
+                                                  const RunSettings& settings) const override {
+    return start_model(entries_, model, the_case, settings);
+  }
+
+ private:
+  EngineInfo info_;
+  std::vector<ModelEntry> entries_;
+};
 
 }  // namespace tautline

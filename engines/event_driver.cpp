@@ -20,11 +20,6 @@
 namespace tautline {
 namespace {
 
-/// When the rest of an accumulation is completed at once, with an engine whose rates round to
-/// 1e-12: its remaining rebounds are slower [m/s]. In proportion for another.
-constexpr double completion_speed = 1e-6;
-constexpr double usual_rounding = 1e-12;
-
 /// A step with more strikes than this is given up, and so is one with more contacts in a row that
 /// are no impact [-]. From 1 m/s down to the capture speed with restitution 0.99 takes 1400.
 constexpr std::size_t most_strikes = 10'000;
@@ -58,7 +53,9 @@ class EventDriven final : public Simulation {
         law_(law),
         rounding_(adapter_->rounding()),
         impulses_(the_case.cables.size()) {
-    completion_.speed = completion_speed * std::max(1.0, rounding_.rate / usual_rounding);
+    // what is completed at once is shorter than the square of that; a rebound near the engine's
+    // rounding would be told from none by chance
+    completion_.speed = std::sqrt(rounding_.rate);
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       const Cable& cable = case_.cables[index];
       if (gap(cable, case_.initial) <= gap_rounding * cable.length) {

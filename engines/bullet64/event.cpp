@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "cable_constraint.hpp"
@@ -18,7 +19,10 @@ namespace {
 constexpr int iterations = 100'000;
 
 /// A solve ends when no row changes its velocity by more than this part of the speeds [-].
-constexpr double solve_rounding = 1e-15;
+constexpr double solve_rounding = 4.0 * std::numeric_limits<btScalar>::epsilon();
+
+/// What single precision leaves of a gap, near cables a few metres long, and of a gap rate [-].
+constexpr EventAdapter::Rounding float_rounding = {3e-7, 3e-6};
 
 /// Bullet turns a body by no more than pi/4 in a step (ANGULAR_MOTION_THRESHOLD) [rad].
 constexpr double largest_turn = 0.7;
@@ -42,6 +46,10 @@ class BulletEventAdapter final : public EventAdapter {
   }
 
   void place(const State& state) override { world_.place(state); }
+
+  [[nodiscard]] Rounding rounding() const override {
+    return in_double_precision ? EventAdapter::rounding() : float_rounding;
+  }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     const State before = world_.state();
@@ -89,7 +97,7 @@ std::vector<ModelEntry> event_models() {
         with_world_settings(
             {{"m_numIterations", std::to_string(iterations),
               "Nearly dependent cables hit together converge slowly; one cable takes two."},
-             {"m_leastSquaresResidualThreshold", "(1e-15 of the speed)^2",
+             {"m_leastSquaresResidualThreshold", "(4 roundings of the speed)^2",
               "With Bullet's 0 a solve goes on while its last bit flickers."},
              {"body velocity", "half of gravity's impulse before and after each step",
               "Semi-implicit Euler then flies the exact parabola."}})},

@@ -1,5 +1,5 @@
-// Bullet in double precision (Debian's bullet-float64). Its float build exports the same symbols
-// and can never share a process with it.
+// Bullet, in the precision it is compiled for: two modules from the same sources. The two builds of
+// Bullet export the same symbols; never load both in one process.
 
 #include "tautline/plugin.hpp"
 
@@ -11,8 +11,6 @@
 namespace tautline::bullet {
 namespace {
 
-static_assert(sizeof(btScalar) == sizeof(double), "bullet64 needs BT_USE_DOUBLE_PRECISION");
-
 std::string version() {
   const int number = btGetVersion();  // 324 is 3.24; an inline function: the header's version
   return std::to_string(number / 100) + "." + std::to_string(number % 100);
@@ -21,7 +19,7 @@ std::string version() {
 class BulletEngine final : public TableEngine {
  public:
   BulletEngine()
-      : TableEngine("bullet64", version(), precision_of<btScalar>,
+      : TableEngine(in_double_precision ? "bullet64" : "bullet32", version(), precision_of<btScalar>,
                     {row_models(), contact_models(), bounce_limit_models(), event_models()}) {}
 };
 

@@ -10,6 +10,9 @@
 
 namespace tautline::bullet {
 
+/// These sources are compiled twice, once for each build of Bullet.
+inline constexpr bool in_double_precision = sizeof(btScalar) == sizeof(double);
+
 [[nodiscard]] inline btVector3 vector(const Vec2& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), btScalar(0)};
 }

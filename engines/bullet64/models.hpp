@@ -9,6 +9,9 @@ namespace tautline::bullet {
 /// `row` and `early`: a constraint row of our own (row.cpp).
 [[nodiscard]] std::vector<ModelEntry> row_models();
 
+/// `two-phase`: the same row, which lands first and bounces in the next step (two_phase.cpp).
+[[nodiscard]] std::vector<ModelEntry> two_phase_models();
+
 /// `contact` and `contact-tuned`: Bullet's contacts (contact.cpp).
 [[nodiscard]] std::vector<ModelEntry> contact_models();
 

@@ -19,8 +19,10 @@ std::string version() {
 class BulletEngine final : public TableEngine {
  public:
   BulletEngine()
-      : TableEngine(in_double_precision ? "bullet64" : "bullet32", version(), precision_of<btScalar>,
-                    {row_models(), contact_models(), bounce_limit_models(), event_models()}) {}
+      : TableEngine(in_double_precision ? "bullet64" : "bullet32", version(),
+                    precision_of<btScalar>,
+                    {row_models(), two_phase_models(), contact_models(), bounce_limit_models(),
+                     event_models()}) {}
 };
 
 }  // namespace

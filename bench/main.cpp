@@ -105,7 +105,7 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
   command = app.add_subcommand("bench", "Cases x engines x models x steps, and a report");
   command->add_option("CASES", bench.cases, case_help)->default_str("'breakwater/*'");
   command
-      ->add_option("--engines", bench.engines,
+      ->add_option("--engines,--engine", bench.engines,
                    "names or plug-in paths: bullet64,./libmine.so (default: all)")
       ->delimiter(',');
   command->add_option("--models", bench.models, "only these models: row,event (default: all)")

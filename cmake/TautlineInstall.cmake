@@ -14,6 +14,8 @@ install(DIRECTORY analytic/include/ engines/include/
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
+# projects of their own, to copy: each finds this tree with find_package(tautline)
+install(DIRECTORY engines/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(

@@ -29,16 +29,22 @@ foreach(file IN LISTS package_files)
   endif()
 endforeach()
 
-run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}/consumer" -B "${WORK_DIR}/build"
-  -G "${GENERATOR}"
-  "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}"
-  "-DCMAKE_CXX_COMPILER=${COMPILER}"
-  "-DCMAKE_CXX_FLAGS=${FLAGS}"
-  "-DCMAKE_BUILD_TYPE=${CONFIG}"
-  "-DCMAKE_PREFIX_PATH=${prefix}"
-  "-DEigen3_DIR=${EIGEN_DIR}"
+# build_project(<source> <build> [-D...]): as a stranger would
+function(build_project source build)
+  run("${CMAKE_COMMAND}" -S "${source}" -B "${build}"
+    -G "${GENERATOR}"
+    "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}"
+    "-DCMAKE_CXX_COMPILER=${COMPILER}"
+    "-DCMAKE_CXX_FLAGS=${FLAGS}"
+    "-DCMAKE_BUILD_TYPE=${CONFIG}"
+    "-DCMAKE_PREFIX_PATH=${prefix}"
+    "-DEigen3_DIR=${EIGEN_DIR}"
+    ${ARGN})
+  run("${CMAKE_COMMAND}" --build "${build}" --config "${CONFIG}")
+endfunction()
+
+build_project("${CMAKE_CURRENT_LIST_DIR}/consumer" "${WORK_DIR}/build"
   "-DWANTED_VERSION=${VERSION}")
-run("${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${CONFIG}")
 run("${CMAKE_CTEST_COMMAND}" --test-dir "${WORK_DIR}/build" -C "${CONFIG}" --output-on-failure
   --no-tests=error)
 
@@ -60,3 +66,9 @@ endforeach()
 # ... and takes the consumer's
 run("${prefix}/${PROGRAM}" run bouncing-ball --engine "${WORK_DIR}/build/still.so" --model still
   --step 0.01)
+
+# the example engine keeps what an engine has to keep, and runs on the bench beside the others
+build_project("${prefix}/${DATA_DIR}/examples/own_engine" "${WORK_DIR}/own_engine")
+run("${prefix}/${PROGRAM}" check "${WORK_DIR}/own_engine/own_engine.so")
+run("${prefix}/${PROGRAM}" bench bouncing-ball --engine "${WORK_DIR}/own_engine/own_engine.so"
+  --steps 0.01 --out "${WORK_DIR}/results")

@@ -12,10 +12,6 @@
 namespace tautline::bench {
 namespace {
 
-/// No line of a case file needs to be longer [bytes]. The limit also bounds how deep `a.a.a = 1`
-/// can nest: the parser takes such a table apart by recursion.
-constexpr std::size_t longest_line = 4096;
-
 Cable read_cable(StrictTable& table) {
   Cable cable;
   cable.anchor = table.pair("anchor", "[m]");
@@ -84,38 +80,6 @@ std::size_t line_of_problem(const toml::table& file, const std::string& sentence
   return line_of(key != nullptr ? key : file[table].node());
 }
 
-/// Adds a finding for text that the parser need not see.
-void check_lines(std::string_view text, Findings& findings) {
-  std::size_t line = 1;
-  while (!text.empty() && findings.empty()) {
-    const std::size_t length = std::min(text.find('\n'), text.size());
-    if (text.substr(0, length).find('\0') != std::string_view::npos) {
-      findings.add(line, "holds a zero byte: must be a text file (TOML)");
-    } else if (length > longest_line) {
-      findings.add(line, "is " + std::to_string(length) + " bytes long, a line has at most " +
-                             std::to_string(longest_line));
-    }
-    text.remove_prefix(std::min(length + 1, text.size()));
-    ++line;
-  }
-}
-
-/// The table the text stands for; none, and a finding, where it is not TOML.
-std::optional<toml::table> parse(std::string_view text, Findings& findings) {
-  check_lines(text, findings);
-  if (!findings.empty()) {
-    return std::nullopt;
-  }
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    findings.add(error.source().begin.line, "column " +
-                                                std::to_string(error.source().begin.column) +
-                                                ": not TOML: " + printable(error.description()));
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 CaseReading read_case_file(const std::filesystem::path& path) {
@@ -130,7 +94,7 @@ CaseReading read_case_file(const std::filesystem::path& path) {
 
 CaseReading read_case_text(std::string_view text, const std::string& source_name) {
   Findings findings(source_name);
-  const std::optional<toml::table> file = parse(text, findings);
+  const std::optional<toml::table> file = parse_toml(text, findings);
   if (!file) {
     return {std::nullopt, findings.sentences()};
   }

@@ -42,6 +42,25 @@ std::string StrictTable::text(std::string_view key) {
   return value->get();
 }
 
+std::vector<std::string> StrictTable::texts(std::string_view key, const std::string& right) {
+  std::vector<std::string> result;
+  const toml::node* node = find_required(key, right);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node != nullptr && (array == nullptr || array->empty())) {
+    refuse(*node, full_name(key), right);
+  }
+  for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
+    const toml::node& entry = *array->get(index);
+    if (const auto* value = entry.as_string(); value != nullptr && !value->get().empty()) {
+      result.push_back(value->get());
+    } else {
+      refuse(entry, full_name(key) + "[" + std::to_string(index) + "]",
+             "must be a string that is not empty");
+    }
+  }
+  return result;
+}
+
 double StrictTable::number(std::string_view key, const Range& range, std::string_view unit) {
   const toml::node* node = find_required(key, with_unit(range.right, unit));
   return node != nullptr ? checked(*node, full_name(key), range, unit) : 0.0;

@@ -31,6 +31,8 @@ class StrictTable {
   StrictTable(const toml::table* table, std::string path, Findings& findings);
 
   [[nodiscard]] std::string text(std::string_view key);
+  /// An array of at least one string that is not empty; `right` tells what it should hold.
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key, const std::string& right);
   [[nodiscard]] double number(std::string_view key, const Range& range, std::string_view unit);
   [[nodiscard]] std::optional<double> optional_number(std::string_view key, const Range& range,
                                                       std::string_view unit);

@@ -1,11 +1,32 @@
 #include "bench/toml_value.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "bench/text.hpp"
 
 namespace tautline::bench {
 namespace {
+
+/// No line of a file needs to be longer [bytes]. The limit also bounds how deep `a.a.a = 1` can
+/// nest: the parser takes such a table apart by recursion.
+constexpr std::size_t longest_line = 4096;
+
+/// Adds a finding for text that the parser need not see.
+void check_lines(std::string_view text, Findings& findings) {
+  std::size_t line = 1;
+  while (!text.empty() && findings.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    if (text.substr(0, length).find('\0') != std::string_view::npos) {
+      findings.add(line, "holds a zero byte: must be a text file (TOML)");
+    } else if (length > longest_line) {
+      findings.add(line, "is " + std::to_string(length) + " bytes long, a line has at most " +
+                             std::to_string(longest_line));
+    }
+    text.remove_prefix(std::min(length + 1, text.size()));
+    ++line;
+  }
+}
 
 /// The value as the file has it: 1.2 or "text"; nothing for a table, which has lines of its own.
 std::string value_text(const toml::node& node) {
@@ -25,6 +46,21 @@ std::string value_text(const toml::node& node) {
 }
 
 }  // namespace
+
+std::optional<toml::table> parse_toml(std::string_view text, Findings& findings) {
+  check_lines(text, findings);
+  if (!findings.empty()) {
+    return std::nullopt;
+  }
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    findings.add(error.source().begin.line, "column " +
+                                                std::to_string(error.source().begin.column) +
+                                                ": not TOML: " + printable(error.description()));
+    return std::nullopt;
+  }
+}
 
 std::size_t line_of(const toml::node* node) {
   return node != nullptr ? node->source().begin.line : 0;

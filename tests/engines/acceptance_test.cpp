@@ -19,21 +19,6 @@ namespace {
 constexpr const char* standard = "1910121100";
 constexpr const char* elastic = "1110121100";  // the same with e = 1
 
-/// A test of one engine, skipped where it is not built.
-class WithEngine : public testing::TestWithParam<std::string> {
- protected:
-  void SetUp() override {
-    plugin_ = plugin_of(GetParam());
-    if (!plugin_) {
-      GTEST_SKIP() << GetParam() << " is not built";
-    }
-  }
-  [[nodiscard]] const Engine& engine() const { return plugin_->engine(); }
-
- private:
-  std::optional<bench::Plugin> plugin_;
-};
-
 /// The events of a run of the `event` model.
 std::vector<Event> events_of(const Engine& engine, const Case& the_case, double step, double end) {
   std::vector<Event> result;
@@ -54,29 +39,45 @@ double closing_rate(const Case& the_case, const Event& event) {
   return fastest;
 }
 
-class EventModel : public WithEngine {};
+/// The `event` model of every engine that has one.
+class EventModel : public testing::TestWithParam<ModelUnderTest> {
+ protected:
+  [[nodiscard]] const Engine& engine() const { return plugin_.engine(); }
 
-std::string engine_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
+  /// In float the rounding grows with the number of steps, and a long step loses little: the step
+  /// at which it does best is the one that is asked for.
+  [[nodiscard]] static std::vector<double> steps() {
+    return in_double() ? std::vector<double>{0.1, 1e-2, 1e-3} : std::vector<double>{1e-2};
+  }
+  [[nodiscard]] static bool in_double() { return GetParam().in_double(); }
+  [[nodiscard]] static double limit(double for_double, double for_float) {
+    return GetParam().limit(for_double, for_float);
+  }
+
+ private:
+  bench::Plugin plugin_ = bench::Plugin::open(GetParam().plugin);
+};
 
 TEST_P(EventModel, IsExactToRoundingWhateverTheStep) {
   const Case the_case = table_case(standard);
   const Event first = solve(the_case).events().front();
-  for (const double step : {0.1, 1e-2, 1e-3}) {
+  for (const double step : steps()) {
     const std::string at = " at step " + std::to_string(step);
     const auto events = events_of(engine(), the_case, step, 2.0);
     ASSERT_FALSE(events.empty());
     expect_within("position error [m], t <= 2" + at,
-                  largest_deviation(engine(), "event", the_case, step, 2.0), 1e-11);
+                  largest_deviation(engine(), "event", the_case, step, 2.0), limit(1e-11, 2e-6));
     expect_within("first impact time error [s]" + at, std::abs(events.front().time - first.time),
-                  1e-12);
+                  limit(1e-12, 2e-6));
+    // in float the hit is found at a pose that is off by rounding, and the spin is 10 times larger
     expect_within("first impact velocity error" + at, difference(events.front().after, first.after),
-                  1e-12);
+                  limit(1e-12, 2e-5));
   }
 }
 
 TEST_P(EventModel, CountsTheImpactsOfTheStandardCase) {
   const Case the_case = table_case(standard);
-  for (const double step : {0.1, 1e-2, 1e-3}) {
+  for (const double step : steps()) {
     int fast = 0;
     for (const Event& event : events_of(engine(), the_case, step, 5.0)) {
       fast += closing_rate(the_case, event) > 1e-2 ? 1 : 0;
@@ -97,7 +98,7 @@ TEST_P(EventModel, KeepsTheEnergyOfElasticImpacts) {
     reached = moment.time;
   });
   EXPECT_NEAR(reached, 10.0, 1e-2);
-  expect_within("energy drift [J], t <= 10", drift, 1e-12);
+  expect_within("energy drift [J], t <= 10", drift, limit(1e-12, 1e-5));
 }
 
 /// A random body with all of `count` cables at zero gap, and at least one of them closing.
@@ -130,7 +131,7 @@ TEST_P(EventModel, SolvesHitsOnManyCablesAsNewtonsLaw) {
       ++hits;
     }
     EXPECT_GT(hits, 100);
-    expect_within(std::to_string(count) + " cables: velocity error [-]", worst, 1e-11);
+    expect_within(std::to_string(count) + " cables: velocity error [-]", worst, limit(1e-11, 5e-3));
   }
 }
 
@@ -161,9 +162,17 @@ std::vector<CountedCase> counted_cases() {
           {"long-elastic", parameters(2.5, 1.0, 0.3, 0.3, 0.05, 0.02), 12}};
 }
 
+bool accumulates_before(const Case& the_case, double time) {
+  const Solution exact = solve(the_case);
+  return !exact.accumulations().empty() && exact.accumulations().front().start < time;
+}
+
 TEST_P(EventModel, CountsTheImpactsOfSixCases) {
   for (const CountedCase& counted : counted_cases()) {
     const Case the_case = breakwater(counted.parameters, counted.name);
+    if (!in_double() && accumulates_before(the_case, 5.0)) {
+      continue;  // which cable is hit when from there on, rounding to float decides
+    }
     for (const double step : {1e-2, 1e-3}) {
       int fast = 0;
       for (const Event& event : events_of(engine(), the_case, step, 5.0)) {
@@ -179,7 +188,8 @@ TEST_P(EventModel, FollowsTheMotionOnTautCables) {
   const Case the_case = table_case(standard);
   for (const double step : {1e-2, 1e-3}) {
     expect_within("position error [m], t <= 20, step " + std::to_string(step),
-                  largest_deviation(engine(), "event", the_case, step, 20.0), 0.5 * step * step);
+                  largest_deviation(engine(), "event", the_case, step, 20.0),
+                  0.5 * step * step + limit(0.0, 1e-3));
   }
 }
 
@@ -200,14 +210,13 @@ TEST_P(EventModel, GoesThroughEveryShippedCaseToItsEnd) {
       EXPECT_FALSE(simulation->stopped()) << the_case.name << ": " << simulation->stopped()->reason;
       gain = std::max(gain, (last - energy(the_case, the_case.initial)) / energy_scale(the_case));
     }
-    expect_within("overstretch by length, law " + std::string(to_string(law)), overstretch, 1e-11);
-    expect_within("energy gained, of its scale", gain, 1e-11);
+    expect_within("overstretch by length, law " + std::string(to_string(law)), overstretch,
+                  limit(1e-11, 1e-5));
+    expect_within("energy gained, of its scale", gain, limit(1e-11, 1e-5));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Acceptance, EventModel,
-                         testing::Values<std::string>("exact", "bullet64", "ode", "chipmunk"),
-                         engine_name);
+INSTANTIATE_TEST_SUITE_P(Acceptance, EventModel, testing::ValuesIn(event_models()), test_name);
 
 TEST(Sampled, IsTheExactSolutionWithoutItsEvents) {
   const auto plugin = plugin_of("exact");
@@ -229,73 +238,6 @@ TEST(Sampled, IsTheExactSolutionWithoutItsEvents) {
   });
   EXPECT_GT(impacts, 0U) << "nothing was hit, so nothing was tested";
   EXPECT_TRUE(sampled->stopped()) << "the end of the solution was not reached";
-}
-
-class NativeModel : public testing::TestWithParam<ModelUnderTest> {};
-
-TEST_P(NativeModel, ConvergesAtFirstOrder) {
-  const auto plugin = plugin_of(GetParam().engine);
-  if (!plugin) {
-    GTEST_SKIP() << GetParam().engine << " is not built";
-  }
-  const Case the_case = table_case(standard);
-  std::vector<double> deviations;
-  for (const double step : {1e-2, 1e-3, 1e-4}) {
-    deviations.push_back(
-        largest_deviation(plugin->engine(), GetParam().model, the_case, step, 2.0));
-    std::cout << "  largest deviation [m] at step " << step << ": " << deviations.back() << '\n';
-  }
-  const double slope = 0.5 * std::log10(deviations.front() / deviations.back());
-  std::cout << "  slope " << slope << '\n';
-  testing::Test::RecordProperty("slope", std::to_string(slope));
-  EXPECT_GE(slope, 0.85);
-  EXPECT_LE(slope, 1.15);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Acceptance, NativeModel,
-    testing::Values(ModelUnderTest{{}, "bullet64", "row"}, ModelUnderTest{{}, "bullet64", "early"},
-                    ModelUnderTest{{}, "bullet64", "contact-tuned"},
-                    ModelUnderTest{{}, "ode", "row"}, ModelUnderTest{{}, "ode", "early"},
-                    ModelUnderTest{{}, "chipmunk", "row"}, ModelUnderTest{{}, "chipmunk", "early"},
-                    ModelUnderTest{{}, "chipmunk", "slide-joint-bounce"}),
-    test_name);
-
-TEST(BounceLimit, DoesNotConverge) {
-  const auto plugin = plugin_of("bullet64");
-  if (!plugin) {
-    GTEST_SKIP() << "bullet64 is not built";
-  }
-  const Case the_case = table_case(standard);
-  const auto deviation = [&](double step) {
-    const double result = largest_deviation(plugin->engine(), "bounce-limit", the_case, step, 2.0);
-    std::cout << "  largest deviation [m] at step " << step << ": " << result << '\n';
-    return result;
-  };
-  const double coarse = deviation(1e-2);
-  const double fine = deviation(1e-4);
-  EXPECT_GT(fine, coarse / 3.0);
-  EXPECT_GT(fine, 1e-2);
-}
-
-TEST(BulletContact, DoesNotGetBetterWithSmallerSteps) {
-  const auto plugin = plugin_of("bullet64");
-  if (!plugin) {
-    GTEST_SKIP() << "bullet64 is not built";
-  }
-  const Case the_case = table_case(standard);
-  const auto deviation = [&](double step) {
-    const double result = largest_deviation(plugin->engine(), "contact", the_case, step, 2.0);
-    std::cout << "  largest deviation [m] at step " << step << ": " << result << '\n';
-    return result;
-  };
-  const double coarse = deviation(1e-2);
-  const double middle = deviation(1e-3);
-  const double fine = deviation(1e-4);
-  // a first-order model would be ten and a hundred times better
-  EXPECT_GT(middle, coarse / 3.0);
-  EXPECT_GT(fine, coarse / 3.0);
-  EXPECT_GT(fine, 1e-2);
 }
 
 TEST(Row, IsTheSameInBulletAndOde) {

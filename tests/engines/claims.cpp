@@ -3,57 +3,138 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
+#include <optional>
+#include <utility>
+
+#include "bench/input_file.hpp"
+#include "bench/strict_table.hpp"
+#include "bench/text.hpp"
+#include "bench/toml_value.hpp"
 
 namespace tautline::test {
+namespace {
 
-const std::vector<Exception>& exceptions() {
-  static const std::vector<Exception> table = {
-      {"bullet64", "contact", Claim::central_restitution,
-       "an overstretch of less than 0.04 m is pushed out by velocity, on top of the bounce"},
-      {"bullet64", "contact", Claim::off_centre_restitution,
-       "an overstretch of less than 0.04 m is pushed out by velocity, on top of the bounce"},
-      {"ode", "contact", Claim::flight,
-       "ODE's default rotation is infinitesimal: the angle falls behind with every step"},
-      {"ode", "contact", Claim::central_restitution, "ODE's default CFM of 1e-10 softens the row"},
-      {"ode", "contact", Claim::off_centre_restitution,
-       "ODE's default CFM of 1e-10 softens the row"},
-      {"bullet64", "contact", Claim::slow_restitution,
-       "m_restitutionVelocityThreshold is 0.2 m/s: slower hits do not rebound"},
-      {"ode", "contact", Claim::slow_restitution,
-       "bounce_vel is 0.1 m/s as in ODE's demos: slower hits do not rebound"},
-      {"bullet64", "bounce-limit", Claim::off_centre_restitution,
-       "the bounce is that of the centre of mass, not of the attachment"},
-      {"chipmunk", "slide-joint", Claim::central_restitution, "cpSlideJoint has no restitution"},
-      {"chipmunk", "slide-joint", Claim::off_centre_restitution, "cpSlideJoint has no restitution"},
-      {"chipmunk", "slide-joint", Claim::slow_restitution, "cpSlideJoint has no restitution"},
-      {"exact", "sampled", Claim::step_momentum,
-       "its impulses act at the pose of the impact, which is inside the step"},
-      {"exact", "sampled", Claim::central_restitution,
-       "the states at the ends of a step have gravity's part of the step in them"},
-      {"exact", "sampled", Claim::off_centre_restitution,
-       "the states at the ends of a step have gravity's part of the step in them, and the cable "
-       "turns"},
-      {"exact", "sampled", Claim::slow_restitution,
-       "the states at the ends of a step have gravity's part of the step in them"},
-  };
-  return table;
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_contract = 1U << 20U;  // [bytes]
+constexpr std::size_t most_exceptions = 1000;
+
+constexpr std::array<std::pair<Claim, std::string_view>, 7> claims = {
+    {{Claim::flight, "flight"},
+     {Claim::central_restitution, "central-restitution"},
+     {Claim::off_centre_restitution, "off-centre-restitution"},
+     {Claim::slow_restitution, "slow-restitution"},
+     {Claim::step_momentum, "step-momentum"},
+     {Claim::mirror_symmetry, "mirror-symmetry"},
+     {Claim::convergence, "convergence"}}};
+
+std::vector<std::string> claim_names() {
+  std::vector<std::string> names;
+  for (const auto& [claim, name] : claims) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+std::optional<Claim> claim_of(const std::string& wanted) {
+  const auto* const row = std::find_if(claims.begin(), claims.end(),
+                                       [&](const auto& entry) { return entry.second == wanted; });
+  return row != claims.end() ? std::optional(row->first) : std::nullopt;
+}
+
+/// "unknown claim x; did you mean y?"
+std::string unknown(const std::string& what, const std::string& name,
+                    std::span<const std::string> known) {
+  const std::string near = bench::suggestion(name, known);
+  return "unknown " + what + " " + name +
+         (near.empty() ? ", must be " + bench::joined(known, "or") : near);
+}
+
+/// One [[exception]] that starts at `line`.
+void read_exception(bench::StrictTable& table, std::size_t line,
+                    std::span<const std::string> models, bench::Findings& findings,
+                    std::vector<Exception>& exceptions) {
+  const std::string model = table.text("model");
+  const std::string reason = table.text("reason");
+  if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end()) {
+    findings.add(line, unknown("model", model, models));
+  }
+  for (const std::string& name : table.texts("claims", "must be an array of claims")) {
+    if (const auto claim = claim_of(name)) {
+      exceptions.push_back({model, *claim, reason});
+    } else {
+      findings.add(line, unknown("claim", name, claim_names()));
+    }
+  }
+  table.refuse_unknown_keys();
+}
+
+}  // namespace
+
+std::string_view to_string(Claim claim) {
+  const auto* const row = std::find_if(claims.begin(), claims.end(),
+                                       [&](const auto& entry) { return entry.first == claim; });
+  return row->second;
+}
+
+ContractFile read_contract(std::string_view text, const std::string& source_name,
+                           std::span<const std::string> models) {
+  bench::Findings findings(source_name);
+  ContractFile result;
+  if (const std::optional<toml::table> file = bench::parse_toml(text, findings)) {
+    bench::StrictTable root(&*file, "", findings);
+    std::size_t index = 0;
+    for (bench::StrictTable& table : root.tables("exception", most_exceptions,
+                                                 "must be tables with model, claims and reason")) {
+      const std::size_t line = bench::line_of((*file)["exception"][index++].node());
+      read_exception(table, line, models, findings, result.exceptions);
+    }
+    root.refuse_unknown_keys();
+  }
+  result.problems = findings.sentences();
+  return result;
+}
+
+ContractFile contract_of(const std::string& engine, std::span<const std::string> models) {
+  const fs::path path = fs::path(TAUTLINE_ENGINE_SOURCES) / engine / "contract.toml";
+  if (!fs::exists(path)) {
+    return {};
+  }
+  const bench::InputFile file = bench::read_input_file(path, longest_contract);
+  if (file.problem) {
+    return {{}, {path.string() + ": " + *file.problem}};
+  }
+  return read_contract(file.content, path.string(), models);
+}
+
+std::vector<fs::path> contract_files() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(TAUTLINE_ENGINE_SOURCES)) {
+    if (fs::exists(entry.path() / "contract.toml")) {
+      files.push_back(entry.path() / "contract.toml");
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 void expect_claim(const std::string& engine, const std::string& model, Claim claim, double reached,
                   double allowed) {
-  std::cout << "  " << engine << " " << model << ": reached " << reached << ", allowed " << allowed
-            << '\n';
+  std::cout << "  " << engine << " " << model << " " << to_string(claim) << ": reached " << reached
+            << ", allowed " << allowed << '\n';
   testing::Test::RecordProperty("reached", std::to_string(reached));
-  const auto& table = exceptions();
-  const auto exception = std::find_if(table.begin(), table.end(), [&](const Exception& row) {
-    return row.engine == engine && row.model == model && row.claim == claim;
-  });
-  if (exception == table.end()) {
+  const ContractFile contract = contract_of(engine, {});
+  ASSERT_TRUE(contract.problems.empty()) << contract.problems.front();
+  const auto exception =
+      std::find_if(contract.exceptions.begin(), contract.exceptions.end(),
+                   [&](const Exception& row) { return row.model == model && row.claim == claim; });
+  if (exception == contract.exceptions.end()) {
     EXPECT_LE(reached, allowed);
   } else {
     EXPECT_GT(reached, allowed) << "the claim holds now, although: " << exception->reason
-                                << "; take the row out of the table";
+                                << "; take it out of engines/" << engine << "/contract.toml";
   }
 }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/wire.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 
@@ -11,29 +14,51 @@ namespace tautline::test {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::ordered_json;
 
-std::vector<fs::path> plugin_files() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(TAUTLINE_ENGINE_DIR)) {
-    if (entry.path().extension() == ".so") {
-      files.push_back(entry.path());
-    }
+bench::RegisteredEngine engine_from_list(const ordered_json& row) {
+  bench::RegisteredEngine engine;
+  engine.name = row.at("name");
+  engine.plugin = row.at("plugin").get<std::string>();
+  engine.failure = row.at("failure");
+  engine.missing = row.at("missing");
+  if (row.contains("models")) {
+    engine.info = bench::engine_from(row);
   }
-  std::sort(files.begin(), files.end());
-  return files;
+  return engine;
 }
 
 }  // namespace
 
+std::vector<bench::RegisteredEngine> engines_of_the_build() {
+  std::ifstream file(TAUTLINE_ENGINE_LIST);
+  const auto list = ordered_json::parse(file, nullptr, false);
+  if (list.is_discarded()) {
+    throw std::runtime_error("the build made no " TAUTLINE_ENGINE_LIST);
+  }
+  std::vector<bench::RegisteredEngine> engines;
+  for (const ordered_json& row : list.at("engines")) {
+    engines.push_back(engine_from_list(row));
+  }
+  return engines;
+}
+
 std::vector<ModelUnderTest> models_under_test() {
   std::vector<ModelUnderTest> result;
-  for (const fs::path& file : plugin_files()) {
-    const bench::Plugin plugin = bench::Plugin::open(file);
-    const EngineInfo info = plugin.engine().info();
-    for (const Model& model : info.models) {
-      result.push_back({file, info.name, model.name});
+  for (const bench::RegisteredEngine& engine : engines_of_the_build()) {
+    if (!engine.info) {
+      continue;
+    }
+    for (const Model& model : engine.info->models) {
+      result.push_back({engine.plugin, engine.name, model.name, engine.info->precision});
     }
   }
+  return result;
+}
+
+std::vector<ModelUnderTest> event_models() {
+  std::vector<ModelUnderTest> result = models_under_test();
+  std::erase_if(result, [](const ModelUnderTest& model) { return model.model != "event"; });
   return result;
 }
 

@@ -10,24 +10,40 @@
 #include <string>
 #include <vector>
 
+#include "bench/engine_registry.hpp"
 #include "bench/plugin.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 
 namespace tautline::test {
 
-/// One model of one plug-in in the folder of the build's plug-ins.
+/// One model of one plug-in of the build.
 struct ModelUnderTest {
   std::filesystem::path plugin;
   std::string engine;
   std::string model;
+  std::string precision;  // "float64" or "float32"
+
+  [[nodiscard]] bool in_double() const { return precision == "float64"; }
+
+  /// What a measure may reach: one limit for engines in double, one for those in float.
+  [[nodiscard]] double limit(double for_double, double for_float) const {
+    return in_double() ? for_double : for_float;
+  }
 };
 
 /// How a failing test names it.
 void PrintTo(const ModelUnderTest& model, std::ostream* out);
 
-/// Every model of every plug-in there. Their engines are gone again: no two share a test.
+/// Every engine of the build as the program found it, each in a process of its own. CTest runs each
+/// test in a process of its own too, with one engine: some share symbols.
+[[nodiscard]] std::vector<bench::RegisteredEngine> engines_of_the_build();
+
+/// Every model of every plug-in there.
 [[nodiscard]] std::vector<ModelUnderTest> models_under_test();
+
+/// Those called `event`, whose engines find the instants of the impacts.
+[[nodiscard]] std::vector<ModelUnderTest> event_models();
 
 /// "bullet64_contact_tuned".
 [[nodiscard]] std::string test_name(const testing::TestParamInfo<ModelUnderTest>& info);

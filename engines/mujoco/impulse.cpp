@@ -1,0 +1,71 @@
+// A cable is a tendon without a limit, which MuJoCo only measures. While it is overstretched when a
+// step starts, an impulse by hand gives it its bounce (`ten_J`, `mj_solveM`); MuJoCo flies.
+
+#include "models.hpp"
+#include "world.hpp"
+
+namespace tautline::mujoco {
+namespace {
+
+class ImpulseSimulation final : public Simulation {
+ public:
+  ImpulseSimulation(const Case& the_case, double step)
+      : case_(the_case),
+        correction_(usual_correction / step),
+        world_(the_case, Integrator::rk4),
+        impulses_(the_case.cables.size()) {}
+
+  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+
+  void step(double dt) override {
+    pull_overstretched(dt);
+    world_.advance(dt);
+  }
+
+ private:
+  void pull_overstretched(double dt) {
+    std::fill(impulses_.begin(), impulses_.end(), 0.0);
+    const std::vector<CableRow> rows = world_.look();
+    CableSet cables;
+    CableVector rates(static_cast<Eigen::Index>(rows.size()));
+    Eigen::Index count = 0;
+    for (std::size_t index = 0; index < rows.size(); ++index) {
+      const CableRow& row = rows[index];
+      if (acts(row, Activation::overstretched, dt)) {
+        cables.insert(index);
+        rates[count++] = wanted_rate(row, restitution(case_.cables[index], row.rate), correction_);
+      }
+    }
+    if (cables.empty()) {
+      return;
+    }
+    const CableVector impulses = world_.pull(cables, rates.head(count));
+    Eigen::Index position = 0;
+    for (const std::size_t index : cables) {
+      impulses_[index] = impulses[position++];
+    }
+  }
+
+  const Case case_;
+  double correction_;  // [1/s], part of the overstretch
+  World world_;
+  std::vector<double> impulses_;
+};
+
+}  // namespace
+
+std::vector<ModelEntry> impulse_models() {
+  return {
+      {{"impulse",
+        "Impulses by hand before the steps that start overstretched, for the larger of the bounce "
+        "and 0.2 of the overstretch per step; MuJoCo flies and gives tendons and masses.",
+        with_world_settings(
+            {{"integrator", "RK4", "It flies the exact parabola between the impulses."}})},
+       [](const Case& the_case, const RunSettings& run) -> std::unique_ptr<Simulation> {
+         return std::make_unique<ImpulseSimulation>(the_case, run.step);
+       },
+       true}};
+}
+
+}  // namespace tautline::mujoco

@@ -1,0 +1,112 @@
+// A cable is the upper limit of a spatial tendon (MuJoCo documentation, "Modeling", "Restitution"):
+// beyond its length x'' = -k x - b x' for the overstretch x, a spring and a damper that cannot
+// push. There is no restitution to set; k makes a bounce last a number of steps, b gives it its e.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "models.hpp"
+#include "world.hpp"
+
+namespace tautline::mujoco {
+namespace {
+
+/// A bounce without damping lasts this many steps. Fewer overstretch the cable less, and come less
+/// close to the restitution: with a stiffness of 1 / dt^2 (three steps) the run explodes.
+constexpr double steps_per_bounce = 20.0;
+
+/// The damping that stops a body in one step, b dt = 1, as a ratio [-]; more would overshoot.
+constexpr double largest_damping_ratio = steps_per_bounce / (2.0 * std::numbers::pi);
+
+/// The restitution of x'' = -k x - b x' with the damping ratio z = b / (2 sqrt k), from x = 0 until
+/// the pull is zero; it is zero before x is, so that the familiar exp(-pi z / sqrt(1 - z^2)) is too
+/// small. With z = sin beta and the phase p = sqrt(k) cos(beta) t, the motion from x' = v is
+///   x' = v exp(-p tan beta) (cos p - tan beta sin p),
+///   k x + b x' = v sqrt(k) exp(-p tan beta) sin(p + 2 beta) / cos beta,
+/// so the pull ends at p = pi - 2 beta, where the bracket is -1: e = exp(-(pi - 2 beta) tan beta).
+/// Beyond z = 1, beta is pi/2 - i mu with z = cosh mu, and e = exp(-2 mu coth mu).
+double restitution_of(double damping_ratio) {
+  if (damping_ratio < 1.0) {
+    const double beta = std::asin(damping_ratio);
+    return std::exp(-(std::numbers::pi - 2.0 * beta) * std::tan(beta));
+  }
+  const double mu = std::acosh(damping_ratio);
+  return std::exp(-2.0 * (mu > 0.0 ? mu / std::tanh(mu) : 1.0));
+}
+
+/// The damping ratio [-] whose restitution is `e`, by bisection: it falls as the ratio grows. The
+/// largest one where `e` is below what it gives, 0.02.
+double damping_ratio_of(double e) {
+  constexpr int halvings = 60;  // to the last bit
+  double low = 0.0;
+  double high = largest_damping_ratio;
+  for (int halving = 0; halving < halvings; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (restitution_of(middle) > e ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+std::vector<TendonLimit> limits_of(const Case& the_case, double step) {
+  const double frequency = std::numbers::pi / (steps_per_bounce * step);  // [1/s]
+  std::vector<TendonLimit> limits;
+  for (const Cable& cable : the_case.cables) {
+    limits.push_back(
+        {frequency * frequency, 2.0 * damping_ratio_of(cable.restitution) * frequency});
+  }
+  return limits;
+}
+
+class TendonLimitSimulation final : public Simulation {
+ public:
+  TendonLimitSimulation(const Case& the_case, Integrator integrator, double step)
+      : world_(the_case, integrator, limits_of(the_case, step)),
+        impulses_(the_case.cables.size()) {}
+
+  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+
+  void step(double dt) override {
+    world_.advance(dt);
+    const std::vector<double> forces = world_.limit_forces();
+    std::transform(forces.begin(), forces.end(), impulses_.begin(),
+                   [dt](double force) { return force * dt; });
+  }
+
+ private:
+  World world_;
+  std::vector<double> impulses_;
+};
+
+ModelEntry entry(std::string name, std::string sentence, Integrator integrator,
+                 const std::vector<Setting>& own) {
+  std::vector<Setting> settings = {
+      {"limited, range", "true, 0 to length", "A cable limits a distance."},
+      {"solreflimit", "-k, -b: k = (pi / (20 step))^2, b from the cable's restitution",
+       "A bounce lasts 20 steps, and ends, where the pull does, with the restitution."},
+      {"solimplimit", "0.9999 0.9999 1 0.5 1",
+       "MuJoCo's 0.9 to 0.95 would give less pull than the limit asks for; more than 0.9999 is not "
+       "allowed."}};
+  settings.insert(settings.end(), own.begin(), own.end());
+  return {
+      {std::move(name), std::move(sentence), with_world_settings(settings)},
+      [integrator](const Case& the_case, const RunSettings& run) -> std::unique_ptr<Simulation> {
+        return std::make_unique<TendonLimitSimulation>(the_case, integrator, run.step);
+      }};
+}
+
+}  // namespace
+
+std::vector<ModelEntry> tendon_limit_models() {
+  return {
+      entry("tendon-limit",
+            "The upper limit of a spatial tendon, a spring and a damper whose bounce lasts 20 "
+            "steps: what MuJoCo has for a cable.",
+            Integrator::euler, {}),
+      entry("tendon-limit-rk4", "The same limit, integrated by the method of Runge and Kutta.",
+            Integrator::rk4, {{"integrator", "RK4", "To see whether a better integrator helps."}})};
+}
+
+}  // namespace tautline::mujoco

@@ -1,0 +1,31 @@
+// Simbody: multibody dynamics in generalised coordinates, with error-controlled integrators.
+
+#include "tautline/plugin.hpp"
+
+#include <string>
+
+#include "models.hpp"
+#include "simbody.hpp"
+
+namespace tautline::simbody {
+namespace {
+
+std::string version() {
+  int major = 0;
+  int minor = 0;
+  int build = 0;
+  SimTK_version_simbody(&major, &minor, &build);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(build);
+}
+
+class SimbodyEngine final : public TableEngine {
+ public:
+  SimbodyEngine()
+      : TableEngine("simbody", version(), precision_of<SimTK::Real>,
+                    {rope_models(), event_handler_models()}) {}
+};
+
+}  // namespace
+}  // namespace tautline::simbody
+
+TAUTLINE_PLUGIN(tautline::simbody::SimbodyEngine)

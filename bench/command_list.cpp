@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <nlohmann/json.hpp>
 
@@ -25,8 +26,12 @@ void print_engine(const RegisteredEngine& engine) {
   }
   fmt::print("{}  version {}, {}\n", engine.info->name, printable(engine.info->version),
              engine.info->precision);
+  std::size_t longest = 0;
   for (const Model& model : engine.info->models) {
-    fmt::print("  {:<14} {}\n", model.name, printable(model.sentence, 1000));
+    longest = std::max(longest, model.name.size());
+  }
+  for (const Model& model : engine.info->models) {
+    fmt::print("  {:<{}}  {}\n", model.name, longest, printable(model.sentence, 1000));
   }
   fmt::print("\n");
 }

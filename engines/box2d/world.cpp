@@ -93,7 +93,7 @@ CableVector World::pull(const std::vector<CableRow>& rows, const CableVector& ra
   const Eigen::Vector3d velocity(now.velocity.x(), now.velocity.y(), now.spin);
   const CableVector excess = gradients.transpose() * velocity - rates;
   const double rounding = rate_rounding_of_floats * excess.cwiseAbs().maxCoeff();
-  const CableVector impulses = impulses_by_hand(
+  CableVector impulses = impulses_by_hand(
       gradients.transpose() * inverse_mass.asDiagonal() * gradients, excess, rounding);
   const Eigen::Vector3d total = gradients * impulses;
   const bool wake = true;

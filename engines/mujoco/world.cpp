@@ -119,7 +119,7 @@ CableVector World::pull(CableSet cables, const CableVector& rates) {
   auto responses = gradients;
   mj_solveM(model_.get(), data_.get(), responses.data(), gradients.data(),
             static_cast<int>(gradients.cols()));
-  const CableVector impulses =
+  CableVector impulses =
       impulses_by_hand(gradients.transpose() * responses, excess, impact_rounding(case_, state()));
   Eigen::Map<Vec3>(data_->qvel) += responses * impulses;
   return impulses;

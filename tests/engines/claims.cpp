@@ -21,13 +21,14 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_contract = 1U << 20U;  // [bytes]
 constexpr std::size_t most_exceptions = 1000;
 
-constexpr std::array<std::pair<Claim, std::string_view>, 7> claims = {
+constexpr std::array<std::pair<Claim, std::string_view>, 8> claims = {
     {{Claim::flight, "flight"},
      {Claim::central_restitution, "central-restitution"},
      {Claim::off_centre_restitution, "off-centre-restitution"},
      {Claim::slow_restitution, "slow-restitution"},
      {Claim::step_momentum, "step-momentum"},
      {Claim::mirror_symmetry, "mirror-symmetry"},
+     {Claim::overstretch, "overstretch"},
      {Claim::convergence, "convergence"}}};
 
 std::vector<std::string> claim_names() {

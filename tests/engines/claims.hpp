@@ -16,6 +16,7 @@ enum class Claim {
   slow_restitution,        // so does one at 0.05 m/s
   step_momentum,           // a step's impulses, at the pose of its solve, change the momentum
   mirror_symmetry,         // the mirrored case moves in the mirror
+  overstretch,             // steps of 0.01 s stretch no cable by more than 5 % of its length
   convergence,             // the error is at least of first order in the step
 };
 

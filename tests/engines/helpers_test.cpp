@@ -1,4 +1,5 @@
-// What adapters share: the clock, the unwrapped angle, and when and how fast a cable acts.
+// What adapters share: the clock, the unwrapped angle, when and how fast a cable acts, and
+// impulses.
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include "analytic/support.hpp"
 #include "tautline/cable_row.hpp"
 #include "tautline/clock.hpp"
+#include "tautline/impulses_by_hand.hpp"
 #include "tautline/model_table.hpp"
 #include "tautline/unwrap.hpp"
 
@@ -78,6 +80,26 @@ TEST(ModelTable, NamesItsModelsWhenAskedForAnother) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "model rope is unknown; there are row, event");
   }
+}
+
+TEST(ImpulsesByHand, GiveWhatTheRatesAreShortOf) {
+  const CableMatrix one = CableMatrix::Constant(1, 1, 2.0);
+  const auto impulse = [&](double excess) {
+    return impulses_by_hand(one, CableVector::Constant(1, excess), 0.0)[0];
+  };
+  EXPECT_EQ(impulse(-4.0), 2.0);
+  EXPECT_EQ(impulse(4.0), 0.0);
+}
+
+TEST(ImpulsesByHand, LeaveOutACableThatAsksForNothingWhereThereIsNoSolutionWithIt) {
+  CableMatrix opposed(2, 2);
+  opposed << 1.0, -1.0, -1.0, 1.0;
+  const CableVector both_cannot_open = (CableVector(2) << -1.0, 0.5).finished();
+  const CableVector impulses = impulses_by_hand(opposed, both_cannot_open, 0.0);
+  EXPECT_EQ(impulses[0], 1.0);
+  EXPECT_EQ(impulses[1], 0.0);
+  const CableVector both_close = CableVector::Constant(2, -1.0);
+  EXPECT_EQ(impulses_by_hand(opposed, both_close, 0.0).cwiseAbs().maxCoeff(), 0.0);
 }
 
 }  // namespace

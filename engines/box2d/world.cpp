@@ -105,7 +105,7 @@ CableVector World::pull(const std::vector<CableRow>& rows, const CableVector& ra
 std::vector<Setting> world_settings() {
   return {
       {"SetAllowSleeping", "false",
-       "Box2D freezes a body slower than 0.01 m/s for half a second, in the middle of a swing."},
+       "Box2D freezes a body slower than 0.01 m/s and 2 degrees/s for half a second."},
       {"velocityIterations, positionIterations",
        std::to_string(velocity_iterations) + ", " + std::to_string(position_iterations),
        "Box2D ships no default; its manual suggests these."},

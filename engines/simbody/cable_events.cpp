@@ -76,8 +76,7 @@ void CableEvents::react(SimTK::State& state) {
   const State now = body_.state_of(state);
   CableSet resting;
   for (const std::size_t index : cables) {
-    if (gap_rate(body_.the_case().cables[index], now) <=
-        rate_rounding * speed_scale(body_.the_case(), now)) {
+    if (gap_rate(body_.the_case().cables[index], now) <= capture_speed) {
       resting.insert(index);
     }
   }
@@ -86,6 +85,7 @@ void CableEvents::react(SimTK::State& state) {
     levels_[index] = std::max(0.0, rods_[index].findLengthViolation(state)) +
                      level_rounding * body_.the_case().cables[index].length;
   }
+  state.invalidateAll(SimTK::Stage::Position);  // Simbody keeps the values it watches with the pose
 }
 
 void CableEvents::start_step() {
@@ -129,7 +129,7 @@ void CableEvents::strike(SimTK::State& state, CableSet cables) {
   double fastest = 0.0;
   for (const std::size_t index : cables) {
     const double rate = gap_rate(the_case.cables[index], before);
-    if (rate <= rounding) {
+    if (is_taut(state, index) || rate <= rounding) {
       struck.insert(index);
       const double rebound = -rate * restitution(the_case.cables[index], rate);
       wanted.push_back(rebound > capture_speed ? rebound : 0.0);
@@ -202,6 +202,10 @@ void CableEvents::hold(SimTK::State& state, CableSet resting) {
     } else {
       rods_[index].disable(state);
     }
+  }
+  if (!resting.empty()) {
+    body_.system().realize(state, SimTK::Stage::Position);
+    body_.system().projectU(state, rate_rounding);  // what capture left of the rates
   }
   body_.system().realize(state, SimTK::Stage::Acceleration);
   CableSet taut = resting;

@@ -1,0 +1,143 @@
+// Siconos' time-stepping after Moreau and Jean: a step flies at the mean of the velocities at its
+// ends, and a linear complementarity problem of impulses makes the gap rates at its end what
+// Newton's law says of those at its start. With theta = 1/2 a flight is the exact parabola.
+// `moreau-jean-projected` then moves the body back to where no cable is overstretched.
+
+#include "system.hpp"  // before Siconos' own: see storage_in_cpp20.hpp
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <LCP.hpp>
+#include <MLCPProjectOnConstraints.hpp>
+#include <MoreauJeanDirectProjectionOSI.hpp>
+#include <MoreauJeanOSI.hpp>
+#include <TimeDiscretisation.hpp>
+#include <TimeStepping.hpp>
+#include <TimeSteppingDirectProjection.hpp>
+
+#include "models.hpp"
+#include "tautline/clock.hpp"
+
+namespace tautline::siconos_engine {
+namespace {
+
+/// The weight of a step's end in the mean of its velocities. One half is of second order in flight,
+/// and exact under gravity; 1 doubles the error of a run.
+constexpr double theta = 0.5;
+
+enum class Projection { none, direct };
+
+/// Siconos says on the standard output that a solver has failed and goes on with what is there.
+void refuse_failure(int info, ::Simulation* /*simulation*/) {
+  if (info != 0) {
+    throw std::runtime_error("the solver of the complementarity problem fails, code " +
+                             std::to_string(info));
+  }
+}
+
+std::shared_ptr<TimeStepping> stepping(const System& system, double dt, Projection projection) {
+  auto times = std::make_shared<TimeDiscretisation>(0.0, dt);
+  std::shared_ptr<TimeStepping> result;
+  if (projection == Projection::none) {
+    result = std::make_shared<TimeStepping>(system.dynamics(), times,
+                                            std::make_shared<MoreauJeanOSI>(theta),
+                                            std::make_shared<LCP>());
+  } else {
+    constexpr unsigned int all_cables = 0;  // index set that is projected on
+    result = std::make_shared<TimeSteppingDirectProjection>(
+        system.dynamics(), times, std::make_shared<MoreauJeanDirectProjectionOSI>(theta),
+        std::make_shared<LCP>(), std::make_shared<MLCPProjectOnConstraints>(), all_cables);
+  }
+  result->setCheckSolverFunction(refuse_failure);
+  return result;
+}
+
+class MoreauJeanSimulation final : public Simulation {
+ public:
+  MoreauJeanSimulation(const Case& the_case, Projection projection, double step)
+      : case_(the_case),
+        projection_(projection),
+        now_(the_case.initial),
+        impulses_(the_case.cables.size()) {
+    begin(step);
+  }
+
+  [[nodiscard]] State state() const override { return now_; }
+  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+
+  void step(double dt) override {
+    std::fill(impulses_.begin(), impulses_.end(), 0.0);
+    if (stop_) {
+      return;
+    }
+    try {
+      if (dt != dt_) {
+        begin(dt);
+      }
+      system_->set_restitutions();
+      stepping_->computeOneStep();
+      for (const std::size_t index : system_->index_set(1)) {
+        impulses_[index] = system_->multiplier(index, 1);
+      }
+      stepping_->nextStep();
+    } catch (const std::exception& error) {
+      std::fill(impulses_.begin(), impulses_.end(), 0.0);
+      stop_ = Stop{clock_.now(), reason(error)};
+      return;
+    }
+    now_ = system_->state();
+    clock_.advance(dt);
+  }
+
+ private:
+  /// Steps of `dt` from now on. The scheme has no memory but the state, so that a step of another
+  /// length is a new simulation from there.
+  void begin(double dt) {
+    dt_ = dt;
+    stepping_.reset();
+    system_.emplace(case_, now_);
+    stepping_ = stepping(*system_, dt, projection_);
+  }
+
+  const Case case_;
+  Projection projection_;
+  State now_;
+  Clock clock_;
+  double dt_ = 0.0;  // [s]
+  std::optional<System> system_;
+  std::shared_ptr<TimeStepping> stepping_;
+  std::vector<double> impulses_;
+  std::optional<Stop> stop_;
+};
+
+ModelEntry entry(std::string name, std::string sentence, Projection projection) {
+  return {{std::move(name),
+           std::move(sentence),
+           {{"setCheckSolverFunction", "ends the run",
+             "By default a solver that fails is told on the standard output and the run goes on."}}},
+          [projection](const Case& the_case,
+                       const RunSettings& settings) -> std::unique_ptr<Simulation> {
+            return std::make_unique<MoreauJeanSimulation>(the_case, projection, settings.step);
+          },
+          true};
+}
+
+}  // namespace
+
+std::vector<ModelEntry> moreau_jean_models() {
+  return {entry("moreau-jean",
+                "TimeStepping with MoreauJeanOSI: impulses of a linear complementarity problem "
+                "give the gap rates at a step's end Newton's restitution.",
+                Projection::none),
+          entry("moreau-jean-projected",
+                "TimeSteppingDirectProjection: the same, and then the pose is projected to where "
+                "no cable is overstretched.",
+                Projection::direct)};
+}
+
+}  // namespace tautline::siconos_engine

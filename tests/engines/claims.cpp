@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <optional>
-#include <utility>
 
+#include "bench/conformance.hpp"
 #include "bench/input_file.hpp"
 #include "bench/strict_table.hpp"
 #include "bench/text.hpp"
@@ -21,28 +20,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_contract = 1U << 20U;  // [bytes]
 constexpr std::size_t most_exceptions = 1000;
 
-constexpr std::array<std::pair<Claim, std::string_view>, 8> claims = {
-    {{Claim::flight, "flight"},
-     {Claim::central_restitution, "central-restitution"},
-     {Claim::off_centre_restitution, "off-centre-restitution"},
-     {Claim::slow_restitution, "slow-restitution"},
-     {Claim::step_momentum, "step-momentum"},
-     {Claim::mirror_symmetry, "mirror-symmetry"},
-     {Claim::overstretch, "overstretch"},
-     {Claim::convergence, "convergence"}}};
-
 std::vector<std::string> claim_names() {
   std::vector<std::string> names;
-  for (const auto& [claim, name] : claims) {
-    names.emplace_back(name);
+  for (const bench::Claim& claim : bench::claims()) {
+    names.emplace_back(claim.name);
   }
   return names;
-}
-
-std::optional<Claim> claim_of(const std::string& wanted) {
-  const auto* const row = std::find_if(claims.begin(), claims.end(),
-                                       [&](const auto& entry) { return entry.second == wanted; });
-  return row != claims.end() ? std::optional(row->first) : std::nullopt;
 }
 
 /// "unknown claim x; did you mean y?"
@@ -63,8 +46,8 @@ void read_exception(bench::StrictTable& table, std::size_t line,
     findings.add(line, unknown("model", model, models));
   }
   for (const std::string& name : table.texts("claims", "must be an array of claims")) {
-    if (const auto claim = claim_of(name)) {
-      exceptions.push_back({model, *claim, reason});
+    if (bench::find_claim(name) != nullptr) {
+      exceptions.push_back({model, name, reason});
     } else {
       findings.add(line, unknown("claim", name, claim_names()));
     }
@@ -73,12 +56,6 @@ void read_exception(bench::StrictTable& table, std::size_t line,
 }
 
 }  // namespace
-
-std::string_view to_string(Claim claim) {
-  const auto* const row = std::find_if(claims.begin(), claims.end(),
-                                       [&](const auto& entry) { return entry.first == claim; });
-  return row->second;
-}
 
 ContractFile read_contract(std::string_view text, const std::string& source_name,
                            std::span<const std::string> models) {
@@ -121,20 +98,19 @@ std::vector<fs::path> contract_files() {
   return files;
 }
 
-void expect_claim(const std::string& engine, const std::string& model, Claim claim, double reached,
-                  double allowed) {
-  std::cout << "  " << engine << " " << model << " " << to_string(claim) << ": reached " << reached
-            << ", allowed " << allowed << '\n';
-  testing::Test::RecordProperty("reached", std::to_string(reached));
+void expect_claim(const std::string& engine, const std::string& model, std::string_view claim,
+                  double reached, double allowed) {
+  std::cout << "  " << claim << ": reached " << reached << ", allowed " << allowed << '\n';
+  testing::Test::RecordProperty(std::string(claim), std::to_string(reached));
   const ContractFile contract = contract_of(engine, {});
   ASSERT_TRUE(contract.problems.empty()) << contract.problems.front();
   const auto exception =
       std::find_if(contract.exceptions.begin(), contract.exceptions.end(),
                    [&](const Exception& row) { return row.model == model && row.claim == claim; });
   if (exception == contract.exceptions.end()) {
-    EXPECT_LE(reached, allowed);
+    EXPECT_LE(reached, allowed) << claim;
   } else {
-    EXPECT_GT(reached, allowed) << "the claim holds now, although: " << exception->reason
+    EXPECT_GT(reached, allowed) << claim << " holds now, although: " << exception->reason
                                 << "; take it out of engines/" << engine << "/contract.toml";
   }
 }

@@ -24,7 +24,7 @@ TEST(ContractFile, TakesOneExceptionForEachClaim) {
   EXPECT_TRUE(file.problems.empty()) << file.problems.front();
   ASSERT_EQ(file.exceptions.size(), 2U);
   EXPECT_EQ(file.exceptions[1].model, "row");
-  EXPECT_EQ(file.exceptions[1].claim, Claim::convergence);
+  EXPECT_EQ(file.exceptions[1].claim, "convergence");
   EXPECT_EQ(file.exceptions[1].reason, "it is so");
 }
 
@@ -34,8 +34,8 @@ TEST(ContractFile, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(refusal(row + "since = 'ever'\n").rfind("contract.toml:5: exception[0].since", 0), 0U);
   EXPECT_EQ(refusal("[[exception]]\nmodel = 'row'\nclaims = ['flght']\nreason = 'so'\n"),
             "contract.toml:1: unknown claim flght; did you mean flight?");
-  EXPECT_EQ(refusal("[[exception]]\nmodel = 'slide'\nclaims = ['flight']\nreason = 'so'\n"),
-            "contract.toml:1: unknown model slide, must be row or slide-joint");
+  EXPECT_EQ(refusal("[[exception]]\nmodel = 'contact'\nclaims = ['flight']\nreason = 'so'\n"),
+            "contract.toml:1: unknown model contact, must be row or slide-joint");
   EXPECT_NE(refusal("[[exception]]\nmodel = 'row'\nclaims = []\nreason = 'so'\n"), "accepted");
   EXPECT_NE(refusal("[[exception]]\nmodel = 'row'\nclaims = 'flight'\nreason = 'so'\n"),
             "accepted");

@@ -80,20 +80,6 @@ std::optional<bench::Plugin> plugin_of(const std::string& engine) {
   return bench::Plugin::open(file);
 }
 
-void run(Simulation& simulation, double step, double end,
-         const std::function<void(const Moment&)>& look) {
-  const auto steps = static_cast<long>(std::llround(end / step));
-  for (long k = 1; k <= steps; ++k) {
-    const State before = simulation.state();
-    simulation.step(step);
-    const auto stop = simulation.stopped();
-    look({stop ? stop->time : static_cast<double>(k) * step, before, simulation.state()});
-    if (stop) {
-      return;
-    }
-  }
-}
-
 double largest_deviation(const Engine& engine, const std::string& model, const Case& the_case,
                          double step, double end) {
   const Solution exact = solve(the_case);
@@ -107,35 +93,6 @@ double largest_deviation(const Engine& engine, const std::string& model, const C
   });
   EXPECT_NEAR(reached, end, step) << "the run stopped early";
   return largest;
-}
-
-Case shipped_case(const std::string& name) {
-  for (const Case& the_case : shipped_cases()) {
-    if (the_case.name == name) {
-      return the_case;
-    }
-  }
-  throw std::invalid_argument("no case ships under the name " + name);
-}
-
-State mirrored(State state) {
-  state.position.x() = -state.position.x();
-  state.angle = -state.angle;
-  state.velocity.x() = -state.velocity.x();
-  state.spin = -state.spin;
-  return state;
-}
-
-Case mirrored(const Case& the_case) {
-  Case result = the_case;
-  result.gravity.x() = -result.gravity.x();
-  result.initial = mirrored(result.initial);
-  for (Cable& cable : result.cables) {
-    cable.anchor.x() = -cable.anchor.x();
-    cable.attachment.x() = -cable.attachment.x();
-  }
-  std::reverse(result.cables.begin(), result.cables.end());
-  return result;
 }
 
 bool is_finite(const State& state) {

@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "bench/conformance_run.hpp"
 #include "bench/engine_registry.hpp"
 #include "bench/plugin.hpp"
 #include "tautline/case.hpp"
@@ -51,28 +50,12 @@ void PrintTo(const ModelUnderTest& model, std::ostream* out);
 /// The plug-in `engine`; none where it is not built.
 [[nodiscard]] std::optional<bench::Plugin> plugin_of(const std::string& engine);
 
-/// A time at which a simulation was looked at, and its state there.
-struct Moment {
-  double time;   // [s]
-  State before;  // the latest step
-  State after;   // it
-};
-
-/// Steps `simulation` with `step` until `end` [s] or until it stops, and shows every step to
-/// `look`, the one in which it stops included.
-void run(Simulation& simulation, double step, double end,
-         const std::function<void(const Moment&)>& look);
+using bench::Moment;
+using bench::run;
 
 /// The largest distance of the centre of mass from `solve`'s over a run to `end` [m].
 [[nodiscard]] double largest_deviation(const Engine& engine, const std::string& model,
                                        const Case& the_case, double step, double end);
-
-/// The case that ships under `name`; it must exist.
-[[nodiscard]] Case shipped_case(const std::string& name);
-
-/// `the_case` in a mirror on the y axis, with the cables in reverse order.
-[[nodiscard]] Case mirrored(const Case& the_case);
-[[nodiscard]] State mirrored(State state);
 
 [[nodiscard]] bool is_finite(const State& state);
 

@@ -1,0 +1,155 @@
+#include "bench/conformance_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "tautline/flight.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A contact that goes on for longer is a cable that is held taut [steps].
+constexpr int longest_hit = 200;
+
+Flight flight_of(const Engine& engine, const std::string& model) {
+  Case fall = bouncing_ball();
+  fall.cables.front().length = 100.0;
+  const auto simulation = engine.start(fall, model, 1.0);
+  simulation->step(1.0);
+  const double fallen = fall.initial.position.y() - simulation->state().position.y();
+  if (fallen > 0.75) {
+    return Flight::velocity_first;
+  }
+  return fallen > 0.25 ? Flight::parabola : Flight::position_first;
+}
+
+}  // namespace
+
+std::string_view to_string(Flight flight) {
+  switch (flight) {
+    case Flight::parabola:
+      return "the exact parabola";
+    case Flight::velocity_first:
+      return "semi-implicit Euler, velocity first";
+    case Flight::position_first:
+      break;
+  }
+  return "semi-implicit Euler, position first";
+}
+
+State slack_step(State state, const Vec2& gravity, double dt, Flight flight) {
+  if (flight == Flight::parabola) {
+    return fly(state, gravity, dt);
+  }
+  if (flight == Flight::velocity_first) {
+    state.velocity += dt * gravity;
+  }
+  state.position += dt * state.velocity;
+  state.angle += dt * state.spin;
+  if (flight == Flight::position_first) {
+    state.velocity += dt * gravity;
+  }
+  return state;
+}
+
+State at_the_solve(State before, double dt, Flight flight) {
+  if (flight == Flight::position_first) {
+    before.position += dt * before.velocity;
+    before.angle += dt * before.spin;
+  }
+  return before;
+}
+
+Subject::Subject(const Engine& engine, std::string model)
+    : engine_(&engine),
+      model_(std::move(model)),
+      in_double_(engine.info().precision == "float64"),
+      flight_(flight_of(engine, model_)) {}
+
+std::unique_ptr<Simulation> Subject::start(const Case& the_case, double step) const {
+  return engine_->start(the_case, model_, step);
+}
+
+void run(Simulation& simulation, double step, double end,
+         const std::function<void(const Moment&)>& look) {
+  const auto steps = static_cast<long>(std::llround(end / step));
+  for (long k = 1; k <= steps; ++k) {
+    const State before = simulation.state();
+    simulation.step(step);
+    const auto stop = simulation.stopped();
+    look({stop ? stop->time : static_cast<double>(k) * step, before, simulation.state()});
+    if (stop) {
+      return;
+    }
+  }
+}
+
+std::optional<Hit> first_hit(const Subject& subject, const Case& the_case, double step,
+                             double end) {
+  const auto simulation = subject.start(the_case, step);
+  std::optional<Hit> hit;
+  bool over = false;
+  run(*simulation, step, end, [&](const Moment& moment) {
+    const double impulse = simulation->impulses()[0];
+    over = over || (hit && (impulse <= 0.0 || hit->steps >= longest_hit));
+    if (over || impulse <= 0.0) {
+      return;
+    }
+    if (!simulation->events().empty()) {
+      const Event& event = simulation->events().front();
+      hit = {event.before, event.after, event.impulses[0], 0};
+      over = true;
+      return;
+    }
+    const State pose = at_the_solve(moment.before, step, subject.flight());
+    if (!hit) {
+      hit = {pose, pose, 0.0, 0};
+    }
+    hit->after = pose;
+    hit->after.velocity = moment.after.velocity;
+    hit->after.spin = moment.after.spin;
+    hit->impulse += impulse;
+    ++hit->steps;
+  });
+  return hit;
+}
+
+double largest_difference(const State& a, const State& b) {
+  return std::max({(a.position - b.position).cwiseAbs().maxCoeff(), std::abs(a.angle - b.angle),
+                   (a.velocity - b.velocity).cwiseAbs().maxCoeff(), std::abs(a.spin - b.spin)});
+}
+
+Case shipped_case(std::string_view name) {
+  for (const Case& the_case : shipped_cases()) {
+    if (the_case.name == name) {
+      return the_case;
+    }
+  }
+  throw std::invalid_argument("no case ships under the name " + std::string(name));
+}
+
+State mirrored(State state) {
+  state.position.x() = -state.position.x();
+  state.angle = -state.angle;
+  state.velocity.x() = -state.velocity.x();
+  state.spin = -state.spin;
+  return state;
+}
+
+Case mirrored(const Case& the_case) {
+  Case result = the_case;
+  result.gravity.x() = -result.gravity.x();
+  result.initial = mirrored(result.initial);
+  for (Cable& cable : result.cables) {
+    cable.anchor.x() = -cable.anchor.x();
+    cable.attachment.x() = -cable.attachment.x();
+  }
+  std::reverse(result.cables.begin(), result.cables.end());
+  return result;
+}
+
+}  // namespace tautline::bench

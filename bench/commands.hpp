@@ -59,6 +59,15 @@ struct BenchCommand {
 };
 [[nodiscard]] int bench_command(const BenchCommand& command);
 
+/// What `tautline check` was asked.
+struct CheckCommand {
+  std::string engine;
+  std::string model;  // or empty: all
+  std::string json;
+  double time_limit = 60.0;  // [s], for each model
+};
+[[nodiscard]] int check_command(const CheckCommand& command);
+
 /// What `tautline reproduce` was asked.
 struct ReproduceCommand {
   std::filesystem::path out = "results";

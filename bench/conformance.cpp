@@ -9,8 +9,16 @@
 #include <exception>
 #include <limits>
 
+#include "bench/text.hpp"
+
 namespace tautline::bench {
 namespace {
+
+using nlohmann::ordered_json;
+
+/// A greeting at each of the hundred runs of a check is fine, a line at each of its hundred
+/// thousand steps is not [bytes].
+constexpr double most_printed = 65536;
 
 constexpr std::array all_claims = {
     Claim{"state-echo", "a run begins in the initial state it was given",
@@ -59,15 +67,6 @@ Finding settle(const Claim& claim, const Subject& subject) {
   return finding;
 }
 
-Finding failure(std::string_view claim, const std::string& what) {
-  Finding finding;
-  finding.claim = claim;
-  finding.found = std::numeric_limits<double>::quiet_NaN();
-  finding.limit = std::numeric_limits<double>::quiet_NaN();
-  finding.sentence = "the engine threw: " + what;
-  return finding;
-}
-
 }  // namespace
 
 std::span<const Claim> claims() { return all_claims; }
@@ -89,11 +88,60 @@ std::vector<Finding> check_model(const Engine& engine, const std::string& model,
       try {
         findings.push_back(settle(claim, subject));
       } catch (const std::exception& error) {
-        findings.push_back(failure(claim.name, error.what()));
+        findings.push_back(
+            unmeasured(claim.name, std::string("the engine threw: ") + error.what()));
       }
     }
   } catch (const std::exception& error) {
-    findings.push_back(failure(all_claims.front().name, error.what()));
+    findings.push_back(
+        unmeasured(all_claims.front().name, std::string("the engine threw: ") + error.what()));
+  }
+  return findings;
+}
+
+Finding unmeasured(std::string_view claim, const std::string& why) {
+  Finding finding;
+  finding.claim = claim;
+  finding.found = std::numeric_limits<double>::quiet_NaN();
+  finding.limit = std::numeric_limits<double>::quiet_NaN();
+  finding.sentence = why;
+  return finding;
+}
+
+Finding quiet(std::size_t printed, const std::string& tail) {
+  Finding finding;
+  finding.claim = "quiet";
+  finding.found = static_cast<double>(printed);
+  finding.limit = most_printed;
+  finding.holds = finding.found <= finding.limit;
+  finding.sentence = printed == 0 ? "prints nothing" : fmt::format("prints {} bytes", printed);
+  if (!finding.holds) {
+    finding.sentence += ", the last of them: " + printable(tail.substr(0, tail.find('\n')));
+  }
+  return finding;
+}
+
+ordered_json findings_json(const std::vector<Finding>& findings) {
+  ordered_json rows = ordered_json::array();
+  for (const Finding& finding : findings) {
+    rows.push_back({{"claim", finding.claim},
+                    {"found", finding.found},  // null where it is not finite
+                    {"limit", finding.limit},
+                    {"holds", finding.holds},
+                    {"sentence", finding.sentence}});
+  }
+  return rows;
+}
+
+std::vector<Finding> findings_from(const ordered_json& json) {
+  std::vector<Finding> findings;
+  for (const ordered_json& row : json) {
+    const auto number = [&row](const char* key) {
+      return row.at(key).is_number() ? row.at(key).get<double>()
+                                     : std::numeric_limits<double>::quiet_NaN();
+    };
+    findings.push_back(
+        {row.at("claim"), number("found"), number("limit"), row.at("holds"), row.at("sentence")});
   }
   return findings;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <optional>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,6 +51,18 @@ struct Finding {
 using CheckProgress = std::function<void(std::string_view, const std::vector<Finding>&)>;
 [[nodiscard]] std::vector<Finding> check_model(const Engine& engine, const std::string& model,
                                                const CheckProgress& progress);
+
+/// The finding for a claim that could not be measured, and why.
+[[nodiscard]] Finding unmeasured(std::string_view claim, const std::string& why);
+
+/// The finding of the claim `quiet`, which only the process around the engine can tell: `printed`
+/// [bytes], and the last of it.
+[[nodiscard]] Finding quiet(std::size_t printed, const std::string& tail);
+inline constexpr std::string_view quiet_sentence = "the engine does not print at every step";
+inline constexpr std::string_view quiet_reason = "a greeting at each of the runs of a check";
+
+[[nodiscard]] nlohmann::ordered_json findings_json(const std::vector<Finding>& findings);
+[[nodiscard]] std::vector<Finding> findings_from(const nlohmann::ordered_json& json);
 
 // The measures, by what they look at. Lengths in [m], times in [s]; see `claims` for what each is.
 [[nodiscard]] Measure measure_state_echo(const Subject& subject);

@@ -1,17 +1,13 @@
-// What a run as a whole must keep: energy, length, symmetry, sameness, and an error that shrinks
-// with the step.
+// What a run as a whole must keep: energy, and the length of its cables.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 #include "bench/conformance.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
-#include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -31,18 +27,6 @@ constexpr double overstretch_limit = 5.0;  // of v dt
 /// with any correction it does not lengthen.
 constexpr double growth_limit = 1e-4;  // [m]
 
-/// Solvers that go from cable to cable leave 1e-6 by their order in ten sweeps; what rounding
-/// grows to is below, in double.
-constexpr double mirror_limit = 1e-5;
-constexpr double mirror_limit_in_float = 0.1;
-
-/// A first-order method has a slope of 1. Where an impact falls in its step scatters it by 0.1, and
-/// a spring contact brings it down to 0.8.
-constexpr double slope_limit = 0.3;  // below 1
-
-/// Deviations this many roundings large say nothing of a slope: the model is exact.
-constexpr double exact_roundings = 1e4;
-
 /// The highest rise of the energy of `the_case` above its start, of m g v dt, where v is the speed
 /// it gives at the origin, which is the lowest pose.
 double energy_rise(const Subject& subject, const Case& the_case, double end) {
@@ -54,42 +38,6 @@ double energy_rise(const Subject& subject, const Case& the_case, double end) {
   const double weight = the_case.body.mass * the_case.gravity.norm();
   const double speed = std::sqrt(2.0 * start / the_case.body.mass);
   return rise / (weight * speed * usual_step);
-}
-
-Case standard_breakwater(double restitution) {
-  Breakwater parameters = table_5_1().front().parameters;
-  parameters.e = restitution;
-  return breakwater(parameters, "standard");
-}
-
-/// The slope of log(deviation) over log(step): the order of a method.
-double order(const std::vector<double>& steps, const std::vector<double>& deviations) {
-  const auto count = static_cast<double>(steps.size());
-  double mean_x = 0.0;
-  double mean_y = 0.0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    mean_x += std::log(steps[k]) / count;
-    mean_y += std::log(deviations[k]) / count;
-  }
-  double across = 0.0;
-  double square = 0.0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    across += (std::log(steps[k]) - mean_x) * (std::log(deviations[k]) - mean_y);
-    square += (std::log(steps[k]) - mean_x) * (std::log(steps[k]) - mean_x);
-  }
-  return across / square;
-}
-
-/// The largest distance from the exact motion over a run of two seconds [m].
-double deviation(const Subject& subject, const Case& the_case, const Solution& exact, double step) {
-  const auto simulation = subject.start(the_case, step);
-  double largest = 0.0;
-  run(*simulation, step, 2.0, [&](const Moment& moment) {
-    const Vec2 away = moment.after.position - exact.at(moment.time).position;
-    largest = std::isfinite(away.norm()) ? std::max(largest, away.norm())
-                                         : std::numeric_limits<double>::infinity();
-  });
-  return largest;
 }
 
 /// A pendulum that starts to swing on its taut cable.
@@ -168,84 +116,6 @@ Measure measure_taut_growth(const Subject& subject) {
     sentence += fmt::format("; the run stopped at t = {:.4g}: {}", reached, stop->reason);
   }
   return {found, growth_limit, sentence};
-}
-
-Measure measure_mirror_symmetry(const Subject& subject) {
-  double found = 0.0;
-  for (const std::string_view name :
-       {"breakwater/19101211150", "tilted-gravity", "plate-four-cables"}) {
-    const Case the_case = shipped_case(name);
-    const auto original = subject.start(the_case, usual_step);
-    const auto image = subject.start(mirrored(the_case), usual_step);
-    run(*original, usual_step, 0.5, [&](const Moment& moment) {
-      image->step(usual_step);
-      if (!image->stopped()) {
-        found = std::max(found, largest_difference(moment.after, mirrored(image->state())));
-      }
-    });
-  }
-  // a fall onto both cables at once stays on the mirror's line
-  Case symmetric = standard_breakwater(0.9);
-  symmetric.initial = {Vec2(0.0, 0.3), 0.0, Vec2::Zero(), 0.0};
-  const auto simulation = subject.start(symmetric, usual_step);
-  run(*simulation, usual_step, 2.0, [&](const Moment& moment) {
-    found = std::max({found, std::abs(moment.after.position.x()), std::abs(moment.after.spin)});
-  });
-  const double limit = subject.in_double() ? mirror_limit : mirror_limit_in_float;
-  return {found, limit,
-          found <= limit ? fmt::format("the mirrored case moves in the mirror, to {:.2g}", found)
-                         : fmt::format("the mirrored case does not move in the mirror: off by "
-                                       "{:.2g}; left and right, or the order of cables, matter",
-                                       found)};
-}
-
-Measure measure_determinism(const Subject& subject) {
-  const Case the_case = shipped_case("plate-four-cables");
-  std::vector<State> first;
-  const auto one = subject.start(the_case, usual_step);
-  run(*one, usual_step, 3.0, [&](const Moment& moment) { first.push_back(moment.after); });
-  const auto other = subject.start(the_case, usual_step);
-  double found = 0.0;
-  double since = -1.0;
-  std::size_t index = 0;
-  run(*other, usual_step, 3.0, [&](const Moment& moment) {
-    const double apart = index < first.size() ? largest_difference(moment.after, first[index])
-                                              : std::numeric_limits<double>::infinity();
-    ++index;
-    if (apart != 0.0 && since < 0.0) {
-      since = moment.time;
-    }
-    found = std::isnan(apart) ? apart : std::max(found, apart);
-  });
-  return {found, 0.0,
-          found == 0.0 ? "a second run is the same, bit by bit"
-                       : fmt::format("not deterministic: a second run of the same case differs, "
-                                     "from t = {:.4g} on, by up to {:.2g}",
-                                     since, found)};
-}
-
-Measure measure_convergence(const Subject& subject) {
-  const Case the_case = standard_breakwater(0.9);
-  const Solution exact = solve(the_case);
-  // below 1e-3 the rounding of positions in float is as large as the error of the step
-  const std::vector<double> steps = subject.in_double() ? std::vector<double>{1e-2, 1e-3, 1e-4}
-                                                        : std::vector<double>{1e-2, 3e-3, 1e-3};
-  std::vector<double> deviations;
-  for (const double step : steps) {
-    deviations.push_back(deviation(subject, the_case, exact, step));
-  }
-  if (deviations.front() <= exact_roundings * subject.rounding()) {
-    return {0.0, slope_limit,
-            fmt::format("exact whatever the step, to {:.2g} m", deviations.front())};
-  }
-  const double slope = order(steps, deviations);
-  const double found = std::max(0.0, 1.0 - slope);
-  const std::string numbers = fmt::format(
-      "off by {:.2g} m at a step of {:g} s and by {:.2g} m at {:g} s, a slope of {:.2f}",
-      deviations.front(), steps.front(), deviations.back(), steps.back(), slope);
-  return {
-      std::isnan(slope) ? slope : found, slope_limit,
-      found <= slope_limit ? numbers : "smaller steps do not bring it to the motion: " + numbers};
 }
 
 }  // namespace tautline::bench

@@ -132,6 +132,12 @@ Case shipped_case(std::string_view name) {
   throw std::invalid_argument("no case ships under the name " + std::string(name));
 }
 
+Case standard_breakwater(double restitution) {
+  Breakwater parameters = table_5_1().front().parameters;
+  parameters.e = restitution;
+  return breakwater(parameters, "standard");
+}
+
 State mirrored(State state) {
   state.position.x() = -state.position.x();
   state.angle = -state.angle;

@@ -75,6 +75,9 @@ struct Hit {
 /// The case that ships under `name`; it must exist.
 [[nodiscard]] Case shipped_case(std::string_view name);
 
+/// The first breakwater of Table 5.1, with this restitution.
+[[nodiscard]] Case standard_breakwater(double restitution);
+
 /// `the_case` in a mirror on the y axis, with the cables in reverse order.
 [[nodiscard]] Case mirrored(const Case& the_case);
 [[nodiscard]] State mirrored(State state);

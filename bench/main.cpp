@@ -65,7 +65,8 @@ constexpr const char* case_help =
 /// The commands and their options; `code` gets the exit code of the one that ran. Everything given
 /// here must outlive `app`, which runs the command while it parses.
 void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, BenchCommand& bench,
-            ReproduceCommand& reproduce, EnginesCommand& engines, CasesCommand& cases) {
+            CheckCommand& check, ReproduceCommand& reproduce, EnginesCommand& engines,
+            CasesCommand& cases) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
 
@@ -123,6 +124,17 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
                       "also write the report as JSON to this file, or to stdout: -");
   command->callback([&] { code = bench_command(bench); });
 
+  command = app.add_subcommand("check", "Whether an engine does what every sound engine does");
+  command->add_option("PLUGIN", check.engine, "the path of a plug-in, or an engine's name")
+      ->required();
+  command->add_option("--model", check.model, "only this model (default: all)");
+  command
+      ->add_option("--time-limit", check.time_limit, "end the check of a model after this long [s]")
+      ->capture_default_str();
+  command->add_option("--json", check.json,
+                      "write the verdicts as JSON to this file, or to stdout: -");
+  command->callback([&] { code = check_command(check); });
+
   command = app.add_subcommand("reproduce",
                                "The source chapter's tables and figures, and what it got wrong");
   command->add_option("--out", reproduce.out, "folder for chapter.md, chapter.json and chapter/")
@@ -150,11 +162,12 @@ int run_program(int count, char** arguments) {
   SolveCommand solve;
   RunCommand run;
   BenchCommand bench;
+  CheckCommand check;
   ReproduceCommand reproduce;
   EnginesCommand engines;
   CasesCommand cases;
   bench.command_line = typed(count, arguments);
-  set_up(app, code, solve, run, bench, reproduce, engines, cases);
+  set_up(app, code, solve, run, bench, check, reproduce, engines, cases);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

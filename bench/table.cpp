@@ -37,8 +37,8 @@ std::string markdown_text(const std::string& text) {
   return result;
 }
 
-Table::Table(std::vector<std::string> headings, std::size_t left)
-    : headings_(std::move(headings)), left_(left) {}
+Table::Table(std::vector<std::string> headings, std::size_t left, std::size_t words)
+    : headings_(std::move(headings)), left_(left), words_(words) {}
 
 void Table::add(std::vector<std::string> cells) {
   assert(cells.size() == headings_.size() && "one cell per heading");
@@ -63,7 +63,7 @@ std::string Table::line(const std::vector<std::string>& cells,
   std::string result;
   for (std::size_t column = 0; column < cells.size(); ++column) {
     result +=
-        (column == 0 ? "" : separator) + padded(cells[column], widths[column], column < left_);
+        (column == 0 ? "" : separator) + padded(cells[column], widths[column], holds_words(column));
   }
   return result;
 }
@@ -77,7 +77,7 @@ std::string Table::markdown() const {
   std::vector<std::string> rule;
   for (std::size_t column = 0; column < headings_.size(); ++column) {
     std::string dashes(width[column], '-');
-    if (column >= left_) {
+    if (!holds_words(column)) {
       dashes.back() = ':';
     }
     rule.push_back(std::move(dashes));

@@ -11,8 +11,9 @@ namespace tautline::bench {
 /// A table of text whose columns line up, so that it reads the same rendered and raw.
 class Table {
  public:
-  /// The first `left` columns hold words, the others numbers, set to the right.
-  Table(std::vector<std::string> headings, std::size_t left);
+  /// The first `left` columns hold words, and so do the last `words`; the others numbers, set to
+  /// the right.
+  Table(std::vector<std::string> headings, std::size_t left, std::size_t words = 0);
 
   /// One cell per heading.
   void add(std::vector<std::string> cells);
@@ -32,8 +33,14 @@ class Table {
                                  const std::vector<std::size_t>& widths,
                                  const std::string& separator) const;
 
+  /// True for words, which are set to the left.
+  [[nodiscard]] bool holds_words(std::size_t column) const {
+    return column < left_ || column + words_ >= headings_.size();
+  }
+
   std::vector<std::string> headings_;
   std::size_t left_;
+  std::size_t words_;
   std::vector<std::vector<std::string>> rows_;
 };
 

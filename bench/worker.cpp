@@ -66,6 +66,20 @@ Cost measure_cost(const Case& the_case, const Engine& engine, const std::string&
   return {(middle - start) / count, peak_memory(), (end - middle) / count};
 }
 
+/// Writes a message in place of the one before, which was never longer. False where it cannot.
+bool write_reply(const Message& reply) {
+  ::lseek(reply_descriptor, 0, SEEK_SET);
+  const std::string text = to_bytes(reply);
+  for (std::string_view bytes = text; !bytes.empty();) {
+    const ssize_t size = ::write(reply_descriptor, bytes.data(), bytes.size());
+    if (size <= 0) {
+      return false;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(size));
+  }
+  return true;
+}
+
 ImpactLaw impact_law(const std::string& name) {
   const auto law = std::find_if(impact_laws.begin(), impact_laws.end(),
                                 [&](ImpactLaw known) { return to_string(known) == name; });
@@ -87,10 +101,21 @@ Message do_run(const ordered_json& request, const Plugin& plugin) {
   return reply;
 }
 
+/// Says before each claim which one it is: the program reads that should this process die of it.
+Message do_check(const std::string& model, const Plugin& plugin) {
+  const auto progress = [](std::string_view claim, const std::vector<Finding>& findings) {
+    static_cast<void>(write_reply({{{"claim", claim}, {"findings", findings_json(findings)}}, {}}));
+  };
+  return {{{"findings", findings_json(check_model(plugin.engine(), model, progress))}}, {}};
+}
+
 Message obey(const ordered_json& request) {
   const Plugin plugin = Plugin::open(request.at("plugin").get<std::string>());
   if (request.contains("case")) {
     return do_run(request, plugin);
+  }
+  if (request.contains("check")) {
+    return do_check(request.at("check"), plugin);
   }
   return {engine_json(plugin.engine().info()), {}};
 }
@@ -110,6 +135,7 @@ void limit_this_process(std::size_t memory) {
 /// Sends a request to a worker process; the reply, or what went wrong.
 struct Exchange {
   std::optional<Message> message;
+  std::optional<Message> unfinished;  // the last word of a worker that did not come to its end
   std::string failure;
   ProcessEnd end;
 };
@@ -134,9 +160,7 @@ Exchange exchange(const ordered_json& request, const WorkerLimits& limits) {
   const Descriptor output = memory_file("");
   result.end = run_process({"/proc/self/exe", worker_command}, input, output, limits.time);
   const bool whole = result.end.kind == ProcessEnd::Kind::exited && result.end.code == 0;
-  if (whole) {
-    result.message = from_bytes(content_of(output));
-  }
+  (whole ? result.message : result.unfinished) = from_bytes(content_of(output));
   if (!result.message) {
     result.failure = failure_of(result.end, limits);
   } else if (result.message->head.contains("failure")) {
@@ -186,6 +210,26 @@ DescribeReply describe_in_worker(const std::filesystem::path& plugin, const Work
   return reply;
 }
 
+CheckReply check_in_worker(const std::filesystem::path& plugin, const std::string& model,
+                           const WorkerLimits& limits) {
+  const Exchange answer =
+      exchange({{"plugin", plugin.string()}, {"check", model}, {"memory", limits.memory}}, limits);
+  CheckReply reply;
+  reply.interrupted = answer.end.kind == ProcessEnd::Kind::interrupted;
+  if (answer.message) {
+    reply.findings = findings_from(answer.message->head.at("findings"));
+  } else {
+    std::string claim(claims().front().name);
+    if (answer.unfinished && answer.unfinished->head.contains("claim")) {
+      claim = answer.unfinished->head.at("claim");
+      reply.findings = findings_from(answer.unfinished->head.at("findings"));
+    }
+    reply.findings.push_back(unmeasured(claim, answer.failure));
+  }
+  reply.findings.push_back(quiet(answer.end.printed, answer.end.output_tail));
+  return reply;
+}
+
 int worker_main() {
   Message reply;
   try {
@@ -197,14 +241,8 @@ int worker_main() {
   } catch (const std::exception& error) {
     reply = {{{"failure", error.what()}}, {}};
   }
-  std::string_view bytes;
-  const std::string text = to_bytes(reply);
-  for (bytes = text; !bytes.empty();) {
-    const ssize_t size = ::write(reply_descriptor, bytes.data(), bytes.size());
-    if (size <= 0) {
-      return 1;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(size));
+  if (::ftruncate(reply_descriptor, 0) != 0 || !write_reply(reply)) {
+    return 1;
   }
   std::fflush(nullptr);
   ::_exit(0);  // without static destructors: an engine has nothing to say any more

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "bench/conformance.hpp"
 #include "bench/record.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
@@ -52,6 +54,15 @@ struct DescribeReply {
 };
 [[nodiscard]] DescribeReply describe_in_worker(const std::filesystem::path& plugin,
                                                const WorkerLimits& limits = {.time = 10.0});
+
+/// Every claim about one model, settled in a worker process. A crash, a hang and a flood of output
+/// are findings too; the claims after a crash or a hang are missing.
+struct CheckReply {
+  std::vector<Finding> findings;
+  bool interrupted = false;  // the program was told to stop; the rest is missing
+};
+[[nodiscard]] CheckReply check_in_worker(const std::filesystem::path& plugin,
+                                         const std::string& model, const WorkerLimits& limits);
 
 /// The other side: reads a request from descriptor 0, does it, writes the reply to descriptor 3.
 /// Returns the exit code. Called by the program's hidden command.

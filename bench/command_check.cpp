@@ -80,10 +80,10 @@ std::string closing(const EngineInfo& info, const std::vector<ModelCheck>& check
     return fmt::format("{}: every claim holds for {}.", info.name,
                        checks.size() == 1 ? "this model" : "all of its models");
   }
-  return fmt::format("{}: {} of {} models {} every claim; not so {}.", info.name,
+  return fmt::format("{}: {} of {} models {} every claim; {} {} not.", info.name,
                      checks.size() - unsound.size(), checks.size(),
-                     checks.size() - unsound.size() == 1 ? "keeps" : "keep",
-                     joined(unsound, "and"));
+                     checks.size() - unsound.size() == 1 ? "keeps" : "keep", joined(unsound, "and"),
+                     unsound.size() == 1 ? "does" : "do");
 }
 
 ordered_json check_json(const RegisteredEngine& engine, const std::vector<ModelCheck>& checks) {

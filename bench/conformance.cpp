@@ -67,6 +67,18 @@ Finding settle(const Claim& claim, const Subject& subject) {
   return finding;
 }
 
+/// The last line of `text` that is not empty.
+std::string last_line(std::string text) {
+  text.erase(text.find_last_not_of('\n') + 1);
+  return text.substr(text.rfind('\n') + 1);
+}
+
+/// Why a claim could not be measured.
+std::string reason(const std::exception& error) {
+  const bool stopped = dynamic_cast<const RunStopped*>(&error) != nullptr;
+  return (stopped ? "" : "the engine threw: ") + std::string(error.what());
+}
+
 }  // namespace
 
 std::span<const Claim> claims() { return all_claims; }
@@ -88,13 +100,11 @@ std::vector<Finding> check_model(const Engine& engine, const std::string& model,
       try {
         findings.push_back(settle(claim, subject));
       } catch (const std::exception& error) {
-        findings.push_back(
-            unmeasured(claim.name, std::string("the engine threw: ") + error.what()));
+        findings.push_back(unmeasured(claim.name, reason(error)));
       }
     }
   } catch (const std::exception& error) {
-    findings.push_back(
-        unmeasured(all_claims.front().name, std::string("the engine threw: ") + error.what()));
+    findings.push_back(unmeasured(all_claims.front().name, reason(error)));
   }
   return findings;
 }
@@ -116,7 +126,7 @@ Finding quiet(std::size_t printed, const std::string& tail) {
   finding.holds = finding.found <= finding.limit;
   finding.sentence = printed == 0 ? "prints nothing" : fmt::format("prints {} bytes", printed);
   if (!finding.holds) {
-    finding.sentence += ", the last of them: " + printable(tail.substr(0, tail.find('\n')));
+    finding.sentence += ", the last line of them: " + printable(last_line(tail));
   }
   return finding;
 }

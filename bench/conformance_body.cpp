@@ -76,8 +76,8 @@ Measure measure_mass(const Subject& subject) {
       return {not_hit, body_limit, not_hit_sentence};
     }
     const double shown = hit->impulse / (hit->after.velocity - hit->before.velocity).norm();
-    const double error = std::abs(shown / mass - 1.0);
-    if (sentence.empty() || !(error <= found)) {
+    const double error = worse(0.0, std::abs(shown / mass - 1.0));
+    if (error >= found) {
       found = error;
       sentence = fmt::format(
           "a central hit changes the velocity as the reported impulse does that of {:.4g} kg, "
@@ -138,22 +138,30 @@ Measure measure_angular_momentum(const Subject& subject) {
   Case the_case = spinning_on_one_cable(0.05);
   the_case.gravity = Vec2::Zero();
   const auto simulation = subject.start(the_case, step);
-  double hit = 0.0;
-  run(*simulation, step, 0.5, [&](const Moment&) { hit += simulation->impulses()[0]; });
-  if (!(hit > 0.0)) {
+  std::optional<State> before;  // the first step with an impulse
+  State after;                  // the last one of the same contact
+  bool over = false;
+  run_whole(*simulation, step, 0.5, [&](const Moment& moment) {
+    const bool hit = simulation->impulses()[0] > 0.0;
+    over = over || (before && !hit);
+    if (hit && !over) {
+      before = before.value_or(moment.before);
+      after = moment.after;
+    }
+  });
+  if (!before) {
     return {not_hit, body_limit, not_hit_sentence};
   }
-  const State last = simulation->state();
   const double change =
-      momentum_about_anchor(the_case, last) - momentum_about_anchor(the_case, the_case.initial);
-  const double turned = the_case.body.inertia * std::abs(last.spin - the_case.initial.spin);
+      momentum_about_anchor(the_case, after) - momentum_about_anchor(the_case, *before);
+  const double turned = the_case.body.inertia * std::abs(after.spin - before->spin);
   const double found = std::abs(change) / turned;
   return {found, body_limit,
           found <= body_limit
               ? "a hit leaves the angular momentum about the anchor as it is"
               : fmt::format("a hit changes the angular momentum about the anchor, by {:.2g} of "
-                            "the spin it gives: the impulse does not act along the cable, or on "
-                            "another inertia",
+                            "what it turns the body by: the impulse does not act along the cable, "
+                            "or on another inertia",
                             found)};
 }
 

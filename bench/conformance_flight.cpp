@@ -40,12 +40,12 @@ Fallen fall(const Subject& subject, const Fall& plan) {
   State wanted[std::size(flights)];
   std::fill(std::begin(wanted), std::end(wanted), the_case.initial);
   Fallen result;
-  run(*simulation, plan.step, plan.end, [&](const Moment& moment) {
+  run_whole(*simulation, plan.step, plan.end, [&](const Moment& moment) {
     for (std::size_t k = 0; k < std::size(flights); ++k) {
       wanted[k] = slack_step(wanted[k], the_case.gravity, plan.step, flights[k]);
       result.from[k] = std::max(result.from[k], largest_difference(moment.after, wanted[k]));
     }
-    result.largest_impulse = std::max(result.largest_impulse, simulation->impulses()[0]);
+    result.largest_impulse = worse(result.largest_impulse, std::abs(simulation->impulses()[0]));
     if (result.first_move == 0.0) {
       result.first_move = (moment.after.position - moment.before.position).norm();
     }
@@ -64,6 +64,9 @@ std::string defect(const Fallen& coarse, const Fallen& fine, std::size_t nearest
   if (coarse.largest_impulse > 0.0 || fine.largest_impulse > 0.0) {
     return fmt::format("a slack cable pulls, with an impulse of {:.2g} N s",
                        std::max(coarse.largest_impulse, fine.largest_impulse));
+  }
+  if (!std::isfinite(coarse.from[nearest] + fine.from[nearest])) {
+    return "the state is not a number, or beyond all numbers, before the fall ends";
   }
   if (coarse.first_move < 2.0 * fine.first_move) {  // ten times as far, or nearly, is right
     return fmt::format(
@@ -117,20 +120,19 @@ Measure measure_state_echo(const Subject& subject) {
 Measure measure_flight(const Subject& subject) {
   const Fallen coarse = fall(subject, falls[0]);
   const Fallen fine = fall(subject, falls[1]);
-  double found = std::numeric_limits<double>::infinity();
-  std::size_t nearest = 0;
+  const auto apart = [&](std::size_t k) {
+    return std::max({coarse.from[k], fine.from[k], coarse.short_step[k], fine.short_step[k]});
+  };
+  const double limit = subject.in_double() ? flight_limit : flight_limit_in_float;
+  // where it is near none of them, the one that its first step looks like
+  auto nearest = static_cast<std::size_t>(subject.flight());
   for (std::size_t k = 0; k < std::size(flights); ++k) {
-    const double largest =
-        std::max({coarse.from[k], fine.from[k], coarse.short_step[k], fine.short_step[k]});
-    if (largest < found) {
-      found = largest;
-      nearest = k;
-    }
+    nearest = apart(k) <= limit ? k : nearest;
   }
+  double found = apart(nearest);
   if (coarse.largest_impulse > 0.0 || fine.largest_impulse > 0.0) {
     found = std::numeric_limits<double>::infinity();
   }
-  const double limit = subject.in_double() ? flight_limit : flight_limit_in_float;
   return {found, limit,
           found <= limit ? fmt::format("flies {}", to_string(flights[nearest]))
                          : defect(coarse, fine, nearest)};

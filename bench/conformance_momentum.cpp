@@ -75,7 +75,7 @@ void look_at(const Subject& subject, const Case& the_case, const Simulation& sim
                               event.time, moment.time);
     }
     const Eigen::Vector3d pull = pull_of(the_case, event.before, event.cables, event.impulses);
-    sum.found = std::max(sum.found, momentum_error(the_case, event.before, event.after, pull));
+    sum.found = worse(sum.found, momentum_error(the_case, event.before, event.after, pull));
     Eigen::Index row = 0;
     for (const std::size_t index : event.cables) {
       rest[static_cast<Eigen::Index>(index)] -= event.impulses[row++];
@@ -97,7 +97,7 @@ void look_at(const Subject& subject, const Case& the_case, const Simulation& sim
   const State pose = at_the_solve(moment.before, step, subject.flight());
   Eigen::Vector3d pull = pull_of(the_case, pose, all, rest);
   pull.head<2>() += step * the_case.body.mass * the_case.gravity;
-  sum.found = std::max(sum.found, momentum_error(the_case, moment.before, moment.after, pull));
+  sum.found = worse(sum.found, momentum_error(the_case, moment.before, moment.after, pull));
 }
 
 }  // namespace

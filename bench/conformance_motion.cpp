@@ -34,7 +34,7 @@ double energy_rise(const Subject& subject, const Case& the_case, double end) {
   const double start = energy(the_case, the_case.initial);
   double rise = 0.0;
   run(*simulation, usual_step, end,
-      [&](const Moment& moment) { rise = std::max(rise, energy(the_case, moment.after) - start); });
+      [&](const Moment& moment) { rise = worse(rise, energy(the_case, moment.after) - start); });
   const double weight = the_case.body.mass * the_case.gravity.norm();
   const double speed = std::sqrt(2.0 * start / the_case.body.mass);
   return rise / (weight * speed * usual_step);
@@ -55,7 +55,7 @@ Case swing() {
 double overstretch(const Case& the_case, const State& state) {
   double largest = 0.0;
   for (const Cable& cable : the_case.cables) {
-    largest = std::max(largest, -gap(cable, state));
+    largest = worse(largest, -gap(cable, state));
   }
   return largest;
 }
@@ -66,7 +66,7 @@ Measure measure_energy(const Subject& subject) {
   double found = 0.0;
   for (const Case& the_case :
        {bouncing_ball(1.0), standard_breakwater(1.0), standard_breakwater(0.9)}) {
-    found = std::max(found, energy_rise(subject, the_case, 10.0));
+    found = worse(found, energy_rise(subject, the_case, 10.0));
   }
   return {found, energy_limit,
           found <= energy_limit
@@ -81,7 +81,7 @@ Measure measure_overstretch(const Subject& subject) {
   const double speed = std::sqrt(2.0 * the_case.initial.position.y());  // at the first hit, g = 1
   const auto simulation = subject.start(the_case, usual_step);
   double largest = 0.0;
-  run(*simulation, usual_step, 5.0, [&](const Moment& moment) {
+  run_whole(*simulation, usual_step, 5.0, [&](const Moment& moment) {
     largest = std::max(largest, overstretch(the_case, moment.after));
   });
   const double found = largest / (speed * usual_step);

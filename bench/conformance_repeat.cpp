@@ -52,10 +52,8 @@ double order(const std::vector<double>& steps, const std::vector<double>& deviat
 double deviation(const Subject& subject, const Case& the_case, const Solution& exact, double step) {
   const auto simulation = subject.start(the_case, step);
   double largest = 0.0;
-  run(*simulation, step, 2.0, [&](const Moment& moment) {
-    const Vec2 away = moment.after.position - exact.at(moment.time).position;
-    largest = std::isfinite(away.norm()) ? std::max(largest, away.norm())
-                                         : std::numeric_limits<double>::infinity();
+  run_whole(*simulation, step, 2.0, [&](const Moment& moment) {
+    largest = worse(largest, (moment.after.position - exact.at(moment.time).position).norm());
   });
   return largest;
 }
@@ -81,7 +79,8 @@ Measure measure_mirror_symmetry(const Subject& subject) {
   symmetric.initial = {Vec2(0.0, 0.3), 0.0, Vec2::Zero(), 0.0};
   const auto simulation = subject.start(symmetric, usual_step);
   run(*simulation, usual_step, 2.0, [&](const Moment& moment) {
-    found = std::max({found, std::abs(moment.after.position.x()), std::abs(moment.after.spin)});
+    found = worse(found, std::abs(moment.after.position.x()));
+    found = worse(found, std::abs(moment.after.spin));
   });
   const double limit = subject.in_double() ? mirror_limit : mirror_limit_in_float;
   return {found, limit,
@@ -107,7 +106,7 @@ Measure measure_determinism(const Subject& subject) {
     if (apart != 0.0 && since < 0.0) {
       since = moment.time;
     }
-    found = std::isnan(apart) ? apart : std::max(found, apart);
+    found = std::max(found, apart);
   });
   return {found, 0.0,
           found == 0.0 ? "a second run is the same, bit by bit"

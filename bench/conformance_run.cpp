@@ -1,8 +1,10 @@
 #include "bench/conformance_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
 #include <utility>
 
 #include "tautline/flight.hpp"
@@ -26,6 +28,44 @@ Flight flight_of(const Engine& engine, const std::string& model) {
   }
   return fallen > 0.25 ? Flight::parabola : Flight::position_first;
 }
+
+/// What an engine reports, held against the case before anyone reads it.
+class CheckedSimulation final : public Simulation {
+ public:
+  CheckedSimulation(std::unique_ptr<Simulation> inner, std::size_t cables)
+      : inner_(std::move(inner)), cables_(cables) {}
+
+  [[nodiscard]] State state() const override { return inner_->state(); }
+  void step(double dt) override { inner_->step(dt); }
+  [[nodiscard]] std::optional<Stop> stopped() const override { return inner_->stopped(); }
+
+  [[nodiscard]] std::span<const double> impulses() const override {
+    const std::span<const double> impulses = inner_->impulses();
+    if (impulses.size() != cables_) {
+      throw std::runtime_error(
+          fmt::format("it gives {} impulses for {} cables", impulses.size(), cables_));
+    }
+    return impulses;
+  }
+
+  [[nodiscard]] std::span<const Event> events() const override {
+    for (const Event& event : inner_->events()) {
+      for (const std::size_t index : event.cables) {
+        if (index >= cables_) {
+          throw std::runtime_error("it gives an event of a cable that is not of the case");
+        }
+      }
+      if (static_cast<std::size_t>(event.impulses.size()) != event.cables.size()) {
+        throw std::runtime_error("it gives an event without an impulse for each of its cables");
+      }
+    }
+    return inner_->events();
+  }
+
+ private:
+  std::unique_ptr<Simulation> inner_;
+  std::size_t cables_;
+};
 
 }  // namespace
 
@@ -71,7 +111,8 @@ Subject::Subject(const Engine& engine, std::string model)
       flight_(flight_of(engine, model_)) {}
 
 std::unique_ptr<Simulation> Subject::start(const Case& the_case, double step) const {
-  return engine_->start(the_case, model_, step);
+  return std::make_unique<CheckedSimulation>(engine_->start(the_case, model_, step),
+                                             the_case.cables.size());
 }
 
 void run(Simulation& simulation, double step, double end,
@@ -88,12 +129,20 @@ void run(Simulation& simulation, double step, double end,
   }
 }
 
+void run_whole(Simulation& simulation, double step, double end,
+               const std::function<void(const Moment&)>& look) {
+  run(simulation, step, end, look);
+  if (const auto stop = simulation.stopped()) {
+    throw RunStopped(fmt::format("the run stopped at t = {:.4g}: {}", stop->time, stop->reason));
+  }
+}
+
 std::optional<Hit> first_hit(const Subject& subject, const Case& the_case, double step,
                              double end) {
   const auto simulation = subject.start(the_case, step);
   std::optional<Hit> hit;
   bool over = false;
-  run(*simulation, step, end, [&](const Moment& moment) {
+  run_whole(*simulation, step, end, [&](const Moment& moment) {
     const double impulse = simulation->impulses()[0];
     over = over || (hit && (impulse <= 0.0 || hit->steps >= longest_hit));
     if (over || impulse <= 0.0) {
@@ -118,9 +167,18 @@ std::optional<Hit> first_hit(const Subject& subject, const Case& the_case, doubl
   return hit;
 }
 
+double worse(double a, double b) {
+  return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b);
+}
+
 double largest_difference(const State& a, const State& b) {
-  return std::max({(a.position - b.position).cwiseAbs().maxCoeff(), std::abs(a.angle - b.angle),
-                   (a.velocity - b.velocity).cwiseAbs().maxCoeff(), std::abs(a.spin - b.spin)});
+  double largest = 0.0;
+  for (const double apart :
+       {a.position.x() - b.position.x(), a.position.y() - b.position.y(), a.angle - b.angle,
+        a.velocity.x() - b.velocity.x(), a.velocity.y() - b.velocity.y(), a.spin - b.spin}) {
+    largest = worse(largest, std::abs(apart));
+  }
+  return largest;
 }
 
 Case shipped_case(std::string_view name) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,8 @@ class Subject {
   /// The engine must outlive it. Throws what the engine throws when it is started.
   Subject(const Engine& engine, std::string model);
 
+  /// A run of `the_case`. It throws std::runtime_error where the engine reports what makes no
+  /// sense: too few impulses, an event of a cable that is not there.
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, double step) const;
   [[nodiscard]] bool in_double() const { return in_double_; }
 
@@ -59,6 +62,16 @@ struct Moment {
 void run(Simulation& simulation, double step, double end,
          const std::function<void(const Moment&)>& look);
 
+/// A run that says it cannot go on, where it must.
+class RunStopped : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The same, to the end: throws RunStopped with the reason if the simulation stops before.
+void run_whole(Simulation& simulation, double step, double end,
+               const std::function<void(const Moment&)>& look);
+
 /// What the first hit on cable 0 did. A contact may take several steps.
 struct Hit {
   State before;    // at the pose of its first solve
@@ -69,7 +82,11 @@ struct Hit {
 [[nodiscard]] std::optional<Hit> first_hit(const Subject& subject, const Case& the_case,
                                            double step, double end);
 
-/// The largest difference of one of the six numbers of two states, each in its own unit.
+/// The larger of two measures; infinite where the second is not a number, which std::max loses.
+[[nodiscard]] double worse(double a, double b);
+
+/// The largest difference of one of the six numbers of two states, each in its own unit; infinite
+/// where one is not a number.
 [[nodiscard]] double largest_difference(const State& a, const State& b);
 
 /// The case that ships under `name`; it must exist.

@@ -92,12 +92,14 @@ std::string Table::markdown() const {
 
 std::string Table::plain() const {
   const std::vector<std::size_t> width = widths(rows_);
-  std::string result = line(headings_, width, "  ") + "\n";
-  for (const auto& row : rows_) {
-    std::string text = line(row, width, "  ");
+  std::string result;
+  const auto add_line = [&](const std::vector<std::string>& cells) {
+    std::string text = line(cells, width, "  ");
     text.erase(text.find_last_not_of(' ') + 1);
     result += text + "\n";
-  }
+  };
+  add_line(headings_);
+  std::for_each(rows_.begin(), rows_.end(), add_line);
   return result;
 }
 

@@ -28,6 +28,9 @@ using nlohmann::ordered_json;
 constexpr int request_descriptor = 0;
 constexpr int reply_descriptor = 3;
 
+/// The key of a reply that is not the last: an engine may end this process with exit code 0.
+constexpr const char* unfinished_claim = "unfinished claim";
+
 /// The most steps that are timed: enough to average over impacts, cheap next to the run itself.
 constexpr std::size_t timed_steps = 20'000;
 
@@ -104,7 +107,8 @@ Message do_run(const ordered_json& request, const Plugin& plugin) {
 /// Says before each claim which one it is: the program reads that should this process die of it.
 Message do_check(const std::string& model, const Plugin& plugin) {
   const auto progress = [](std::string_view claim, const std::vector<Finding>& findings) {
-    static_cast<void>(write_reply({{{"claim", claim}, {"findings", findings_json(findings)}}, {}}));
+    static_cast<void>(
+        write_reply({{{unfinished_claim, claim}, {"findings", findings_json(findings)}}, {}}));
   };
   return {{{"findings", findings_json(check_model(plugin.engine(), model, progress))}}, {}};
 }
@@ -160,7 +164,9 @@ Exchange exchange(const ordered_json& request, const WorkerLimits& limits) {
   const Descriptor output = memory_file("");
   result.end = run_process({"/proc/self/exe", worker_command}, input, output, limits.time);
   const bool whole = result.end.kind == ProcessEnd::Kind::exited && result.end.code == 0;
-  (whole ? result.message : result.unfinished) = from_bytes(content_of(output));
+  std::optional<Message> message = from_bytes(content_of(output));
+  const bool last = whole && message && !message->head.contains(unfinished_claim);
+  (last ? result.message : result.unfinished) = std::move(message);
   if (!result.message) {
     result.failure = failure_of(result.end, limits);
   } else if (result.message->head.contains("failure")) {
@@ -220,8 +226,8 @@ CheckReply check_in_worker(const std::filesystem::path& plugin, const std::strin
     reply.findings = findings_from(answer.message->head.at("findings"));
   } else {
     std::string claim(claims().front().name);
-    if (answer.unfinished && answer.unfinished->head.contains("claim")) {
-      claim = answer.unfinished->head.at("claim");
+    if (answer.unfinished && answer.unfinished->head.contains(unfinished_claim)) {
+      claim = answer.unfinished->head.at(unfinished_claim);
       reply.findings = findings_from(answer.unfinished->head.at("findings"));
     }
     reply.findings.push_back(unmeasured(claim, answer.failure));

@@ -17,56 +17,44 @@ constexpr double accuracy = 1e-10;
 /// Simbody takes no less than rounding.
 constexpr double window = 1e-3;
 
+/// A value of one cable that Simbody watches.
+using Watched = double (CableEvents::*)(const SimTK::State& state, std::size_t cable) const;
+
+enum class Sign { rises, falls };
+
 /// An event of one cable, which is handled with all that touch.
-class CableHandler : public SimTK::TriggeredEventHandler {
+class CableHandler final : public SimTK::TriggeredEventHandler {
  public:
-  CableHandler(SimTK::Stage stage, CableEvents& cables, std::size_t cable)
-      : TriggeredEventHandler(stage), cables_(cables), cable_(cable) {
+  CableHandler(SimTK::Stage stage, Watched watched, Sign sign, CableEvents& cables,
+               std::size_t cable)
+      : TriggeredEventHandler(stage), watched_(watched), cables_(cables), cable_(cable) {
     getTriggerInfo().setRequiredLocalizationTimeWindow(window);
+    getTriggerInfo().setTriggerOnRisingSignTransition(sign == Sign::rises);
+    getTriggerInfo().setTriggerOnFallingSignTransition(sign == Sign::falls);
   }
 
-  void handleEvent(SimTK::State& state, SimTK::Real /*accuracy*/, bool& terminate) const final {
+  [[nodiscard]] SimTK::Real getValue(const SimTK::State& state) const override {
+    return (cables_.*watched_)(state, cable_);
+  }
+
+  void handleEvent(SimTK::State& state, SimTK::Real /*accuracy*/, bool& terminate) const override {
     cables_.react(state);
     terminate = cables_.trouble().has_value();
   }
 
- protected:
-  [[nodiscard]] const CableEvents& cables() const { return cables_; }
-  [[nodiscard]] std::size_t cable() const { return cable_; }
-
  private:
+  Watched watched_;
   CableEvents& cables_;
   std::size_t cable_;
-};
-
-class HitHandler final : public CableHandler {
- public:
-  HitHandler(CableEvents& cables, std::size_t cable)
-      : CableHandler(SimTK::Stage::Position, cables, cable) {
-    getTriggerInfo().setTriggerOnFallingSignTransition(false);
-  }
-  [[nodiscard]] SimTK::Real getValue(const SimTK::State& state) const override {
-    return cables().overstretch(state, cable());
-  }
-};
-
-class ReleaseHandler final : public CableHandler {
- public:
-  ReleaseHandler(CableEvents& cables, std::size_t cable)
-      : CableHandler(SimTK::Stage::Acceleration, cables, cable) {
-    getTriggerInfo().setTriggerOnRisingSignTransition(false);
-  }
-  [[nodiscard]] SimTK::Real getValue(const SimTK::State& state) const override {
-    return cables().tension(state, cable());
-  }
 };
 
 class EventHandlerSimulation final : public Simulation {
  public:
   explicit EventHandlerSimulation(const Case& the_case) : body_(the_case), cables_(body_) {
     for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-      body_.system().addEventHandler(new HitHandler(cables_, index));
-      body_.system().addEventHandler(new ReleaseHandler(cables_, index));
+      watch(SimTK::Stage::Position, &CableEvents::overstretch, Sign::rises, index);
+      watch(SimTK::Stage::Velocity, &CableEvents::opening, Sign::falls, index);
+      watch(SimTK::Stage::Acceleration, &CableEvents::tension, Sign::falls, index);
     }
     start_ = body_.initial_state();
     integrator_.setAccuracy(accuracy);
@@ -97,6 +85,10 @@ class EventHandlerSimulation final : public Simulation {
   }
 
  private:
+  void watch(SimTK::Stage stage, Watched watched, Sign sign, std::size_t cable) {
+    body_.system().addEventHandler(new CableHandler(stage, watched, sign, cables_, cable));
+  }
+
   PlanarBody body_;
   CableEvents cables_;
   SimTK::State start_;

@@ -1,0 +1,220 @@
+// Opt-in: a step of a Bullet world split at the instants at which cables go taut, so that an impact
+// is solved at zero gap and in no time, and its restitution is exact to rounding.
+//
+//   btStepWithCables(world, &cables[0], cables.size(), btScalar(1) / 60);  // not stepSimulation
+//
+// The whole world takes the shorter steps, collision detection, tick callbacks and all; a step in
+// which no cable goes taut costs a prediction per slack cable. In an impact the cables' own bodies
+// alone change their velocities; contacts and other joints of theirs answer in the part after it. A
+// body at a cable's end that nothing touched in a part is put where its forces take it, half of
+// a h^2 from where Bullet does: else every bounce would lose energy to the split.
+
+#ifndef TAUTLINE_BT_STEP_WITH_CABLES_H
+#define TAUTLINE_BT_STEP_WITH_CABLES_H
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <LinearMath/btTransformUtil.h>
+
+#include "tautline/bullet/btCableConstraint.h"
+#include "tautline/cable_events.h"
+
+/// The world and its cables as `tautline::step_by_events` needs them. Use `btStepWithCables`.
+class btCableStepper {
+ public:
+  class Cable;
+
+  btCableStepper(btDiscreteDynamicsWorld* world, btCableConstraint* const* cables, int numCables,
+                 btScalar timeStep);
+
+  int step(int maxParts);
+  void fly(btScalar timeStep);
+
+ private:
+  /// What the user's forces were when the step began; Bullet forgets them after each part.
+  struct Forced {
+    btRigidBody* m_body;
+    btVector3 m_force;
+    btVector3 m_torque;
+  };
+
+  static bool isMoved(const btRigidBody& body) {
+    return !body.isStaticOrKinematicObject() && body.isActive();
+  }
+
+  /// [m/s^2] of gravity and the user's force; gravity is not in the total force between steps
+  static btVector3 acceleration(const btRigidBody& body) {
+    return isMoved(body) ? body.getGravity() * body.getLinearFactor() +
+                               body.getTotalForce() * body.getInvMass()
+                         : btVector3(0, 0, 0);
+  }
+  static btVector3 damped(const btVector3& velocity, btScalar damping, btScalar timeStep) {
+    return damping > 0 ? velocity * btPow(1 - damping, timeStep) : velocity;
+  }
+  static btTransform poseAfter(const btRigidBody& body, btScalar timeStep);
+
+  btDiscreteDynamicsWorld* m_world;
+  std::vector<Cable> m_cables;
+  std::vector<Forced> m_forced;
+  std::vector<btRigidBody*> m_ends;  // each body once
+  btScalar m_timeStep;
+};
+
+class btCableStepper::Cable {
+ public:
+  explicit Cable(btCableConstraint* constraint) : m_cable(constraint) {}
+
+  bool flies() const { return m_cable->isEnabled() && !m_cable->m_rule.held(); }
+  btScalar gap() const { return m_cable->getGap(); }
+  btScalar rate() const { return m_cable->getGapRate(); }
+  btScalar gap_after(btScalar timeStep) const {
+    const btCableLine line(poseAfter(m_cable->m_rbA, timeStep), m_cable->m_pivotInA,
+                           poseAfter(m_cable->m_rbB, timeStep), m_cable->m_pivotInB);
+    return m_cable->getMaxLength() - line.m_distance;
+  }
+  btScalar tolerance() const { return 100 * SIMD_EPSILON * m_cable->getMaxLength(); }
+  btScalar inverse_mass() const {
+    return m_cable->getLine().inverseMass(m_cable->m_rbA, m_cable->m_rbB);
+  }
+  bool is_impact(btScalar closing) const {
+    return m_cable->isEnabled() && m_cable->m_rule.is_impact(closing, inverse_mass());
+  }
+  btScalar rebound(btScalar closing) const { return m_cable->m_rule.rebound(closing); }
+  void hold() { m_cable->m_rule.hold(); }
+  void release() { m_cable->m_rule.release(); }
+
+  void apply(btScalar impulse) {
+    const btCableLine line = m_cable->getLine();
+    btRigidBody& a = m_cable->m_rbA;
+    btRigidBody& b = m_cable->m_rbB;
+    a.applyCentralImpulse(impulse * line.m_towards);
+    a.applyTorqueImpulse(impulse * line.m_momentA);
+    b.applyCentralImpulse(-impulse * line.m_towards);
+    b.applyTorqueImpulse(-impulse * line.m_momentB);
+  }
+  void struck(btScalar impulse) {
+    m_impulse += impulse;
+    m_cable->m_rbA.activate();
+    m_cable->m_rbB.activate();
+  }
+
+  /// Between these two, the cable has a row while it rests taut, and none in flight.
+  void begin(btScalar timeStep) {
+    m_cable->m_byEvents = true;
+    m_cable->m_eventStep = timeStep;
+    if (m_cable->getGap() > tautline::CableRule<btScalar>::slack_rounding() * m_cable->getMaxLength()) {
+      release();
+    }
+  }
+  void end() {
+    m_cable->m_byEvents = false;
+    m_cable->m_appliedImpulse = m_impulse;
+  }
+  /// After a part: its impulse is in.
+  void flew() {
+    if (m_cable->m_rows > 0) {
+      m_cable->m_rule.pulled(m_cable->m_appliedImpulse);
+      m_impulse += m_cable->m_appliedImpulse;
+      m_cable->m_rows = 0;  // taken
+    }
+  }
+
+ private:
+  btCableConstraint* m_cable;
+  btScalar m_impulse = 0;  // of the step so far [N s]
+};
+
+inline btCableStepper::btCableStepper(btDiscreteDynamicsWorld* world,
+                                      btCableConstraint* const* cables, int numCables,
+                                      btScalar timeStep)
+    : m_world(world), m_timeStep(timeStep) {
+  for (int index = 0; index < numCables; ++index) {
+    m_cables.push_back(Cable(cables[index]));
+    for (btRigidBody* body : {&cables[index]->getRigidBodyA(), &cables[index]->getRigidBodyB()}) {
+      if (!body->isStaticOrKinematicObject() &&
+          std::find(m_ends.begin(), m_ends.end(), body) == m_ends.end()) {
+        m_ends.push_back(body);
+      }
+    }
+  }
+  const btAlignedObjectArray<btRigidBody*>& bodies = world->getNonStaticRigidBodies();
+  for (int index = 0; index < bodies.size(); ++index) {
+    m_forced.push_back(
+        Forced{bodies[index], bodies[index]->getTotalForce(), bodies[index]->getTotalTorque()});
+  }
+}
+
+inline int btCableStepper::step(int maxParts) {
+  for (Cable& cable : m_cables) {
+    cable.begin(m_timeStep);
+  }
+  const int parts = tautline::step_by_events(*this, m_cables, m_timeStep, maxParts);
+  for (Cable& cable : m_cables) {
+    cable.end();
+  }
+  return parts;
+}
+
+inline void btCableStepper::fly(btScalar timeStep) {
+  struct Arrival {
+    btRigidBody* m_body;
+    btVector3 m_velocity;
+    btVector3 m_acceleration;
+  };
+  std::vector<Arrival> arrivals;
+  for (btRigidBody* body : m_ends) {
+    const btVector3 gained = acceleration(*body);
+    const btVector3 kept = damped(body->getLinearVelocity(), body->getLinearDamping(), timeStep);
+    arrivals.push_back(Arrival{body, kept + timeStep * gained, gained});
+  }
+  m_world->stepSimulation(timeStep, 0);
+  for (const Arrival& arrival : arrivals) {
+    const btVector3 touch = arrival.m_body->getLinearVelocity() - arrival.m_velocity;
+    const btScalar rounding = 10 * SIMD_EPSILON * (arrival.m_velocity.length() +
+                                                   timeStep * arrival.m_acceleration.length());
+    if (touch.length() <= rounding) {
+      btTransform pose = arrival.m_body->getCenterOfMassTransform();
+      pose.setOrigin(pose.getOrigin() - timeStep * timeStep / 2 * arrival.m_acceleration);
+      arrival.m_body->setCenterOfMassTransform(pose);
+      m_world->synchronizeSingleMotionState(arrival.m_body);
+    }
+  }
+  for (Cable& cable : m_cables) {
+    cable.flew();
+  }
+  // for the next part, if there is one; btStepWithCables clears them at the end
+  for (const Forced& forced : m_forced) {
+    forced.m_body->applyCentralForce(forced.m_force);
+    forced.m_body->applyTorque(forced.m_torque);
+  }
+}
+
+inline btTransform btCableStepper::poseAfter(const btRigidBody& body, btScalar timeStep) {
+  const btTransform& pose = body.getCenterOfMassTransform();
+  if (!isMoved(body)) {
+    return pose;
+  }
+  btVector3 spin = damped(body.getAngularVelocity(), body.getAngularDamping(), timeStep) +
+                   timeStep * (body.getInvInertiaTensorWorld() * body.getTotalTorque());
+  if (body.getFlags() & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY) {
+    spin += body.computeGyroscopicImpulseImplicit_Body(timeStep);
+  }
+  const btVector3 velocity =
+      damped(body.getLinearVelocity(), body.getLinearDamping(), timeStep) +
+      timeStep / 2 * acceleration(body);
+  btTransform result;
+  btTransformUtil::integrateTransform(pose, velocity, spin, timeStep, result);
+  return result;
+}
+
+/// Steps `world` by `timeStep` [s], in at most `maxParts` + 1 parts; returns how many. `cables` are
+/// constraints of this world; one that is left out acts by itself in every part. Afterwards
+/// getAppliedImpulse is the sum over the step.
+inline int btStepWithCables(btDiscreteDynamicsWorld* world, btCableConstraint* const* cables,
+                            int numCables, btScalar timeStep, int maxParts = 8) {
+  btCableStepper stepper(world, cables, numCables, timeStep);
+  const int parts = stepper.step(maxParts);
+  world->clearForces();
+  return parts;
+}
+
+#endif

@@ -1,5 +1,6 @@
 # What `cmake --install` puts where: two libraries with their headers for a user of the package, who
-# needs Eigen alone; the program; the plug-ins (see tautline_engine_module).
+# needs Eigen alone; cables for a user's own Bullet or ODE, who needs not even that; the program; the
+# plug-ins (see tautline_engine_module).
 include(CMakePackageConfigHelpers)
 
 set(TAUTLINE_INSTALL_ENGINEDIR ${CMAKE_INSTALL_LIBDIR}/tautline/engines)
@@ -8,9 +9,10 @@ set(TAUTLINE_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/tautline)
 install(TARGETS tautline_analytic tautline_engine
   EXPORT tautlineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS tautline_bullet_cable tautline_ode_cable EXPORT tautlineCableTargets)
 install(DIRECTORY analytic/include/ engines/include/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.hpp")
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
@@ -25,9 +27,9 @@ configure_package_config_file(
 # before 1.0 a minor version may break what a user wrote
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/generated/tautlineConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
-install(EXPORT tautlineTargets
-  NAMESPACE tautline::
-  DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR})
+foreach(targets IN ITEMS tautlineTargets tautlineCableTargets)
+  install(EXPORT ${targets} NAMESPACE tautline:: DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR})
+endforeach()
 install(FILES
   "${PROJECT_BINARY_DIR}/generated/tautlineConfig.cmake"
   "${PROJECT_BINARY_DIR}/generated/tautlineConfigVersion.cmake"

@@ -15,13 +15,12 @@
 #include "tautline/bullet/btCableLine.h"
 #include "tautline/cable_rule.h"
 
-ATTRIBUTE_ALIGNED16(class)
-btCableConstraint : public btTypedConstraint {
+class btCableConstraint : public btTypedConstraint {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
   /// From `pivotInA` of `rbA` to `pivotInB` of `rbB`, each in its body's frame [m].
-  btCableConstraint(btRigidBody & rbA, btRigidBody & rbB, const btVector3& pivotInA,
+  btCableConstraint(btRigidBody& rbA, btRigidBody& rbB, const btVector3& pivotInA,
                     const btVector3& pivotInB, btScalar maxLength)
       // no type of Bullet's own: its debug drawer casts those to its own classes
       : btTypedConstraint(MAX_CONSTRAINT_TYPE, rbA, rbB),
@@ -32,7 +31,7 @@ btCableConstraint : public btTypedConstraint {
   }
 
   /// From `pivotInA` of `rbA`, in its frame, to the point `pivotInWorld` [m].
-  btCableConstraint(btRigidBody & rbA, const btVector3& pivotInA, const btVector3& pivotInWorld,
+  btCableConstraint(btRigidBody& rbA, const btVector3& pivotInA, const btVector3& pivotInWorld,
                     btScalar maxLength)
       : btCableConstraint(rbA, getFixedBody(), pivotInA, pivotInWorld, maxLength) {}
 
@@ -97,7 +96,7 @@ btCableConstraint : public btTypedConstraint {
       m_rule.pulled(m_appliedImpulse);  // the impulse of the last step, which is lost after this
     }
   }
-  void getInfo1(btConstraintInfo1 * info) override {
+  void getInfo1(btConstraintInfo1* info) override {
     const btScalar gap = getGap();
     const bool near = m_byEvents ? m_rule.held() : m_rule.touches(gap);
     if (!near) {
@@ -108,7 +107,7 @@ btCableConstraint : public btTypedConstraint {
     info->m_numConstraintRows = m_rows;
     info->nub = 0;
   }
-  void getInfo2(btConstraintInfo2 * info) override {
+  void getInfo2(btConstraintInfo2* info) override {
     const btCableLine line = getLine();
     for (int axis = 0; axis < 3; ++axis) {
       info->m_J1linearAxis[axis] = line.m_towards[axis];

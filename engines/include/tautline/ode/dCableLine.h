@@ -1,0 +1,129 @@
+// A cable's straight line between two ODE bodies at a pose: the Jacobian of its row.
+
+#ifndef TAUTLINE_ODE_CABLE_LINE_H
+#define TAUTLINE_ODE_CABLE_LINE_H
+
+#include <ode/ode.h>
+
+/// One end of a cable: a point of a body, or of the world.
+struct dxCableEnd {
+  dBodyID body;     // 0: the world
+  dReal anchor[4];  // in the body's frame, or the world's [m]
+
+  /// Fastens the end to the point (x, y, z) of the world as it is now [m].
+  void fasten(dReal x, dReal y, dReal z) {
+    if (body != 0) {
+      dBodyGetPosRelPoint(body, x, y, z, anchor);
+    } else {
+      anchor[0] = x, anchor[1] = y, anchor[2] = z;
+    }
+  }
+  /// Where it is now, in the world [m].
+  void position(dReal* result) const {
+    if (body != 0) {
+      dBodyGetRelPointPos(body, anchor[0], anchor[1], anchor[2], result);
+    } else {
+      result[0] = anchor[0], result[1] = anchor[1], result[2] = anchor[2];
+    }
+  }
+  /// True if forces move it.
+  bool is_moved() const { return body != 0 && dBodyIsKinematic(body) == 0; }
+};
+
+/// Of gravity and the user's forces on a body that they move [m/s^2].
+inline void dxBodyAcceleration(dBodyID body, dReal* result) {
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  dVector3 gravity = {0, 0, 0, 0};
+  if (dBodyGetGravityMode(body) != 0) {
+    dWorldGetGravity(dBodyGetWorld(body), gravity);
+  }
+  const dReal* force = dBodyGetForce(body);
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = gravity[axis] + force[axis] / mass.mass;
+  }
+}
+
+/// result = I^-1 vector, both in the world.
+inline void dxBodySolveInertia(dBodyID body, const dReal* vector, dReal* result) {
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  dMatrix3 inverse = {0};  // stays so if a user has given no inertia
+  dInvertMatrix3(inverse, mass.I);
+  dVector3 local, turned;
+  dMultiply1_331(local, dBodyGetRotation(body), vector);
+  dMultiply0_331(turned, inverse, local);
+  dMultiply0_331(result, dBodyGetRotation(body), turned);
+}
+
+/// The gap's rate is towards * (v1 - v2) + moment1 * w1 - moment2 * w2.
+struct dxCableLine {
+  dReal distance;      // of the anchors [m]
+  dVector3 towards;    // from 1 to 2, of length 1; zero if the distance is
+  dVector3 moment[2];  // arm x towards [m]; zero for the world
+
+  dxCableLine() : distance(0), towards(), moment() {}
+
+  explicit dxCableLine(const dxCableEnd* end) : dxCableLine() {
+    dVector3 at[2];
+    end[0].position(at[0]);
+    end[1].position(at[1]);
+    dSubtractVectors3(towards, at[1], at[0]);
+    distance = dCalcVectorLength3(towards);
+    if (distance > 0) {
+      dScaleVector3(towards, 1 / distance);
+    }
+    for (int index = 0; index < 2; ++index) {
+      if (end[index].body != 0) {
+        dVector3 arm;
+        dSubtractVectors3(arm, at[index], dBodyGetPosition(end[index].body));
+        dCalcVectorCross3(moment[index], arm, towards);
+      }
+    }
+  }
+
+  /// The rate of the gap [m/s].
+  dReal rate(const dxCableEnd* end) const {
+    dReal result = 0;
+    for (int index = 0; index < 2; ++index) {
+      if (end[index].body != 0) {
+        const dReal one = dCalcVectorDot3(towards, dBodyGetLinearVel(end[index].body)) +
+                          dCalcVectorDot3(moment[index], dBodyGetAngularVel(end[index].body));
+        result += index == 0 ? one : -one;
+      }
+    }
+    return result;
+  }
+
+  /// What gravity and the bodies' forces and torques add to that rate in a second [m/s^2].
+  dReal acceleration(const dxCableEnd* end) const {
+    dReal result = 0;
+    for (int index = 0; index < 2; ++index) {
+      if (end[index].is_moved()) {
+        dVector3 linear, angular;
+        dxBodyAcceleration(end[index].body, linear);
+        dxBodySolveInertia(end[index].body, dBodyGetTorque(end[index].body), angular);
+        const dReal one = dCalcVectorDot3(towards, linear) + dCalcVectorDot3(moment[index], angular);
+        result += index == 0 ? one : -one;
+      }
+    }
+    return result;
+  }
+
+  /// J M^-1 J^T [1/kg]: what an impulse of 1 N s adds to that rate.
+  dReal inverse_mass(const dxCableEnd* end) const {
+    dReal result = 0;
+    for (int index = 0; index < 2; ++index) {
+      if (end[index].is_moved()) {
+        dMass mass;
+        dBodyGetMass(end[index].body, &mass);
+        dVector3 turn;
+        dxBodySolveInertia(end[index].body, moment[index], turn);
+        result += 1 / mass.mass + dCalcVectorDot3(moment[index], turn);
+      }
+    }
+    return result;
+  }
+};
+
+#endif

@@ -1,0 +1,223 @@
+// Opt-in: a step of an ODE world split at the instants at which cables go taut, so that an impact
+// is solved at zero gap and in no time, and its restitution is exact to rounding.
+//
+//   void step(void* data, dReal stepsize) {  // what stood in the loop before
+//     dSpaceCollide(space, data, &nearCallback);
+//     dWorldStep(world, stepsize);
+//     dJointGroupEmpty(contactGroup);
+//   }
+//   ...
+//   dStepWithCables(world, group, cables, count, 1.0 / 60, &step, data);
+//
+// The whole world takes the shorter steps; a step in which no cable goes taut costs a prediction per
+// slack cable. In an impact the cables' own bodies alone change their velocities; contacts and other
+// joints of theirs answer in the part after it. A body at a cable's end that nothing touched in a
+// part is put where its forces take it, half of a h^2 from where ODE does: else every bounce would
+// lose energy to the split. ODE forgets the forces on a body after each part; add lasting ones in
+// `step`.
+
+#ifndef TAUTLINE_ODE_STEP_WITH_CABLES_H
+#define TAUTLINE_ODE_STEP_WITH_CABLES_H
+
+#include "tautline/cable_events.h"
+#include "tautline/ode/dCable.h"
+
+/// Steps the user's world by `stepsize` [s].
+typedef void dStepFunction(void* data, dReal stepsize);
+
+/// A cable as `tautline::step_by_events` needs it. Use `dStepWithCables`.
+class dxEventCable {
+ public:
+  explicit dxEventCable(dCableID cable) : m_cable(cable) {}
+
+  dCableID id() const { return m_cable; }
+  bool flies() const { return !m_cable->rule.held(); }
+  dReal gap() const { return dCableGetGap(m_cable); }
+  dReal rate() const { return dCableGetGapRate(m_cable); }
+  dReal tolerance() const { return 100 * std::numeric_limits<dReal>::epsilon() * m_cable->rule.length; }
+  dReal inverse_mass() const { return dxCableLine(m_cable->end).inverse_mass(m_cable->end); }
+  bool is_impact(dReal closing) const { return m_cable->rule.is_impact(closing, inverse_mass()); }
+  dReal rebound(dReal closing) const { return m_cable->rule.rebound(closing); }
+  void hold() { m_cable->rule.hold(); }
+  void release() { m_cable->rule.release(); }
+  void apply(dReal impulse);
+  void struck(dReal impulse);
+  dReal gap_after(dReal stepsize) const;
+
+  /// Between these two, the cable has a contact while it rests taut, and none in flight.
+  void begin(dReal stepsize) {
+    dxCableReadImpulse(m_cable);
+    m_cable->by_events = true;
+    m_cable->event_stepsize = stepsize;
+    if (gap() > tautline::CableRule<dReal>::slack_rounding() * m_cable->rule.length) {
+      release();
+    }
+  }
+  void end() {
+    m_cable->by_events = false;
+    m_cable->impulse = m_impulse;
+  }
+  /// After a part: its impulse is in.
+  void flew() { m_impulse += dCableGetImpulse(m_cable); }
+
+ private:
+  dCableID m_cable;
+  dReal m_impulse = 0;  // of the step so far [N s]
+};
+
+inline void dxEventCable::apply(dReal impulse) {
+  const dxCableLine line(m_cable->end);
+  for (int index = 0; index < 2; ++index) {
+    if (!m_cable->end[index].is_moved()) {
+      continue;
+    }
+    const dBodyID body = m_cable->end[index].body;
+    const dReal along = index == 0 ? impulse : -impulse;
+    dMass mass;
+    dBodyGetMass(body, &mass);
+    dVector3 turn;
+    dxBodySolveInertia(body, line.moment[index], turn);
+    dVector3 linear, angular;
+    dAddScaledVectors3(linear, dBodyGetLinearVel(body), line.towards, 1, along / mass.mass);
+    dAddScaledVectors3(angular, dBodyGetAngularVel(body), turn, 1, along);
+    dBodySetLinearVel(body, linear[0], linear[1], linear[2]);
+    dBodySetAngularVel(body, angular[0], angular[1], angular[2]);
+  }
+}
+
+inline void dxEventCable::struck(dReal impulse) {
+  m_impulse += impulse;
+  for (const dxCableEnd& end : m_cable->end) {
+    if (end.is_moved()) {
+      dBodyEnable(end.body);
+    }
+  }
+}
+
+/// Where an end is after `stepsize` if nothing but forces acts; ODE's gyroscopic torque is left out.
+inline void dxEndAfter(const dxCableEnd& end, dReal stepsize, dReal* result) {
+  if (end.body == 0 || dBodyIsEnabled(end.body) == 0) {
+    end.position(result);
+    return;
+  }
+  dVector3 linear = {0, 0, 0, 0};
+  dVector3 angular = {0, 0, 0, 0};
+  if (end.is_moved()) {
+    dxBodyAcceleration(end.body, linear);
+    dxBodySolveInertia(end.body, dBodyGetTorque(end.body), angular);
+  }
+  dVector3 spin, turn, quarter;
+  dAddScaledVectors3(spin, dBodyGetAngularVel(end.body), angular, 1, stepsize);
+  // ODE's turn of a step: of first order and normalised, or by the whole angle
+  const dReal angle = dCalcVectorLength3(spin) * stepsize;
+  const bool finite = dBodyGetFiniteRotationMode(end.body) != 0;
+  const dReal half = finite ? angle / 2 : std::atan(angle / 2);
+  dCopyScaledVector3(turn, spin, angle > 0 ? stepsize / angle : 0);  // its axis
+  dVector3 arm, moved;
+  dBodyVectorToWorld(end.body, end.anchor[0], end.anchor[1], end.anchor[2], arm);
+  // Rodrigues: arm + sin(2 half) axis x arm + (1 - cos(2 half)) axis x (axis x arm)
+  dVector3 twice;
+  dCalcVectorCross3(quarter, turn, arm);
+  dCalcVectorCross3(twice, turn, quarter);
+  dAddScaledVectors3(moved, quarter, twice, std::sin(2 * half), 1 - std::cos(2 * half));
+  const dReal* velocity = dBodyGetLinearVel(end.body);
+  const dReal* position = dBodyGetPosition(end.body);
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = position[axis] + arm[axis] + moved[axis] + stepsize * velocity[axis] +
+                   stepsize * stepsize / 2 * linear[axis];
+  }
+}
+
+inline dReal dxEventCable::gap_after(dReal stepsize) const {
+  dVector3 at[2], between;
+  dxEndAfter(m_cable->end[0], stepsize, at[0]);
+  dxEndAfter(m_cable->end[1], stepsize, at[1]);
+  dSubtractVectors3(between, at[1], at[0]);
+  return m_cable->rule.length - dCalcVectorLength3(between);
+}
+
+/// The user's world as `tautline::step_by_events` needs it. Use `dStepWithCables`.
+class dxEventHost {
+ public:
+  dxEventHost(dWorldID world, dJointGroupID group, std::vector<dxEventCable>& cables,
+              dStepFunction* step, void* data)
+      : m_world(world), m_group(group), m_cables(cables), m_step(step), m_data(data) {
+    for (const dxEventCable& cable : cables) {
+      for (const dxCableEnd& end : cable.id()->end) {
+        if (end.is_moved() && std::find(m_ends.begin(), m_ends.end(), end.body) == m_ends.end()) {
+          m_ends.push_back(end.body);
+        }
+      }
+    }
+  }
+
+  void fly(dReal stepsize) {
+    std::vector<Arrival> arrivals;
+    for (const dBodyID body : m_ends) {
+      arrivals.push_back(Arrival(body, stepsize));
+    }
+    for (const dxEventCable& cable : m_cables) {
+      const dCableID id = cable.id();
+      dCableAddContacts(m_world, m_group, &id, 1, stepsize);
+    }
+    m_step(m_data, stepsize);
+    dJointGroupEmpty(m_group);
+    for (const Arrival& arrival : arrivals) {
+      arrival.correct(stepsize);
+    }
+    for (dxEventCable& cable : m_cables) {
+      cable.flew();
+    }
+  }
+
+ private:
+  /// A body before a part, and where it is to be after it.
+  struct Arrival {
+    dBodyID body;
+    dVector3 acceleration;
+    dVector3 velocity;  // if nothing touches it
+
+    Arrival(dBodyID the_body, dReal stepsize) : body(the_body) {
+      dxBodyAcceleration(body, acceleration);
+      dAddScaledVectors3(velocity, dBodyGetLinearVel(body), acceleration, 1, stepsize);
+    }
+    void correct(dReal stepsize) const {
+      dVector3 touch;
+      dSubtractVectors3(touch, dBodyGetLinearVel(body), velocity);
+      const dReal rounding = 10 * std::numeric_limits<dReal>::epsilon() * (dCalcVectorLength3(velocity) +
+                                              stepsize * dCalcVectorLength3(acceleration));
+      if (dCalcVectorLength3(touch) <= rounding) {
+        dVector3 position;
+        dAddScaledVectors3(position, dBodyGetPosition(body), acceleration, 1,
+                           -stepsize * stepsize / 2);
+        dBodySetPosition(body, position[0], position[1], position[2]);
+      }
+    }
+  };
+
+  dWorldID m_world;
+  dJointGroupID m_group;
+  std::vector<dxEventCable>& m_cables;
+  std::vector<dBodyID> m_ends;  // each body once
+  dStepFunction* m_step;
+  void* m_data;
+};
+
+/// Steps a world by `stepsize` [s] in at most `max_parts` + 1 calls of `step`; returns how many. The
+/// cables' contacts go into `group`, which it empties. Afterwards dCableGetImpulse is the sum over
+/// the step.
+inline int dStepWithCables(dWorldID world, dJointGroupID group, const dCableID* cables, int count,
+                           dReal stepsize, dStepFunction* step, void* data, int max_parts = 8) {
+  std::vector<dxEventCable> events(cables, cables + count);
+  for (dxEventCable& cable : events) {
+    cable.begin(stepsize);
+  }
+  dxEventHost host(world, group, events, step, data);
+  const int parts = tautline::step_by_events(host, events, stepsize, max_parts);
+  for (dxEventCable& cable : events) {
+    cable.end();
+  }
+  return parts;
+}
+
+#endif

@@ -8,7 +8,7 @@
 //   Real tolerance()               the gap that counts as zero [m]
 //   Real inverse_mass()            J M^-1 J^T, now [1/kg]
 //   void apply(impulse)            changes the velocities of its ends now, impulse [N s]
-//   bool is_impact(closing), Real rebound(closing)   see CableRule
+//   bool is_impact(closing), Real rebound(closing)   see CableRule; [m/s]
 //   void struck(impulse), hold(), release()
 
 #pragma once
@@ -92,8 +92,9 @@ void solve_impacts(std::vector<Cable>& cables) {
 /// of parts.
 template <typename Real, typename Host, typename Cable>
 int step_by_events(Host& host, std::vector<Cable>& cables, Real dt, int most) {
-  const Real shortest = dt * Real(1e-6);  // engines do nothing, or worse, in a step of rounding
-  solve_impacts<Real>(cables);            // of cables that were pulled taut between two steps
+  // in a step of rounding, engines do nothing or worse; an instant that close to a part's end is it
+  const Real shortest = dt * Real(1e-4);
+  solve_impacts<Real>(cables);  // of cables that were pulled taut between two steps
   Real left = dt;
   int parts = 0;
   while (left > 0) {

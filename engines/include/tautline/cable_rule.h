@@ -27,11 +27,10 @@ class CableRule {
 
   /// A cable as it stands when a step begins.
   struct Start {
-    Real gap;           // [m]
-    Real rate;          // [m/s]
-    Real fall;          // closing rate that forces add in the step [m/s]
-    Real inverse_mass;  // J M^-1 J^T [1/kg]
-    Real dt;            // [s]
+    Real gap;   // [m]
+    Real rate;  // [m/s]
+    Real fall;  // closing rate that forces add in the step [m/s]
+    Real dt;    // [s]
   };
 
   Real length = 0;         // [m], >= 0
@@ -40,8 +39,8 @@ class CableRule {
   Real erp = Real(0.2);    // part of the overstretch that a step takes out [-], in [0, 1]
   bool by_energy = false;  // rebound with e^2 of the energy instead of e times the rate
 
-  /// Rounding lets the gap of a resting load go to and fro by less than this part of the length [-]:
-  /// a hundred times the rounding of float, in coordinates of a hundred lengths.
+  /// Rounding lets the gap of a resting load go to and fro by less than this part of the length
+  /// [-]: a hundred times the rounding of float, in coordinates of a hundred lengths.
   static Real slack_rounding() { return Real(1e-5); }
 
   /// True if a gap of `gap` [m] may need a row.
@@ -51,21 +50,16 @@ class CableRule {
   bool held() const { return held_; }
   void hold() {
     held_ = true;
-    impulse_ = 0;
+    taken_ = 0;
   }
   void release() { held_ = false; }
 
   /// The impulse of the last step [N s] is in: without one the cable has gone slack.
-  void pulled(Real impulse) {
-    impulse_ = impulse;
-    held_ = held_ && impulse > 0;
-  }
+  void pulled(Real impulse) { held_ = held_ && impulse > 0; }
 
-  /// True if closing at `closing` [m/s] is an impact, not what a resting load does between two
-  /// steps: that is no more than the tension of the last step took out.
-  bool is_impact(Real closing, Real inverse_mass) const {
-    return closing > 0 && !(held_ && closing <= impulse_ * inverse_mass);
-  }
+  /// True if closing at `closing` [m/s] is an impact, not what a load that rests or swings taut
+  /// does between two steps: that is no more than the row of the last step took out.
+  bool is_impact(Real closing) const { return closing > 0 && !(held_ && closing <= taken_); }
 
   /// The rebound of an impact [m/s].
   Real rebound(Real closing) const { return closing > threshold ? restitution * closing : Real(0); }
@@ -76,13 +70,13 @@ class CableRule {
       held_ = false;
       return Row{false, 0};
     }
-    if (is_impact(-at.rate, at.inverse_mass)) {
+    if (is_impact(-at.rate)) {
       const Real rate = by_energy ? rebound_by_energy(at) : rebound(-at.rate);
       held_ = !(rate > 0);
-      return Row{true, rate};
+      return pull(at, rate);
     }
     if (held_) {
-      return Row{true, correction(at.gap, at.dt)};
+      return rest(at);
     }
     // opening, but not yet out of the overstretch
     if (at.rate >= at.fall / 2) {
@@ -94,16 +88,23 @@ class CableRule {
       return Row{true, -at.rate};
     }
     held_ = true;
-    return Row{true, correction(at.gap, at.dt)};
+    return rest(at);
   }
 
-  /// The rate of a resting cable [m/s]: some of the overstretch out, or no more than the gap in.
-  Real correction(Real gap, Real dt) const { return gap > 0 ? -gap / dt : -gap * erp / dt; }
+  /// The row of a cable that rests taut: some of the overstretch out, or no more than the gap in.
+  Row rest(const Start& at) {
+    return pull(at, at.gap > 0 ? -at.gap / at.dt : -at.gap * erp / at.dt);
+  }
 
  private:
+  Row pull(const Start& at, Real rate) {
+    taken_ = rate - at.rate + at.fall;
+    return Row{true, rate};
+  }
+
   /// The rate after which the load passes zero gap with e times the speed it passed it with before.
   Real rebound_by_energy(const Start& at) const {
-    const Real arrival = -at.rate + at.fall / 2;  // at this pose
+    const Real arrival = -at.rate + at.fall / 2;                               // at this pose
     const Real climb = at.fall > 0 ? -2 * at.gap * at.fall / at.dt : Real(0);  // 2 a overstretch
     const Real passing = arrival * arrival - climb;
     if (!(passing > threshold * threshold)) {
@@ -114,7 +115,7 @@ class CableRule {
   }
 
   bool held_ = true;  // a load that starts at its cable's end hangs there
-  Real impulse_ = 0;  // of the last step [N s]
+  Real taken_ = 0;    // closing rate that the last row took out [m/s]
 };
 
 }  // namespace tautline

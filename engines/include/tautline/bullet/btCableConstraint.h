@@ -137,10 +137,10 @@ class btCableConstraint : public btTypedConstraint {
     start.gap = m_rule.length - line.m_distance;
     start.rate = line.rate(m_rbA, m_rbB);
     start.fall = -timeStep * line.acceleration(m_rbA, m_rbB);
-    start.inverse_mass = line.inverseMass(m_rbA, m_rbB);
     start.dt = timeStep;
     if (m_byEvents) {
-      return {true, m_rule.correction(start.gap, btMax(timeStep, m_eventStep))};
+      start.dt = btMax(timeStep, m_eventStep);  // no faster in a short part
+      return m_rule.rest(start);
     }
     const tautline::CableRule<btScalar>::Row row = m_rule.step(start);
     if (row.acts && !m_rule.held()) {

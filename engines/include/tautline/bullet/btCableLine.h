@@ -38,7 +38,8 @@ struct btCableLine {
 
   /// J M^-1 J^T [1/kg]: what an impulse of 1 N s adds to that rate.
   btScalar inverseMass(const btRigidBody& a, const btRigidBody& b) const {
-    return a.getInvMass() + b.getInvMass() + m_momentA.dot(a.getInvInertiaTensorWorld() * m_momentA) +
+    return a.getInvMass() + b.getInvMass() +
+           m_momentA.dot(a.getInvInertiaTensorWorld() * m_momentA) +
            m_momentB.dot(b.getInvInertiaTensorWorld() * m_momentB);
   }
 };

@@ -29,12 +29,12 @@
 struct dxCable {
   dxCableEnd end[2];
   tautline::CableRule<dReal> rule;
-  dReal cfm = -1;           // negative: the world's
-  dJointFeedback feedback;  // ODE writes to it in a step
-  dxCableLine line;         // when its contact was made
-  dReal stepsize = 0;       // [s] of a step whose impulse is not read yet; 0: none
-  dReal impulse = 0;        // of the last step [N s]
-  bool by_events = false;   // while dStepWithCables steps, which sees to the impacts itself
+  dReal cfm = -1;            // negative: the world's
+  dJointFeedback feedback;   // ODE writes to it in a step
+  dxCableLine line;          // when its contact was made
+  dReal stepsize = 0;        // [s] of a step whose impulse is not read yet; 0: none
+  dReal impulse = 0;         // of the last step [N s]
+  bool by_events = false;    // while dStepWithCables steps, which sees to the impacts itself
   dReal event_stepsize = 0;  // its whole step [s]
 };
 typedef dxCable* dCableID;
@@ -43,7 +43,8 @@ typedef dxCable* dCableID;
 inline dCableID dCableCreate() { return new dxCable(); }
 inline void dCableDestroy(dCableID cable) { delete cable; }
 
-/// From `body1` to `body2`; 0 is the world. Sets both anchors to the bodies' centres, or the origin.
+/// From `body1` to `body2`; 0 is the world. Sets both anchors to the bodies' centres, or the
+/// origin.
 inline void dCableAttach(dCableID cable, dBodyID body1, dBodyID body2) {
   cable->end[0] = dxCableEnd{body1, {0, 0, 0, 0}};
   cable->end[1] = dxCableEnd{body2, {0, 0, 0, 0}};
@@ -75,8 +76,8 @@ inline void dCableSetBounceVel(dCableID cable, dReal bounce_vel) {
 }
 inline dReal dCableGetBounceVel(dCableID cable) { return cable->rule.threshold; }
 
-/// 1: bounce with bounce^2 of the energy of the arrival at zero gap, so that a falling load rises to
-/// bounce^2 of its height; the rates before and after the step then differ from `bounce` by
+/// 1: bounce with bounce^2 of the energy of the arrival at zero gap, so that a falling load rises
+/// to bounce^2 of its height; the rates before and after the step then differ from `bounce` by
 /// gravity's part of them. 0 unless set.
 inline void dCableSetBounceByEnergy(dCableID cable, int by_energy) {
   cable->rule.by_energy = by_energy != 0;
@@ -98,16 +99,14 @@ inline dReal dCableGetGapRate(dCableID cable) { return dxCableLine(cable->end).r
 
 /// Takes over the impulse of a step that is done. The functions below do it by themselves.
 inline void dxCableReadImpulse(dCableID cable) {
-  if (cable->stepsize > 0) {
-    const bool body_is_first = cable->end[0].body != 0;
-    const dReal* force = cable->feedback.f1;
-    const dReal pull = force[0] * cable->line.towards[0] + force[1] * cable->line.towards[1] +
-                       force[2] * cable->line.towards[2];
-    const dReal impulse = cable->stepsize * (body_is_first ? pull : -pull);
+  // ODE does not step a body that sleeps: its cable pulls as it did
+  if (cable->stepsize > 0 && (cable->end[0].is_awake() || cable->end[1].is_awake())) {
+    const dReal pull = dCalcVectorDot3(cable->feedback.f1, cable->line.towards);
+    const dReal impulse = cable->stepsize * (cable->end[0].body != 0 ? pull : -pull);
     cable->impulse = impulse > 0 ? impulse : 0;  // the projection may round below zero
-    cable->stepsize = 0;
     cable->rule.pulled(cable->impulse);
   }
+  cable->stepsize = 0;
 }
 
 /// The impulse of the last step [N s], >= 0.
@@ -120,20 +119,19 @@ inline int dCableIsTaut(dCableID cable) { return dCableGetImpulse(cable) > 0 ? 1
 
 /// What the cable asks of the step to come.
 inline tautline::CableRule<dReal>::Row dxCableRow(dCableID cable, dReal stepsize) {
-  const dxCableLine line(cable->end);
-  tautline::CableRule<dReal>::Start start;
-  start.gap = cable->rule.length - line.distance;
+  const dxCableLine& line = cable->line;
   if (!(line.distance > 0) || (cable->by_events && !cable->rule.held())) {
     return {false, 0};  // anchors that coincide have no direction to be pulled in
   }
-  if (cable->by_events) {
-    const dReal whole = cable->event_stepsize;
-    return {true, cable->rule.correction(start.gap, stepsize > whole ? stepsize : whole)};
-  }
+  tautline::CableRule<dReal>::Start start;
+  start.gap = cable->rule.length - line.distance;
   start.rate = line.rate(cable->end);
   start.fall = -stepsize * line.acceleration(cable->end);
-  start.inverse_mass = line.inverse_mass(cable->end);
   start.dt = stepsize;
+  if (cable->by_events) {
+    start.dt = stepsize > cable->event_stepsize ? stepsize : cable->event_stepsize;
+    return cable->rule.rest(start);  // no faster in a short part
+  }
   return cable->rule.step(start);
 }
 
@@ -144,12 +142,12 @@ inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableI
   for (int index = 0; index < count; ++index) {
     const dCableID cable = cables[index];
     dxCableReadImpulse(cable);
-    cable->impulse = 0;
+    cable->line.find(cable->end);
     const tautline::CableRule<dReal>::Row row = dxCableRow(cable, stepsize);
     if (!row.acts) {
+      cable->impulse = 0;
       continue;
     }
-    cable->line = dxCableLine(cable->end);
     dContact contact = dContact();
     // the row is asked for the rate and nothing else; ODE adds its ERP to nothing
     contact.surface.mode = dContactMotionN | dContactSoftERP;
@@ -158,19 +156,16 @@ inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableI
       contact.surface.mode |= dContactSoftCFM;
       contact.surface.soft_cfm = cable->cfm;
     }
-    // the normal pushes the joint's first body; any point of the line gives both the right torque
-    const bool body_is_first = cable->end[0].body != 0;
-    dReal at[4];
-    cable->end[body_is_first ? 0 : 1].position(at);
+    // the normal pushes the joint's first body, which must be one; any point of the line gives
+    // both the right torque
+    const int first = cable->end[0].body != 0 ? 0 : 1;
     for (int axis = 0; axis < 3; ++axis) {
-      contact.geom.pos[axis] = at[axis];
-      contact.geom.normal[axis] = body_is_first ? cable->line.towards[axis]
-                                                : -cable->line.towards[axis];
+      contact.geom.pos[axis] = cable->line.point[first][axis];
+      contact.geom.normal[axis] =
+          first == 0 ? cable->line.towards[axis] : -cable->line.towards[axis];
     }
     const dJointID joint = dJointCreateContact(world, group, &contact);
-    dJointAttach(joint, cable->end[body_is_first ? 0 : 1].body,
-                 cable->end[body_is_first ? 1 : 0].body);
-    cable->feedback = dJointFeedback();
+    dJointAttach(joint, cable->end[first].body, cable->end[1 - first].body);
     dJointSetFeedback(joint, &cable->feedback);
     cable->stepsize = stepsize;
   }

@@ -26,21 +26,23 @@ struct dxCableEnd {
       result[0] = anchor[0], result[1] = anchor[1], result[2] = anchor[2];
     }
   }
+  /// True if ODE steps it.
+  bool is_awake() const { return body != 0 && dBodyIsEnabled(body) != 0; }
   /// True if forces move it.
   bool is_moved() const { return body != 0 && dBodyIsKinematic(body) == 0; }
 };
 
 /// Of gravity and the user's forces on a body that they move [m/s^2].
 inline void dxBodyAcceleration(dBodyID body, dReal* result) {
-  dMass mass;
-  dBodyGetMass(body, &mass);
-  dVector3 gravity = {0, 0, 0, 0};
+  dSetZero(result, 3);
   if (dBodyGetGravityMode(body) != 0) {
-    dWorldGetGravity(dBodyGetWorld(body), gravity);
+    dWorldGetGravity(dBodyGetWorld(body), result);
   }
   const dReal* force = dBodyGetForce(body);
-  for (int axis = 0; axis < 3; ++axis) {
-    result[axis] = gravity[axis] + force[axis] / mass.mass;
+  if (dCalcVectorLengthSquare3(force) > 0) {
+    dMass mass;
+    dBodyGetMass(body, &mass);
+    dAddScaledVectors3(result, result, force, 1, 1 / mass.mass);
   }
 }
 
@@ -60,24 +62,33 @@ inline void dxBodySolveInertia(dBodyID body, const dReal* vector, dReal* result)
 struct dxCableLine {
   dReal distance;      // of the anchors [m]
   dVector3 towards;    // from 1 to 2, of length 1; zero if the distance is
+  dVector3 point[2];   // the anchors [m]
   dVector3 moment[2];  // arm x towards [m]; zero for the world
 
-  dxCableLine() : distance(0), towards(), moment() {}
+  dxCableLine() : distance(0), towards(), point(), moment() {}
 
-  explicit dxCableLine(const dxCableEnd* end) : dxCableLine() {
-    dVector3 at[2];
-    end[0].position(at[0]);
-    end[1].position(at[1]);
-    dSubtractVectors3(towards, at[1], at[0]);
+  explicit dxCableLine(const dxCableEnd* end) : dxCableLine() { find(end); }
+
+  /// The line between the ends now.
+  void find(const dxCableEnd* end) {
+    dVector3 arm[2];
+    for (int index = 0; index < 2; ++index) {
+      const dBodyID body = end[index].body;
+      if (body != 0) {
+        dMultiply0_331(arm[index], dBodyGetRotation(body), end[index].anchor);
+        dAddVectors3(point[index], arm[index], dBodyGetPosition(body));
+      } else {
+        dCopyVector3(point[index], end[index].anchor);
+      }
+    }
+    dSubtractVectors3(towards, point[1], point[0]);
     distance = dCalcVectorLength3(towards);
     if (distance > 0) {
       dScaleVector3(towards, 1 / distance);
     }
     for (int index = 0; index < 2; ++index) {
       if (end[index].body != 0) {
-        dVector3 arm;
-        dSubtractVectors3(arm, at[index], dBodyGetPosition(end[index].body));
-        dCalcVectorCross3(moment[index], arm, towards);
+        dCalcVectorCross3(moment[index], arm[index], towards);
       }
     }
   }
@@ -100,10 +111,15 @@ struct dxCableLine {
     dReal result = 0;
     for (int index = 0; index < 2; ++index) {
       if (end[index].is_moved()) {
-        dVector3 linear, angular;
+        dVector3 linear;
         dxBodyAcceleration(end[index].body, linear);
-        dxBodySolveInertia(end[index].body, dBodyGetTorque(end[index].body), angular);
-        const dReal one = dCalcVectorDot3(towards, linear) + dCalcVectorDot3(moment[index], angular);
+        dReal one = dCalcVectorDot3(towards, linear);
+        const dReal* torque = dBodyGetTorque(end[index].body);
+        if (dCalcVectorLengthSquare3(torque) > 0) {
+          dVector3 angular;
+          dxBodySolveInertia(end[index].body, torque, angular);
+          one += dCalcVectorDot3(moment[index], angular);
+        }
         result += index == 0 ? one : -one;
       }
     }

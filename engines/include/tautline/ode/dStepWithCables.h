@@ -9,12 +9,12 @@
 //   ...
 //   dStepWithCables(world, group, cables, count, 1.0 / 60, &step, data);
 //
-// The whole world takes the shorter steps; a step in which no cable goes taut costs a prediction per
-// slack cable. In an impact the cables' own bodies alone change their velocities; contacts and other
-// joints of theirs answer in the part after it. A body at a cable's end that nothing touched in a
-// part is put where its forces take it, half of a h^2 from where ODE does: else every bounce would
-// lose energy to the split. ODE forgets the forces on a body after each part; add lasting ones in
-// `step`.
+// The whole world takes the shorter steps; a step in which no cable goes taut costs a prediction
+// per slack cable. In an impact the cables' own bodies alone change their velocities; contacts and
+// other joints of theirs answer in the part after it. A body at a cable's end that nothing touched
+// in a part is put where its forces take it, half of a h^2 from where ODE does: else every bounce
+// would lose energy to the split. ODE forgets the forces on a body after each part; add lasting
+// ones in `step`.
 
 #ifndef TAUTLINE_ODE_STEP_WITH_CABLES_H
 #define TAUTLINE_ODE_STEP_WITH_CABLES_H
@@ -34,9 +34,11 @@ class dxEventCable {
   bool flies() const { return !m_cable->rule.held(); }
   dReal gap() const { return dCableGetGap(m_cable); }
   dReal rate() const { return dCableGetGapRate(m_cable); }
-  dReal tolerance() const { return 100 * std::numeric_limits<dReal>::epsilon() * m_cable->rule.length; }
+  dReal tolerance() const {
+    return 100 * std::numeric_limits<dReal>::epsilon() * m_cable->rule.length;
+  }
   dReal inverse_mass() const { return dxCableLine(m_cable->end).inverse_mass(m_cable->end); }
-  bool is_impact(dReal closing) const { return m_cable->rule.is_impact(closing, inverse_mass()); }
+  bool is_impact(dReal closing) const { return m_cable->rule.is_impact(closing); }
   dReal rebound(dReal closing) const { return m_cable->rule.rebound(closing); }
   void hold() { m_cable->rule.hold(); }
   void release() { m_cable->rule.release(); }
@@ -94,7 +96,8 @@ inline void dxEventCable::struck(dReal impulse) {
   }
 }
 
-/// Where an end is after `stepsize` if nothing but forces acts; ODE's gyroscopic torque is left out.
+/// Where an end is after `stepsize` if nothing but forces acts; ODE's gyroscopic torque is left
+/// out.
 inline void dxEndAfter(const dxCableEnd& end, dReal stepsize, dReal* result) {
   if (end.body == 0 || dBodyIsEnabled(end.body) == 0) {
     end.position(result);
@@ -140,8 +143,14 @@ inline dReal dxEventCable::gap_after(dReal stepsize) const {
 class dxEventHost {
  public:
   dxEventHost(dWorldID world, dJointGroupID group, std::vector<dxEventCable>& cables,
-              dStepFunction* step, void* data)
-      : m_world(world), m_group(group), m_cables(cables), m_step(step), m_data(data) {
+              dReal stepsize, dStepFunction* step, void* data)
+      : m_world(world),
+        m_group(group),
+        m_cables(cables),
+        m_stepsize(stepsize),
+        m_erp(dWorldGetERP(world)),
+        m_step(step),
+        m_data(data) {
     for (const dxEventCable& cable : cables) {
       for (const dxCableEnd& end : cable.id()->end) {
         if (end.is_moved() && std::find(m_ends.begin(), m_ends.end(), end.body) == m_ends.end()) {
@@ -160,7 +169,10 @@ class dxEventHost {
       const dCableID id = cable.id();
       dCableAddContacts(m_world, m_group, &id, 1, stepsize);
     }
+    // a depth is pushed out at the same speed in a short part
+    dWorldSetERP(m_world, m_erp * stepsize / m_stepsize);
     m_step(m_data, stepsize);
+    dWorldSetERP(m_world, m_erp);
     dJointGroupEmpty(m_group);
     for (const Arrival& arrival : arrivals) {
       arrival.correct(stepsize);
@@ -184,8 +196,9 @@ class dxEventHost {
     void correct(dReal stepsize) const {
       dVector3 touch;
       dSubtractVectors3(touch, dBodyGetLinearVel(body), velocity);
-      const dReal rounding = 10 * std::numeric_limits<dReal>::epsilon() * (dCalcVectorLength3(velocity) +
-                                              stepsize * dCalcVectorLength3(acceleration));
+      const dReal rounding =
+          10 * std::numeric_limits<dReal>::epsilon() *
+          (dCalcVectorLength3(velocity) + stepsize * dCalcVectorLength3(acceleration));
       if (dCalcVectorLength3(touch) <= rounding) {
         dVector3 position;
         dAddScaledVectors3(position, dBodyGetPosition(body), acceleration, 1,
@@ -199,20 +212,22 @@ class dxEventHost {
   dJointGroupID m_group;
   std::vector<dxEventCable>& m_cables;
   std::vector<dBodyID> m_ends;  // each body once
+  dReal m_stepsize;             // [s], the whole step
+  dReal m_erp;                  // the world's
   dStepFunction* m_step;
   void* m_data;
 };
 
-/// Steps a world by `stepsize` [s] in at most `max_parts` + 1 calls of `step`; returns how many. The
-/// cables' contacts go into `group`, which it empties. Afterwards dCableGetImpulse is the sum over
-/// the step.
+/// Steps a world by `stepsize` [s] in at most `max_parts` + 1 calls of `step`; returns how many.
+/// The cables' contacts go into `group`, which it empties. Afterwards dCableGetImpulse is the sum
+/// over the step.
 inline int dStepWithCables(dWorldID world, dJointGroupID group, const dCableID* cables, int count,
                            dReal stepsize, dStepFunction* step, void* data, int max_parts = 8) {
   std::vector<dxEventCable> events(cables, cables + count);
   for (dxEventCable& cable : events) {
     cable.begin(stepsize);
   }
-  dxEventHost host(world, group, events, step, data);
+  dxEventHost host(world, group, events, stepsize, step, data);
   const int parts = tautline::step_by_events(host, events, stepsize, max_parts);
   for (dxEventCable& cable : events) {
     cable.end();

@@ -1,0 +1,85 @@
+// A world of a host engine with its own settings, as a user has it: ground, boxes that lie and
+// fall on it, and loads on drop-in cables. The same for each engine; scene_bullet.cpp and
+// scene_ode.cpp say how, and each test program is linked with one of them.
+
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <memory>
+#include <string>
+
+namespace tautline::test {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// One end of a cable: a point of a body, in its frame, or of the world if `body` is negative [m].
+struct CableEnd {
+  int body;
+  Vec3 point;
+};
+
+struct BodyState {
+  Vec3 position;  // [m]
+  Mat3 axes;      // from the body's frame to the world's
+  Vec3 velocity;  // [m/s]
+  Vec3 spin;      // [rad/s]
+  double mass;    // [kg]
+  Vec3 moments;   // [kg m^2], about the body's axes
+
+  [[nodiscard]] Mat3 inertia() const { return axes * moments.asDiagonal() * axes.transpose(); }
+};
+
+struct CableData {
+  CableEnd first;
+  CableEnd second;
+  double length;       // [m]
+  double restitution;  // [-]
+};
+
+class Scene {
+ public:
+  static constexpr double step_length = 1.0 / 60.0;  // [s]
+
+  /// Gravity acts along -y [m/s^2].
+  explicit Scene(double gravity);
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+  ~Scene();
+
+  /// A body that touches nothing, or a box of 0.2 m that touches all.
+  int add_body(double mass, const Vec3& moments, const Vec3& position, const Vec3& velocity);
+  int add_box(double mass, const Vec3& position);
+  int add_cable(const CableData& cable);
+  /// The engine's own ball joint between a point of a body, in its frame, and the world.
+  void add_ball_joint(int body, const Vec3& point);
+  /// Ground, and boxes that lie and fall on it.
+  void add_scenery();
+
+  void set_velocity(int body, const Vec3& velocity, const Vec3& spin);
+  void let_sleep();
+  void rebound_by_energy(int cable);
+
+  void step();
+  /// One step by events; returns its parts.
+  int step_by_events();
+
+  [[nodiscard]] int count() const;  // bodies that move
+  [[nodiscard]] BodyState body(int index) const;
+  [[nodiscard]] bool sleeps(int body) const;
+  [[nodiscard]] double impulse(int cable) const;  // of the last step [N s]
+  [[nodiscard]] bool taut(int cable) const;
+  [[nodiscard]] double reported_gap(int cable) const;       // [m]
+  [[nodiscard]] double reported_gap_rate(int cable) const;  // [m/s]
+
+  /// The engine, and the rounding of its numbers.
+  static const std::string engine;
+  static const double rounding;
+
+ private:
+  struct Engine;
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace tautline::test

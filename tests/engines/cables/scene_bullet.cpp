@@ -1,0 +1,164 @@
+#include <btBulletDynamicsCommon.h>
+
+#include <limits>
+#include <vector>
+
+#include "scene.hpp"
+#include "tautline/bullet/btStepWithCables.h"
+
+namespace tautline::test {
+namespace {
+
+btVector3 bullet(const Vec3& v) {
+  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+
+Vec3 eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace
+
+const std::string Scene::engine = sizeof(btScalar) == sizeof(double) ? "bullet64" : "bullet32";
+const double Scene::rounding = std::numeric_limits<btScalar>::epsilon();
+
+/// Every setting is Bullet's own, but that loads stay awake until `let_sleep`.
+struct Scene::Engine {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  btEmptyShape nothing;
+  btBoxShape box{btVector3(btScalar(0.1), btScalar(0.1), btScalar(0.1))};
+  btStaticPlaneShape plane{btVector3(0, 1, 0), 0};
+  std::vector<std::unique_ptr<btRigidBody>> bodies;
+  std::vector<std::unique_ptr<btRigidBody>> ground;
+  std::vector<btCableConstraint*> cables;
+  std::vector<std::unique_ptr<btTypedConstraint>> constraints;
+
+  std::unique_ptr<btRigidBody> make(double mass, btCollisionShape& shape, const btVector3& inertia,
+                                    const Vec3& position) {
+    auto result = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+        static_cast<btScalar>(mass), nullptr, &shape, inertia));
+    result->setWorldTransform(btTransform(btQuaternion::getIdentity(), bullet(position)));
+    result->setInterpolationWorldTransform(result->getWorldTransform());
+    return result;
+  }
+  int add(std::unique_ptr<btRigidBody> body) {
+    bodies.push_back(std::move(body));
+    return static_cast<int>(bodies.size()) - 1;
+  }
+  btRigidBody& body(int index) { return *bodies[static_cast<std::size_t>(index)]; }
+  btCableConstraint& cable(int index) { return *cables[static_cast<std::size_t>(index)]; }
+  void add(std::unique_ptr<btTypedConstraint> constraint) {
+    world.addConstraint(constraint.get());
+    constraints.push_back(std::move(constraint));
+  }
+};
+
+Scene::Scene(double gravity) : engine_(std::make_unique<Engine>()) {
+  engine_->world.setGravity(btVector3(0, static_cast<btScalar>(-gravity), 0));
+}
+
+Scene::~Scene() {
+  for (const auto& constraint : engine_->constraints) {
+    engine_->world.removeConstraint(constraint.get());
+  }
+  for (auto* bodies : {&engine_->bodies, &engine_->ground}) {
+    for (const auto& body : *bodies) {
+      engine_->world.removeRigidBody(body.get());
+    }
+  }
+}
+
+int Scene::add_body(double mass, const Vec3& moments, const Vec3& position, const Vec3& velocity) {
+  auto body = engine_->make(mass, engine_->nothing, bullet(moments), position);
+  body->setLinearVelocity(bullet(velocity));
+  body->setActivationState(DISABLE_DEACTIVATION);
+  engine_->world.addRigidBody(body.get(), 0, 0);
+  return engine_->add(std::move(body));
+}
+
+int Scene::add_box(double mass, const Vec3& position) {
+  btVector3 inertia;
+  engine_->box.calculateLocalInertia(static_cast<btScalar>(mass), inertia);
+  auto body = engine_->make(mass, engine_->box, inertia, position);
+  engine_->world.addRigidBody(body.get());
+  return engine_->add(std::move(body));
+}
+
+int Scene::add_cable(const CableData& data) {
+  const CableEnd& first = data.first;
+  const CableEnd& second = data.second;
+  const auto length = static_cast<btScalar>(data.length);
+  auto cable = second.body < 0 ? std::make_unique<btCableConstraint>(engine_->body(first.body),
+                                                                     bullet(first.point),
+                                                                     bullet(second.point), length)
+                               : std::make_unique<btCableConstraint>(
+                                     engine_->body(first.body), engine_->body(second.body),
+                                     bullet(first.point), bullet(second.point), length);
+  cable->setRestitution(static_cast<btScalar>(data.restitution));
+  engine_->cables.push_back(cable.get());
+  engine_->add(std::move(cable));
+  return static_cast<int>(engine_->cables.size()) - 1;
+}
+
+void Scene::add_ball_joint(int body, const Vec3& point) {
+  engine_->add(std::make_unique<btPoint2PointConstraint>(engine_->body(body), bullet(point)));
+}
+
+void Scene::add_scenery() {
+  engine_->ground.push_back(engine_->make(0, engine_->plane, btVector3(0, 0, 0), Vec3::Zero()));
+  engine_->world.addRigidBody(engine_->ground.back().get());
+  for (int level = 0; level < 3; ++level) {
+    add_box(1.0, Vec3(5.0, 0.1 + 0.21 * level, 0.0));
+    add_box(1.0, Vec3(-5.0, 1.0 + level, 0.0));
+  }
+}
+
+void Scene::set_velocity(int body, const Vec3& velocity, const Vec3& spin) {
+  engine_->body(body).setLinearVelocity(bullet(velocity));
+  engine_->body(body).setAngularVelocity(bullet(spin));
+}
+
+void Scene::let_sleep() {
+  for (const auto& body : engine_->bodies) {
+    body->forceActivationState(ACTIVE_TAG);
+  }
+}
+
+void Scene::rebound_by_energy(int cable) { engine_->cable(cable).setReboundByEnergy(true); }
+
+void Scene::step() { engine_->world.stepSimulation(btScalar(1) / 60); }
+
+int Scene::step_by_events() {
+  return btStepWithCables(&engine_->world, engine_->cables.data(),
+                          static_cast<int>(engine_->cables.size()), btScalar(1) / 60);
+}
+
+int Scene::count() const { return static_cast<int>(engine_->bodies.size()); }
+
+BodyState Scene::body(int index) const {
+  const btRigidBody& body = engine_->body(index);
+  const btMatrix3x3& axes = body.getCenterOfMassTransform().getBasis();
+  BodyState result;
+  result.position = eigen(body.getCenterOfMassPosition());
+  result.axes.col(0) = eigen(axes.getColumn(0));
+  result.axes.col(1) = eigen(axes.getColumn(1));
+  result.axes.col(2) = eigen(axes.getColumn(2));
+  result.velocity = eigen(body.getLinearVelocity());
+  result.spin = eigen(body.getAngularVelocity());
+  result.mass = 1.0 / body.getInvMass();
+  result.moments = eigen(body.getInvInertiaDiagLocal()).cwiseInverse();
+  return result;
+}
+
+bool Scene::sleeps(int body) const {
+  return engine_->body(body).getActivationState() == ISLAND_SLEEPING;
+}
+
+double Scene::impulse(int cable) const { return engine_->cable(cable).getAppliedImpulse(); }
+bool Scene::taut(int cable) const { return engine_->cable(cable).isTaut(); }
+double Scene::reported_gap(int cable) const { return engine_->cable(cable).getGap(); }
+double Scene::reported_gap_rate(int cable) const { return engine_->cable(cable).getGapRate(); }
+
+}  // namespace tautline::test

@@ -1,0 +1,205 @@
+#include <ode/ode.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "scene.hpp"
+#include "tautline/ode/dStepWithCables.h"
+
+namespace tautline::test {
+namespace {
+
+Vec3 eigen(const dReal* v) { return {v[0], v[1], v[2]}; }
+
+extern "C" {
+/// ODE tells of rows that are satisfied exactly, in their thousands; the results are right.
+void drop_message(int /*number*/, const char* /*format*/, va_list /*arguments*/) {}
+}
+
+/// ODE, from its first use to the end of the process.
+class Library {
+ public:
+  static void use() { static const Library library; }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+
+ private:
+  Library() {
+    dInitODE2(0);
+    dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
+    dSetMessageHandler(drop_message);
+  }
+  ~Library() { dCloseODE(); }
+};
+
+dWorldID create_world() {
+  Library::use();
+  return dWorldCreate();
+}
+
+}  // namespace
+
+const std::string Scene::engine = "ode";
+const double Scene::rounding = std::numeric_limits<dReal>::epsilon();
+
+/// Every setting is ODE's own.
+struct Scene::Engine {
+  dWorldID world = create_world();
+  dSpaceID space = dHashSpaceCreate(nullptr);
+  dJointGroupID contacts = dJointGroupCreate(0);
+  dJointGroupID of_cables = dJointGroupCreate(0);
+  std::vector<dBodyID> bodies;
+  std::vector<dCableID> cables;
+
+  dBodyID body(int index) const {
+    return index < 0 ? nullptr : bodies[static_cast<std::size_t>(index)];
+  }
+  dCableID cable(int index) const { return cables[static_cast<std::size_t>(index)]; }
+
+  int add(const dMass& mass, const Vec3& position) {
+    bodies.push_back(dBodyCreate(world));
+    dBodySetMass(bodies.back(), &mass);
+    dBodySetPosition(bodies.back(), position.x(), position.y(), position.z());
+    return static_cast<int>(bodies.size()) - 1;
+  }
+
+  static void collide(void* data, dGeomID first, dGeomID second) {
+    const Engine& engine = *static_cast<Engine*>(data);
+    std::array<dContact, 8> found{};
+    const int count =
+        dCollide(first, second, static_cast<int>(found.size()), &found[0].geom, sizeof(dContact));
+    for (std::size_t index = 0; index < static_cast<std::size_t>(count); ++index) {
+      found[index].surface.mode = dContactApprox1;
+      found[index].surface.mu = 0.5;
+      dJointAttach(dJointCreateContact(engine.world, engine.contacts, &found[index]),
+                   dGeomGetBody(first), dGeomGetBody(second));
+    }
+  }
+  static void step(void* data, dReal stepsize) {
+    const Engine& engine = *static_cast<Engine*>(data);
+    dSpaceCollide(engine.space, data, &collide);
+    dWorldStep(engine.world, stepsize);
+    dJointGroupEmpty(engine.contacts);
+  }
+};
+
+Scene::Scene(double gravity) : engine_(std::make_unique<Engine>()) {
+  dWorldSetGravity(engine_->world, 0, -gravity, 0);
+}
+
+Scene::~Scene() {
+  for (const dCableID cable : engine_->cables) {
+    dCableDestroy(cable);
+  }
+  dJointGroupDestroy(engine_->contacts);
+  dJointGroupDestroy(engine_->of_cables);
+  dSpaceDestroy(engine_->space);
+  dWorldDestroy(engine_->world);
+}
+
+int Scene::add_body(double mass, const Vec3& moments, const Vec3& position, const Vec3& velocity) {
+  dMass data;
+  dMassSetParameters(&data, mass, 0, 0, 0, moments.x(), moments.y(), moments.z(), 0, 0, 0);
+  const int index = engine_->add(data, position);
+  set_velocity(index, velocity, Vec3::Zero());
+  return index;
+}
+
+int Scene::add_box(double mass, const Vec3& position) {
+  dMass data;
+  dMassSetBoxTotal(&data, mass, 0.2, 0.2, 0.2);
+  const int index = engine_->add(data, position);
+  dGeomSetBody(dCreateBox(engine_->space, 0.2, 0.2, 0.2), engine_->body(index));
+  return index;
+}
+
+int Scene::add_cable(const CableData& data) {
+  const dCableID cable = dCableCreate();
+  dCableAttach(cable, engine_->body(data.first.body), engine_->body(data.second.body));
+  const auto place = [this](const CableEnd& end) {
+    dVector3 result = {end.point.x(), end.point.y(), end.point.z(), 0};
+    if (end.body >= 0) {
+      dBodyGetRelPointPos(engine_->body(end.body), end.point.x(), end.point.y(), end.point.z(),
+                          result);
+    }
+    return eigen(result);
+  };
+  const Vec3 first = place(data.first);
+  const Vec3 second = place(data.second);
+  dCableSetAnchor1(cable, first.x(), first.y(), first.z());
+  dCableSetAnchor2(cable, second.x(), second.y(), second.z());
+  dCableSetLength(cable, data.length);
+  dCableSetBounce(cable, data.restitution);
+  engine_->cables.push_back(cable);
+  return static_cast<int>(engine_->cables.size()) - 1;
+}
+
+void Scene::add_ball_joint(int body, const Vec3& point) {
+  const dJointID joint = dJointCreateBall(engine_->world, nullptr);
+  dJointAttach(joint, engine_->body(body), nullptr);
+  dVector3 at;
+  dBodyGetRelPointPos(engine_->body(body), point.x(), point.y(), point.z(), at);
+  dJointSetBallAnchor(joint, at[0], at[1], at[2]);
+}
+
+void Scene::add_scenery() {
+  dCreatePlane(engine_->space, 0, 1, 0, 0);
+  for (int level = 0; level < 3; ++level) {
+    add_box(1.0, Vec3(5.0, 0.1 + 0.21 * level, 0.0));
+    add_box(1.0, Vec3(-5.0, 1.0 + level, 0.0));
+  }
+}
+
+void Scene::set_velocity(int body, const Vec3& velocity, const Vec3& spin) {
+  dBodySetLinearVel(engine_->body(body), velocity.x(), velocity.y(), velocity.z());
+  dBodySetAngularVel(engine_->body(body), spin.x(), spin.y(), spin.z());
+}
+
+void Scene::let_sleep() {
+  for (const dBodyID body : engine_->bodies) {
+    dBodySetAutoDisableFlag(body, 1);
+  }
+}
+
+void Scene::rebound_by_energy(int cable) { dCableSetBounceByEnergy(engine_->cable(cable), 1); }
+
+void Scene::step() {
+  dCableAddContacts(engine_->world, engine_->of_cables, engine_->cables.data(),
+                    static_cast<int>(engine_->cables.size()), step_length);
+  Engine::step(engine_.get(), step_length);
+  dJointGroupEmpty(engine_->of_cables);
+}
+
+int Scene::step_by_events() {
+  return dStepWithCables(engine_->world, engine_->of_cables, engine_->cables.data(),
+                         static_cast<int>(engine_->cables.size()), step_length, &Engine::step,
+                         engine_.get());
+}
+
+int Scene::count() const { return static_cast<int>(engine_->bodies.size()); }
+
+BodyState Scene::body(int index) const {
+  const dBodyID body = engine_->body(index);
+  const dReal* rotation = dBodyGetRotation(body);
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  BodyState result;
+  result.position = eigen(dBodyGetPosition(body));
+  for (int row = 0; row < 3; ++row) {
+    result.axes.row(row) = eigen(rotation + 4 * row);
+  }
+  result.velocity = eigen(dBodyGetLinearVel(body));
+  result.spin = eigen(dBodyGetAngularVel(body));
+  result.mass = mass.mass;
+  result.moments = Vec3(mass.I[0], mass.I[5], mass.I[10]);
+  return result;
+}
+
+bool Scene::sleeps(int body) const { return dBodyIsEnabled(engine_->body(body)) == 0; }
+double Scene::impulse(int cable) const { return dCableGetImpulse(engine_->cable(cable)); }
+bool Scene::taut(int cable) const { return dCableIsTaut(engine_->cable(cable)) != 0; }
+double Scene::reported_gap(int cable) const { return dCableGetGap(engine_->cable(cable)); }
+double Scene::reported_gap_rate(int cable) const { return dCableGetGapRate(engine_->cable(cable)); }
+
+}  // namespace tautline::test

@@ -117,8 +117,9 @@ inline dReal dCableGetImpulse(dCableID cable) {
 /// 1 if the cable pulled in the last step; else it was slack.
 inline int dCableIsTaut(dCableID cable) { return dCableGetImpulse(cable) > 0 ? 1 : 0; }
 
-/// What the cable asks of the step to come.
-inline tautline::CableRule<dReal>::Row dxCableRow(dCableID cable, dReal stepsize) {
+/// What the cable asks of the step to come, from where its ends are now.
+inline tautline::CableRule<dReal>::Row dxCableRow(dCableID cable, const dReal* gravity,
+                                                  dReal stepsize) {
   const dxCableLine& line = cable->line;
   if (!(line.distance > 0) || (cable->by_events && !cable->rule.held())) {
     return {false, 0};  // anchors that coincide have no direction to be pulled in
@@ -126,7 +127,7 @@ inline tautline::CableRule<dReal>::Row dxCableRow(dCableID cable, dReal stepsize
   tautline::CableRule<dReal>::Start start;
   start.gap = cable->rule.length - line.distance;
   start.rate = line.rate(cable->end);
-  start.fall = -stepsize * line.acceleration(cable->end);
+  start.fall = -stepsize * line.acceleration(cable->end, gravity);
   start.dt = stepsize;
   if (cable->by_events) {
     start.dt = stepsize > cable->event_stepsize ? stepsize : cable->event_stepsize;
@@ -139,16 +140,18 @@ inline tautline::CableRule<dReal>::Row dxCableRow(dCableID cable, dReal stepsize
 /// `stepsize` [s]. Call it once before that step; empty the group after it.
 inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableID* cables,
                               int count, dReal stepsize) {
+  dVector3 gravity;
+  dWorldGetGravity(world, gravity);
+  dContact contact = dContact();
   for (int index = 0; index < count; ++index) {
     const dCableID cable = cables[index];
     dxCableReadImpulse(cable);
     cable->line.find(cable->end);
-    const tautline::CableRule<dReal>::Row row = dxCableRow(cable, stepsize);
+    const tautline::CableRule<dReal>::Row row = dxCableRow(cable, gravity, stepsize);
     if (!row.acts) {
       cable->impulse = 0;
       continue;
     }
-    dContact contact = dContact();
     // the row is asked for the rate and nothing else; ODE adds its ERP to nothing
     contact.surface.mode = dContactMotionN | dContactSoftERP;
     contact.surface.motionN = row.rate;

@@ -32,12 +32,10 @@ struct dxCableEnd {
   bool is_moved() const { return body != 0 && dBodyIsKinematic(body) == 0; }
 };
 
-/// Of gravity and the user's forces on a body that they move [m/s^2].
-inline void dxBodyAcceleration(dBodyID body, dReal* result) {
-  dSetZero(result, 3);
-  if (dBodyGetGravityMode(body) != 0) {
-    dWorldGetGravity(dBodyGetWorld(body), result);
-  }
+/// Of gravity [m/s^2] and the user's forces on a body that they move [m/s^2].
+inline void dxBodyAcceleration(dBodyID body, const dReal* gravity, dReal* result) {
+  const dReal falls = dBodyGetGravityMode(body) != 0 ? dReal(1) : dReal(0);
+  dCopyScaledVector3(result, gravity, falls);
   const dReal* force = dBodyGetForce(body);
   if (dCalcVectorLengthSquare3(force) > 0) {
     dMass mass;
@@ -106,13 +104,13 @@ struct dxCableLine {
     return result;
   }
 
-  /// What gravity and the bodies' forces and torques add to that rate in a second [m/s^2].
-  dReal acceleration(const dxCableEnd* end) const {
+  /// What gravity [m/s^2] and the bodies' forces and torques add to that rate in a second [m/s^2].
+  dReal acceleration(const dxCableEnd* end, const dReal* gravity) const {
     dReal result = 0;
     for (int index = 0; index < 2; ++index) {
       if (end[index].is_moved()) {
         dVector3 linear;
-        dxBodyAcceleration(end[index].body, linear);
+        dxBodyAcceleration(end[index].body, gravity, linear);
         dReal one = dCalcVectorDot3(towards, linear);
         const dReal* torque = dBodyGetTorque(end[index].body);
         if (dCalcVectorLengthSquare3(torque) > 0) {

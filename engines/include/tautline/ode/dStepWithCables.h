@@ -106,7 +106,9 @@ inline void dxEndAfter(const dxCableEnd& end, dReal stepsize, dReal* result) {
   dVector3 linear = {0, 0, 0, 0};
   dVector3 angular = {0, 0, 0, 0};
   if (end.is_moved()) {
-    dxBodyAcceleration(end.body, linear);
+    dVector3 gravity;
+    dWorldGetGravity(dBodyGetWorld(end.body), gravity);
+    dxBodyAcceleration(end.body, gravity, linear);
     dxBodySolveInertia(end.body, dBodyGetTorque(end.body), angular);
   }
   dVector3 spin, turn, quarter;
@@ -190,7 +192,9 @@ class dxEventHost {
     dVector3 velocity;  // if nothing touches it
 
     Arrival(dBodyID the_body, dReal stepsize) : body(the_body) {
-      dxBodyAcceleration(body, acceleration);
+      dVector3 gravity;
+      dWorldGetGravity(dBodyGetWorld(body), gravity);
+      dxBodyAcceleration(body, gravity, acceleration);
       dAddScaledVectors3(velocity, dBodyGetLinearVel(body), acceleration, 1, stepsize);
     }
     void correct(dReal stepsize) const {

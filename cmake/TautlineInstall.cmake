@@ -16,9 +16,11 @@ install(DIRECTORY analytic/include/ engines/include/
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-# projects of their own, to copy: each finds this tree with find_package(tautline)
-install(DIRECTORY engines/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# projects of their own, to copy: each finds this tree with find_package(tautline)
+foreach(example IN ITEMS own_engine bullet_crane ode_crane)
+  install(DIRECTORY engines/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+endforeach()
 
 configure_package_config_file(
   cmake/tautlineConfig.cmake.in "${PROJECT_BINARY_DIR}/generated/tautlineConfig.cmake"

@@ -48,6 +48,13 @@ build_project("${CMAKE_CURRENT_LIST_DIR}/consumer" "${WORK_DIR}/build"
 run("${CMAKE_CTEST_COMMAND}" --test-dir "${WORK_DIR}/build" -C "${CONFIG}" --output-on-failure
   --no-tests=error)
 
+# the installed examples need the cables' headers and their engine, and no Eigen
+foreach(example IN LISTS EXAMPLES)
+  build_project("${prefix}/${EXAMPLE_DIR}/${example}" "${WORK_DIR}/${example}"
+    -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
+  run("${WORK_DIR}/${example}/${example}")
+endforeach()
+
 if(NOT PROGRAM)
   return()
 endif()
@@ -68,7 +75,7 @@ run("${prefix}/${PROGRAM}" run bouncing-ball --engine "${WORK_DIR}/build/still.s
   --step 0.01)
 
 # the example engine keeps what an engine has to keep, and runs on the bench beside the others
-build_project("${prefix}/${DATA_DIR}/examples/own_engine" "${WORK_DIR}/own_engine")
+build_project("${prefix}/${EXAMPLE_DIR}/own_engine" "${WORK_DIR}/own_engine")
 run("${prefix}/${PROGRAM}" check "${WORK_DIR}/own_engine/own_engine.so")
 run("${prefix}/${PROGRAM}" bench bouncing-ball --engine "${WORK_DIR}/own_engine/own_engine.so"
   --steps 0.01 --out "${WORK_DIR}/results")

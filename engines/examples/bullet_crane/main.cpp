@@ -1,5 +1,6 @@
-// A crane drops its load into the slack of two cables, beside a stack of boxes on the ground. Bullet
-// steps as ever, at 60 Hz and with its own settings; the cables are constraints of its world.
+// A crane drops its load into the slack of two cables, beside a stack of boxes on the ground.
+// Bullet steps as ever, at 60 Hz and with its own settings; the cables are constraints of its
+// world.
 
 #include <cstdio>
 #include <memory>
@@ -66,8 +67,8 @@ int main() {
   const btVector3 hook(0, 6, 0);
   std::vector<std::unique_ptr<btCableConstraint>> cables;
   for (const btScalar side : {btScalar(-0.5), btScalar(0.5)}) {
-    cables.emplace_back(new btCableConstraint(
-        *load.body, btVector3(side, btScalar(0.2), side / 2), hook, btScalar(2.5)));
+    cables.emplace_back(new btCableConstraint(*load.body, btVector3(side, btScalar(0.2), side / 2),
+                                              hook, btScalar(2.5)));
     cables.back()->setRestitution(restitution);
     world.addConstraint(cables.back().get());
   }

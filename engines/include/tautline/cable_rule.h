@@ -13,6 +13,7 @@
 
 #include <cmath>
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 namespace tautline {
 
 /// One cable from step to step. Rates are gap rates [m/s]: negative while the ends move apart.
@@ -119,3 +120,4 @@ class CableRule {
 };
 
 }  // namespace tautline
+// NOLINTEND(modernize-use-nodiscard)

@@ -65,22 +65,22 @@ struct Scene::Engine {
   }
 
   static void collide(void* data, dGeomID first, dGeomID second) {
-    const Engine& engine = *static_cast<Engine*>(data);
+    const Engine& here = *static_cast<Engine*>(data);
     std::array<dContact, 8> found{};
     const int count =
         dCollide(first, second, static_cast<int>(found.size()), &found[0].geom, sizeof(dContact));
     for (std::size_t index = 0; index < static_cast<std::size_t>(count); ++index) {
       found[index].surface.mode = dContactApprox1;
       found[index].surface.mu = 0.5;
-      dJointAttach(dJointCreateContact(engine.world, engine.contacts, &found[index]),
+      dJointAttach(dJointCreateContact(here.world, here.contacts, &found[index]),
                    dGeomGetBody(first), dGeomGetBody(second));
     }
   }
   static void step(void* data, dReal stepsize) {
-    const Engine& engine = *static_cast<Engine*>(data);
-    dSpaceCollide(engine.space, data, &collide);
-    dWorldStep(engine.world, stepsize);
-    dJointGroupEmpty(engine.contacts);
+    const Engine& here = *static_cast<Engine*>(data);
+    dSpaceCollide(here.space, data, &collide);
+    dWorldStep(here.world, stepsize);
+    dJointGroupEmpty(here.contacts);
   }
 };
 
@@ -186,9 +186,10 @@ BodyState Scene::body(int index) const {
   dBodyGetMass(body, &mass);
   BodyState result;
   result.position = eigen(dBodyGetPosition(body));
-  for (int row = 0; row < 3; ++row) {
-    result.axes.row(row) = eigen(rotation + 4 * row);
-  }
+  // rows of three, each in four places
+  result.axes.row(0) = eigen(&rotation[0]);
+  result.axes.row(1) = eigen(&rotation[4]);
+  result.axes.row(2) = eigen(&rotation[8]);
   result.velocity = eigen(dBodyGetLinearVel(body));
   result.spin = eigen(dBodyGetAngularVel(body));
   result.mass = mass.mass;

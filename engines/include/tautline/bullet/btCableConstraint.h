@@ -15,6 +15,8 @@
 #include "tautline/bullet/btCableLine.h"
 #include "tautline/cable_rule.h"
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
 class btCableConstraint : public btTypedConstraint {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -159,5 +161,7 @@ class btCableConstraint : public btTypedConstraint {
   bool m_byEvents = false;   // while btCableStepper steps, which sees to the impacts itself
   btScalar m_eventStep = 0;  // its whole step [s]
 };
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

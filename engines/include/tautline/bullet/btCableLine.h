@@ -5,6 +5,8 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
 /// The gap's rate is m_towards * (vA - vB) + m_momentA * wA - m_momentB * wB.
 struct btCableLine {
   btScalar m_distance;  // of the pivots [m]
@@ -43,5 +45,7 @@ struct btCableLine {
            m_momentB.dot(b.getInvInertiaTensorWorld() * m_momentB);
   }
 };
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

@@ -20,6 +20,8 @@
 #include "tautline/bullet/btCableConstraint.h"
 #include "tautline/cable_events.h"
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
 /// The world and its cables as `tautline::step_by_events` needs them. Use `btStepWithCables`.
 class btCableStepper {
  public:
@@ -238,5 +240,7 @@ inline int btStepWithCables(btDiscreteDynamicsWorld* world, btCableConstraint* c
   world->clearForces();
   return parts;
 }
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

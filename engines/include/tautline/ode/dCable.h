@@ -24,8 +24,10 @@
 #include "tautline/cable_rule.h"
 #include "tautline/ode/dCableLine.h"
 
-/// Use the functions below. A cable must not outlive the bodies it is attached to by more than its
-/// own destruction, and not move in memory while a step is under way.
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
+/// Use the functions below. Destroy a cable before its bodies, and not between dCableAddContacts
+/// and the end of the step: ODE writes to it there.
 struct dxCable {
   dxCableEnd end[2];
   tautline::CableRule<dReal> rule;
@@ -102,7 +104,7 @@ inline void dxCableReadImpulse(dCableID cable) {
   // ODE does not step a body that sleeps: its cable pulls as it did
   if (cable->stepsize > 0 && (cable->end[0].is_awake() || cable->end[1].is_awake())) {
     const dReal pull = dCalcVectorDot3(cable->feedback.f1, cable->line.towards);
-    const dReal impulse = cable->stepsize * (cable->end[0].body != 0 ? pull : -pull);
+    const dReal impulse = cable->stepsize * (cable->end[0].body != nullptr ? pull : -pull);
     cable->impulse = impulse > 0 ? impulse : 0;  // the projection may round below zero
     cable->rule.pulled(cable->impulse);
   }
@@ -161,7 +163,7 @@ inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableI
     }
     // the normal pushes the joint's first body, which must be one; any point of the line gives
     // both the right torque
-    const int first = cable->end[0].body != 0 ? 0 : 1;
+    const int first = cable->end[0].body != nullptr ? 0 : 1;
     for (int axis = 0; axis < 3; ++axis) {
       contact.geom.pos[axis] = cable->line.point[first][axis];
       contact.geom.normal[axis] =
@@ -173,5 +175,7 @@ inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableI
     cable->stepsize = stepsize;
   }
 }
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

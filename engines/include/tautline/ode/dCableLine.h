@@ -5,6 +5,8 @@
 
 #include <ode/ode.h>
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
 /// One end of a cable: a point of a body, or of the world.
 struct dxCableEnd {
   dBodyID body;     // 0: the world
@@ -12,7 +14,7 @@ struct dxCableEnd {
 
   /// Fastens the end to the point (x, y, z) of the world as it is now [m].
   void fasten(dReal x, dReal y, dReal z) {
-    if (body != 0) {
+    if (body != nullptr) {
       dBodyGetPosRelPoint(body, x, y, z, anchor);
     } else {
       anchor[0] = x, anchor[1] = y, anchor[2] = z;
@@ -20,16 +22,16 @@ struct dxCableEnd {
   }
   /// Where it is now, in the world [m].
   void position(dReal* result) const {
-    if (body != 0) {
+    if (body != nullptr) {
       dBodyGetRelPointPos(body, anchor[0], anchor[1], anchor[2], result);
     } else {
       result[0] = anchor[0], result[1] = anchor[1], result[2] = anchor[2];
     }
   }
   /// True if ODE steps it.
-  bool is_awake() const { return body != 0 && dBodyIsEnabled(body) != 0; }
+  bool is_awake() const { return body != nullptr && dBodyIsEnabled(body) != 0; }
   /// True if forces move it.
-  bool is_moved() const { return body != 0 && dBodyIsKinematic(body) == 0; }
+  bool is_moved() const { return body != nullptr && dBodyIsKinematic(body) == 0; }
 };
 
 /// Of gravity [m/s^2] and the user's forces on a body that they move [m/s^2].
@@ -72,7 +74,7 @@ struct dxCableLine {
     dVector3 arm[2];
     for (int index = 0; index < 2; ++index) {
       const dBodyID body = end[index].body;
-      if (body != 0) {
+      if (body != nullptr) {
         dMultiply0_331(arm[index], dBodyGetRotation(body), end[index].anchor);
         dAddVectors3(point[index], arm[index], dBodyGetPosition(body));
       } else {
@@ -85,7 +87,7 @@ struct dxCableLine {
       dScaleVector3(towards, 1 / distance);
     }
     for (int index = 0; index < 2; ++index) {
-      if (end[index].body != 0) {
+      if (end[index].body != nullptr) {
         dCalcVectorCross3(moment[index], arm[index], towards);
       }
     }
@@ -95,7 +97,7 @@ struct dxCableLine {
   dReal rate(const dxCableEnd* end) const {
     dReal result = 0;
     for (int index = 0; index < 2; ++index) {
-      if (end[index].body != 0) {
+      if (end[index].body != nullptr) {
         const dReal one = dCalcVectorDot3(towards, dBodyGetLinearVel(end[index].body)) +
                           dCalcVectorDot3(moment[index], dBodyGetAngularVel(end[index].body));
         result += index == 0 ? one : -one;
@@ -139,5 +141,7 @@ struct dxCableLine {
     return result;
   }
 };
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

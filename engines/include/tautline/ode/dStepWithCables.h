@@ -22,6 +22,8 @@
 #include "tautline/cable_events.h"
 #include "tautline/ode/dCable.h"
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
 /// Steps the user's world by `stepsize` [s].
 typedef void dStepFunction(void* data, dReal stepsize);
 
@@ -99,7 +101,7 @@ inline void dxEventCable::struck(dReal impulse) {
 /// Where an end is after `stepsize` if nothing but forces acts; ODE's gyroscopic torque is left
 /// out.
 inline void dxEndAfter(const dxCableEnd& end, dReal stepsize, dReal* result) {
-  if (end.body == 0 || dBodyIsEnabled(end.body) == 0) {
+  if (end.body == nullptr || dBodyIsEnabled(end.body) == 0) {
     end.position(result);
     return;
   }
@@ -238,5 +240,7 @@ inline int dStepWithCables(dWorldID world, dJointGroupID group, const dCableID* 
   }
   return parts;
 }
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

@@ -14,13 +14,13 @@
 #include <EventDriven.hpp>
 #include <EventsManager.hpp>
 #include <Interaction.hpp>
-#include <LCP.hpp>
 #include <LsodarOSI.hpp>
 #include <OneStepNSProblem.hpp>
 #include <Relation.hpp>
 #include <SimulationGraphs.hpp>
 #include <TimeDiscretisation.hpp>
 
+#include "checked_lcp.hpp"
 #include "models.hpp"
 #include "tautline/clock.hpp"
 
@@ -30,11 +30,12 @@ namespace {
 /// Below this a gap [m], its rate [m/s], its acceleration [m/s^2] and a tension [N] are zero.
 constexpr double event_tolerance = 1e-9;
 
-/// Slower impacts do not rebound [m/s]. Where impacts on coupled cables accumulate, rebounds of about
-/// the tolerance would keep each other above it for ever; ten times as fast ones still decay.
+/// Slower impacts do not rebound [m/s]. Where impacts on coupled cables accumulate, rebounds of
+/// about the tolerance would keep each other above it for ever; ten times as fast ones still decay.
 constexpr double capture_speed = 10.0 * event_tolerance;
 
-/// A step with more events than this does not end. Shipped cases have less than 1000 in a whole run.
+/// A step with more events than this does not end. Shipped cases have less than 1000 in a whole
+/// run.
 constexpr int most_events = 10'000;
 
 /// ODEPACK's routine for several integrations in turns: it saves (job 1) and restores (job 2) what
@@ -42,8 +43,9 @@ constexpr int most_events = 10'000;
 extern "C" void dsrcar_(double* numbers, int* integers, const int* job);
 
 /// LSODAR whose problems of tensions have the geometry of now. `LagrangianScleronomousR` calls its
-/// own `computeDotJachq` there and not the relation's, so that H' would be that of before an impact.
-/// And LSODAR whose memory is its own: another simulation of the process may step in between.
+/// own `computeDotJachq` there and not the relation's, so that H' would be that of before an
+/// impact. And LSODAR whose memory is its own: another simulation of the process may step in
+/// between.
 class Lsodar final : public LsodarOSI {
  public:
   void integrate(double& start, double& wanted, double& reached, int& status) override {
@@ -74,7 +76,7 @@ std::shared_ptr<EventDriven> event_driven(const System& system, double dt) {
   auto result = std::make_shared<EventDriven>(system.dynamics(),
                                               std::make_shared<TimeDiscretisation>(0.0, dt));
   result->insertIntegrator(std::make_shared<Lsodar>());
-  result->insertNonSmoothProblem(std::make_shared<LCP>(), SICONOS_OSNSP_ED_IMPACT);
+  result->insertNonSmoothProblem(std::make_shared<CheckedLcp>(), SICONOS_OSNSP_ED_IMPACT);
   result->insertNonSmoothProblem(std::make_shared<LCP>(), SICONOS_OSNSP_ED_SMOOTH_ACC);
   result->setToleranceED(event_tolerance);
   result->initialize();
@@ -187,6 +189,8 @@ std::vector<ModelEntry> event_driven_models() {
               "The default of 2.2e-12 is less than an overstretch of rounding in a long run."},
              {"NewtonImpactNSL e", "0 below 1e-8 m/s",
               "Rebounds of about the tolerance on coupled cables would keep each other alive."},
+             {"LCP::compute", "overridden for impacts, ends the run where the solver fails",
+              "Siconos goes on with what the solver has left."},
              {"LsodarOSI::computeFreeOutput", "overridden, with the relation's Jacobians of now",
               "Siconos calls past the relation's own rate of the Jacobian and takes an old one."}}},
            [](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {

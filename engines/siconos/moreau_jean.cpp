@@ -7,11 +7,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include <LCP.hpp>
 #include <MLCPProjectOnConstraints.hpp>
 #include <MoreauJeanDirectProjectionOSI.hpp>
 #include <MoreauJeanOSI.hpp>
@@ -19,6 +17,7 @@
 #include <TimeStepping.hpp>
 #include <TimeSteppingDirectProjection.hpp>
 
+#include "checked_lcp.hpp"
 #include "models.hpp"
 #include "tautline/clock.hpp"
 
@@ -31,28 +30,19 @@ constexpr double theta = 0.5;
 
 enum class Projection { none, direct };
 
-/// Siconos says on the standard output that a solver has failed and goes on with what is there.
-void refuse_failure(int info, ::Simulation* /*simulation*/) {
-  if (info != 0) {
-    throw std::runtime_error("the solver of the complementarity problem fails, code " +
-                             std::to_string(info));
-  }
-}
-
 std::shared_ptr<TimeStepping> stepping(const System& system, double dt, Projection projection) {
   auto times = std::make_shared<TimeDiscretisation>(0.0, dt);
   std::shared_ptr<TimeStepping> result;
   if (projection == Projection::none) {
     result = std::make_shared<TimeStepping>(system.dynamics(), times,
                                             std::make_shared<MoreauJeanOSI>(theta),
-                                            std::make_shared<LCP>());
+                                            std::make_shared<CheckedLcp>());
   } else {
     constexpr unsigned int all_cables = 0;  // index set that is projected on
     result = std::make_shared<TimeSteppingDirectProjection>(
         system.dynamics(), times, std::make_shared<MoreauJeanDirectProjectionOSI>(theta),
-        std::make_shared<LCP>(), std::make_shared<MLCPProjectOnConstraints>(), all_cables);
+        std::make_shared<CheckedLcp>(), std::make_shared<MLCPProjectOnConstraints>(), all_cables);
   }
-  result->setCheckSolverFunction(refuse_failure);
   return result;
 }
 
@@ -118,8 +108,8 @@ class MoreauJeanSimulation final : public Simulation {
 ModelEntry entry(std::string name, std::string sentence, Projection projection) {
   return {{std::move(name),
            std::move(sentence),
-           {{"setCheckSolverFunction", "ends the run",
-             "By default a solver that fails is told on the standard output and the run goes on."}}},
+           {{"LCP::compute", "overridden, ends the run where the solver fails",
+             "Siconos prints a line and goes on with what the solver has left."}}},
           [projection](const Case& the_case,
                        const RunSettings& settings) -> std::unique_ptr<Simulation> {
             return std::make_unique<MoreauJeanSimulation>(the_case, projection, settings.step);

@@ -15,8 +15,8 @@
 namespace tautline::siconos_engine {
 namespace {
 
-/// No function of the library tells a release. The file it was loaded from ends in its number, as in
-/// libsiconos_numerics.so.7.0.0.
+/// No function of the library tells a release. The file it was loaded from ends in its number, as
+/// in libsiconos_numerics.so.7.0.0.
 std::string library_version() {
   const std::string before_number = ".so.";
   Dl_info found{};

@@ -47,7 +47,8 @@ System::System(const Case& the_case, const State& start)
     : case_(&the_case),
       body_(body_of(the_case, start)),
       // it must have an end; a run is stepped and never reaches it
-      dynamics_(std::make_shared<NonSmoothDynamicalSystem>(0.0, std::numeric_limits<double>::max())) {
+      dynamics_(
+          std::make_shared<NonSmoothDynamicalSystem>(0.0, std::numeric_limits<double>::max())) {
   dynamics_->insertDynamicalSystem(body_);
   for (const Cable& cable : case_->cables) {
     laws_.push_back(std::make_shared<NewtonImpactNSL>(cable.restitution));

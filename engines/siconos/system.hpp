@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-
 #include "storage_in_cpp20.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bench/conformance.hpp"
 #include "tautline/geometry.hpp"
@@ -14,14 +15,13 @@ namespace {
 
 constexpr double usual_step = 1e-3;  // [s]
 
-/// A hit that is noticed a step late, or a bounce that is taken before gravity's part of its step,
-/// is off by m g v dt of energy; the scheme gives that back or takes it at the next hit. Several
-/// cables are hit within few steps of each other.
-constexpr double energy_limit = 4.0;  // of m g v dt
+/// Gravity's part of a contact that takes `longest_contact` steps: the scheme gives that back or
+/// takes it at the next hit. In a contact of one step it is half a step's.
+constexpr double energy_limit = longest_contact;  // of m g v dt
 
-/// A hit goes on for a step before it is noticed; a spring of `longest_contact` steps lets the body
-/// go on for 1.6 steps, and one that is as stiff along two cables for as many again.
-constexpr double overstretch_limit = 5.0;  // of v dt
+/// A spring on which a bounce takes `longest_contact` steps of dt stretches by v dt times that over
+/// pi, and a hit may be noticed a step late.
+constexpr double overstretch_limit = longest_contact / std::numbers::pi + 1.0;  // of v dt
 
 /// A swing of 0.5 m/s on a cable that is held in its rate alone lengthens by 1e-3 m in this time;
 /// with any correction it does not lengthen.

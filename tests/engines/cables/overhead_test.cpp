@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <limits>
 
 #include "measure.hpp"
@@ -13,6 +14,12 @@ namespace {
 
 constexpr double allowed_ratio = 1.15;
 constexpr int loads = 40;
+
+#ifdef __OPTIMIZE__
+constexpr bool optimised = true;
+#else
+constexpr bool optimised = false;
+#endif
 
 enum class Held { by_joint, by_cable };
 
@@ -34,7 +41,7 @@ std::unique_ptr<Scene> many_loads(Held held, double restitution, double above, d
 }
 
 double time_of(Scene& scene) {
-  const int steps = 50;
+  const int steps = 20;  // so short that most are not interrupted
   const auto start = std::chrono::steady_clock::now();
   for (int step = 0; step < steps; ++step) {
     scene.step();
@@ -48,7 +55,7 @@ double ratio(double restitution, double above, double speed) {
   const auto cables = many_loads(Held::by_cable, restitution, above, speed);
   double of_joints = std::numeric_limits<double>::infinity();
   double of_cables = of_joints;
-  for (int turn = 0; turn < 40; ++turn) {
+  for (int turn = 0; turn < 150; ++turn) {
     of_joints = std::min(of_joints, time_of(*joints));
     of_cables = std::min(of_cables, time_of(*cables));
   }
@@ -58,10 +65,17 @@ double ratio(double restitution, double above, double speed) {
   return result;
 }
 
-TEST(Overhead, OfATautCableIsBelowThatOfABallJoint) {
+TEST(Overhead, OfATautCableIsAllowed) {
+  if (!optimised) {
+    GTEST_SKIP() << "a program without optimisation measures the compiler";
+  }
   EXPECT_LE(ratio(0.5, 0.0, 1.0), allowed_ratio);
 }
-TEST(Overhead, OfABouncingCableIsBelowThatOfABallJoint) {
+
+TEST(Overhead, OfABouncingCableIsAllowed) {
+  if (!optimised) {
+    GTEST_SKIP() << "a program without optimisation measures the compiler";
+  }
   EXPECT_LE(ratio(1.0, 0.3, 0.0), allowed_ratio);
 }
 

@@ -1,0 +1,110 @@
+// What Bullet's users expect of a constraint of its world.
+
+#include <btBulletDynamicsCommon.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tautline/bullet/btCableConstraint.h"
+
+namespace {
+
+const btScalar time_step = btScalar(1) / 60;
+const btScalar weight = 20;  // [N]
+
+/// A load of 2 kg that hangs from the origin, overstretched by 0.1 m.
+struct Hanging {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btSequentialImpulseConstraintSolver solver;
+  btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  btSphereShape shape{btScalar(0.1)};
+  btRigidBody load{
+      btRigidBody::btRigidBodyConstructionInfo(2, nullptr, &shape, btVector3(1, 1, 1))};
+  btCableConstraint cable{load, btVector3(0, 0, 0), btVector3(0, 0, 0), 1};
+
+  Hanging() {
+    world.setGravity(btVector3(0, -10, 0));
+    load.setWorldTransform(
+        btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(-1.1), 0)));
+    world.addRigidBody(&load);
+    world.addConstraint(&cable);
+  }
+  Hanging(const Hanging&) = delete;
+  Hanging& operator=(const Hanging&) = delete;
+  ~Hanging() {
+    world.removeConstraint(&cable);
+    world.removeRigidBody(&load);
+  }
+};
+
+TEST(BtCableConstraint, KeepsItsParameters) {
+  Hanging hanging;
+  btCableConstraint& cable = hanging.cable;
+  EXPECT_FLOAT_EQ(static_cast<float>(cable.getParam(BT_CONSTRAINT_ERP)), 0.2F);
+  cable.setParam(BT_CONSTRAINT_ERP, btScalar(0.5));
+  cable.setParam(BT_CONSTRAINT_CFM, btScalar(0.25));
+  cable.setRestitution(btScalar(0.75));
+  cable.setRestitutionThreshold(btScalar(0.125));
+  cable.setMaxLength(3);
+  EXPECT_EQ(cable.getParam(BT_CONSTRAINT_ERP), btScalar(0.5));
+  EXPECT_EQ(cable.getParam(BT_CONSTRAINT_CFM), btScalar(0.25));
+  EXPECT_EQ(cable.getRestitution(), btScalar(0.75));
+  EXPECT_EQ(cable.getRestitutionThreshold(), btScalar(0.125));
+  EXPECT_EQ(cable.getMaxLength(), 3);
+}
+
+TEST(BtCableConstraint, TakesItsErpOutOfTheOverstretch) {
+  Hanging hanging;
+  hanging.cable.setParam(BT_CONSTRAINT_ERP, btScalar(0.5));
+  const double before = hanging.cable.getGap();
+  hanging.world.stepSimulation(time_step);
+  EXPECT_NEAR(hanging.cable.getGap(), 0.5 * before, 1e-6);
+}
+
+TEST(BtCableConstraint, GivesWithItsCfm) {
+  Hanging hanging;
+  hanging.cable.setParam(BT_CONSTRAINT_ERP, 0);
+  hanging.cable.setParam(BT_CONSTRAINT_CFM, btScalar(0.25));
+  hanging.world.stepSimulation(time_step);
+  // the row of Bullet's solver: impulse = fall / (J M^-1 J^T) - cfm * impulse, in units of its own
+  const double fall = 10.0 / 60.0;
+  EXPECT_NEAR(hanging.cable.getAppliedImpulse(), fall * 2.0 / 1.25, 1e-3);
+  EXPECT_LT(hanging.cable.getGapRate(), 0);
+}
+
+TEST(BtCableConstraint, ReportsTensionAndFeedback) {
+  Hanging hanging;
+  btJointFeedback feedback;
+  hanging.cable.setJointFeedback(&feedback);
+  for (int step = 0; step < 200; ++step) {
+    hanging.world.stepSimulation(time_step);
+  }
+  EXPECT_TRUE(hanging.cable.isTaut());
+  EXPECT_NEAR(hanging.cable.getTension(time_step), weight, 1e-3);
+  EXPECT_NEAR(feedback.m_appliedForceBodyA.y(), weight, 1e-3);
+}
+
+TEST(BtCableConstraint, BreaksAtItsThreshold) {
+  Hanging hanging;
+  hanging.cable.setBreakingImpulseThreshold(btScalar(0.1));  // a step's weight is 0.33 N s
+  for (int step = 0; step < 5; ++step) {
+    hanging.world.stepSimulation(time_step);
+  }
+  EXPECT_FALSE(hanging.cable.isEnabled());
+  EXPECT_LT(hanging.cable.getGap(), btScalar(-0.1));
+}
+
+TEST(BtCableConstraint, DoesNotReboundBelowItsThreshold) {
+  for (const btScalar threshold : {btScalar(1), btScalar(3)}) {
+    Hanging hanging;
+    hanging.cable.setRestitution(btScalar(0.5));
+    hanging.cable.setRestitutionThreshold(threshold);
+    hanging.load.setLinearVelocity(btVector3(0, -2, 0));
+    hanging.world.stepSimulation(time_step);
+    EXPECT_NEAR(hanging.cable.getGapRate(), threshold < 2 ? 1.0 : 0.0, 1e-5);
+  }
+}
+
+}  // namespace

@@ -53,6 +53,7 @@ double gap_rate(const Line& line, const CableData& cable, const std::vector<Body
 
 std::vector<BodyState> bodies_of(const Scene& scene, int count) {
   std::vector<BodyState> result;
+  result.reserve(static_cast<std::size_t>(count));
   for (int index = 0; index < count; ++index) {
     result.push_back(scene.body(index));
   }

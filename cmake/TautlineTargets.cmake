@@ -21,5 +21,7 @@ function(tautline_target target)
     target_compile_options(${target} PRIVATE
       -Wno-maybe-uninitialized -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+    # Eigen would take another malloc under ASan, and free what an engine built without it allocated
+    target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()
 endfunction()

@@ -15,7 +15,7 @@ namespace tautline::bench {
 namespace {
 
 constexpr double step = 1e-4;         // [s]
-constexpr double end = 0.1;           // [s], long after the hit
+constexpr double end = 0.04;          // [s], long after the hit
 constexpr double way_to_go = 0.0203;  // [m], at 1 m/s: no whole number of steps
 
 /// A contact that takes `longest_contact` steps turns the body by up to 5e-3 rad meanwhile, and the
@@ -141,7 +141,7 @@ Measure measure_angular_momentum(const Subject& subject) {
   std::optional<State> before;  // the first step with an impulse
   State after;                  // the last one of the same contact
   bool over = false;
-  run_whole(*simulation, step, 0.5, [&](const Moment& moment) {
+  run_whole(*simulation, step, 0.25, [&](const Moment& moment) {
     const bool hit = simulation->impulses()[0] > 0.0;
     over = over || (before && !hit);
     if (hit && !over) {

@@ -66,7 +66,7 @@ Measure measure_energy(const Subject& subject) {
   double found = 0.0;
   for (const Case& the_case :
        {bouncing_ball(1.0), standard_breakwater(1.0), standard_breakwater(0.9)}) {
-    found = worse(found, energy_rise(subject, the_case, 10.0));
+    found = worse(found, energy_rise(subject, the_case, 6.0));
   }
   return {found, energy_limit,
           found <= energy_limit

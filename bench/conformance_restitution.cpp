@@ -107,8 +107,8 @@ Measure measure_central_restitution(const Subject& subject) {
 }
 
 Measure measure_off_centre_restitution(const Subject& subject) {
-  return measure_of(rebound(subject, off_centre_hit(low_restitution), 1e-4, 0.5),
-                    rebound(subject, off_centre_hit(high_restitution), 1e-4, 0.5));
+  return measure_of(rebound(subject, off_centre_hit(low_restitution), 1e-4, 0.25),
+                    rebound(subject, off_centre_hit(high_restitution), 1e-4, 0.25));
 }
 
 Measure measure_slow_restitution(const Subject& subject) {

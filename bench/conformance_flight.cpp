@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <vector>
 
 #include "bench/conformance.hpp"
 #include "tautline/geometry.hpp"
@@ -37,8 +38,7 @@ struct Fallen {
 Fallen fall(const Subject& subject, const Fall& plan) {
   const Case the_case = spinning_on_one_cable(50.0);
   const auto simulation = subject.start(the_case, plan.step);
-  State wanted[std::size(flights)];
-  std::fill(std::begin(wanted), std::end(wanted), the_case.initial);
+  std::vector<State> wanted(std::size(flights), the_case.initial);
   Fallen result;
   run_whole(*simulation, plan.step, plan.end, [&](const Moment& moment) {
     for (std::size_t k = 0; k < std::size(flights); ++k) {

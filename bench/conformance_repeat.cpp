@@ -122,6 +122,7 @@ Measure measure_convergence(const Subject& subject) {
   const std::vector<double> steps = subject.in_double() ? std::vector<double>{1e-2, 1e-3, 1e-4}
                                                         : std::vector<double>{1e-2, 3e-3, 1e-3};
   std::vector<double> deviations;
+  deviations.reserve(steps.size());
   for (const double step : steps) {
     deviations.push_back(deviation(subject, the_case, exact, step));
   }

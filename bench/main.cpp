@@ -6,6 +6,7 @@
 #include <exception>
 #include <map>
 #include <string>
+#include <system_error>
 
 #include "bench/commands.hpp"
 #include "bench/process.hpp"
@@ -192,6 +193,11 @@ int main(int count, char** arguments) {
       return exit_failed;
     }
     return code;
+  } catch (const std::system_error& error) {  // fmt's, which does not tell what it wrote to
+    const bool of_output = std::ferror(stdout) != 0;
+    complain({of_output ? "cannot write to standard output: " + error.code().message()
+                        : std::string(error.what())});
+    return exit_failed;
   } catch (const std::exception& error) {
     complain({error.what()});
     return exit_failed;

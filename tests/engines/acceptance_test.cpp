@@ -240,16 +240,18 @@ TEST(Sampled, IsTheExactSolutionWithoutItsEvents) {
   EXPECT_TRUE(sampled->stopped()) << "the end of the solution was not reached";
 }
 
-TEST(Row, IsTheSameInBulletAndOde) {
+class SameRow : public testing::TestWithParam<std::string> {};
+
+TEST_P(SameRow, AsInBullet) {
   const auto bullet = plugin_of("bullet64");
-  const auto ode = plugin_of("ode");
-  if (!bullet || !ode) {
-    GTEST_SKIP() << "bullet64 or ode is not built";
+  const auto other_engine = plugin_of(GetParam());
+  if (!bullet || !other_engine) {
+    GTEST_SKIP() << "bullet64 or " << GetParam() << " is not built";
   }
   const Case the_case = table_case(standard);
   for (const std::string model : {"row", "early"}) {
     const auto one = bullet->engine().start(the_case, model, 1e-3);
-    const auto other = ode->engine().start(the_case, model, 1e-3);
+    const auto other = other_engine->engine().start(the_case, model, 1e-3);
     double largest = 0.0;
     run(*one, 1e-3, 5.0, [&](const Moment& moment) {
       other->step(1e-3);
@@ -258,6 +260,9 @@ TEST(Row, IsTheSameInBulletAndOde) {
     expect_within(model + ": difference of the whole state, t <= 5", largest, 1e-10);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Acceptance, SameRow, testing::Values<std::string>("ode", "dart"),
+                         [](const auto& instance) { return instance.param; });
 
 }  // namespace
 }  // namespace tautline::test

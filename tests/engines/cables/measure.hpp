@@ -5,6 +5,7 @@
 #include "scene.hpp"
 
 #include <array>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct Arrangement {
   double other_mass;  // [kg] of a body at the cable's other end; 0: the world
 };
 [[nodiscard]] const std::vector<Arrangement>& arrangements();
+
+/// How a failing test names it.
+inline void PrintTo(const Arrangement& arrangement, std::ostream* out) { *out << arrangement.name; }
 
 constexpr double load_mass = 2.0;     // [kg]
 constexpr double load_moment = 0.05;  // [kg m^2], the same about any axis: it turns evenly

@@ -84,33 +84,34 @@ std::string how_to_read(const ordered_json& report) {
       "- **Cost** is the processor time of one step over that of one closed-form flight with its "
       "gaps, measured side by side in the same process; the start of the run is shared out over "
       "the steps.\n"
-      "- A run that *stopped* came to its first taut cable: an accumulation of impacts, or a cable "
-      "that tension holds. Not every engine goes further; the exact solution does. Such "
-      "a run is compared up to its stop, and is a failure only if it stopped well before the exact "
-      "motion has a taut cable or reaches its horizon.\n",
+      "- A run that *stopped* was ended by its own simulation, which says why: an engine that does "
+      "not follow the motion on taut cables, or one that can go no further. Such a run is compared "
+      "up to its stop, and is a failure only if it stopped well before the exact motion has a taut "
+      "cable or reaches its horizon.\n",
       options.at("early_impacts").get<int>(), options.at("count_speed").get<double>());
 }
 
-/// Says of the runs that stopped where cables become taut why they are no failures; "" without one.
+/// Says which models stopped before their end, each with its first reason, and that this is no
+/// failure; "" without one.
 std::string stopped_sentence(const ordered_json& report) {
   std::size_t count = 0;
-  std::vector<std::string> models;
+  std::map<std::string, std::string> reasons;  // of each model
   for (const ordered_json& row : report.at("runs")) {
-    if (row.at("status") != "stopped") {
-      continue;
+    if (row.at("status") == "stopped") {
+      ++count;
+      reasons.emplace(report_text(row.at("engine")) + " " + report_text(row.at("model")),
+                      report_text(row.at("reason")));
     }
-    ++count;
-    std::string model = report_text(row.at("engine")) + " " + report_text(row.at("model"));
-    if (std::find(models.begin(), models.end(), model) == models.end()) {
-      models.push_back(std::move(model));
-    }
+  }
+  std::vector<std::string> models;
+  for (const auto& [model, reason] : reasons) {
+    models.push_back(fmt::format("{} ({})", model, reason));
   }
   return count == 0 ? ""
                     : fmt::format(
-                          "{} of {} runs stopped at their first taut cable, past which {} {} not "
-                          "go: they are compared up to there and are no failures.",
-                          count, report.at("runs").size(), joined(models, "and"),
-                          models.size() == 1 ? "does" : "do");
+                          "{} of {} runs stopped before their end, are compared up to there, and "
+                          "are no failures: {}.",
+                          count, report.at("runs").size(), joined(models, "and"));
 }
 
 std::string context_section(const ordered_json& report) {

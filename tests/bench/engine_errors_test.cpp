@@ -30,9 +30,9 @@ using Errors = std::map<std::tuple<std::string, std::string, double>, double>;
 
 /// The models of `figure` that a built engine has, by name.
 std::set<std::string> built_models() {
-  const Outcome outcome = program({"engines", "--json", "-"});
+  const json list = json::parse(program({"engines", "--json", "-"}).output);
   std::set<std::string> result;
-  for (const json& engine : json::parse(outcome.output)["engines"]) {
+  for (const json& engine : list["engines"]) {
     for (const json& model : engine.value("models", json::array())) {
       result.insert(model["name"].get<std::string>());
     }

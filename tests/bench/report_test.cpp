@@ -117,7 +117,8 @@ TEST(Report, ARunThatStopsAtItsFirstTautCableIsNoFailure) {
   EXPECT_TRUE(stopped.at("metrics").at("settling").at("swing").is_null());
   // said once in the report and once on the terminal
   const std::string sentence =
-      "1 of 2 runs stopped at their first taut cable, past which no-taut-motion only does not go";
+      "1 of 2 runs stopped before their end, are compared up to there, and are no failures: "
+      "no-taut-motion only (a cable is taut";
   EXPECT_NE(content_of(out.path() / "r/report.md").find(sentence), std::string::npos);
   EXPECT_NE(outcome.output.find(sentence), std::string::npos) << outcome.output;
 }

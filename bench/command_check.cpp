@@ -137,7 +137,7 @@ int check_command(const CheckCommand& command) {
   if (!engine.info) {
     complain({fmt::format("engine {}: {}", engine.name, printable(engine.failure, 1000))});
     // the loader's own sentences name the file first: it is no plug-in of this version
-    return engine.failure.starts_with(engine.plugin.string()) ? exit_usage : exit_failed;
+    return is_no_plugin(engine) ? exit_usage : exit_failed;
   }
   catch_interruption();
   std::vector<ModelCheck> checks;

@@ -85,7 +85,8 @@ std::vector<RegisteredEngine> in_known_order(std::vector<RegisteredEngine> found
                                              : std::string(known.missing);
       result.push_back(std::move(engine));
     }
-    result.back().package = known.package;
+    // a package helps where one was missed; a plug-in that was built and is gone it does not bring
+    result.back().package = known.missing.empty() ? "" : known.package;
   }
   std::move(found.begin(), found.end(), std::back_inserter(result));
   return result;
@@ -102,6 +103,21 @@ std::string missing_sentence(const RegisteredEngine& engine) {
   std::string sentence = fmt::format("engine {} is not here: {}", engine.name, engine.missing);
   return engine.package.empty() ? sentence
                                 : sentence + fmt::format(" (package {} brings it)", engine.package);
+}
+
+/// Without an engine that could run at all there is nothing to compare.
+void refuse_if_none_is_usable(EngineChoice& choice) {
+  const auto unusable = [](const RegisteredEngine& engine) {
+    return !engine.missing.empty() || is_no_plugin(engine);
+  };
+  if (!choice.problems.empty() ||
+      !std::all_of(choice.engines.begin(), choice.engines.end(), unusable)) {
+    return;
+  }
+  for (const RegisteredEngine& engine : choice.engines) {
+    choice.problems.push_back(engine.missing.empty() ? printable(engine.failure, 1000)
+                                                     : missing_sentence(engine));
+  }
 }
 
 }  // namespace
@@ -129,6 +145,10 @@ std::vector<RegisteredEngine> registered_engines() {
     }
   }
   return in_known_order(std::move(found));
+}
+
+bool is_no_plugin(const RegisteredEngine& engine) {
+  return !engine.plugin.empty() && engine.failure.starts_with(engine.plugin.string());
 }
 
 EngineChoice choose_engines(const std::vector<std::string>& wanted) {
@@ -161,6 +181,7 @@ EngineChoice choose_engines(const std::vector<std::string>& wanted) {
     }
     choice.engines.push_back(engine);
   }
+  refuse_if_none_is_usable(choice);
   std::set<std::string> seen;
   for (const RegisteredEngine& engine : choice.engines) {
     if (!seen.insert(engine.name).second) {

@@ -27,13 +27,18 @@ struct RegisteredEngine {
 /// then others found. Each plug-in is asked in a worker process.
 [[nodiscard]] std::vector<RegisteredEngine> registered_engines();
 
+/// True if its file is nothing that can be used here, and `failure` says why; false too for a
+/// plug-in that is one and went wrong when it was asked.
+[[nodiscard]] bool is_no_plugin(const RegisteredEngine& engine);
+
 /// A choice among them, or every sentence of what is wrong with it.
 struct EngineChoice {
   std::vector<RegisteredEngine> engines;
   std::vector<std::string> problems;
 };
 
-/// `wanted` are names, or paths of plug-ins (with a '/' or ending in .so); empty means all.
+/// `wanted` are names, or paths of plug-ins (with a '/' or ending in .so); empty means all. Names
+/// of which none can run are a problem.
 [[nodiscard]] EngineChoice choose_engines(const std::vector<std::string>& wanted);
 
 /// The models of `engines` among `wanted` (all if empty), as sentences where one is unknown to all.

@@ -109,10 +109,15 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
   command
       ->add_option("--engines,--engine", bench.engines,
                    "names or plug-in paths: bullet64,./libmine.so (default: all)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);  // a case may follow
   command->add_option("--models", bench.models, "only these models: row,event (default: all)")
-      ->delimiter(',');
-  command->add_option("--steps", bench.steps, "steps [s]")->delimiter(',')->capture_default_str();
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--steps", bench.steps, "steps [s]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
   command->add_option("--until", bench.until, "end every run at this time [s]");
   add_law(*command, bench.law, law_help);
   command->add_option("--out", bench.out, "folder for the report and the runs' files")

@@ -9,6 +9,7 @@ function(tautline_engine name default package)
   set_property(GLOBAL PROPERTY TAUTLINE_MISSING_${name} "")
   if(${option} STREQUAL "OFF")
     set_property(GLOBAL PROPERTY TAUTLINE_MISSING_${name} "switched off when tautline was built")
+    set(package "")  # brings nothing here
   else()
     add_subdirectory(${name})
     get_property(reason GLOBAL PROPERTY TAUTLINE_MISSING_${name})

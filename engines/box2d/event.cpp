@@ -54,9 +54,7 @@ class Box2dEventAdapter final : public EventAdapter {
     return world_.pull(rows, rates);
   }
 
-  [[nodiscard]] Rounding rounding() const override {
-    return {gap_rounding_of_floats, rate_rounding_of_floats};
-  }
+  [[nodiscard]] Rounding rounding() const override { return float_rounding; }
 
  private:
   const Case case_;

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tautline/event_driver.hpp"
 #include "tautline/impulses_by_hand.hpp"
 
 namespace tautline::box2d {
@@ -92,7 +93,7 @@ CableVector World::pull(const std::vector<CableRow>& rows, const CableVector& ra
   const State now = state();
   const Eigen::Vector3d velocity(now.velocity.x(), now.velocity.y(), now.spin);
   const CableVector excess = gradients.transpose() * velocity - rates;
-  const double rounding = rate_rounding_of_floats * excess.cwiseAbs().maxCoeff();
+  const double rounding = EventAdapter::float_rounding.rate * excess.cwiseAbs().maxCoeff();
   CableVector impulses = impulses_by_hand(
       gradients.transpose() * inverse_mass.asDiagonal() * gradients, excess, rounding);
   const Eigen::Vector3d total = gradients * impulses;

@@ -16,11 +16,6 @@ namespace tautline::box2d {
 /// The same for a number, of which a positive one stays positive.
 [[nodiscard]] float number(double value);
 
-/// What Box2D's numbers leave of a gap against the cable's length, and of a gap rate against the
-/// speed of the body [-]: two and some twenty roundings.
-inline constexpr double gap_rounding_of_floats = 3e-7;
-inline constexpr double rate_rounding_of_floats = 3e-6;
-
 /// A Box2D world with the body of a case in it, and nothing else.
 class World {
  public:

@@ -21,9 +21,6 @@ constexpr int iterations = 100'000;
 /// A solve ends when no row changes its velocity by more than this part of the speeds [-].
 constexpr double solve_rounding = 4.0 * std::numeric_limits<btScalar>::epsilon();
 
-/// What single precision leaves of a gap, near cables a few metres long, and of a gap rate [-].
-constexpr EventAdapter::Rounding float_rounding = {3e-7, 3e-6};
-
 /// Bullet turns a body by no more than pi/4 in a step (ANGULAR_MOTION_THRESHOLD) [rad].
 constexpr double largest_turn = 0.7;
 

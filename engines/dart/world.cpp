@@ -8,13 +8,13 @@
 #include <dart/simulation/World.hpp>
 
 #include "cable_constraint.hpp"
+#include "tautline/point_mass.hpp"
 
 namespace tautline::dart_engine {
 namespace {
 
 dart::dynamics::Inertia inertia_of(const Body& body) {
-  constexpr double any_inertia = 1.0;  // [m^2] times the mass: no cable turns a point mass
-  const double about_z = body.inertia > 0.0 ? body.inertia : any_inertia * body.mass;
+  const double about_z = turnable_inertia(body);
   dart::dynamics::Inertia result;
   result.setMass(body.mass);
   result.setMoment(about_z, about_z, about_z, 0.0, 0.0, 0.0);

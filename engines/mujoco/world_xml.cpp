@@ -5,6 +5,8 @@
 #include <locale>
 #include <sstream>
 
+#include "tautline/point_mass.hpp"
+
 namespace tautline::mujoco {
 namespace {
 
@@ -20,12 +22,6 @@ std::ostream& operator<<(std::ostream& out, const InPlane& in) {
   return out << in.point.x() << ' ' << in.point.y() << " 0";
 }
 
-/// MuJoCo wants inertia about every axis, and no cable turns a point mass.
-double inertia_of(const Body& body) {
-  constexpr double any_inertia = 1.0;  // [m^2] times the mass
-  return body.inertia > 0.0 ? body.inertia : any_inertia * body.mass;
-}
-
 /// The body. MuJoCo weighs a tendon once and for all at the pose the model is written in, which is
 /// the initial one, where no cable has zero length. With `ref` the coordinates are nevertheless
 /// those of the world. A joint's axis is in the body's frame.
@@ -33,7 +29,7 @@ void write_body(std::ostream& out, const Case& the_case) {
   const State& start = the_case.initial;
   const double c = std::cos(start.angle);
   const double s = std::sin(start.angle);
-  const double inertia = inertia_of(the_case.body);
+  const double inertia = turnable_inertia(the_case.body);
   out << "<body pos='" << InPlane{start.position} << "' axisangle='0 0 1 " << start.angle << "'>"
       << "<joint type='slide' axis='" << InPlane{{c, -s}} << "' ref='" << start.position.x()
       << "'/><joint type='slide' axis='" << InPlane{{s, c}} << "' ref='" << start.position.y()

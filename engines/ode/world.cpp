@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "library.hpp"
+#include "tautline/point_mass.hpp"
 #include "tautline/unwrap.hpp"
 
 namespace tautline::ode {
@@ -15,8 +16,7 @@ dWorldID create_world() {
 }
 
 dMass mass_of(const Body& body) {
-  constexpr double any_inertia = 1.0;  // [m^2] times the mass: no cable turns a point mass
-  const double inertia = body.inertia > 0.0 ? body.inertia : any_inertia * body.mass;
+  const double inertia = turnable_inertia(body);
   dMass mass;
   dMassSetParameters(&mass, body.mass, 0, 0, 0, inertia, inertia, inertia, 0, 0, 0);
   return mass;

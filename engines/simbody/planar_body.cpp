@@ -1,5 +1,7 @@
 #include "planar_body.hpp"
 
+#include "tautline/point_mass.hpp"
+
 namespace tautline::simbody {
 namespace {
 
@@ -9,8 +11,7 @@ constexpr int x = 1;
 constexpr int y = 2;
 
 SimTK::Body::Rigid rigid(const Body& body) {
-  constexpr double any_inertia = 1.0;  // [m^2] times the mass: no cable turns a point mass
-  const double about_z = body.inertia > 0.0 ? body.inertia : any_inertia * body.mass;
+  const double about_z = turnable_inertia(body);
   return SimTK::Body::Rigid(
       SimTK::MassProperties(body.mass, SimTK::Vec3(0.0), SimTK::Inertia(about_z)));
 }

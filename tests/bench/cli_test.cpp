@@ -295,6 +295,25 @@ TEST(Bench, WorksWithNoEngineAtAll) {
   EXPECT_EQ(report.at("engines").at(0).at("missing"), true);
 }
 
+TEST(Bench, RefusesAFileThatIsNoPlugin) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("text.so", "no library").string();
+  const Outcome outcome = program(
+      {"bench", "bouncing-ball", "--engine", file, "--out", (folder.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find(file + ": not a shared library"), std::string::npos)
+      << outcome.errors;
+}
+
+TEST(Bench, TakesACaseAfterAnEngine) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      program({"bench", "--engine", "exact", "--steps", "0.1", "--models", "event", "bouncing-ball",
+               "--out", (folder.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("1 runs"), std::string::npos) << outcome.output;
+}
+
 TEST(Cases, AreWrittenAsFilesThatSolveToTheSame) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "case.toml").string();

@@ -93,12 +93,12 @@ TEST_P(EventModel, KeepsTheEnergyOfElasticImpacts) {
   const auto simulation = engine().start(the_case, "event", 1e-2);
   double drift = 0.0;
   double reached = 0.0;
-  run(*simulation, 1e-2, 10.0, [&](const Moment& moment) {
+  run(*simulation, 1e-2, 20.0, [&](const Moment& moment) {
     drift = std::max(drift, std::abs(energy(the_case, moment.after) - start));
     reached = moment.time;
   });
-  EXPECT_NEAR(reached, 10.0, 1e-2);
-  expect_within("energy drift [J], t <= 10", drift, limit(1e-12, 1e-5));
+  EXPECT_NEAR(reached, 20.0, 1e-2);
+  expect_within("energy drift [J], t <= 20", drift, limit(1e-12, 1e-5));
 }
 
 /// A random body with all of `count` cables at zero gap, and at least one of them closing.
@@ -193,6 +193,21 @@ TEST_P(EventModel, FollowsTheMotionOnTautCables) {
   }
 }
 
+TEST_P(EventModel, IsOfSecondOrderOnTautCables) {
+  if (!GetParam().in_double()) {
+    GTEST_SKIP() << "rounding in float is as large as the error of the step";
+  }
+  const CountedCase soft = counted_cases()[4];  // taut from t = 0.58 on
+  const Case the_case = breakwater(soft.parameters, soft.name);
+  const double coarse = largest_deviation(engine(), "event", the_case, 1e-2, 2.0);
+  const double fine = largest_deviation(engine(), "event", the_case, 1e-3, 2.0);
+  std::cout << "  largest deviation [m]: " << coarse << " and " << fine << '\n';
+  if (coarse <= 1e-11) {
+    return;  // the exact solver has no step
+  }
+  EXPECT_NEAR(std::log10(coarse / fine), 2.0, 0.1);
+}
+
 TEST_P(EventModel, GoesThroughEveryShippedCaseToItsEnd) {
   for (const ImpactLaw law : {ImpactLaw::simultaneous, ImpactLaw::sequential}) {
     double overstretch = 0.0;
@@ -211,7 +226,7 @@ TEST_P(EventModel, GoesThroughEveryShippedCaseToItsEnd) {
       gain = std::max(gain, (last - energy(the_case, the_case.initial)) / energy_scale(the_case));
     }
     expect_within("overstretch by length, law " + std::string(to_string(law)), overstretch,
-                  limit(1e-11, 1e-5));
+                  limit(1e-12, 1e-5));
     expect_within("energy gained, of its scale", gain, limit(1e-11, 1e-5));
   }
 }

@@ -154,9 +154,14 @@ inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableI
       cable->impulse = 0;
       continue;
     }
-    // the row is asked for the rate and nothing else; ODE adds its ERP to nothing
-    contact.surface.mode = dContactMotionN | dContactSoftERP;
-    contact.surface.motionN = row.rate;
+    // the row is asked for the rate and nothing else; ODE adds its ERP to nothing. A rebound asks
+    // as a bounce, which dWorldSetContactMaxCorrectingVel does not limit
+    const dReal closing = -cable->line.rate(cable->end);
+    const bool rebounds = row.rate > 0 && closing > 0 && !cable->rule.held();
+    contact.surface.mode = dContactSoftERP | (rebounds ? dContactBounce : dContactMotionN);
+    contact.surface.bounce = rebounds ? row.rate / closing : 0;
+    contact.surface.bounce_vel = 0;
+    contact.surface.motionN = rebounds ? 0 : row.rate;
     if (cable->cfm >= 0) {
       contact.surface.mode |= dContactSoftCFM;
       contact.surface.soft_cfm = cable->cfm;

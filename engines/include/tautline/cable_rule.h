@@ -65,6 +65,9 @@ class CableRule {
   /// The rebound of an impact [m/s].
   Real rebound(Real closing) const { return closing > threshold ? restitution * closing : Real(0); }
 
+  /// True if the row of a step that begins with the gap rate `rate` [m/s] may ask for a rebound.
+  bool may_bounce(Real rate) const { return restitution > 0 && (!held_ || is_impact(-rate)); }
+
   /// The row of the step that begins with `at`.
   Row step(const Start& at) {
     if (!touches(at.gap)) {

@@ -13,6 +13,7 @@
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 
 #include "tautline/bullet/btCableLine.h"
+#include "tautline/bullet/btCablesInStep.h"
 #include "tautline/cable_rule.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
@@ -55,6 +56,15 @@ class btCableConstraint : public btTypedConstraint {
   void setReboundByEnergy(bool byEnergy) { m_rule.by_energy = byEnergy; }
   bool getReboundByEnergy() const { return m_rule.by_energy; }
 
+  /// Most iterations of the solver in a step in which another cable of one of its bodies may pull
+  /// too, if more than the world's: while all of them rest, and if one bounces. The world's 10
+  /// leave elastic cables with more energy than they took, and close ones without rest. Joints and
+  /// contacts keep the world's.
+  void setSharedIterations(int atRest, int ifBouncing) {
+    m_iterationsAtRest = atRest;
+    m_iterationsIfBouncing = ifBouncing;
+  }
+
   void setPivotA(const btVector3& pivotA) { m_pivotInA = pivotA; }
   void setPivotB(const btVector3& pivotB) { m_pivotInB = pivotB; }
   const btVector3& getPivotInA() const { return m_pivotInA; }
@@ -92,13 +102,12 @@ class btCableConstraint : public btTypedConstraint {
     return btMax(m_cfm, btScalar(0));
   }
 
-  /// The next three are the solver's; it calls them in this order.
+  /// The next three are the solver's. It calls the first of all constraints, then the second of
+  /// all, then the third.
   void buildJacobian() override {
     if (m_rows > 0) {
       m_rule.pulled(m_appliedImpulse);  // the impulse of the last step, which is lost after this
     }
-  }
-  void getInfo1(btConstraintInfo1* info) override {
     const btScalar gap = getGap();
     const bool near = m_byEvents ? m_rule.held() : m_rule.touches(gap);
     if (!near) {
@@ -106,6 +115,18 @@ class btCableConstraint : public btTypedConstraint {
     }
     // pivots that coincide have no direction to be pulled in
     m_rows = near && gap < m_rule.length ? 1 : 0;
+    if (m_rows > 0 && isEnabled()) {
+      const bool bounces = !m_byEvents && m_rule.may_bounce(getGapRate());
+      btCablesInStep::ofThisThread().add(m_rbA, m_rbB, bounces);
+    }
+  }
+  void getInfo1(btConstraintInfo1* info) override {
+    int iterations = -1;  // the world's
+    if (m_rows > 0 && btCablesInStep::ofThisThread().share(m_rbA, m_rbB)) {
+      const bool bounces = btCablesInStep::ofThisThread().bounces(m_rbA, m_rbB);
+      iterations = bounces ? m_iterationsIfBouncing : m_iterationsAtRest;
+    }
+    setOverrideNumSolverIterations(iterations);
     info->m_numConstraintRows = m_rows;
     info->nub = 0;
   }
@@ -156,7 +177,9 @@ class btCableConstraint : public btTypedConstraint {
   btVector3 m_pivotInA;
   btVector3 m_pivotInB;
   tautline::CableRule<btScalar> m_rule;
-  btScalar m_cfm = -1;       // negative: the world's
+  btScalar m_cfm = -1;  // negative: the world's
+  int m_iterationsAtRest = 50;
+  int m_iterationsIfBouncing = 1000;
   int m_rows = 0;            // of the last step
   bool m_byEvents = false;   // while btCableStepper steps, which sees to the impacts itself
   btScalar m_eventStep = 0;  // its whole step [s]

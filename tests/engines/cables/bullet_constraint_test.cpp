@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tautline/bullet/btCableConstraint.h"
+#include "tautline/bullet/btStepWithCables.h"
 
 namespace {
 
@@ -105,6 +106,61 @@ TEST(BtCableConstraint, DoesNotReboundBelowItsThreshold) {
     hanging.world.stepSimulation(time_step);
     EXPECT_NEAR(hanging.cable.getGapRate(), threshold < 2 ? 1.0 : 0.0, 1e-5);
   }
+}
+
+/// Where the user has the hook.
+struct HookPose : btMotionState {
+  btTransform pose = btTransform::getIdentity();
+
+  void getWorldTransform(btTransform& now) const override { now = pose; }
+  void setWorldTransform(const btTransform& /*now*/) override {}
+};
+
+/// A hook rises at 1 m/s in no gravity, and takes up a load on a cable that is 0.055 m slack.
+void expect_exact_hoisting(bool byMotionState) {
+  Hanging hanging;
+  btDiscreteDynamicsWorld& world = hanging.world;
+  world.removeConstraint(&hanging.cable);
+  hanging.load.setGravity(btVector3(0, 0, 0));
+  hanging.load.setActivationState(DISABLE_DEACTIVATION);
+  HookPose pose;
+  btEmptyShape nothing;
+  btRigidBody hook(
+      btRigidBody::btRigidBodyConstructionInfo(0, byMotionState ? &pose : nullptr, &nothing));
+  hook.setCollisionFlags(hook.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  hook.setActivationState(DISABLE_DEACTIVATION);
+  world.addRigidBody(&hook, 0, 0);
+  btCableConstraint cable(hanging.load, hook, btVector3(0, 0, 0), btVector3(0, 0, 0),
+                          btScalar(1.155));
+  cable.setRestitution(btScalar(0.5));
+  world.addConstraint(&cable);
+  btCableConstraint* cables[] = {&cable};
+  const double rounding = 1e3 * SIMD_EPSILON;
+  double time = 0;
+  for (int step = 0; step < 6; ++step) {
+    time += time_step;
+    pose.pose.setOrigin(btVector3(0, static_cast<btScalar>(time), 0));
+    if (!byMotionState) {
+      hook.setWorldTransform(pose.pose);
+    }
+    const int parts = btStepWithCables(&world, cables, 1, time_step);
+    // taut after 0.055 s; the load then rises at (1 + e) of the hook's speed, never overstretched
+    const double flight = time - 0.055;
+    EXPECT_EQ(parts, step == 3 ? 2 : 1) << "step " << step;
+    EXPECT_NEAR(cable.getGap(), flight < 0 ? -flight : 0.5 * flight, rounding) << "step " << step;
+    EXPECT_NEAR(hook.getWorldTransform().getOrigin().y(), time, rounding);
+    EXPECT_NEAR(hook.getLinearVelocity().y(), 1, 1e3 * rounding);  // of a difference
+    EXPECT_EQ(hook.getMotionState(), byMotionState ? &pose : nullptr);
+  }
+  EXPECT_NEAR(hanging.load.getLinearVelocity().y(), 1.5, rounding);
+  world.removeConstraint(&cable);
+  world.removeRigidBody(&hook);
+  world.addConstraint(&hanging.cable);
+}
+
+TEST(BtStepWithCables, TakesUpALoadFromAMovingHook) {
+  expect_exact_hoisting(true);
+  expect_exact_hoisting(false);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 // an impact the cables' own bodies alone change their velocities; contacts and other joints of
 // theirs answer in the part after it. A body at a cable's end that nothing touched in a part is put
 // where its forces take it, half of a h^2 from where Bullet does: else every bounce would lose
-// energy to the split.
+// energy to the split. A kinematic body at a cable's end goes its way evenly over the parts; one
+// that is at no cable's end jumps in the first, as Bullet has it.
 
 #ifndef TAUTLINE_BT_STEP_WITH_CABLES_H
 #define TAUTLINE_BT_STEP_WITH_CABLES_H
@@ -17,7 +18,10 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <LinearMath/btTransformUtil.h>
 
+#include <memory>
+
 #include "tautline/bullet/btCableConstraint.h"
+#include "tautline/bullet/btMovingEnd.h"
 #include "tautline/cable_events.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
@@ -55,12 +59,14 @@ class btCableStepper {
     return damping > 0 ? velocity * btPow(1 - damping, timeStep) : velocity;
   }
   void stepPart(btScalar timeStep);
-  static btTransform poseAfter(const btRigidBody& body, btScalar timeStep);
+  static btTransform poseAfter(const btRigidBody& body, const btMovingEnd* moving,
+                               btScalar timeStep);
 
   btDiscreteDynamicsWorld* m_world;
   std::vector<Cable> m_cables;
   std::vector<Forced> m_forced;
-  std::vector<btRigidBody*> m_ends;  // each body once
+  std::vector<btRigidBody*> m_ends;  // that forces move, each once
+  std::vector<std::unique_ptr<btMovingEnd>> m_moving;
   btScalar m_timeStep;
   btScalar m_lastPart;  // [s]
 };
@@ -69,12 +75,18 @@ class btCableStepper::Cable {
  public:
   explicit Cable(btCableConstraint* constraint) : m_cable(constraint) {}
 
+  /// `end` moves one of its bodies, if it is its.
+  void movedBy(const btMovingEnd* end) {
+    m_movingA = end->body() == &m_cable->m_rbA ? end : m_movingA;
+    m_movingB = end->body() == &m_cable->m_rbB ? end : m_movingB;
+  }
+
   bool flies() const { return m_cable->isEnabled() && !m_cable->m_rule.held(); }
   btScalar gap() const { return m_cable->getGap(); }
   btScalar rate() const { return m_cable->getGapRate(); }
   btScalar gap_after(btScalar timeStep) const {
-    const btCableLine line(poseAfter(m_cable->m_rbA, timeStep), m_cable->m_pivotInA,
-                           poseAfter(m_cable->m_rbB, timeStep), m_cable->m_pivotInB);
+    const btCableLine line(poseAfter(m_cable->m_rbA, m_movingA, timeStep), m_cable->m_pivotInA,
+                           poseAfter(m_cable->m_rbB, m_movingB, timeStep), m_cable->m_pivotInB);
     return m_cable->getMaxLength() - line.m_distance;
   }
   btScalar tolerance() const { return 100 * SIMD_EPSILON * m_cable->getMaxLength(); }
@@ -127,6 +139,8 @@ class btCableStepper::Cable {
 
  private:
   btCableConstraint* m_cable;
+  const btMovingEnd* m_movingA = nullptr;
+  const btMovingEnd* m_movingB = nullptr;
   btScalar m_impulse = 0;  // of the step so far [N s]
 };
 
@@ -137,12 +151,23 @@ inline btCableStepper::btCableStepper(btDiscreteDynamicsWorld* world,
   for (int index = 0; index < numCables; ++index) {
     m_cables.push_back(Cable(cables[index]));
     for (btRigidBody* body : {&cables[index]->getRigidBodyA(), &cables[index]->getRigidBodyB()}) {
-      if (!body->isStaticOrKinematicObject() &&
-          std::find(m_ends.begin(), m_ends.end(), body) == m_ends.end()) {
+      if (std::find(m_ends.begin(), m_ends.end(), body) == m_ends.end()) {
         m_ends.push_back(body);
       }
     }
   }
+  for (btRigidBody* body : m_ends) {
+    if (btMovingEnd::drives(*body)) {
+      m_moving.emplace_back(new btMovingEnd(body, timeStep));
+      for (Cable& cable : m_cables) {
+        cable.movedBy(m_moving.back().get());
+      }
+    }
+  }
+  m_ends.erase(
+      std::remove_if(m_ends.begin(), m_ends.end(),
+                     [](const btRigidBody* body) { return body->isStaticOrKinematicObject(); }),
+      m_ends.end());
   const btAlignedObjectArray<btRigidBody*>& bodies = world->getNonStaticRigidBodies();
   for (int index = 0; index < bodies.size(); ++index) {
     m_forced.push_back(
@@ -172,6 +197,9 @@ inline void btCableStepper::fly(btScalar timeStep) {
     const btVector3 gained = acceleration(*body);
     const btVector3 kept = damped(body->getLinearVelocity(), body->getLinearDamping(), timeStep);
     arrivals.push_back(Arrival{body, kept + timeStep * gained, gained});
+  }
+  for (const std::unique_ptr<btMovingEnd>& end : m_moving) {
+    end->advance(timeStep);
   }
   stepPart(timeStep);
   for (const Arrival& arrival : arrivals) {
@@ -213,7 +241,11 @@ inline void btCableStepper::stepPart(btScalar timeStep) {
   m_lastPart = timeStep;
 }
 
-inline btTransform btCableStepper::poseAfter(const btRigidBody& body, btScalar timeStep) {
+inline btTransform btCableStepper::poseAfter(const btRigidBody& body, const btMovingEnd* moving,
+                                             btScalar timeStep) {
+  if (moving != nullptr) {
+    return moving->poseAfter(timeStep);
+  }
   const btTransform& pose = body.getCenterOfMassTransform();
   if (!isMoved(body)) {
     return pose;

@@ -20,6 +20,22 @@ std::string loader_message() {
   return message != nullptr ? message : "the dynamic loader gives no reason";
 }
 
+/// Why `file` cannot be a library, as far as the file system tells; empty if it can.
+std::string problem_of(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::regular) {
+    return "";
+  }
+  if (status.type() == std::filesystem::file_type::directory) {
+    return "is a directory";
+  }
+  if (status.type() == std::filesystem::file_type::not_found) {
+    return "no such file";
+  }
+  return error ? "cannot be looked at: " + error.message() : "is no regular file";
+}
+
 /// The function `name` of the plug-in `file`.
 template <class Function>
 Function* function(void* library, const char* name, const std::string& file) {
@@ -50,9 +66,8 @@ Plugin::Plugin(Library library, OwnedEngine engine)
 
 Plugin Plugin::open(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw PluginError(name + ": no such file; give the path of a plug-in (.so)");
+  if (const std::string problem = problem_of(file); !problem.empty()) {
+    throw PluginError(name + ": " + problem + "; give the path of a plug-in (.so)");
   }
   // a path without a slash would be looked up in the system's library folders
   const std::string path = std::filesystem::absolute(file).string();

@@ -215,6 +215,8 @@ TEST(Check, RefusesWhatIsNotAPluginInClearSentences) {
   const Misuse misuses[] = {
       {{"check"}, 2, "PLUGIN is required"},
       {{"check", "/no/such/engine.so"}, 2, "no such file; give the path of a plug-in (.so)"},
+      {{"check", TAUTLINE_FIXTURE_DIR}, 2, "is a directory; give the path of a plug-in (.so)"},
+      {{"check", "/dev/null"}, 2, "is no regular file; give the path of a plug-in (.so)"},
       {{"check", TAUTLINE_CHECK_SCHEMA}, 2, "not a shared library that can be loaded"},
       {{"check", bad_engine("wrong-interface")}, 2, "built against another interface"},
       {{"check", bad_engine("mute")}, 1, "crashed: SIGSEGV"},

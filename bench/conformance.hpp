@@ -66,6 +66,7 @@ inline constexpr std::string_view quiet_reason = "a greeting at each of the runs
 
 // The measures, by what they look at. Lengths in [m], times in [s]; see `claims` for what each is.
 [[nodiscard]] Measure measure_state_echo(const Subject& subject);
+[[nodiscard]] Measure measure_precision(const Subject& subject);
 [[nodiscard]] Measure measure_flight(const Subject& subject);
 [[nodiscard]] Measure measure_mass(const Subject& subject);
 [[nodiscard]] Measure measure_inertia(const Subject& subject);
@@ -81,6 +82,19 @@ inline constexpr std::string_view quiet_reason = "a greeting at each of the runs
 [[nodiscard]] Measure measure_mirror_symmetry(const Subject& subject);
 [[nodiscard]] Measure measure_determinism(const Subject& subject);
 [[nodiscard]] Measure measure_convergence(const Subject& subject);
+
+/// How far a model is from the exact motion of the standard breakwater with e = 0.9 in two seconds.
+struct Convergence {
+  std::vector<double> steps;       // [s]
+  std::vector<double> deviations;  // [m], the largest distance of the centre of mass
+  double slope = 0.0;              // of log(deviation) over log(step)
+  bool exact = false;              // at every step: only rounding is left, and no slope
+};
+[[nodiscard]] Convergence convergence(const Subject& subject);
+
+/// A digest of the run of `determinism`: any two runs of a deterministic model have the same, in
+/// whatever process. Throws what the engine throws.
+[[nodiscard]] std::string run_digest(const Engine& engine, const std::string& model);
 
 /// A contact that an engine spreads over time may take this many steps: as many as a spring needs
 /// to be stable and to give back its restitution within a few hundredths.

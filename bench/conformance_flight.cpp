@@ -96,27 +96,6 @@ Case spinning_on_one_cable(double slack) {
   return result;
 }
 
-Measure measure_state_echo(const Subject& subject) {
-  double largest = 0.0;
-  for (Case the_case : {spinning_on_one_cable(0.5), shipped_case("plate-four-cables")}) {
-    the_case.initial.angle += 20.0;  // three turns and some: not wrapped
-    for (Cable& cable : the_case.cables) {
-      cable.length += 2.0;  // slack at any angle
-    }
-    largest = std::max(
-        largest, largest_difference(subject.start(the_case, 1e-2)->state(), the_case.initial));
-  }
-  const double limit = 20.0 * subject.rounding();  // of the angle
-  constexpr double float_rounding = 20.0 * 1e-6;
-  std::string sentence = fmt::format("the initial state comes back to {:.2g}", largest);
-  if (largest > limit && largest < float_rounding) {
-    sentence += ": it is rounded to float, although float64 is declared";
-  } else if (largest > limit) {
-    sentence += ": not the state the run was given";
-  }
-  return {largest, limit, sentence};
-}
-
 Measure measure_flight(const Subject& subject) {
   const Fallen coarse = fall(subject, falls[0]);
   const Fallen fine = fall(subject, falls[1]);

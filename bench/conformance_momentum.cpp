@@ -114,8 +114,8 @@ Measure measure_step_momentum(const Subject& subject) {
     const Case the_case = shipped_case(name);
     const auto simulation = subject.start(the_case, step);
     Sum sum;
-    run(*simulation, step, end,
-        [&](const Moment& moment) { look_at(subject, the_case, *simulation, moment, sum); });
+    run_whole(*simulation, step, end,
+              [&](const Moment& moment) { look_at(subject, the_case, *simulation, moment, sum); });
     if (sum.fault.empty() && sum.hits == 0) {
       sum.fault = "no impulse is ever reported";
     }

@@ -1,17 +1,15 @@
-// Whether a model does the same again, the same in a mirror, and nearer to the exact motion with
-// smaller steps.
+// Whether a model does the same again, and the same in a mirror. Both runs must also end alike: a
+// run that stops at once would agree with anything.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "bench/conformance.hpp"
-#include "tautline/geometry.hpp"
-#include "tautline/scenarios.hpp"
-#include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -23,121 +21,135 @@ constexpr double usual_step = 1e-3;  // [s]
 constexpr double mirror_limit = 1e-5;
 constexpr double mirror_limit_in_float = 0.1;
 
-/// A first-order method has a slope of 1. Where an impact falls in its step scatters it by 0.1, and
-/// a spring contact brings it down to 0.8.
-constexpr double slope_limit = 0.3;  // below 1
+constexpr double repeated_until = 3.0;  // [s]
+constexpr double mirrored_until = 0.5;  // [s], while rounding has not grown
 
-/// Deviations this many roundings large say nothing of a slope: the model is exact.
-constexpr double exact_roundings = 1e4;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The slope of log(deviation) over log(step): the order of a method.
-double order(const std::vector<double>& steps, const std::vector<double>& deviations) {
-  const auto count = static_cast<double>(steps.size());
-  double mean_x = 0.0;
-  double mean_y = 0.0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    mean_x += std::log(steps[k]) / count;
-    mean_y += std::log(deviations[k]) / count;
-  }
-  double across = 0.0;
-  double square = 0.0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    across += (std::log(steps[k]) - mean_x) * (std::log(deviations[k]) - mean_y);
-    square += (std::log(steps[k]) - mean_x) * (std::log(steps[k]) - mean_x);
-  }
-  return across / square;
+/// The states after each step of a run, and how it ended.
+struct Path {
+  std::vector<State> states;
+  std::optional<Simulation::Stop> stop;
+};
+
+Path path(const Subject& subject, const Case& the_case, double end) {
+  const auto simulation = subject.start(the_case, usual_step);
+  Path result;
+  run(*simulation, usual_step, end,
+      [&](const Moment& moment) { result.states.push_back(moment.after); });
+  result.stop = simulation->stopped();
+  return result;
 }
 
-/// The largest distance from the exact motion over a run of two seconds [m].
-double deviation(const Subject& subject, const Case& the_case, const Solution& exact, double step) {
-  const auto simulation = subject.start(the_case, step);
-  double largest = 0.0;
-  run_whole(*simulation, step, 2.0, [&](const Moment& moment) {
-    largest = worse(largest, (moment.after.position - exact.at(moment.time).position).norm());
-  });
-  return largest;
+/// "goes on" or "stops at t = 1: impacts accumulate".
+std::string end_of(const Path& path) {
+  return path.stop ? fmt::format("stops at t = {:.4g}: {}", path.stop->time, path.stop->reason)
+                   : "goes on";
 }
+
+/// The end of a sentence about runs that all agree, one of which stopped as `path` did.
+std::string early_end(const Path& path) {
+  return path.stop ? fmt::format("; it {}", end_of(path)) : "";
+}
+
+/// True if the two end within `steps` of each other.
+bool end_together(const Path& a, const Path& b, std::size_t steps) {
+  const auto [fewer, more] = std::minmax(a.states.size(), b.states.size());
+  return a.stop.has_value() == b.stop.has_value() ? more - fewer <= steps : false;
+}
+
+/// The numbers of a state, and of the end, byte by byte.
+class Digest {
+ public:
+  void add(double number) { add(&number, sizeof number); }
+  void add(const void* data, std::size_t size) {
+    const auto* const bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t k = 0; k < size; ++k) {  // FNV-1a
+      hash_ = (hash_ ^ bytes[k]) * 1099511628211U;
+    }
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037U;
+};
 
 }  // namespace
 
 Measure measure_mirror_symmetry(const Subject& subject) {
+  const double limit = subject.in_double() ? mirror_limit : mirror_limit_in_float;
   double found = 0.0;
+  std::string ends;
   for (const std::string_view name :
        {"breakwater/19101211150", "tilted-gravity", "plate-four-cables"}) {
     const Case the_case = shipped_case(name);
-    const auto original = subject.start(the_case, usual_step);
-    const auto image = subject.start(mirrored(the_case), usual_step);
-    run(*original, usual_step, 0.5, [&](const Moment& moment) {
-      image->step(usual_step);
-      if (!image->stopped()) {
-        found = std::max(found, largest_difference(moment.after, mirrored(image->state())));
-      }
-    });
+    const Path original = path(subject, the_case, mirrored_until);
+    const Path image = path(subject, mirrored(the_case), mirrored_until);
+    // rounding may move a stop into the next step
+    if (!end_together(original, image, 1)) {
+      return {infinite, limit,
+              fmt::format("{}: the run {}, its mirror image {}", name, end_of(original),
+                          end_of(image))};
+    }
+    for (std::size_t k = 0; k < std::min(original.states.size(), image.states.size()); ++k) {
+      found = worse(found, largest_difference(original.states[k], mirrored(image.states[k])));
+    }
+    ends += original.stop ? fmt::format("; {} {}", name, end_of(original)) : "";
   }
   // a fall onto both cables at once stays on the mirror's line
   Case symmetric = standard_breakwater(0.9);
   symmetric.initial = {Vec2(0.0, 0.3), 0.0, Vec2::Zero(), 0.0};
-  const auto simulation = subject.start(symmetric, usual_step);
-  run(*simulation, usual_step, 2.0, [&](const Moment& moment) {
-    found = worse(found, std::abs(moment.after.position.x()));
-    found = worse(found, std::abs(moment.after.spin));
-  });
-  const double limit = subject.in_double() ? mirror_limit : mirror_limit_in_float;
+  const Path on_the_line = path(subject, symmetric, 2.0);
+  for (const State& state : on_the_line.states) {
+    found = worse(found, std::max(std::abs(state.position.x()), std::abs(state.spin)));
+  }
+  ends += on_the_line.stop ? "; a fall onto two cables at once " + end_of(on_the_line) : "";
   return {found, limit,
-          found <= limit ? fmt::format("the mirrored case moves in the mirror, to {:.2g}", found)
-                         : fmt::format("the mirrored case does not move in the mirror: off by "
-                                       "{:.2g}; left and right, or the order of cables, matter",
-                                       found)};
+          found <= limit
+              ? fmt::format("the mirrored case moves in the mirror, to {:.2g}", found) + ends
+              : fmt::format("the mirrored case does not move in the mirror: off by "
+                            "{:.2g}; left and right, or the order of cables, matter",
+                            found)};
 }
 
 Measure measure_determinism(const Subject& subject) {
   const Case the_case = shipped_case("plate-four-cables");
-  std::vector<State> first;
-  const auto one = subject.start(the_case, usual_step);
-  run(*one, usual_step, 3.0, [&](const Moment& moment) { first.push_back(moment.after); });
-  const auto other = subject.start(the_case, usual_step);
+  const Path first = path(subject, the_case, repeated_until);
+  const Path second = path(subject, the_case, repeated_until);
+  if (!end_together(first, second, 0)) {
+    return {
+        infinite, 0.0,
+        fmt::format("not deterministic: a run {}, a second one {}", end_of(first), end_of(second))};
+  }
   double found = 0.0;
-  double since = -1.0;
-  std::size_t index = 0;
-  run(*other, usual_step, 3.0, [&](const Moment& moment) {
-    const double apart = index < first.size() ? largest_difference(moment.after, first[index])
-                                              : std::numeric_limits<double>::infinity();
-    ++index;
-    if (apart != 0.0 && since < 0.0) {
-      since = moment.time;
-    }
-    found = std::max(found, apart);
-  });
+  std::size_t differs_at = first.states.size();
+  for (std::size_t k = 0; k < first.states.size(); ++k) {
+    const double apart = largest_difference(first.states[k], second.states[k]);
+    differs_at = apart != 0.0 ? std::min(differs_at, k) : differs_at;
+    found = worse(found, apart);
+  }
   return {found, 0.0,
-          found == 0.0 ? "a second run is the same, bit by bit"
-                       : fmt::format("not deterministic: a second run of the same case differs, "
-                                     "from t = {:.4g} on, by up to {:.2g}",
-                                     since, found)};
+          found == 0.0
+              ? "a second run is the same, bit by bit" + early_end(first)
+              : fmt::format("not deterministic: a second run of the same case differs, from "
+                            "t = {:.4g} on, by up to {:.2g}",
+                            static_cast<double>(differs_at + 1) * usual_step, found)};
 }
 
-Measure measure_convergence(const Subject& subject) {
-  const Case the_case = standard_breakwater(0.9);
-  const Solution exact = solve(the_case);
-  // below 1e-3 the rounding of positions in float is as large as the error of the step
-  const std::vector<double> steps = subject.in_double() ? std::vector<double>{1e-2, 1e-3, 1e-4}
-                                                        : std::vector<double>{1e-2, 3e-3, 1e-3};
-  std::vector<double> deviations;
-  deviations.reserve(steps.size());
-  for (const double step : steps) {
-    deviations.push_back(deviation(subject, the_case, exact, step));
+std::string run_digest(const Engine& engine, const std::string& model) {
+  const Path run = path(Subject(engine, model), shipped_case("plate-four-cables"), repeated_until);
+  Digest digest;
+  for (const State& state : run.states) {
+    for (const double number : {state.position.x(), state.position.y(), state.angle,
+                                state.velocity.x(), state.velocity.y(), state.spin}) {
+      digest.add(number);
+    }
   }
-  if (deviations.front() <= exact_roundings * subject.rounding()) {
-    return {0.0, slope_limit,
-            fmt::format("exact whatever the step, to {:.2g} m", deviations.front())};
+  if (run.stop) {
+    digest.add(run.stop->time);
+    digest.add(run.stop->reason.data(), run.stop->reason.size());
   }
-  const double slope = order(steps, deviations);
-  const double found = std::max(0.0, 1.0 - slope);
-  const std::string numbers = fmt::format(
-      "off by {:.2g} m at a step of {:g} s and by {:.2g} m at {:g} s, a slope of {:.2f}",
-      deviations.front(), steps.front(), deviations.back(), steps.back(), slope);
-  return {
-      std::isnan(slope) ? slope : found, slope_limit,
-      found <= slope_limit ? numbers : "smaller steps do not bring it to the motion: " + numbers};
+  return digest.text();
 }
 
 }  // namespace tautline::bench

@@ -18,30 +18,40 @@ namespace {
 /// step the contact begins and ends [-].
 constexpr double spring_scatter = 0.02;
 
+/// What the iterations of a solver, or rounding to float, leave of a contact of one step [-].
+constexpr double solver_scatter = 2e-3;
+
 /// What a hit showed.
 struct Rebound {
   double declared = 0.0;     // [-]
   double restitution = 0.0;  // [-]; not a number if there was no hit
   double limit = 0.0;        // [-], of their difference
+
+  /// Infinite if there was no hit.
+  [[nodiscard]] double error() const { return worse(0.0, std::abs(restitution - declared)); }
+  [[nodiscard]] bool holds() const { return error() <= limit; }
 };
 
-/// The first hit of `the_case`. While the longest fair contact lasts, the rate changes by the gap's
-/// acceleration in flight, which is gravity's part and the turning of the cable.
-Rebound rebound(const Subject& subject, const Case& the_case, double step, double end) {
-  const Cable& cable = the_case.cables.front();
-  Rebound result{cable.restitution, std::nan(""), spring_scatter};
-  if (const std::optional<Hit> hit = first_hit(subject, the_case, step, end)) {
-    const double before = gap_rate(cable, hit->before);
-    result.restitution = -gap_rate(cable, hit->after) / before;
-    result.limit += (1.0 + cable.restitution) * longest_contact * step *
-                    std::abs(free_gap_acceleration(the_case, 0, hit->before) / before);
-  }
-  return result;
+/// The one that is further beyond its limit, or nearer to it.
+const Rebound& worse_of(const Rebound& a, const Rebound& b) {
+  return b.error() / b.limit > a.error() / a.limit ? b : a;
 }
 
-double error(const Rebound& one) {
-  return std::isnan(one.restitution) ? std::numeric_limits<double>::infinity()
-                                     : std::abs(one.restitution - one.declared);
+/// The first hit of `the_case`. While a contact lasts, the rate changes by the gap's acceleration
+/// in flight, which is gravity's part and the turning of the cable. A contact of one step, or one
+/// that is located, is given one step of it; a spring's the longest fair contact, and its scatter.
+Rebound rebound(const Subject& subject, const Case& the_case, double step, double end) {
+  const Cable& cable = the_case.cables.front();
+  Rebound result{cable.restitution, std::nan(""), solver_scatter};
+  if (const std::optional<Hit> hit = first_hit(subject, the_case, step, end)) {
+    const bool spring = hit->steps > 1;
+    const double before = gap_rate(cable, hit->before);
+    result.restitution = -gap_rate(cable, hit->after) / before;
+    result.limit = (spring ? spring_scatter : solver_scatter) +
+                   (1.0 + cable.restitution) * (spring ? longest_contact : 1) * step *
+                       std::abs(free_gap_acceleration(the_case, 0, hit->before) / before);
+  }
+  return result;
 }
 
 bool is_near(double a, double b) { return std::abs(a - b) < 0.05; }
@@ -69,10 +79,9 @@ std::string defect(const Rebound& low, const Rebound& high) {
 
 /// Both rebounds as one measure.
 Measure measure_of(const Rebound& low, const Rebound& high) {
-  const double found = std::max(error(low), error(high));
-  const double limit = std::max(low.limit, high.limit);
-  return {found, limit,
-          found <= limit
+  const Rebound& worst = worse_of(low, high);
+  return {worst.error(), worst.limit,
+          worst.holds()
               ? fmt::format("hits rebound with {:.4g} and {:.4g}, declared are {:g} and "
                             "{:g}",
                             low.restitution, high.restitution, low.declared, high.declared)
@@ -113,34 +122,33 @@ Measure measure_off_centre_restitution(const Subject& subject) {
 
 Measure measure_slow_restitution(const Subject& subject) {
   constexpr std::array speeds = {1.0, 0.3, 0.15, 0.05, 0.02};  // [m/s]
-  Measure result{0.0, spring_scatter, ""};
-  double kept = 0.0;  // [m/s], the slowest hit that rebounds as it should
-  double lost = 0.0;  // [m/s], the fastest that does not rebound at all
-  Rebound worst;
+  double kept = 0.0;             // [m/s], the slowest hit that rebounds as it should
+  double lost = 0.0;             // [m/s], the fastest that does not rebound at all
+  double slow = speeds.front();  // [m/s], the worst
+  Rebound worst = rebound(subject, central_hit(slow), 1e-3, 0.2);
   for (const double speed : speeds) {
     const Rebound one = rebound(subject, central_hit(speed), 1e-3, 0.2);
-    if (error(one) <= one.limit) {
+    if (one.holds()) {
       kept = speed;
     } else if (lost == 0.0 && one.restitution < 0.5 * one.declared) {
       lost = speed;
     }
-    if (error(one) >= result.found) {
-      result.found = error(one);
+    if (&worse_of(worst, one) == &one) {
       worst = one;
-      result.sentence = fmt::format("a hit at {:g} m/s rebounds with {:.3g}, declared is {:g}",
-                                    speed, one.restitution, one.declared);
+      slow = speed;
     }
   }
-  if (result.found <= result.limit) {
-    result.sentence =
-        fmt::format("hits at {:g} to {:g} m/s rebound alike", speeds.back(), speeds.front());
+  std::string sentence = fmt::format("a hit at {:g} m/s rebounds with {:.3g}, declared is {:g}",
+                                     slow, worst.restitution, worst.declared);
+  if (worst.holds()) {
+    sentence = fmt::format("hits at {:g} to {:g} m/s rebound alike", speeds.back(), speeds.front());
   } else if (lost > 0.0 && kept > lost) {
-    result.sentence = fmt::format(
+    sentence = fmt::format(
         "restitution is lost below a threshold: hits at {:g} m/s do not rebound, those at {:g} m/s "
         "do",
         lost, kept);
   }
-  return result;
+  return {worst.error(), worst.limit, sentence};
 }
 
 }  // namespace tautline::bench

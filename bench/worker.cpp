@@ -10,6 +10,7 @@
 #include <csignal>
 #include <ctime>
 #include <exception>
+#include <limits>
 #include <new>
 #include <system_error>
 
@@ -30,6 +31,9 @@ constexpr int reply_descriptor = 3;
 
 /// The key of a reply that is not the last: an engine may end this process with exit code 0.
 constexpr const char* unfinished_claim = "unfinished claim";
+
+/// The key of the digest of the run that `determinism` repeats.
+constexpr const char* digest_key = "digest";
 
 /// The most steps that are timed: enough to average over impacts, cheap next to the run itself.
 constexpr std::size_t timed_steps = 20'000;
@@ -110,7 +114,13 @@ Message do_check(const std::string& model, const Plugin& plugin) {
     static_cast<void>(
         write_reply({{{unfinished_claim, claim}, {"findings", findings_json(findings)}}, {}}));
   };
-  return {{{"findings", findings_json(check_model(plugin.engine(), model, progress))}}, {}};
+  Message reply{{{"findings", findings_json(check_model(plugin.engine(), model, progress))}}, {}};
+  try {
+    reply.head[digest_key] = run_digest(plugin.engine(), model);
+  } catch (const std::exception&) {  // a finding by now
+    return reply;
+  }
+  return reply;
 }
 
 Message obey(const ordered_json& request) {
@@ -120,6 +130,9 @@ Message obey(const ordered_json& request) {
   }
   if (request.contains("check")) {
     return do_check(request.at("check"), plugin);
+  }
+  if (request.contains(digest_key)) {
+    return {{{digest_key, run_digest(plugin.engine(), request.at(digest_key))}}, {}};
   }
   return {engine_json(plugin.engine().info()), {}};
 }
@@ -216,6 +229,34 @@ DescribeReply describe_in_worker(const std::filesystem::path& plugin, const Work
   return reply;
 }
 
+namespace {
+
+/// Repeats the run of `determinism` in another process, for what is seeded once in each: the claim
+/// that holds within the first process is settled anew if the digests differ. False if the program
+/// was told to stop.
+bool settle_determinism(const std::filesystem::path& plugin, const std::string& model,
+                        const WorkerLimits& limits, const std::string& digest,
+                        std::vector<Finding>& findings) {
+  const auto finding = std::find_if(findings.begin(), findings.end(), [](const Finding& one) {
+    return one.claim == "determinism" && one.holds;
+  });
+  if (finding == findings.end()) {
+    return true;
+  }
+  const Exchange answer = exchange(
+      {{"plugin", plugin.string()}, {digest_key, model}, {"memory", limits.memory}}, limits);
+  if (!answer.message) {
+    *finding = unmeasured("determinism", "the run in another process: " + answer.failure);
+  } else if (answer.message->head.at(digest_key) != digest) {
+    finding->holds = false;
+    finding->found = std::numeric_limits<double>::infinity();
+    finding->sentence = "not deterministic: in another process the same case runs otherwise";
+  }
+  return answer.end.kind != ProcessEnd::Kind::interrupted;
+}
+
+}  // namespace
+
 CheckReply check_in_worker(const std::filesystem::path& plugin, const std::string& model,
                            const WorkerLimits& limits) {
   const Exchange answer =
@@ -224,6 +265,8 @@ CheckReply check_in_worker(const std::filesystem::path& plugin, const std::strin
   reply.interrupted = answer.end.kind == ProcessEnd::Kind::interrupted;
   if (answer.message) {
     reply.findings = findings_from(answer.message->head.at("findings"));
+    const std::string digest = answer.message->head.value(digest_key, "");
+    reply.interrupted = !settle_determinism(plugin, model, limits, digest, reply.findings);
   } else {
     std::string claim(claims().front().name);
     if (answer.unfinished && answer.unfinished->head.contains(unfinished_claim)) {

@@ -55,8 +55,8 @@ struct DescribeReply {
 [[nodiscard]] DescribeReply describe_in_worker(const std::filesystem::path& plugin,
                                                const WorkerLimits& limits = {.time = 10.0});
 
-/// Every claim about one model, settled in a worker process. A crash, a hang and a flood of output
-/// are findings too; the claims after a crash or a hang are missing.
+/// Every claim about one model, settled in a worker process, and `determinism` in two. A crash, a
+/// hang and a flood of output are findings too; the claims after a crash or a hang are missing.
 struct CheckReply {
   std::vector<Finding> findings;
   bool interrupted = false;  // the program was told to stop; the rest is missing

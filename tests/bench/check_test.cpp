@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -21,9 +22,9 @@ using nlohmann::json;
 /// One flaw, and what the check must say of it.
 struct Flaw {
   std::string name;
-  std::string claim;                // the one that is about it
-  std::string sentence;             // part of what is found there
-  std::vector<std::string> others;  // claims that the flaw may break as well
+  std::string claim;             // the one that is about it
+  std::string sentence;          // part of what is found there
+  std::set<std::string> others;  // the other claims that it breaks: all of them, and no more
 };
 
 void PrintTo(const Flaw& flaw, std::ostream* out) { *out << flaw.name; }
@@ -44,62 +45,71 @@ TEST_P(Flaws, AreFoundWhereTheyAreAndNowhereElse) {
   const json model = check_fixture(flaw.name);
   EXPECT_FALSE(model.at("holds"));
   EXPECT_EQ(model.at("findings").size(), bench::claims().size() + 1);
-  bool found = false;
+  std::set<std::string> broken;
+  std::string said;
   for (const json& finding : model.at("findings")) {
-    const std::string claim = finding.at("claim");
-    const std::string sentence = finding.at("sentence");
-    const bool holds = finding.at("holds");
-    if (claim == flaw.claim) {
-      found = true;
-      EXPECT_FALSE(holds) << claim << ": " << sentence;
-      EXPECT_NE(sentence.find(flaw.sentence), std::string::npos) << sentence;
-      std::cout << "  " << sentence << '\n';
-    } else if (std::find(flaw.others.begin(), flaw.others.end(), claim) == flaw.others.end()) {
-      EXPECT_TRUE(holds) << claim << ": " << sentence;
+    if (!finding.at("holds")) {
+      broken.insert(finding.at("claim").get<std::string>());
+    }
+    if (finding.at("claim") == flaw.claim) {
+      said = finding.at("sentence");
     }
   }
-  EXPECT_TRUE(found) << "no claim " << flaw.claim;
+  std::set<std::string> wanted = flaw.others;
+  wanted.insert(flaw.claim);
+  EXPECT_EQ(broken, wanted);
+  EXPECT_NE(said.find(flaw.sentence), std::string::npos) << said;
 }
 
 std::vector<Flaw> planted_flaws() {
-  return {{"no-restitution",
-           "central-restitution",
-           "the restitution is ignored",
-           {"off-centre-restitution", "slow-restitution", "convergence"}},
-          {"no-restitution",
-           "off-centre-restitution",
-           "the restitution is ignored",
-           {"central-restitution", "slow-restitution", "convergence"}},
-          {"twice",
-           "central-restitution",
-           "applied twice, as e^2",
-           {"off-centre-restitution", "slow-restitution", "convergence"}},
-          {"threshold",
-           "slow-restitution",
-           "lost below a threshold: hits at 0.05 m/s do not rebound, those at 0.15 m/s do",
-           {}},
-          {"wrong-inertia",
-           "inertia",
-           "as if its inertia were 1.3 times the declared one",
-           {"angular-momentum", "step-momentum", "convergence"}},
-          {"wrong-arm",
-           "arm",
-           "it does not turn with the body",
-           {"angular-momentum", "step-momentum", "off-centre-restitution", "energy", "taut-growth",
-            "convergence"}},
-          {"drift", "flight", "drifts: a body that no cable pulls is off by", {"convergence"}},
-          {"energy-gain",
-           "energy",
-           "hits add energy",
-           {"central-restitution", "off-centre-restitution", "slow-restitution", "convergence"}},
-          {"energy-gain",
-           "central-restitution",
-           "something adds to the bounce",
-           {"energy", "off-centre-restitution", "slow-restitution", "convergence"}},
-          {"float-state", "state-echo", "rounded to float, although float64 is declared", {}},
-          {"random", "determinism", "not deterministic: a second run of the same case differs", {}},
-          {"fixed-step", "flight", "the step is ignored", {"convergence"}},
-          {"talkative", "quiet", "the fixture took a step of", {}}};
+  // every hit rebounds otherwise, and so the motion is another at any step
+  const std::set<std::string> rebounds = {"central-restitution", "off-centre-restitution",
+                                          "slow-restitution", "convergence"};
+  const auto with = [](std::set<std::string> claims, const std::string& claim) {
+    claims.insert(claim);
+    return claims;
+  };
+  return {
+      {"no-restitution", "central-restitution", "the restitution is ignored", rebounds},
+      {"no-restitution", "off-centre-restitution", "the restitution is ignored", rebounds},
+      {"twice", "central-restitution", "applied twice, as e^2", rebounds},
+      // 2 % more than declared: in one step a hit is told from a spring's
+      {"bouncy", "central-restitution", "something adds to the bounce", with(rebounds, "energy")},
+      {"threshold",
+       "slow-restitution",
+       "lost below a threshold: hits at 0.05 m/s do not rebound, those at 0.15 m/s do",
+       {}},
+      // momenta are reckoned with the declared inertia
+      {"wrong-inertia",
+       "inertia",
+       "as if its inertia were 1.3 times the declared one",
+       {"angular-momentum", "step-momentum", "convergence"}},
+      // an impulse whose moment is not that of its force does work from nothing
+      {"wrong-arm",
+       "arm",
+       "it does not turn with the body",
+       {"angular-momentum", "step-momentum", "off-centre-restitution", "energy", "taut-growth",
+        "convergence"}},
+      {"drift", "flight", "drifts: a body that no cable pulls is off by", {"convergence"}},
+      {"energy-gain", "energy", "hits add energy", rebounds},
+      {"energy-gain", "central-restitution", "something adds to the bounce",
+       with(rebounds, "energy")},
+      {"float-state",
+       "state-echo",
+       "rounded to float, although float64 is declared",
+       {"precision"}},
+      {"float-step", "precision", "is rounded to float in 300 of the 300 steps that change it", {}},
+      {"random", "determinism", "not deterministic: a second run of the same case differs", {}},
+      {"random-process",
+       "determinism",
+       "not deterministic: in another process the same case runs otherwise",
+       {}},
+      {"stops-mirrored",
+       "mirror-symmetry",
+       "tilted-gravity: the run goes on, its mirror image stops at t = 0.001: the fixture",
+       {}},
+      {"fixed-step", "flight", "the step is ignored", {"convergence"}},
+      {"talkative", "quiet", "the fixture took a step of", {}}};
 }
 
 INSTANTIATE_TEST_SUITE_P(Planted, Flaws, testing::ValuesIn(planted_flaws()), [](const auto& test) {
@@ -161,9 +171,9 @@ std::string first_fault(const json& model) {
 
 TEST(Check, TellsOfACrashWhichClaimItWasAndKeepsWhatWasFoundBefore) {
   for (const auto& [name, sentence] :
-       {std::pair("segfault", "flight: crashed: SIGSEGV"),
-        std::pair("abort", "flight: crashed: SIGABRT"),
-        std::pair("exit", "flight: ended by itself with exit code 0 and no result")}) {
+       {std::pair("segfault", "precision: crashed: SIGSEGV"),
+        std::pair("abort", "precision: crashed: SIGABRT"),
+        std::pair("exit", "precision: ended by itself with exit code 0 and no result")}) {
     const json model = check_fixture(name);
     EXPECT_EQ(first_fault(model), sentence);
     EXPECT_EQ(model.at("findings").at(0).at("claim"), "state-echo");

@@ -8,11 +8,14 @@
 
 namespace tautline::test {
 
+/// What the contract tests ask beyond `bench::claims`: how near a model is to the exact motion.
+inline constexpr std::string_view accuracy_claim = "accuracy";
+
 /// A claim that a model does not keep, and why. It is asserted both ways: a model that starts to
 /// keep it fails the test until it is taken out.
 struct Exception {
   std::string model;
-  std::string claim;  // one of `bench::claims`
+  std::string claim;  // one of `bench::claims`, or `accuracy_claim`
   std::string reason;
 };
 

@@ -24,7 +24,7 @@ constexpr std::array all_claims = {
     Claim{"state-echo", "a run begins in the initial state it was given",
           "the rounding of the precision that the engine declares", measure_state_echo},
     Claim{"precision", "states keep the declared precision after every step",
-          "double precision seldom rounds to a float", measure_precision},
+          "one number in 2^29 is a float by chance", measure_precision},
     Claim{"flight", "a slack body flies the parabola or semi-implicit Euler, at any step",
           "an angle advanced by infinitesimal turns lags by 1.4e-4 rad", measure_flight},
     Claim{"mass", "an impulse moves the declared mass",

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "bench/conformance.hpp"
 #include "tautline/geometry.hpp"

@@ -63,8 +63,8 @@ TEST_P(Contract, KeepsItsClaims) {
 /// Where an impact falls in its step scatters a slope of 1 by this [-].
 constexpr double slope_scatter = 0.15;
 
-/// An impact noticed a step late takes the body further by its speed, below 1 m/s here, times the
-/// step; a few such impacts come to twice that.
+/// An impact noticed a step late costs its speed times the step. Speeds are about 1 m/s here, and a
+/// run has a few impacts: those that are solved in one step come to 1.71 at most.
 constexpr double accuracy_limit = 2.0;  // [m/s], deviation over step
 
 /// The order is asked for from both sides in double, and in float only from below: there rounding

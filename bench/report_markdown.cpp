@@ -104,6 +104,7 @@ std::string stopped_sentence(const ordered_json& report) {
     }
   }
   std::vector<std::string> models;
+  models.reserve(reasons.size());
   for (const auto& [model, reason] : reasons) {
     models.push_back(fmt::format("{} ({})", model, reason));
   }

@@ -10,6 +10,7 @@
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/parabola.hpp"
 #include "world.hpp"
 
 namespace tautline::box2d {
@@ -40,9 +41,7 @@ class Box2dEventAdapter final : public EventAdapter {
     const int parts = std::max(1, static_cast<int>(std::ceil(limits)));
     const double part = dt / parts;
     for (int done = 0; done < parts; ++done) {
-      world_.kick(-0.5 * part * case_.gravity);
-      world_.advance(part);
-      world_.kick(0.5 * part * case_.gravity);
+      fly_parabola(world_, case_.gravity, part);
     }
   }
 
@@ -69,8 +68,7 @@ std::vector<ModelEntry> event_models() {
         "Box2D flies, the event driver finds the instants: each impact is solved by hand at the "
         "exact pose, in Box2D's mass and inertia.",
         with_world_settings(
-            {{"body velocity", "half of gravity's impulse before and after each step",
-              "Semi-implicit Euler then flies the exact parabola."},
+            {parabola_setting(),
              {"Step", "in parts where the body would move by 1.8 m or turn by 1.4 rad",
               "Box2D slows a body down to 2 m and pi/2 in a step."}})},
        [](const Case& the_case, const RunSettings& run) {

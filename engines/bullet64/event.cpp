@@ -10,6 +10,7 @@
 #include "cable_constraint.hpp"
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
+#include "tautline/parabola.hpp"
 
 namespace tautline::bullet {
 namespace {
@@ -36,9 +37,7 @@ class BulletEventAdapter final : public EventAdapter {
     const int parts = std::max(1, static_cast<int>(std::ceil(turn / largest_turn)));
     const double part = dt / parts;
     for (int done = 0; done < parts; ++done) {
-      world_.kick(-0.5 * part * case_.gravity);
-      world_.advance(part);
-      world_.kick(0.5 * part * case_.gravity);
+      fly_parabola(world_, case_.gravity, part);
     }
   }
 
@@ -96,8 +95,7 @@ std::vector<ModelEntry> event_models() {
               "Nearly dependent cables hit together converge slowly; one cable takes two."},
              {"m_leastSquaresResidualThreshold", "(4 roundings of the speed)^2",
               "With Bullet's 0 a solve goes on while its last bit flickers."},
-             {"body velocity", "half of gravity's impulse before and after each step",
-              "Semi-implicit Euler then flies the exact parabola."}})},
+             parabola_setting()})},
        [](const Case& the_case, const RunSettings& settings) {
          return drive_by_events(the_case, std::make_unique<BulletEventAdapter>(the_case),
                                 settings.law);

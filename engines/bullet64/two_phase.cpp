@@ -10,6 +10,7 @@
 
 #include "cable_constraint.hpp"
 #include "models.hpp"
+#include "tautline/parabola.hpp"
 
 namespace tautline::bullet {
 namespace {
@@ -39,9 +40,7 @@ class TwoPhaseSimulation final : public Simulation {
     for (std::size_t index = 0; index < cables_.size(); ++index) {
       prepare(index, cable_row(case_.cables[index], start), dt);
     }
-    world_.kick(-0.5 * dt * case_.gravity);
-    world_.advance(dt);
-    world_.kick(0.5 * dt * case_.gravity);
+    fly_parabola(world_, case_.gravity, dt);
     for (std::size_t index = 0; index < cables_.size(); ++index) {
       impulses_[index] = cables_[index]->impulse();
       if (impulses_[index] <= 0.0) {
@@ -82,11 +81,9 @@ std::vector<ModelEntry> two_phase_models() {
   return {{{"two-phase",
             "A row that lets the gap close exactly to zero in one step and gives the bounce in the "
             "next one, with exact flights between.",
-            with_world_settings(
-                {{"m_numIterations", std::to_string(iterations),
-                  "With Bullet's 10 the order of the cables shows."},
-                 {"body velocity", "half of gravity's impulse before and after each step",
-                  "Semi-implicit Euler then flies the exact parabola."}})},
+            with_world_settings({{"m_numIterations", std::to_string(iterations),
+                                  "With Bullet's 10 the order of the cables shows."},
+                                 parabola_setting()})},
            [](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
              return std::make_unique<TwoPhaseSimulation>(the_case, settings.step);
            },

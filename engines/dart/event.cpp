@@ -7,6 +7,7 @@
 
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
+#include "tautline/parabola.hpp"
 #include "world.hpp"
 
 namespace tautline::dart_engine {
@@ -27,11 +28,7 @@ class DartEventAdapter final : public EventAdapter {
   [[nodiscard]] State state() const override { return world_.state(); }
   void place(const State& state) override { world_.place(state); }
 
-  void fly(double dt) override {
-    world_.kick(-0.5 * dt * case_.gravity);
-    world_.advance(dt);
-    world_.kick(0.5 * dt * case_.gravity);
-  }
+  void fly(double dt) override { fly_parabola(world_, case_.gravity, dt); }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     const State before = world_.state();
@@ -77,8 +74,7 @@ std::vector<ModelEntry> event_models() {
           "DART's 1e-6 and 1e-3 leave an impact as inexact as that."},
          {"mEpsilonForDivision", "1e-15 of the momentum",
           "The iteration does not wait for smaller impulses; DART's 1e-9 knows no units."},
-         {"body velocity", "half of gravity's impulse before and after each step",
-          "Semi-implicit Euler then flies the exact parabola."}}},
+         parabola_setting()}},
        [](const Case& the_case, const RunSettings& settings) {
          return drive_by_events(the_case, std::make_unique<DartEventAdapter>(the_case),
                                 settings.law);

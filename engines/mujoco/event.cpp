@@ -4,6 +4,7 @@
 
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
+#include "tautline/parabola.hpp"
 #include "world.hpp"
 
 namespace tautline::mujoco {
@@ -17,11 +18,7 @@ class MujocoEventAdapter final : public EventAdapter {
   [[nodiscard]] State state() const override { return world_.state(); }
   void place(const State& state) override { world_.place(state); }
 
-  void fly(double dt) override {
-    world_.kick(-0.5 * dt * gravity_);
-    world_.advance(dt);
-    world_.kick(0.5 * dt * gravity_);
-  }
+  void fly(double dt) override { fly_parabola(world_, gravity_, dt); }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     return world_.pull(cables, rates);
@@ -38,10 +35,7 @@ std::vector<ModelEntry> event_models() {
   return {{{"event",
             "MuJoCo flies and gives tendons and masses, the event driver finds the instants: each "
             "impact is solved by hand at the exact pose.",
-            with_world_settings({{"body velocity",
-                                  "half of gravity's impulse before and after each "
-                                  "step",
-                                  "Semi-implicit Euler then flies the exact parabola."}})},
+            with_world_settings({parabola_setting()})},
            [](const Case& the_case, const RunSettings& run) {
              return drive_by_events(the_case, std::make_unique<MujocoEventAdapter>(the_case),
                                     run.law);

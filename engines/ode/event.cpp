@@ -6,6 +6,7 @@
 
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
+#include "tautline/parabola.hpp"
 #include "world.hpp"
 
 namespace tautline::ode {
@@ -27,11 +28,7 @@ class OdeEventAdapter final : public EventAdapter {
 
   [[nodiscard]] State state() const override { return world_.state(); }
 
-  void fly(double dt) override {
-    world_.kick(-0.5 * dt * case_.gravity);
-    world_.advance(dt);
-    world_.kick(0.5 * dt * case_.gravity);
-  }
+  void fly(double dt) override { fly_parabola(world_, case_.gravity, dt); }
 
   void place(const State& state) override { world_.place(state); }
 
@@ -107,8 +104,7 @@ std::vector<ModelEntry> event_models() {
                       "No time passes in an impact; the case's gravity is put back after it."});
   settings.push_back({"dBodySetPosition, dBodySetQuaternion", "the pose before an impact",
                       "The solve of an impact must not move the body."});
-  settings.push_back({"body velocity", "half of gravity's impulse before and after each step",
-                      "Semi-implicit Euler then flies the exact parabola."});
+  settings.push_back(parabola_setting());
   return {
       {{"event",
         "ODE flies and solves, the event driver finds the instants: each impact is one solve at "

@@ -15,23 +15,16 @@ using nlohmann::json;
 
 constexpr double time_limit = 10.0;  // [s], of a run
 
-/// Those of `wanted` that are built, as an argument; "" without one.
-std::string built(const std::set<std::string>& wanted) {
-  const json list = json::parse(program({"engines", "--json", "-"}).output);
-  std::string result;
-  for (const json& engine : list["engines"]) {
-    const std::string name = engine["name"];
-    if (wanted.contains(name) && engine.contains("models")) {
-      result += (result.empty() ? "" : ",") + name;
-    }
-  }
-  return result;
-}
-
 TEST(DifficultEngines, AreCleanRowsInTime) {
   // Siconos loses its integration on the first; ODE's bodies leave every range; a run of Simbody's
   // events takes minutes; its rope prints at every step
-  const std::string engines = built({"ode", "simbody", "siconos"});
+  const std::set<std::string> built = built_engines();
+  std::string engines;
+  for (const std::string name : {"ode", "simbody", "siconos"}) {
+    if (built.contains(name)) {
+      engines += (engines.empty() ? "" : ",") + name;
+    }
+  }
   if (engines.empty()) {
     GTEST_SKIP() << "none of them is built";
   }

@@ -29,17 +29,6 @@ json reference() {
 /// Position errors by engine, model and step.
 using Errors = std::map<std::tuple<std::string, std::string, double>, double>;
 
-std::set<std::string> built_engines() {
-  const json list = json::parse(program({"engines", "--json", "-"}).output);
-  std::set<std::string> result;
-  for (const json& engine : list["engines"]) {
-    if (engine.contains("models")) {
-      result.insert(engine["name"].get<std::string>());
-    }
-  }
-  return result;
-}
-
 /// The errors of the runs of all figures that have one at one of `steps`. Engines that are not
 /// built are left out.
 Errors errors(const std::vector<std::string>& steps) {

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 namespace tautline::test {
 namespace {
@@ -60,6 +61,17 @@ int wait_for(int process) {
   int status = 0;
   ::waitpid(process, &status, 0);
   return code_of(status);
+}
+
+std::set<std::string> built_engines() {
+  const auto list = nlohmann::json::parse(program({"engines", "--json", "-"}).output);
+  std::set<std::string> result;
+  for (const auto& engine : list["engines"]) {
+    if (engine.contains("models")) {
+      result.insert(engine["name"].get<std::string>());
+    }
+  }
+  return result;
 }
 
 std::string bad_engine(const std::string& way) {

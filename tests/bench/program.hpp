@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ using bench::test::TemporaryFolder;
 
 /// Waits for a started program; its exit code, or 128 + signal.
 int wait_for(int process);
+
+/// The names of the engines that are built.
+[[nodiscard]] std::set<std::string> built_engines();
 
 /// The path of a plug-in made to go wrong: tests/bench/fixtures.
 [[nodiscard]] std::string bad_engine(const std::string& way);

@@ -54,8 +54,9 @@ std::string early_end(const Path& path) {
 
 /// True if the two end within `steps` of each other.
 bool end_together(const Path& a, const Path& b, std::size_t steps) {
-  const auto [fewer, more] = std::minmax(a.states.size(), b.states.size());
-  return a.stop.has_value() == b.stop.has_value() ? more - fewer <= steps : false;
+  const std::size_t fewer = std::min(a.states.size(), b.states.size());
+  const std::size_t more = std::max(a.states.size(), b.states.size());
+  return a.stop.has_value() == b.stop.has_value() && more - fewer <= steps;
 }
 
 /// The numbers of a state, and of the end, byte by byte.

@@ -3,6 +3,8 @@
 set(TAUTLINE_ENGINE_DIR "${PROJECT_BINARY_DIR}/engines/modules")
 
 # tautline_target(<target>): language level, warnings, sanitizers, reproducible floating point.
+# A target with the property TAUTLINE_UNSANITIZED is compiled without sanitizers and linked with them:
+# for what would take long to compile and checks nothing that others do not.
 function(tautline_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES
@@ -19,7 +21,8 @@ function(tautline_target target)
   if(TAUTLINE_SANITIZE)
     # with sanitizers GCC warns of uninitialised members inside its own <regex> (GCC bug 105562)
     target_compile_options(${target} PRIVATE
-      -Wno-maybe-uninitialized -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+      -Wno-maybe-uninitialized
+      $<$<NOT:$<BOOL:$<TARGET_PROPERTY:TAUTLINE_UNSANITIZED>>>:-fsanitize=address,undefined$<SEMICOLON>-fno-sanitize-recover=all$<SEMICOLON>-fno-omit-frame-pointer>)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
     # Eigen would take another malloc under ASan, and free what an engine built without it allocated
     target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)

@@ -10,6 +10,7 @@
 #include "bench/atomic_file.hpp"
 #include "bench/case_catalogue.hpp"
 #include "bench/commands.hpp"
+#include "bench/compact_json.hpp"
 #include "bench/process.hpp"
 #include "bench/progress.hpp"
 #include "bench/report.hpp"
@@ -93,7 +94,7 @@ bool any_failure(const nlohmann::ordered_json& report) {
 }
 
 void write_reports(const BenchCommand& command, const nlohmann::ordered_json& report) {
-  const std::string json = report.dump(2) + "\n";
+  const std::string json = compact_json(report);
   write_file(command.out / "report.json", json);
   write_file(command.out / "report.md", report_markdown(report));
   if (!command.json.empty()) {

@@ -34,7 +34,8 @@ class ImpactDetector {
 
   /// Takes one step from `before` at `start` to `after`. Throws std::runtime_error if what the
   /// simulation says of it makes no sense.
-  void take(double start, const State& before, const State& after, const Simulation& simulation) {
+  void take(double start, double dt, const State& before, const State& after,
+            const Simulation& simulation) {
     if (!simulation.events().empty()) {
       for (const Event& event : simulation.events()) {
         take_located(event);
@@ -46,9 +47,11 @@ class ImpactDetector {
       throw std::runtime_error("the engine gave " + std::to_string(impulses.size()) +
                                " impulses for " + std::to_string(bursts_.size()) + " cables");
     }
+    const Eigen::Vector3d stray = unexplained(before, after, impulses, dt);
     for (std::size_t index = 0; index < bursts_.size(); ++index) {
       if (impulses[index] > threshold_) {
         extend(index, start, before, after, impulses[index]);
+        bursts_[index]->stray += stray;
       } else {
         close(index);
       }
@@ -85,12 +88,32 @@ class ImpactDetector {
         !within_run(case_, event.time)) {
       throw std::runtime_error("the engine gave an event that is not of this case");
     }
+    std::vector<double> impulses(case_.cables.size(), 0.0);
     Eigen::Index row = 0;
     for (const std::size_t index : cables) {
-      const Cable& cable = case_.cables[index];
-      keep({event.time, index, event.impulses[row++], gap_rate(cable, event.before),
-            gap_rate(cable, event.after), 0, event.before, event.after});
+      impulses[index] = event.impulses[row++];
     }
+    const Eigen::Vector3d stray = unexplained(event.before, event.after, impulses, 0.0);
+    for (const std::size_t index : cables) {
+      const Cable& cable = case_.cables[index];
+      keep({event.time, index, impulses[index], gap_rate(cable, event.before),
+            gap_rate(cable, event.after), 0, event.before, event.after, stray});
+    }
+  }
+
+  /// The change of momentum from `before` to `after`, less what gravity gives in `dt` [s] and less
+  /// `impulses` [N s] along the cables as they are at `before`.
+  [[nodiscard]] Eigen::Vector3d unexplained(const State& before, const State& after,
+                                            std::span<const double> impulses, double dt) const {
+    Eigen::Vector3d result;
+    result << case_.body.mass * (after.velocity - before.velocity - dt * case_.gravity),
+        case_.body.inertia * (after.spin - before.spin);
+    for (std::size_t index = 0; index < impulses.size(); ++index) {
+      if (impulses[index] > 0.0) {
+        result -= impulses[index] * gap_gradient(case_.cables[index], before);
+      }
+    }
+    return result;
   }
 
   /// The rates are of the engine's own velocities before and after the step, at the pose the step
@@ -176,14 +199,15 @@ Trajectory record(const Case& the_case, Simulation& simulation, double step,
     const double start = static_cast<double>(index) * step;
     const bool last = index + 1 == steps;
     const State before = now;
-    simulation.step(last ? the_case.duration - start : step);
+    const double dt = last ? the_case.duration - start : step;
+    simulation.step(dt);
     now = simulation.state();
     run.stop = simulation.stopped();
     if (!reasonable(the_case, now)) {
       run.diverged = true;
       break;
     }
-    detector.take(start, before, now, simulation);
+    detector.take(start, dt, before, now, simulation);
     run.overstretch = std::max(run.overstretch, worst_overstretch(the_case, now));
     run.largest_energy = std::max(run.largest_energy, energy(the_case, now));
     if (last || run.stop || (index + 1) % run.stride == 0) {

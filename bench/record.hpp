@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ struct RecordedImpact {
   std::size_t steps;   // consecutive steps with an impulse; 0 if the simulation located the impact
   State before;        // where the jump starts
   State after;         // the same pose, and the velocity that the jump gave
+  /// Change of momentum (x, y, angle) over the impact that neither gravity nor the impulses along
+  /// the cables explain [N s, N s, N m s].
+  Eigen::Vector3d stray = Eigen::Vector3d::Zero();
 };
 
 /// What one run did.

@@ -72,7 +72,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   for (const ReferenceCase& reference : references) {
     cases.push_back(case_row(reference, options.compare));
   }
-  ordered_json report = {{"schema", 2},
+  ordered_json report = {{"schema", 3},
                          {"program", {{"name", "tautline"}, {"version", TAUTLINE_VERSION}}}};
   report["complete"] = result.runs.size() == result.planned;
   report["planned_runs"] = result.planned;
@@ -86,6 +86,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   report["cases"] = std::move(cases);
   report["summary"] = summary_json(runs);
   report["convergence"] = convergence_json(runs);
+  report["findings"] = ordered_json::array();
   report["runs"] = std::move(runs);
   report["context"] = context_json(context, result);
   return report;

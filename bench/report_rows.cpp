@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bench/replay_data.hpp"
 #include "bench/solution_json.hpp"
 #include "bench/text.hpp"
 #include "tautline/geometry.hpp"
@@ -126,6 +127,9 @@ ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
         reply.output_tail.size() - std::min(reply.output_tail.size(), quotable_length)));
   }
   row["metrics"] = nullptr;
+  row["path"] = nullptr;
+  row["impacts"] = nullptr;
+  row["audit"] = nullptr;
   if (reply.trajectory) {
     row["stride"] = reply.trajectory->stride;
     row["recorded_impacts"] = reply.trajectory->impacts.size();
@@ -133,6 +137,9 @@ ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
     row["metrics"] =
         metrics_json(compare(reference.the_case, reference.solution, reference.settling,
                              reference.horizon, *reply.trajectory, options));
+    row["path"] =
+        run_path_json(reference.the_case, *reply.trajectory, run.path_samples, options.count_speed);
+    row["impacts"] = run_impacts_json(reference.the_case, *reply.trajectory, options.count_speed);
   }
   return row;
 }
@@ -153,16 +160,19 @@ ordered_json timing_row(const ReferenceCase& reference, const EngineInfo& engine
 ordered_json case_row(const ReferenceCase& reference, const CompareOptions& options) {
   const Solution& solution = reference.solution;
   const Case& the_case = reference.the_case;
-  return {{"name", the_case.name},
-          {"cables", the_case.cables.size()},
-          {"duration", the_case.duration},
-          {"ending", to_string(solution.ending())},
-          {"end_time", solution.end_time()},
-          {"horizon", reference.horizon},
-          {"counted_impacts", counted_impacts(the_case, solution, options.count_speed).size()},
-          {"start_energy", energy(the_case, the_case.initial)},
-          {"end_energy", energy(the_case, solution.at(solution.end_time()))},
-          {"settling", settling_json(reference.settling)}};
+  ordered_json row = {
+      {"name", the_case.name},
+      {"cables", the_case.cables.size()},
+      {"duration", the_case.duration},
+      {"ending", to_string(solution.ending())},
+      {"end_time", solution.end_time()},
+      {"horizon", reference.horizon},
+      {"counted_impacts", counted_impacts(the_case, solution, options.count_speed).size()},
+      {"start_energy", energy(the_case, the_case.initial)},
+      {"end_energy", energy(the_case, solution.at(solution.end_time()))},
+      {"settling", settling_json(reference.settling)}};
+  add_exact_motion(the_case, solution, row);
+  return row;
 }
 
 }  // namespace tautline::bench

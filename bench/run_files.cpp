@@ -13,6 +13,7 @@
 #include "bench/atomic_file.hpp"
 #include "bench/case_catalogue.hpp"
 #include "bench/case_file.hpp"
+#include "bench/compact_json.hpp"
 #include "bench/text.hpp"
 
 namespace tautline::bench {
@@ -99,8 +100,8 @@ std::string events_csv(const Trajectory& run) {
 std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
   const std::string text =
       write_case(options.cases[run.the_case]) + settings_json(options, run).dump() +
-      fmt::format("{} {} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
-                  options.samples, to_string(options.law), TAUTLINE_VERSION) +
+      fmt::format("{} {} {} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
+                  options.samples, run.path_samples, to_string(options.law), TAUTLINE_VERSION) +
       file_content(options.engines[run.engine].plugin);
   return fmt::format("{:016x}{:016x}", stable_hash(text), program_hash());
 }
@@ -119,8 +120,7 @@ void write_run(const fs::path& folder, const SuiteOptions& options, const Planne
   write_file(folder / "settings.json", settings_json(options, run).dump(2) + "\n");
   const ordered_json whole = {
       {"fingerprint", fingerprint(options, run)}, {"row", result.row}, {"timing", result.timing}};
-  write_file(folder / "result.json",
-             whole.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  write_file(folder / "result.json", compact_json(whole));
 }
 
 std::optional<RunResult> read_run(const fs::path& folder, const std::string& fingerprint) {

@@ -11,6 +11,7 @@
 
 #include "bench/horizon.hpp"
 #include "bench/process.hpp"
+#include "bench/replay_data.hpp"
 #include "bench/report_rows.hpp"
 #include "bench/run_files.hpp"
 #include "bench/text.hpp"
@@ -78,6 +79,9 @@ std::vector<PlannedRun> plan(const SuiteOptions& options) {
         }
       }
     }
+  }
+  for (PlannedRun& run : runs) {
+    run.path_samples = path_samples(runs.size());
   }
   return runs;
 }

@@ -46,7 +46,8 @@ struct PlannedRun {
   std::size_t the_case;  // index into SuiteOptions::cases
   std::size_t engine;    // index into SuiteOptions::engines
   Model model;
-  double step;  // [s]
+  double step;                   // [s]
+  std::size_t path_samples = 0;  // that the report has of it, next to those at impacts
 };
 
 /// Every run, in the order in which the report lists them.

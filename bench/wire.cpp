@@ -69,9 +69,15 @@ Message trajectory_message(const Trajectory& trajectory) {
   Message message;
   ordered_json impacts = ordered_json::array();
   for (const RecordedImpact& impact : trajectory.impacts) {
-    impacts.push_back({impact.time, impact.cable, impact.impulse, impact.rate_before,
-                       impact.rate_after, impact.steps, state_row(impact.before),
-                       state_row(impact.after)});
+    impacts.push_back({impact.time,
+                       impact.cable,
+                       impact.impulse,
+                       impact.rate_before,
+                       impact.rate_after,
+                       impact.steps,
+                       state_row(impact.before),
+                       state_row(impact.after),
+                       {impact.stray[0], impact.stray[1], impact.stray[2]}});
   }
   message.head = {{"step", trajectory.step},
                   {"stride", trajectory.stride},
@@ -99,9 +105,11 @@ Trajectory trajectory_from(const Message& message) {
   result.step = head.at("step");
   result.stride = head.at("stride");
   for (const ordered_json& row : head.at("impacts")) {
-    result.impacts.push_back({number_from(row.at(0)), row.at(1), number_from(row.at(2)),
-                              number_from(row.at(3)), number_from(row.at(4)), row.at(5),
-                              state_from(row.at(6)), state_from(row.at(7))});
+    result.impacts.push_back(
+        {number_from(row.at(0)), row.at(1), number_from(row.at(2)), number_from(row.at(3)),
+         number_from(row.at(4)), row.at(5), state_from(row.at(6)), state_from(row.at(7)),
+         Eigen::Vector3d(number_from(row.at(8).at(0)), number_from(row.at(8).at(1)),
+                         number_from(row.at(8).at(2)))});
   }
   result.slow_impacts = head.at("slow_impacts");
   result.overstretch = number_from(head.at("overstretch"));

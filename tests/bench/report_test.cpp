@@ -100,7 +100,7 @@ TEST(Report, ARunThatStopsAtItsFirstTautCableIsNoFailure) {
   const json report = json::parse(content_of(out.path() / "r/report.json"));
   ASSERT_EQ(report.at("runs").size(), 2U);
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_EQ(report.at("schema"), 2);
+  EXPECT_EQ(report.at("schema"), 3);
   const json& exact = report.at("runs").at(0);
   const json& stopped = report.at("runs").at(1);
   EXPECT_EQ(exact.at("status"), "finished");

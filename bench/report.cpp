@@ -5,6 +5,7 @@
 #include <fstream>
 #include <thread>
 
+#include "bench/audit.hpp"
 #include "bench/report_rows.hpp"
 #include "bench/text.hpp"
 #include "bench/wire.hpp"
@@ -88,6 +89,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   report["convergence"] = convergence_json(runs);
   report["findings"] = ordered_json::array();
   report["runs"] = std::move(runs);
+  add_audit(report);
   report["context"] = context_json(context, result);
   return report;
 }

@@ -7,13 +7,15 @@
 
 namespace tautline::bullet {
 
-World::World(const Case& the_case)
+World::World(const Case& the_case, Sleep sleep)
     : body_(make_body(the_case.body.mass, the_case.body.inertia)), angle_(the_case.initial.angle) {
   place(the_case.initial);
   body_->setLinearFactor(btVector3(1, 1, 0));
   body_->setAngularFactor(btVector3(0, 0, 1));
   body_->setFlags(0);
-  body_->setActivationState(DISABLE_DEACTIVATION);
+  if (sleep == Sleep::never) {
+    body_->setActivationState(DISABLE_DEACTIVATION);
+  }
   body_->updateInertiaTensor();
   dynamics_.setGravity(vector(the_case.gravity));  // before the body, which takes it over
   dynamics_.addRigidBody(body_.get(), 0, 0);
@@ -77,22 +79,22 @@ void World::kick(const Vec2& change) {
   body_->setLinearVelocity(body_->getLinearVelocity() + vector(change));
 }
 
-std::vector<Setting> world_settings() {
-  return {
+std::vector<Setting> with_world_settings(std::vector<Setting> settings, Sleep sleep) {
+  std::vector<Setting> result = {
       {"stepSimulation maxSubSteps", "0",
        "With the default, 1 substep of 1/60 s, Bullet does nothing in a smaller step."},
-      {"setActivationState", "DISABLE_DEACTIVATION",
-       "Bullet freezes a body slower than 0.8 m/s and 1 rad/s for 2 s, in the middle of a swing."},
       {"setLinearFactor, setAngularFactor", "(1, 1, 0), (0, 0, 1)", "The problem is planar."},
       {"setFlags", "0",
        "The gyroscopic term is zero in the plane, and its solve is singular for the infinite "
        "inertia about x and y."},
       {"addRigidBody group, mask", "0, 0", "The body touches nothing but its cables."},
   };
-}
-
-std::vector<Setting> with_world_settings(std::vector<Setting> settings) {
-  std::vector<Setting> result = world_settings();
+  if (sleep == Sleep::never) {
+    result.push_back(
+        {"setActivationState", "DISABLE_DEACTIVATION",
+         "Bullet freezes a body slower than 0.8 m/s and 1 rad/s for 2 s, in the middle of a "
+         "swing."});
+  }
   for (Setting& setting : settings) {
     result.push_back(std::move(setting));
   }

@@ -17,10 +17,13 @@ inline constexpr bool in_double_precision = sizeof(btScalar) == sizeof(double);
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), btScalar(0)};
 }
 
+/// Whether Bullet may deactivate the body.
+enum class Sleep { never, as_shipped };
+
 /// A Bullet world with the body of a case in it, kept in the plane, and nothing else.
 class World {
  public:
-  explicit World(const Case& the_case);
+  explicit World(const Case& the_case, Sleep sleep = Sleep::never);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
   ~World();
@@ -48,6 +51,9 @@ class World {
     return added;
   }
 
+  /// Whether Bullet has frozen the body; it then solves nothing, and old impulses stay as they are.
+  [[nodiscard]] bool asleep() const { return !body_->isActive(); }
+
   [[nodiscard]] btRigidBody& body() { return *body_; }
   [[nodiscard]] btContactSolverInfo& solver_info() { return dynamics_.getSolverInfo(); }
   [[nodiscard]] btConstraintSolver& solver() { return solver_; }
@@ -68,10 +74,8 @@ class World {
   double angle_;  // [rad], not wrapped
 };
 
-/// The settings every model needs: those of `World`.
-[[nodiscard]] std::vector<Setting> world_settings();
-
-/// `settings` of the world and of a model.
-[[nodiscard]] std::vector<Setting> with_world_settings(std::vector<Setting> settings);
+/// The settings of a `World`, and after them those of a model.
+[[nodiscard]] std::vector<Setting> with_world_settings(std::vector<Setting> settings,
+                                                       Sleep sleep = Sleep::never);
 
 }  // namespace tautline::bullet

@@ -1,0 +1,127 @@
+// A body that an engine puts to sleep stays where it is, in the air or in the middle of a swing.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/audit_run.hpp"
+#include "bench/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Lengths are told by this part of the shortest cable, angles by as many radians [-].
+constexpr double moved = 1e-3;
+
+/// A stretch without motion is a freeze from this many samples on, and this part of the run.
+constexpr std::size_t least_samples = 4;
+constexpr double least_part = 0.05;
+
+struct Pose {
+  double x;
+  double y;
+  double angle;
+};
+
+Pose pose(const ordered_json& path, std::size_t index) {
+  return {path.at("x").at(index), path.at("y").at(index), path.at("angle").at(index)};
+}
+
+/// Distance of two poses in lengths of `cable` [m] and in radians, whichever is larger.
+double distance(const Pose& a, const Pose& b, double cable) {
+  return std::max(std::hypot(a.x - b.x, a.y - b.y) / cable, std::abs(a.angle - b.angle));
+}
+
+bool same(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.angle == b.angle; }
+
+/// The first of the samples from which on no number of the pose changes.
+std::size_t first_frozen(const ordered_json& path) {
+  std::size_t first = path.at("time").size() - 1;
+  const Pose last = pose(path, first);
+  while (first > 0 && same(pose(path, first - 1), last)) {
+    --first;
+  }
+  return first;
+}
+
+/// True where the exact motion moves between `from` and `until` [s].
+bool exact_moves(const ordered_json& the_case, double from, double until, double cable) {
+  const ordered_json& path = the_case.at("path");
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < path.at("time").size(); ++i) {
+    const double time = path.at("time").at(i);
+    if (time >= from && time <= until) {
+      poses.push_back(pose(path, i));
+    }
+  }
+  return std::any_of(poses.begin(), poses.end(), [&](const Pose& other) {
+    return distance(poses.front(), other, cable) > 10.0 * moved;
+  });
+}
+
+/// True where an impact of the run is between `from` and `until` [s]: a body that sticks to its
+/// cable there has not been put to sleep.
+bool hit_between(const ordered_json& run, double from, double until) {
+  const ordered_json& times = run.at("impacts").at("time");
+  return std::any_of(times.begin(), times.end(), [&](const ordered_json& time) {
+    return time.is_number() && time.get<double>() >= from && time.get<double>() <= until;
+  });
+}
+
+}  // namespace
+
+std::optional<Freeze> freeze_of(const ordered_json& run, const ordered_json& the_case) {
+  const ordered_json& path = run.at("path");
+  const ordered_json& times = path.at("time");
+  if (times.size() < 2 * least_samples || run.at("status") == "diverged") {
+    return std::nullopt;
+  }
+  double cable = the_case.at("geometry").front().at("length");
+  for (const ordered_json& other : the_case.at("geometry")) {
+    cable = std::min(cable, other.at("length").get<double>());
+  }
+  const std::size_t first = first_frozen(path);
+  const double time = times.at(first);
+  const double end = times.back();
+  const bool lasts = times.size() - first >= least_samples && end - time >= least_part * end;
+  if (!lasts || first < 2) {
+    return std::nullopt;
+  }
+  // what comes to rest by itself slows down before
+  const Pose frozen = pose(path, first);
+  const Pose before = pose(path, first - 1);
+  const double speed =
+      std::max(distance(before, frozen, cable), distance(pose(path, first - 2), before, cable));
+  if (speed < moved || hit_between(run, times.at(first - 1), time) ||
+      !exact_moves(the_case, time, end, cable)) {
+    return std::nullopt;
+  }
+  const double lost =
+      path.at("energy").at(first - 1).get<double>() - path.at("energy").at(first).get<double>();
+  return Freeze{run.at("case"), time, lost};
+}
+
+std::vector<Finding> sleep_findings(const AuditedModel& model) {
+  if (model.freezes.empty()) {
+    return {};
+  }
+  const auto earliest =
+      std::min_element(model.freezes.begin(), model.freezes.end(),
+                       [](const Freeze& a, const Freeze& b) { return a.time < b.time; });
+  const auto costliest =
+      std::max_element(model.freezes.begin(), model.freezes.end(),
+                       [](const Freeze& a, const Freeze& b) { return a.lost < b.lost; });
+  return {
+      {"sleeping",
+       fmt::format("the body is put to sleep: it stands still to the end in {} of {} runs where "
+                   "the exact motion goes on, first at t = {:.3g} s in {}; up to {:.2g} J are "
+                   "lost at once (in {})",
+                   model.freezes.size(), model.runs, earliest->time, printable(earliest->case_name),
+                   costliest->lost, printable(costliest->case_name)),
+       earliest->time, "s", model.freezes.size(), 0}};
+}
+
+}  // namespace tautline::bench

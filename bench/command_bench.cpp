@@ -14,6 +14,8 @@
 #include "bench/process.hpp"
 #include "bench/progress.hpp"
 #include "bench/report.hpp"
+#include "bench/report_chapter.hpp"
+#include "bench/report_html.hpp"
 #include "bench/run_files.hpp"
 #include "bench/suite.hpp"
 #include "bench/text.hpp"
@@ -97,6 +99,7 @@ void write_reports(const BenchCommand& command, const nlohmann::ordered_json& re
   const std::string json = compact_json(report);
   write_file(command.out / "report.json", json);
   write_file(command.out / "report.md", report_markdown(report));
+  write_file(command.out / "index.html", report_html(report, page_assets()));
   if (!command.json.empty()) {
     write_output(command.json, json);
   }
@@ -116,10 +119,12 @@ int bench_command(const BenchCommand& command) {
   const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
   catch_interruption();  // up to here nothing has been touched
   const Descriptor tree = open_tree(options.out, !options.resume);
+  ChapterBeside chapter(runs_the_chapter(options));
   Progress progress(plan(options).size(), "runs");
   const SuiteResult result =
       run_suite(options, references, [&](std::size_t ended) { progress.show(ended); });
   progress.finish();
+  context.chapter = chapter.result();
   context.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   context.kept = result.kept;
   context.program_memory = peak_memory();
@@ -127,10 +132,11 @@ int bench_command(const BenchCommand& command) {
   const auto report = report_json(options, references, result, context);
   write_reports(command, report);
   if (command.json != "-") {
-    fmt::print("{}\n{} runs in {:.1f} s, {:.0f} MB; report: {} and report.json beside it\n",
+    fmt::print("{}\n{} runs in {:.1f} s, {:.0f} MB; report: {}, with report.md and report.json "
+               "beside it\n",
                report_summary(report), result.runs.size(), context.elapsed,
                (context.program_memory + options.jobs * context.worker_memory) / 1e6,
-               (command.out / "report.md").string());
+               (command.out / "index.html").string());
   }
   if (result.interrupted) {
     complain(

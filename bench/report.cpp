@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "bench/audit.hpp"
+#include "bench/report_context.hpp"
 #include "bench/report_rows.hpp"
 #include "bench/text.hpp"
 #include "bench/wire.hpp"
@@ -58,6 +59,9 @@ ordered_json context_json(const ReportContext& context, const SuiteResult& resul
           {"cores", std::thread::hardware_concurrency()},
           {"compiler", TAUTLINE_COMPILER},
           {"build_type", TAUTLINE_BUILD_TYPE},
+          {"flags", TAUTLINE_FLAGS},
+          {"commit", source_commit()},
+          {"costs", costs_json(timing)},
           {"timing", std::move(timing)}};
 }
 
@@ -90,6 +94,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   report["findings"] = ordered_json::array();
   report["runs"] = std::move(runs);
   add_audit(report);
+  report["chapter"] = context.chapter;
   report["context"] = context_json(context, result);
   return report;
 }

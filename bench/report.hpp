@@ -16,6 +16,7 @@ struct ReportContext {
   double program_memory = 0.0;  // [bytes], the most this program held at once
   double worker_memory = 0.0;   // [bytes], the most one worker held
   std::size_t kept = 0;         // runs taken from an earlier invocation
+  nlohmann::ordered_json chapter = nullptr;  // `chapter_row`, or null
 };
 
 /// The one product of a suite: an object of bench/report.schema.json. Everything that differs
@@ -27,6 +28,9 @@ struct ReportContext {
 
 /// The answers by engine, model and step over all cases of the runs in `report`.
 [[nodiscard]] nlohmann::ordered_json summary_json(const nlohmann::ordered_json& runs);
+
+/// What a step costs over that of a closed-form flight, by engine, model and step: the median of `timing`.
+[[nodiscard]] nlohmann::ordered_json costs_json(const nlohmann::ordered_json& timing);
 
 /// How fast errors shrink with the step: by engine and model, the slope of log error over log step.
 [[nodiscard]] nlohmann::ordered_json convergence_json(const nlohmann::ordered_json& runs);

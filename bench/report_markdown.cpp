@@ -36,6 +36,23 @@ std::string engines_section(const ordered_json& report) {
   return out;
 }
 
+std::string context_section(const ordered_json& report) {
+  const ordered_json& context = report.at("context");
+  return fmt::format(
+      "- tautline {}, built with {} as {}\n- {}, {} cores\n- started {}, {:.1f} s, {} of {} runs "
+      "kept from before; at most {:.0f} MB in the program and {:.0f} MB in a worker\n"
+      "- command: {}\n",
+      report_text(report.at("program").at("version")), report_text(context.at("compiler")),
+      report_text(context.at("build_type")), report_text(context.at("processor")),
+      context.at("cores").get<int>(), report_text(context.at("started")),
+      context.at("elapsed").get<double>(), context.at("kept_runs").get<int>(),
+      report.at("planned_runs").get<int>(), context.at("program_memory").get<double>() / 1e6,
+      context.at("worker_memory").get<double>() / 1e6,
+      markdown_text(printable(context.at("command").get<std::string>(), 1000)));
+}
+
+}  // namespace
+
 std::string how_to_read(const ordered_json& report) {
   const ordered_json& options = report.at("options");
   return fmt::format(
@@ -91,8 +108,6 @@ std::string how_to_read(const ordered_json& report) {
       options.at("early_impacts").get<int>(), options.at("count_speed").get<double>());
 }
 
-/// Says which models stopped before their end, each with its first reason, and that this is no
-/// failure; "" without one.
 std::string stopped_sentence(const ordered_json& report) {
   std::size_t count = 0;
   std::map<std::string, std::string> reasons;  // of each model
@@ -114,23 +129,6 @@ std::string stopped_sentence(const ordered_json& report) {
                           "are no failures: {}.",
                           count, report.at("runs").size(), joined(models, "and"));
 }
-
-std::string context_section(const ordered_json& report) {
-  const ordered_json& context = report.at("context");
-  return fmt::format(
-      "- tautline {}, built with {} as {}\n- {}, {} cores\n- started {}, {:.1f} s, {} of {} runs "
-      "kept from before; at most {:.0f} MB in the program and {:.0f} MB in a worker\n"
-      "- command: {}\n",
-      report_text(report.at("program").at("version")), report_text(context.at("compiler")),
-      report_text(context.at("build_type")), report_text(context.at("processor")),
-      context.at("cores").get<int>(), report_text(context.at("started")),
-      context.at("elapsed").get<double>(), context.at("kept_runs").get<int>(),
-      report.at("planned_runs").get<int>(), context.at("program_memory").get<double>() / 1e6,
-      context.at("worker_memory").get<double>() / 1e6,
-      markdown_text(printable(context.at("command").get<std::string>(), 1000)));
-}
-
-}  // namespace
 
 std::string report_markdown(const ordered_json& report) {
   std::string out = "# Physics engines on slack cables, against the exact solution\n\n";

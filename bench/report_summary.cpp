@@ -40,6 +40,11 @@ std::vector<Group> grouped(const ordered_json& rows, const Key& key) {
 
 std::string text_of(const ordered_json& row, const char* key) { return row.at(key); }
 
+/// Engine, model and step.
+std::tuple<std::string, std::string, double> by_setup(const ordered_json& row) {
+  return {text_of(row, "engine"), text_of(row, "model"), row.at("step").get<double>()};
+}
+
 bool did_its_work(const ordered_json& row) {
   return row.at("status") == "finished" || row.at("status") == "stopped";
 }
@@ -94,6 +99,26 @@ ordered_json worst(const std::vector<double>& values) {
                         : ordered_json(*std::max_element(values.begin(), values.end()));
 }
 
+/// The last impact faster than the first threshold: in how many cases the exact motion and the run have one,
+/// and how far apart they are.
+ordered_json settling_of(const Group& rows) {
+  std::size_t exact = 0;
+  std::size_t found = 0;
+  std::vector<double> errors;
+  for (const ordered_json* row : rows) {
+    if (row->at("metrics").is_null()) {
+      continue;
+    }
+    const ordered_json& last = row->at("metrics").at("settling").at("last_impacts").at(0);
+    exact += last.at("exact").is_number() ? 1U : 0U;
+    found += last.at("found").is_number() ? 1U : 0U;
+    if (last.at("exact").is_number() && last.at("found").is_number()) {
+      errors.push_back(std::abs(last.at("found").get<double>() - last.at("exact").get<double>()));
+    }
+  }
+  return {{"exact", exact}, {"found", found}, {"error", median_and_worst(errors)}};
+}
+
 ordered_json summary_of(const Group& rows) {
   static const ordered_json none = nullptr;
   const auto bad = std::count_if(rows.begin(), rows.end(),
@@ -119,6 +144,7 @@ ordered_json summary_of(const Group& rows) {
            {{"exact", total(rows, "exact")},
             {"found", total(rows, "found")},
             {"matched", total(rows, "matched")}}},
+          {"settling", settling_of(rows)},
           {"worst_restitution_error", worst(collect(rows, restitution))},
           {"overstretch", worst(collect(rows, overstretch))},
           {"energy_gain", worst(collect(rows, gain))}};
@@ -183,12 +209,24 @@ double slope(const std::vector<double>& steps, const std::vector<double>& errors
   return xy / xx;
 }
 
+ordered_json costs_json(const ordered_json& timing) {
+  ordered_json costs = ordered_json::array();
+  for (const Group& group : grouped(timing, by_setup)) {
+    std::vector<double> ratios;
+    for (const ordered_json* row : group) {
+      ratios.push_back(row->at("cost_ratio"));
+    }
+    costs.push_back({{"engine", group.front()->at("engine")},
+                     {"model", group.front()->at("model")},
+                     {"step", group.front()->at("step")},
+                     {"cost_ratio", median(ratios)}});
+  }
+  return costs;
+}
+
 ordered_json summary_json(const ordered_json& runs) {
-  const auto key = [](const ordered_json& row) {
-    return std::tuple(text_of(row, "engine"), text_of(row, "model"), row.at("step").get<double>());
-  };
   ordered_json summary = ordered_json::array();
-  for (const Group& group : grouped(runs, key)) {
+  for (const Group& group : grouped(runs, by_setup)) {
     summary.push_back(summary_of(group));
   }
   return summary;

@@ -24,6 +24,13 @@ namespace tautline::bench {
 /// Engines that are not here and runs that failed or diverged.
 [[nodiscard]] Table failures_table(const nlohmann::ordered_json& report);
 
+/// What the words of the tables mean, as a Markdown list.
+[[nodiscard]] std::string how_to_read(const nlohmann::ordered_json& report);
+
+/// Says which models stopped before their end, each with its first reason, and that this is no
+/// failure; "" without one.
+[[nodiscard]] std::string stopped_sentence(const nlohmann::ordered_json& report);
+
 /// A string of the report, safe to print.
 [[nodiscard]] std::string report_text(const nlohmann::ordered_json& value);
 

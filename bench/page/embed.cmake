@@ -1,0 +1,45 @@
+# Writes OUTPUT, the C++ source that holds the page's files, from STYLE, SCRIPTS (in order, separated by
+# |) and PLOTLY (may be empty). Called at build time by bench/page/CMakeLists.txt.
+
+file(READ "${STYLE}" style)
+set(scripts "")
+string(REPLACE "|" ";" SCRIPTS "${SCRIPTS}")
+foreach(script IN LISTS SCRIPTS)
+  file(READ "${script}" text)
+  string(APPEND scripts "${text}")
+endforeach()
+
+set(plotly "")
+if(PLOTLY)
+  file(READ "${PLOTLY}" plotly)
+  # The page reaches for no network. Plotly names addresses in its settings (of maps, of its own service,
+  # of its logo) and in comments; the names of XML's own namespaces stay, they are never opened.
+  string(REPLACE "http://www.w3.org/" "@namespace@" plotly "${plotly}")
+  string(REPLACE "https://" "" plotly "${plotly}")
+  string(REPLACE "http://" "" plotly "${plotly}")
+  string(REPLACE "@namespace@" "http://www.w3.org/" plotly "${plotly}")
+endif()
+
+foreach(part IN ITEMS style scripts plotly)
+  # the end of a script, or what opens a comment in one, would end it inside the page
+  string(TOLOWER "${${part}}" lower)
+  if(lower MATCHES "</script|</style|<!--|\\)tautline_page\"")
+    message(FATAL_ERROR "bench/page: ${part} holds ${CMAKE_MATCH_0}, which would end it inside the page")
+  endif()
+endforeach()
+
+file(WRITE "${OUTPUT}" "// Written by bench/page/embed.cmake.
+#include \"bench/page_assets.hpp\"
+
+namespace tautline::bench {
+
+const PageAssets& page_assets() {
+  static const PageAssets assets{
+R\"tautline_page(${style})tautline_page\",
+R\"tautline_page(${scripts})tautline_page\",
+R\"tautline_page(${plotly})tautline_page\"};
+  return assets;
+}
+
+}  // namespace tautline::bench
+")

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+namespace tautline::bench {
+
+/// The files of the report page, as they stand in bench/page; part of the program.
+struct PageAssets {
+  std::string_view style;    // page.css
+  std::string_view scripts;  // the page's own, in their order
+  std::string_view plotly;   // draws the charts; empty in a build without it
+};
+
+/// Written by bench/page/embed.cmake when the program is built.
+[[nodiscard]] const PageAssets& page_assets();
+
+}  // namespace tautline::bench

@@ -132,11 +132,12 @@ int bench_command(const BenchCommand& command) {
   const auto report = report_json(options, references, result, context);
   write_reports(command, report);
   if (command.json != "-") {
-    fmt::print("{}\n{} runs in {:.1f} s, {:.0f} MB; report: {}, with report.md and report.json "
-               "beside it\n",
-               report_summary(report), result.runs.size(), context.elapsed,
-               (context.program_memory + options.jobs * context.worker_memory) / 1e6,
-               (command.out / "index.html").string());
+    fmt::print(
+        "{}\n{} runs in {:.1f} s, {:.0f} MB; report: {}, with report.md and report.json "
+        "beside it\n",
+        report_summary(report), result.runs.size(), context.elapsed,
+        (context.program_memory + options.jobs * context.worker_memory) / 1e6,
+        (command.out / "index.html").string());
   }
   if (result.interrupted) {
     complain(

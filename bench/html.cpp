@@ -11,7 +11,8 @@ namespace {
 using nlohmann::ordered_json;
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
     text.replace(at, from.size(), to);
   }
 }
@@ -101,6 +102,9 @@ std::string number_cell(const ordered_json& value, std::string_view shown) {
 }
 
 std::string error_cell(const ordered_json& value) {
+  if (value.is_number() && value.get<double>() == 0.0) {  // exactly: no digits to show
+    return number_cell(value, "0");
+  }
   return number_cell(value, value.is_number() ? fmt::format("{:.1e}", value.get<double>()) : "");
 }
 
@@ -118,13 +122,14 @@ HtmlTable::HtmlTable(std::string id, std::string caption, std::vector<HtmlColumn
 
 void HtmlTable::begin_body(const std::string& name) {
   bodies_ += open_ ? "</tbody>\n" : "";
-  bodies_ += name.empty() ? "<tbody>\n" : "<tbody class=\"" + name + "\">\n";
-  open_ = true;
+  open_ = false;
+  body_ = name;
 }
 
 void HtmlTable::add(const std::vector<std::string>& cells, const std::string& attributes) {
   if (!open_) {
-    begin_body("");
+    bodies_ += body_.empty() ? "<tbody>\n" : "<tbody class=\"" + body_ + "\">\n";
+    open_ = true;
   }
   bodies_ += attributes.empty() ? "<tr>" : "<tr " + attributes + ">";
   for (const std::string& cell : cells) {
@@ -160,7 +165,8 @@ std::string HtmlTable::head() const {
     }
     lower += cell;
   }
-  return "<thead>\n<tr>" + upper + "</tr>\n" + (grouped ? "<tr>" + lower + "</tr>\n" : "") + "</thead>\n";
+  return "<thead>\n<tr>" + upper + "</tr>\n" + (grouped ? "<tr>" + lower + "</tr>\n" : "") +
+         "</thead>\n";
 }
 
 std::string HtmlTable::html() const {

@@ -11,8 +11,8 @@ namespace tautline::bench {
 
 // What the report page is made of. No text reaches the page but through these.
 
-/// `text` as the content of an element or of an attribute in quotes: on one line, cut after `longest`
-/// bytes, with what HTML, a terminal or an editor would read as its own made harmless.
+/// `text` as the content of an element or of an attribute in quotes: on one line, cut after
+/// `longest` bytes, with what HTML, a terminal or an editor would read as its own made harmless.
 [[nodiscard]] std::string html_text(std::string_view text, std::size_t longest = quotable_length);
 
 /// The same of a text with **strong**, *stressed* and `code` words, as our Markdown has them.
@@ -43,7 +43,8 @@ namespace tautline::bench {
 
 /// A column of a table.
 struct HtmlColumn {
-  std::string key;      // by which the page's script and its address know it; "" where it cannot be sorted
+  std::string
+      key;  // by which the page's script and its address know it; "" where it cannot be sorted
   std::string heading;  //
   std::string unit;     // or empty
   std::string group;    // heading above neighbours that share it, or empty
@@ -55,7 +56,8 @@ class HtmlTable {
  public:
   HtmlTable(std::string id, std::string caption, std::vector<HtmlColumn> columns);
 
-  /// Rows added from here on stand in a body of this class; "" for none.
+  /// Rows added from here on stand in a body of this class, "" for none. A body without rows is
+  /// left out.
   void begin_body(const std::string& name);
 
   /// One cell per column, made by the functions above. `attributes` of the row, or empty.
@@ -71,6 +73,7 @@ class HtmlTable {
   std::string caption_;
   std::vector<HtmlColumn> columns_;
   std::string bodies_;
+  std::string body_;  // class of the body that the next row is in
   bool open_ = false;
   std::size_t rows_ = 0;
 };

@@ -9,6 +9,7 @@ struct PageAssets {
   std::string_view style;    // page.css
   std::string_view scripts;  // the page's own, in their order
   std::string_view plotly;   // draws the charts; empty in a build without it
+  std::string_view licence;  // of Plotly, which asks to stand in every copy
 };
 
 /// Written by bench/page/embed.cmake when the program is built.

@@ -10,12 +10,12 @@ namespace tautline::bench {
 
 /// What produced a report, apart from its numbers.
 struct ReportContext {
-  std::string command;          // as it was typed
-  std::string started;          // ISO 8601, UTC
-  double elapsed = 0.0;         // [s]
-  double program_memory = 0.0;  // [bytes], the most this program held at once
-  double worker_memory = 0.0;   // [bytes], the most one worker held
-  std::size_t kept = 0;         // runs taken from an earlier invocation
+  std::string command;                       // as it was typed
+  std::string started;                       // ISO 8601, UTC
+  double elapsed = 0.0;                      // [s]
+  double program_memory = 0.0;               // [bytes], the most this program held at once
+  double worker_memory = 0.0;                // [bytes], the most one worker held
+  std::size_t kept = 0;                      // runs taken from an earlier invocation
   nlohmann::ordered_json chapter = nullptr;  // `chapter_row`, or null
 };
 
@@ -29,7 +29,8 @@ struct ReportContext {
 /// The answers by engine, model and step over all cases of the runs in `report`.
 [[nodiscard]] nlohmann::ordered_json summary_json(const nlohmann::ordered_json& runs);
 
-/// What a step costs over that of a closed-form flight, by engine, model and step: the median of `timing`.
+/// What a step costs over that of a closed-form flight, by engine, model and step: the median of
+/// `timing`.
 [[nodiscard]] nlohmann::ordered_json costs_json(const nlohmann::ordered_json& timing);
 
 /// How fast errors shrink with the step: by engine and model, the slope of log error over log step.

@@ -56,8 +56,8 @@ double distance(const Point& point, const Point& one, const Point& other) {
                       : std::hypot(point.x - one.x, point.y - one.y);
 }
 
-/// The points that a polygon needs to stay within `tolerance` of `curve` (Ramer, Douglas and Peucker): the
-/// corners at impacts stay.
+/// The points that a polygon needs to stay within `tolerance` of `curve` (Ramer, Douglas and
+/// Peucker): the corners at impacts stay.
 Curve polygon(const Curve& curve, double tolerance) {
   std::vector<bool> kept(curve.size(), false);
   std::vector<std::pair<std::size_t, std::size_t>> open = {{0, curve.size() - 1}};
@@ -185,15 +185,10 @@ ordered_json boundary_json(const ChapterFigure& figure) {
 }
 
 ordered_json figure_json(const ChapterFigure& figure) {
-  return {{"name", figure.number},
-          {"title", figure.title},
-          {"x", figure.x},
-          {"y", figure.y},
-          {"curves", curves_json(figure)},
-          {"boundary", boundary_json(figure)},
-          {"marks", figure.marks},
-          {"chapter", figure.chapter},
-          {"truth", figure.truth}};
+  return {
+      {"name", figure.number}, {"title", figure.title},         {"x", figure.x},
+      {"y", figure.y},         {"curves", curves_json(figure)}, {"boundary", boundary_json(figure)},
+      {"marks", figure.marks}, {"chapter", figure.chapter},     {"truth", figure.truth}};
 }
 
 /// What the chapter missed altogether: the motion that remains when it takes the body for settled.

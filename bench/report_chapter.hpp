@@ -27,7 +27,8 @@ class ChapterBeside {
   ChapterBeside(ChapterBeside&&) = delete;
   ChapterBeside& operator=(ChapterBeside&&) = delete;
 
-  /// Waits for the end: `chapter_row`, or null if it is not wanted or was interrupted. To be called once.
+  /// Waits for the end: `chapter_row`, or null if it is not wanted or was interrupted. To be called
+  /// once.
   [[nodiscard]] nlohmann::ordered_json result();
 
  private:

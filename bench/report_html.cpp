@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/html.hpp"
 
 namespace tautline::bench {
@@ -11,7 +13,8 @@ using nlohmann::ordered_json;
 
 // Nothing is fetched from anywhere: what the page may do is what stands in it.
 constexpr std::string_view policy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; "
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
+    "blob:; "
     "base-uri 'none'; form-action 'none'";
 
 constexpr std::string_view title = "Physics engines on slack cables, against the exact solution";
@@ -48,28 +51,41 @@ std::string replay_section() {
          "<p>The motion of one case: the exact one, and what engines make of it. Past the "
          "predictability horizon, where a difference says nothing about an engine, everything is "
          "grey.</p>\n<div id=\"replay-app\">\n<p class=\"no-script\">The replay needs script. The "
-         "motions are in <code>report.json</code>, and as <code>trajectory.csv</code> in the folder of "
+         "motions are in <code>report.json</code>, and as <code>trajectory.csv</code> in the "
+         "folder of "
          "each run.</p>\n</div>\n</section>\n";
 }
 
-/// The scripts, after the data that they read. The parser comes to them last: the page is legible before.
+/// The scripts, after the data that they read. The parser comes to them last: the page is legible
+/// before.
 std::string scripts(const ordered_json& report, const PageAssets& assets) {
-  std::string out = "<script type=\"application/json\" id=\"report-data\">" + html_json(report) + "</script>\n";
+  std::string out =
+      "<script type=\"application/json\" id=\"report-data\">" + html_json(report) + "</script>\n";
   if (!assets.plotly.empty()) {
     out += fmt::format("<script id=\"plotly\">{}</script>\n", assets.plotly);
   }
   return out + fmt::format("<script id=\"page-scripts\">\n{}</script>\n", assets.scripts);
 }
 
+/// A multi-line text as it stands.
+std::string preformatted(std::string_view text) {
+  std::string out = "<pre>";
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out += html_text(text.substr(0, end)) + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out + "</pre>";
+}
+
 std::string foot(const ordered_json& report, const PageAssets& assets) {
-  return fmt::format(
-      "<footer>\n<p>Made by <code>tautline bench</code> {}.{}</p>\n</footer>\n",
-      html_text(report.at("program").at("version").get<std::string>()),
-      assets.plotly.empty()
-          ? ""
-          : " Charts are drawn by Plotly.js, copyright 2012–2026 Plotly, Inc., under the MIT licence; "
-            "its notices stand in its script in this page, the licence in tautline’s "
-            "<code>THIRD_PARTY.md</code>.");
+  std::string out = fmt::format("<footer>\n<p>Made by <code>tautline bench</code> {}.</p>\n",
+                                html_text(report.at("program").at("version").get<std::string>()));
+  if (!assets.plotly.empty()) {
+    out += "<details><summary>Charts are drawn by Plotly.js, under the MIT licence.</summary>\n" +
+           preformatted(assets.licence) + "</details>\n";
+  }
+  return out + "</footer>\n";
 }
 
 }  // namespace
@@ -80,7 +96,9 @@ std::string report_html(const ordered_json& report, const PageAssets& assets) {
                      assets.plotly.empty() ? " class=\"no-charts\"" : "", title,
                      answer_paragraph(report));
   if (assets.plotly.empty()) {
-    out += "<p class=\"note\">Charts are not in this build of tautline: it was made without Plotly.</p>\n";
+    out +=
+        "<p class=\"note\">Charts are not in this build of tautline: it was made without "
+        "Plotly.</p>\n";
   }
   out += "</header>\n" + contents() + "<main>\n";
   out += answers_section(report) + cases_section(report) + error_section(report) + replay_section();

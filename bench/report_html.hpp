@@ -7,10 +7,11 @@
 
 namespace tautline::bench {
 
-/// The report as one page that needs no other file and no network: all of it in plain HTML, and the charts by
-/// the page's scripts. Drawn from `report` alone; every number in its tables is one of `report`, and stands in
-/// full in the cell's data-value.
-[[nodiscard]] std::string report_html(const nlohmann::ordered_json& report, const PageAssets& assets);
+/// The report as one page that needs no other file and no network: all of it in plain HTML, and the
+/// charts by the page's scripts. Drawn from `report` alone; every number in its tables is one of
+/// `report`, and stands in full in the cell's data-value.
+[[nodiscard]] std::string report_html(const nlohmann::ordered_json& report,
+                                      const PageAssets& assets);
 
 // Its sections, in their order.
 

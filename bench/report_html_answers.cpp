@@ -26,9 +26,10 @@ std::string counted(std::size_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// The smallest and largest median error up to the horizon at the smallest step, of the control or of the
-/// others; none without a number.
-std::optional<std::pair<double, double>> median_errors(const ordered_json& report, bool of_control) {
+/// The smallest and largest median error up to the horizon at the smallest step, of the control or
+/// of the others; none without a number.
+std::optional<std::pair<double, double>> median_errors(const ordered_json& report,
+                                                       bool of_control) {
   double step = std::numeric_limits<double>::infinity();
   for (const ordered_json& row : report.at("summary")) {
     step = std::min(step, row.at("step").get<double>());
@@ -36,7 +37,8 @@ std::optional<std::pair<double, double>> median_errors(const ordered_json& repor
   std::optional<std::pair<double, double>> result;
   for (const ordered_json& row : report.at("summary")) {
     const ordered_json& error = member(row.at("horizon_position_error"), "median");
-    if (row.at("step") == step && (row.at("engine") == control) == of_control && error.is_number()) {
+    if (row.at("step") == step && (row.at("engine") == control) == of_control &&
+        error.is_number()) {
       const double value = error;
       result = result ? std::pair(std::min(result->first, value), std::max(result->second, value))
                       : std::pair(value, value);
@@ -51,12 +53,14 @@ std::string errors_sentence(const ordered_json& report) {
   std::string out;
   if (engines) {
     out += fmt::format(
-        " At the smallest step the median distance from the exact position, up to the predictability "
+        " At the smallest step the median distance from the exact position, up to the "
+        "predictability "
         "horizon, is between {:.1e} and {:.1e} m, by engine and model",
         engines->first, engines->second);
-    out += exact ? fmt::format("; the exact motion, put through the same comparison as a control, is at "
-                               "most {:.1e} m off.",
-                               exact->second)
+    out += exact ? fmt::format(
+                       "; the exact motion, put through the same comparison as a control, is at "
+                       "most {:.1e} m off.",
+                       exact->second)
                  : ".";
   }
   return out;
@@ -69,7 +73,9 @@ std::string missing_sentence(const ordered_json& report) {
       names.push_back(report_text(engine.at("name")));
     }
   }
-  return names.empty() ? "" : " Not compared: " + html_text(joined(names, "and"), 1000) + ", for the reasons below.";
+  return names.empty() ? ""
+                       : " Not compared: " + html_text(joined(names, "and"), 1000) +
+                             ", for the reasons below.";
 }
 
 std::string main_findings(const ordered_json& report) {
@@ -100,8 +106,8 @@ std::vector<HtmlColumn> answers_columns(const ordered_json& report) {
           {"exact", "exact", "", "impacts to the horizon"},
           {"found", "found", "", "impacts to the horizon"},
           {"matched", "matched", "", "impacts to the horizon"},
-          {"settled-exact", "exact", "", settled},
-          {"settled-found", "found", "", settled},
+          {"settled-exact", "exact", "cases", settled},
+          {"settled-found", "found", "cases", settled},
           {"settled-error", "median off by", "s", settled},
           {"restitution", "worst e error", "", ""},
           {"overstretch", "overstretch", "m", ""},
@@ -152,25 +158,31 @@ std::string answer_paragraph(const ordered_json& report) {
   }
   const std::size_t bad = count_status(report, "failed") + count_status(report, "diverged");
   std::string out = fmt::format(
-      "<p class=\"answer\">{} on {} with {}, at steps of {} s: {}, each held against the exact motion of "
+      "<p class=\"answer\">{} on {} with {}, at steps of {} s: {}, each held against the exact "
+      "motion of "
       "its case. {} ran to the end, {} stopped where their engine has no more to say, {} failed or "
       "diverged.",
       counted(report.at("cases").size(), "case"), counted(engines.size(), "engine"),
-      counted(models.size(), "model"), joined(steps, "and"), counted(report.at("runs").size(), "run"),
-      count_status(report, "finished"), count_status(report, "stopped"), bad);
+      counted(models.size(), "model"), joined(steps, "and"),
+      counted(report.at("runs").size(), "run"), count_status(report, "finished"),
+      count_status(report, "stopped"), bad);
   if (!report.at("complete").get<bool>()) {
     out += fmt::format(" <strong>The suite was interrupted: {} were planned.</strong>",
                        counted(report.at("planned_runs").get<std::size_t>(), "run"));
   }
-  return out + errors_sentence(report) + missing_sentence(report) + "</p>\n" + main_findings(report);
+  return out + errors_sentence(report) + missing_sentence(report) + "</p>\n" +
+         main_findings(report);
 }
 
 std::string answers_section(const ordered_json& report) {
   const std::vector<HtmlColumn> columns = answers_columns(report);
   HtmlTable table("answers-table",
-                  "Over all cases, by engine, model and step. The exact motion, as a control, stands apart.",
+                  "Over all cases, by engine, model and step. The exact motion through the same "
+                  "comparison, as a "
+                  "control, stands apart. Cost: of one step, in closed-form flights.",
                   columns);
-  const auto cost = costs(member(report.at("context"), "costs"), "cost_ratio", {"engine", "model", "step"});
+  const auto cost =
+      costs(member(report.at("context"), "costs"), "cost_ratio", {"engine", "model", "step"});
   for (const bool of_control : {true, false}) {
     table.begin_body(of_control ? "control" : "");
     for (const ordered_json& row : report.at("summary")) {
@@ -191,7 +203,9 @@ std::string answers_section(const ordered_json& report) {
   const std::string stopped = stopped_sentence(report);
   constexpr std::size_t longest_sentence = 2000;
   return "<section id=\"answers\">\n<h2>Answers</h2>\n" + table.html() +
-         (stopped.empty() ? "" : "<p class=\"note\">" + html_text(stopped, longest_sentence) + "</p>\n") +
+         (stopped.empty()
+              ? ""
+              : "<p class=\"note\">" + html_text(stopped, longest_sentence) + "</p>\n") +
          "</section>\n";
 }
 

@@ -52,8 +52,8 @@ std::vector<HtmlColumn> columns_of(const ordered_json& report, bool judged) {
   return columns;
 }
 
-/// The word, and each limit that matters beside its value: those that do not hold, or else the one that is
-/// nearest to not holding.
+/// The word, and each limit that matters beside its value: those that do not hold, or else the one
+/// that is nearest to not holding.
 std::string verdict_cell(const ordered_json& verdict) {
   if (!verdict.is_object()) {
     return "<td>–";
@@ -141,17 +141,20 @@ std::string cases_section(const ordered_json& report) {
       costs(report.at("context").at("timing"), "cost_ratio", {"case", "engine", "model", "step"});
   const std::vector<HtmlColumn> columns = columns_of(report, judged);
   constexpr std::size_t metric_columns = 13;
-  HtmlTable table("cases-table", "Every run: case, engine, model and step.", columns);
+  HtmlTable table(
+      "cases-table",
+      "By case, engine, model and step; the exact motion as a control below. Cost: of one step, in "
+      "closed-form flights.",
+      columns);
   for (const bool of_control : {false, true}) {
     table.begin_body(of_control ? "control" : "");
     for (const ordered_json& run : runs) {
       if ((run.at("engine") == control) != of_control) {
         continue;
       }
-      std::vector<std::string> cells = {case_name(run),
-                                        word_cell(run.at("engine").get<std::string>()),
-                                        word_cell(run.at("model").get<std::string>()),
-                                        plain_cell(run.at("step"))};
+      std::vector<std::string> cells = {
+          case_name(run), word_cell(run.at("engine").get<std::string>()),
+          word_cell(run.at("model").get<std::string>()), plain_cell(run.at("step"))};
       if (judged) {
         cells.push_back(verdict_cell(member(run, "verdict")));
       }

@@ -17,9 +17,11 @@ struct Cause {
 };
 
 constexpr Cause causes[] = {
-    {"flight_bias", "flight bias", "free flight whose position is half a step of gravity off, g·dt·t/2"},
+    {"flight_bias", "flight bias",
+     "free flight whose position is half a step of gravity off, g·dt·t/2"},
     {"event_lag", "event lag", "an impact dealt with after its instant"},
-    {"late_rate", "late rate", "a restitution taken from the velocity of a later or overstretched pose"},
+    {"late_rate", "late rate",
+     "a restitution taken from the velocity of a later or overstretched pose"},
     {"position_correction", "position correction", "overstretch pulled back through the velocity"},
     {"threshold", "threshold", "an impact too slow for the engine to bounce"},
     {"solver_residual", "solver residual", "an impulse that the solver did not finish"},
@@ -27,16 +29,17 @@ constexpr Cause causes[] = {
     {"amplification", "amplification", "an earlier error, grown by the motion itself"}};
 
 std::string slopes_table(const ordered_json& report) {
-  HtmlTable table("slopes-table",
-                  "Slope of log error over log step of the early position error, over the cases: 1 is first "
-                  "order, 0 does not converge.",
-                  {{"engine", "engine", "", "", false},
-                   {"model", "model", "", "", false},
-                   {"median", "median", "", "slope"},
-                   {"smallest", "smallest", "", "slope"},
-                   {"largest", "largest", "", "slope"},
-                   {"cases", "with a slope", "", "cases"},
-                   {"rounding", "at rounding", "", "cases"}});
+  HtmlTable table(
+      "slopes-table",
+      "Slope of log error over log step of the early position error, over the cases: 1 is first "
+      "order, 0 does not converge.",
+      {{"engine", "engine", "", "", false},
+       {"model", "model", "", "", false},
+       {"median", "median", "", "slope"},
+       {"smallest", "smallest", "", "slope"},
+       {"largest", "largest", "", "slope"},
+       {"cases", "with a slope", "", "cases"},
+       {"rounding", "at rounding", "", "cases"}});
   for (const bool of_control : {true, false}) {
     table.begin_body(of_control ? "control" : "");
     for (const ordered_json& row : report.at("convergence")) {
@@ -78,7 +81,8 @@ std::string attribution_table(const ordered_json& summary) {
   }
   columns.push_back({"remainder", "remainder", "", ""});
   columns.push_back({"cases", "cases", "", ""});
-  HtmlTable table("attribution-table", "What deviations come from, by engine, model and step.", columns);
+  HtmlTable table("attribution-table", "What deviations come from, by engine, model and step.",
+                  columns);
   for (const bool of_control : {true, false}) {
     table.begin_body(of_control ? "control" : "");
     for (const ordered_json& row : summary) {
@@ -86,11 +90,10 @@ std::string attribution_table(const ordered_json& summary) {
         continue;
       }
       const ordered_json& deviation = member(row, "deviation");
-      std::vector<std::string> cells = {row_heading(row.at("engine").get<std::string>()),
-                                        word_cell(row.at("model").get<std::string>()),
-                                        plain_cell(row.at("step")),
-                                        error_cell(member(deviation, "median")),
-                                        error_cell(member(deviation, "worst"))};
+      std::vector<std::string> cells = {
+          row_heading(row.at("engine").get<std::string>()),
+          word_cell(row.at("model").get<std::string>()), plain_cell(row.at("step")),
+          error_cell(member(deviation, "median")), error_cell(member(deviation, "worst"))};
       for (const Cause& cause : causes) {
         cells.push_back(fixed_cell(member(member(row, "shares"), cause.name), 3));
       }
@@ -118,14 +121,14 @@ std::string audit_section(const ordered_json& report) {
     list += finding_item(finding);
   }
   const std::string said =
-      findings.is_null()
-          ? "<p>This report has no audit of single impacts.</p>\n"
+      findings.is_null() ? "<p>This report has no audit of single impacts.</p>\n"
       : list.empty()
           ? "<p>No threshold, sleeping or lost restitution was found in these runs.</p>\n"
-          : "<p>Found in the impacts of these runs, by program:</p>\n<ul class=\"findings\">\n" + list +
-                "</ul>\n";
+          : "<p>Found in the impacts of these runs, by program:</p>\n<ul class=\"findings\">\n" +
+                list + "</ul>\n";
   return "<section id=\"audit\">\n<h2>Restitution, impact by impact</h2>\n" + said +
-         "<div id=\"audit-app\"><p class=\"no-script\">The charts of single impacts need script. The "
+         "<div id=\"audit-app\"><p class=\"no-script\">The charts of single impacts need script. "
+         "The "
          "impacts are in <code>report.json</code>.</p></div>\n</section>\n";
 }
 
@@ -135,9 +138,11 @@ std::string attribution_section(const ordered_json& report) {
   if (summary.empty()) {
     return out + "<p>This report does not split deviations into causes.</p>\n</section>\n";
   }
-  out += "<p>The exact solver starts again from the engine’s own state after each event, and one arc and "
-         "one impact at a time are compared. A share is the part of a cause in the sum of the parts’ "
-         "sizes.</p>\n";
+  out +=
+      "<p>The exact solver starts again from the engine’s own state after each event, and one arc "
+      "and "
+      "one impact at a time are compared. A share is the part of a cause in the sum of the parts’ "
+      "sizes.</p>\n";
   out += attribution_table(summary);
   out += chart_place("chart-attribution", "Shares of the causes, by engine, model and step.");
   out += "<dl>\n";

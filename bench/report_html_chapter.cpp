@@ -13,10 +13,11 @@ std::string text_of(const ordered_json& row, const char* key) { return row.at(ke
 
 std::string correction_item(const ordered_json& one) {
   const bool holds = one.at("holds");
-  return fmt::format("<li><strong>{}.</strong> {}<br>{}: {}<br><span class=\"evidence\">{}</span></li>\n",
-                     html_text(text_of(one, "where")), html_prose(text_of(one, "chapter")),
-                     holds ? "Checked" : "Right", html_prose(text_of(one, "right")),
-                     html_prose(text_of(one, "shown")));
+  return fmt::format(
+      "<li><strong>{}.</strong> {}<br>{}: {}<br><span class=\"evidence\">{}</span></li>\n",
+      html_text(text_of(one, "where")), html_prose(text_of(one, "chapter")),
+      holds ? "Checked" : "Right", html_prose(text_of(one, "right")),
+      html_prose(text_of(one, "shown")));
 }
 
 std::string corrections(const ordered_json& list, bool holds) {
@@ -35,7 +36,8 @@ std::string cell(const ordered_json& value) {
   return number_cell(value, value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : "");
 }
 
-/// The chapter's own numbers are text, as printed: set like numbers where a column holds nothing else.
+/// The chapter's own numbers are text, as printed: set like numbers where a column holds nothing
+/// else.
 bool holds_numbers(const ordered_json& rows, std::size_t column) {
   for (const ordered_json& row : rows) {
     const ordered_json& value = row.at(column);
@@ -98,11 +100,15 @@ std::string chapter_section(const ordered_json& report) {
   std::string out = "<section id=\"chapter\">\n<h2>The source chapter, computed again</h2>\n";
   if (!chapter.is_object()) {
     return out +
-           "<p>Not in this report: it is made when all the chapter’s cases are run whole, as <code>tautline "
-           "bench</code> does without arguments, and by <code>tautline reproduce</code>.</p>\n</section>\n";
+           "<p>Not in this report: it is made when all the chapter’s cases are run whole, as "
+           "<code>tautline "
+           "bench</code> does without arguments, and by <code>tautline "
+           "reproduce</code>.</p>\n</section>\n";
   }
-  out += "<p>Lengths are in S, half the distance of the anchors; times in sqrt(S/g), speeds in sqrt(gS), "
-         "energies in mgS from the equilibrium.</p>\n";
+  out +=
+      "<p>Lengths are in S, half the distance of the anchors; times in sqrt(S/g), speeds in "
+      "sqrt(gS), "
+      "energies in mgS from the equilibrium.</p>\n";
   out += "<h3>What the chapter got wrong</h3>\n" + corrections(chapter.at("corrections"), false);
   out += "<h3>Its tables</h3>\n";
   for (const ordered_json& table : chapter.at("tables")) {
@@ -112,7 +118,8 @@ std::string chapter_section(const ordered_json& report) {
   for (const ordered_json& figure : chapter.at("figures")) {
     out += figure_html(figure);
   }
-  out += "</div>\n<h3>What was checked and holds</h3>\n" + corrections(chapter.at("corrections"), true);
+  out += "</div>\n<h3>What was checked and holds</h3>\n" +
+         corrections(chapter.at("corrections"), true);
   return out + "</section>\n";
 }
 

@@ -39,14 +39,16 @@ namespace {
 /// The threshold of the settling time that the tables give [m/s]; null without a case.
 ordered_json settling_speed(const ordered_json& report) {
   const ordered_json& cases = report.at("cases");
-  return cases.empty() ? ordered_json() : cases.at(0).at("settling").at("last_impacts").at(0).at("speed");
+  return cases.empty() ? ordered_json()
+                       : cases.at(0).at("settling").at("last_impacts").at(0).at("speed");
 }
 
 }  // namespace
 
 std::string settled_heading(const ordered_json& report) {
   const ordered_json speed = settling_speed(report);
-  return speed.is_number() ? fmt::format("last impact > {:g} m/s", speed.get<double>()) : "last impact";
+  return speed.is_number() ? fmt::format("last impact > {:g} m/s", speed.get<double>())
+                           : "last impact";
 }
 
 std::string chart_place(const std::string& id, const std::string& shows) {

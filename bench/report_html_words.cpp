@@ -50,8 +50,9 @@ std::string models_section(const ordered_json& report) {
                          html_text(text_of(engine, "problem")));
       continue;
     }
-    out += fmt::format("<p class=\"note\">Version {}, {}.</p>\n", html_text(text_of(engine, "version")),
-                       html_text(text_of(engine, "precision")));
+    out +=
+        fmt::format("<p class=\"note\">Version {}, {}.</p>\n",
+                    html_text(text_of(engine, "version")), html_text(text_of(engine, "precision")));
     for (const ordered_json& model : engine.at("models")) {
       out += model_html(model, fmt::format("settings-{}", ++table));
     }
@@ -60,41 +61,51 @@ std::string models_section(const ordered_json& report) {
 }
 
 std::string reading_section(const ordered_json& report) {
-  std::string out = "<section id=\"reading\">\n<h2>How to read this page</h2>\n<ul class=\"reading\">\n";
+  std::string out =
+      "<section id=\"reading\">\n<h2>How to read this page</h2>\n<ul class=\"reading\">\n";
   const std::string list = how_to_read(report);
   constexpr std::string_view bullet = "- ";
   for (std::size_t at = 0; at < list.size();) {
     const std::size_t end = std::min(list.find('\n', at), list.size());
-    out += "<li>" + html_prose(list.substr(at + bullet.size(), end - at - bullet.size())) + "</li>\n";
+    out +=
+        "<li>" + html_prose(list.substr(at + bullet.size(), end - at - bullet.size())) + "</li>\n";
     at = end + 1;
   }
   return out +
-         "<li>A <strong>verdict</strong> holds one run against a file of limits; each limit stands beside the "
-         "value. No engine is ranked: an error depends on the model, the step and what it is for.</li>\n"
+         "<li>A <strong>verdict</strong> holds one run against a file of limits; each limit stands "
+         "beside the "
+         "value. No engine is ranked: an error depends on the model, the step and what it is "
+         "for.</li>\n"
          "</ul>\n</section>\n";
 }
 
 std::string context_section(const ordered_json& report) {
   const ordered_json& context = report.at("context");
   std::string out = "<section id=\"context\">\n<h2>Context</h2>\n<dl>\n";
-  out += fact("command", "<code>" + html_text(text_of(context, "command"), longest_sentence) + "</code>");
-  out += fact("data", "<a href=\"report.json\">report.json</a>, <a href=\"report.md\">report.md</a>");
-  out += fact("started", html_text(text_of(context, "started")) +
-                             fmt::format(", took {:.1f} s; {} of {} runs kept from before",
-                                         context.at("elapsed").get<double>(), context.at("kept_runs").dump(),
-                                         report.at("planned_runs").dump()));
-  out += fact("tautline", html_text(text_of(report.at("program"), "version")) + ", commit <code>" +
-                              html_text(member(context, "commit").is_string() ? text_of(context, "commit")
-                                                                              : "unknown") +
-                              "</code>");
-  out += fact("built by", html_text(text_of(context, "compiler")) + ", " +
-                              html_text(text_of(context, "build_type")) + ", <code>" +
-                              html_text(member(context, "flags").is_string() ? text_of(context, "flags") : "") +
-                              "</code>");
+  out += fact("command",
+              "<code>" + html_text(text_of(context, "command"), longest_sentence) + "</code>");
+  out +=
+      fact("data", "<a href=\"report.json\">report.json</a>, <a href=\"report.md\">report.md</a>");
+  out += fact("started",
+              html_text(text_of(context, "started")) +
+                  fmt::format(", took {:.1f} s; {} of {} runs kept from before",
+                              context.at("elapsed").get<double>(), context.at("kept_runs").dump(),
+                              report.at("planned_runs").dump()));
+  out += fact("tautline",
+              html_text(text_of(report.at("program"), "version")) + ", commit <code>" +
+                  html_text(member(context, "commit").is_string() ? text_of(context, "commit")
+                                                                  : "unknown") +
+                  "</code>");
+  out += fact("built by",
+              html_text(text_of(context, "compiler")) + ", " +
+                  html_text(text_of(context, "build_type")) + ", <code>" +
+                  html_text(member(context, "flags").is_string() ? text_of(context, "flags") : "") +
+                  "</code>");
   out += fact("machine", html_text(text_of(context, "processor")) +
                              fmt::format(", {} cores", context.at("cores").dump()));
-  out += fact("memory", "at most " + megabytes(context.at("program_memory")) + " in the program and " +
-                            megabytes(context.at("worker_memory")) + " in a worker");
+  out +=
+      fact("memory", "at most " + megabytes(context.at("program_memory")) + " in the program and " +
+                         megabytes(context.at("worker_memory")) + " in a worker");
   return out + "</dl>\n</section>\n";
 }
 

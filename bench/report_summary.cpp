@@ -99,8 +99,8 @@ ordered_json worst(const std::vector<double>& values) {
                         : ordered_json(*std::max_element(values.begin(), values.end()));
 }
 
-/// The last impact faster than the first threshold: in how many cases the exact motion and the run have one,
-/// and how far apart they are.
+/// The last impact faster than the first threshold: in how many cases the exact motion and the run
+/// have one, and how far apart they are.
 ordered_json settling_of(const Group& rows) {
   std::size_t exact = 0;
   std::size_t found = 0;

@@ -16,7 +16,7 @@ install(DIRECTORY analytic/include/ engines/include/
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # projects of their own, to copy: each finds this tree with find_package(tautline)
 foreach(example IN ITEMS own_engine bullet_crane ode_crane)
   install(DIRECTORY engines/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)

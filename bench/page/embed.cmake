@@ -1,5 +1,5 @@
 # Writes OUTPUT, the C++ source that holds the page's files, from STYLE, SCRIPTS (in order, separated by
-# |) and PLOTLY (may be empty). Called at build time by bench/page/CMakeLists.txt.
+# |), PLOTLY and its LICENCE (both may be empty). Called at build time by bench/page/CMakeLists.txt.
 
 file(READ "${STYLE}" style)
 set(scripts "")
@@ -10,7 +10,9 @@ foreach(script IN LISTS SCRIPTS)
 endforeach()
 
 set(plotly "")
+set(licence "")
 if(PLOTLY)
+  file(READ "${LICENCE}" licence)
   file(READ "${PLOTLY}" plotly)
   # The page reaches for no network. Plotly names addresses in its settings (of maps, of its own service,
   # of its logo) and in comments; the names of XML's own namespaces stay, they are never opened.
@@ -20,7 +22,7 @@ if(PLOTLY)
   string(REPLACE "@namespace@" "http://www.w3.org/" plotly "${plotly}")
 endif()
 
-foreach(part IN ITEMS style scripts plotly)
+foreach(part IN ITEMS style scripts plotly licence)
   # the end of a script, or what opens a comment in one, would end it inside the page
   string(TOLOWER "${${part}}" lower)
   if(lower MATCHES "</script|</style|<!--|\\)tautline_page\"")
@@ -37,7 +39,8 @@ const PageAssets& page_assets() {
   static const PageAssets assets{
 R\"tautline_page(${style})tautline_page\",
 R\"tautline_page(${scripts})tautline_page\",
-R\"tautline_page(${plotly})tautline_page\"};
+R\"tautline_page(${plotly})tautline_page\",
+R\"tautline_page(${licence})tautline_page\"};
   return assets;
 }
 

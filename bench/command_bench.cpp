@@ -19,6 +19,7 @@
 #include "bench/run_files.hpp"
 #include "bench/suite.hpp"
 #include "bench/text.hpp"
+#include "bench/verdict.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -28,6 +29,7 @@ using Clock = std::chrono::steady_clock;
 /// What the command line asks for, or every sentence of what is wrong with it.
 struct Request {
   SuiteOptions options;
+  Limits limits;  // of --gate, or those that ship
   std::vector<std::string> problems;
 };
 
@@ -62,6 +64,13 @@ Request read_request(const BenchCommand& command) {
   options.limits.time = command.time_limit;
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   append(request.problems, suite_problems(options));
+  if (command.gate) {
+    LimitsReading reading = read_limits_file(*command.gate);
+    append(request.problems, reading.problems);
+    request.limits = std::move(reading.limits).value_or(Limits());
+  } else {
+    request.limits = shipped_limits();
+  }
   if (command.out.empty()) {
     request.problems.emplace_back("--out: is empty; give a folder to write the results to");
   }
@@ -129,7 +138,8 @@ int bench_command(const BenchCommand& command) {
   context.kept = result.kept;
   context.program_memory = peak_memory();
   context.worker_memory = worker_memory(result);
-  const auto report = report_json(options, references, result, context);
+  auto report = report_json(options, references, result, context);
+  add_verdicts(report, request.limits);
   write_reports(command, report);
   if (command.json != "-") {
     fmt::print(
@@ -138,6 +148,10 @@ int bench_command(const BenchCommand& command) {
         report_summary(report), result.runs.size(), context.elapsed,
         (context.program_memory + options.jobs * context.worker_memory) / 1e6,
         (command.out / "index.html").string());
+    fmt::print("{}\n{} runs in {:.1f} s, {:.0f} MB; report: {} and report.json beside it\n",
+               report_summary(report, output_style()), result.runs.size(), context.elapsed,
+               (context.program_memory + options.jobs * context.worker_memory) / 1e6,
+               (command.out / "report.md").string());
   }
   if (result.interrupted) {
     complain(
@@ -145,6 +159,12 @@ int bench_command(const BenchCommand& command) {
                      "command with --resume does the rest",
                      result.runs.size(), result.planned)});
     return exit_failed;
+  }
+  if (command.gate) {  // a known failure does not break it
+    const std::vector<BrokenRow> broken = broken_rows(report, request.limits);
+    fmt::print(command.json == "-" ? stderr : stdout, "\n{}",
+               gate_text(report, request.limits, broken));
+    return broken.empty() ? exit_done : exit_failed;
   }
   return any_failure(report) ? exit_failed : exit_done;
 }

@@ -4,6 +4,7 @@
 
 #include "bench/certify.hpp"
 #include "bench/commands.hpp"
+#include "bench/plot_svg.hpp"
 #include "bench/solution_json.hpp"
 #include "bench/solution_text.hpp"
 #include "bench/table.hpp"
@@ -103,6 +104,10 @@ int solve_command(const SolveCommand& command) {
     complain({*broken});
     return exit_usage;
   }
+  if (command.plot == "-" && command.json == "-") {
+    complain({"--plot - and --json -: standard output takes one of them; give the other a file"});
+    return exit_usage;
+  }
   const std::optional<Case> the_case = wanted_case(command);
   if (!the_case) {
     return exit_usage;
@@ -120,8 +125,13 @@ int solve_command(const SolveCommand& command) {
     extras.certificate =
         certify(*the_case, options, solution, command.digits.value_or(default_digits));
   }
+  if (!command.plot.empty()) {
+    write_output(command.plot, plot_svg(*the_case, solution));
+  }
   if (command.json.empty()) {
-    print_solution(*the_case, solution, extras, command.at);
+    if (command.plot != "-") {
+      print_solution(*the_case, solution, extras, command.at);
+    }
     return exit_done;
   }
   auto json = solution_json(*the_case, options, solution, extras.settling, command.at);

@@ -26,6 +26,7 @@ struct SolveCommand {
   bool certify = false;       // also solve with more digits, and compare
   std::optional<int> digits;  // of that; `default_digits` if not given
   std::string json;           // file, "-" for standard output, or empty
+  std::string plot;           // the same, for a picture (SVG)
 };
 [[nodiscard]] int solve_command(const SolveCommand& command);
 
@@ -54,10 +55,19 @@ struct BenchCommand {
   std::optional<unsigned> jobs;  // one per core if not given
   bool resume = false;
   double time_limit = 60.0;  // [s]
+  std::optional<std::string> gate;  // limits file; breaking it makes the exit code 1
   std::string json;
   std::string command_line;  // as it was typed, for the report
 };
 [[nodiscard]] int bench_command(const BenchCommand& command);
+
+/// What `tautline compare` was asked.
+struct CompareCommand {
+  std::string before;  // report.json
+  std::string after;
+  std::string json;
+};
+[[nodiscard]] int compare_command(const CompareCommand& command);
 
 /// What `tautline check` was asked.
 struct CheckCommand {

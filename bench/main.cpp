@@ -66,7 +66,7 @@ constexpr const char* case_help =
 /// The commands and their options; `code` gets the exit code of the one that ran. Everything given
 /// here must outlive `app`, which runs the command while it parses.
 void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, BenchCommand& bench,
-            CheckCommand& check, ReproduceCommand& reproduce, EnginesCommand& engines,
+            CompareCommand& compare, CheckCommand& check, ReproduceCommand& reproduce, EnginesCommand& engines,
             CasesCommand& cases) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
@@ -88,6 +88,8 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
                       "decimal digits for --certify, 20 to 1000 (default: 50)");
   command->add_option("--json", solve.json,
                       "write everything as JSON to this file, or to stdout: -");
+  command->add_option("--plot", solve.plot,
+                      "write a picture of the motion (SVG) to this file, or to stdout: -");
   command->callback([&] { code = solve_command(solve); });
 
   command = app.add_subcommand("run", "One case on one engine, held against the exact motion");
@@ -128,7 +130,16 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
       ->capture_default_str();
   command->add_option("--json", bench.json,
                       "also write the report as JSON to this file, or to stdout: -");
+  command->add_option("--gate", bench.gate,
+                      "a limits file (TOML): exit code 1 if a run breaks it, and which");
   command->callback([&] { code = bench_command(bench); });
+
+  command = app.add_subcommand("compare", "What changed from one report to another beyond noise");
+  command->add_option("BEFORE", compare.before, "report.json of the one `bench`")->required();
+  command->add_option("AFTER", compare.after, "report.json of the other")->required();
+  command->add_option("--json", compare.json,
+                      "write the changes as JSON to this file, or to stdout: -");
+  command->callback([&] { code = compare_command(compare); });
 
   command = app.add_subcommand("check", "Whether an engine does what every sound engine does");
   command->add_option("PLUGIN", check.engine, "the path of a plug-in, or an engine's name")
@@ -168,12 +179,13 @@ int run_program(int count, char** arguments) {
   SolveCommand solve;
   RunCommand run;
   BenchCommand bench;
+  CompareCommand compare;
   CheckCommand check;
   ReproduceCommand reproduce;
   EnginesCommand engines;
   CasesCommand cases;
   bench.command_line = typed(count, arguments);
-  set_up(app, code, solve, run, bench, check, reproduce, engines, cases);
+  set_up(app, code, solve, run, bench, compare, check, reproduce, engines, cases);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

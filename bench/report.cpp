@@ -78,6 +78,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
     cases.push_back(case_row(reference, options.compare));
   }
   ordered_json report = {{"schema", 3},
+  ordered_json report = {{"schema", report_schema},
                          {"program", {{"name", "tautline"}, {"version", TAUTLINE_VERSION}}}};
   report["complete"] = result.runs.size() == result.planned;
   report["planned_runs"] = result.planned;

@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "bench/suite.hpp"
+#include "bench/terminal.hpp"
 
 namespace tautline::bench {
+
+/// The number of the report's form: its key `schema`.
+inline constexpr int report_schema = 3;
 
 /// What produced a report, apart from its numbers.
 struct ReportContext {
@@ -44,6 +48,7 @@ struct ReportContext {
 [[nodiscard]] std::string report_markdown(const nlohmann::ordered_json& report);
 
 /// The answers for a terminal. Drawn from `report` alone.
-[[nodiscard]] std::string report_summary(const nlohmann::ordered_json& report);
+[[nodiscard]] std::string report_summary(const nlohmann::ordered_json& report,
+                                         const TerminalStyle& style = {});
 
 }  // namespace tautline::bench

@@ -5,6 +5,7 @@
 
 #include "bench/report.hpp"
 #include "bench/report_tables.hpp"
+#include "bench/report_terminal.hpp"
 #include "bench/table.hpp"
 #include "bench/text.hpp"
 
@@ -158,15 +159,19 @@ std::string report_markdown(const ordered_json& report) {
   return out;
 }
 
-std::string report_summary(const ordered_json& report) {
-  std::string out = summary_table(report).plain();
+std::string report_summary(const ordered_json& report, const TerminalStyle& style) {
+  std::string out = terminal_answers(report, style);
   out += fmt::format(
-      "\nerror: largest distance from the exact position, median over the cases; early: up to "
-      "impact "
-      "{}; horizon: up to\nthe predictability horizon. matched, exact, found: impacts up to the "
-      "horizon. "
-      "e error: worst restitution error.\n",
+      "\nearly, horizon: largest distance from the exact position up to impact {} and up to the\n"
+      "predictability horizon, median over the cases. impacts: matched of exact, up to the "
+      "horizon.\ne error, stretch, gain: worst restitution, overstretch and energy gain of any "
+      "case.\n",
       report.at("options").at("early_impacts").get<int>());
+  if (report.contains("limits") && report.at("limits").is_object()) {
+    out += fmt::format(
+        "verdict: against {}, version {}; flagged: a limit is broken; known: as the limits say.\n",
+        report_text(report.at("limits").at("file")), report_text(report.at("limits").at("version")));
+  }
   if (const std::string stopped = stopped_sentence(report); !stopped.empty()) {
     out += stopped + "\n";
   }

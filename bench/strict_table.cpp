@@ -42,6 +42,30 @@ std::string StrictTable::text(std::string_view key) {
   return value->get();
 }
 
+std::optional<std::string> StrictTable::optional_text(std::string_view key) {
+  return find(key) != nullptr ? std::optional(text(key)) : std::nullopt;
+}
+
+std::string StrictTable::one_of(std::string_view key, const std::vector<std::string>& words) {
+  const toml::node* node = find_required(key, "must be " + joined(words, "or"));
+  if (node == nullptr) {
+    return "";
+  }
+  const auto* value = node->as_string();
+  const std::string word = value != nullptr ? value->get() : "";
+  if (std::find(words.begin(), words.end(), word) == words.end()) {
+    refuse(*node, full_name(key),
+           "must be " + joined(words, "or") + suggestion(printable(word), words));
+    return "";
+  }
+  return word;
+}
+
+std::optional<std::string> StrictTable::optional_one_of(std::string_view key,
+                                                        const std::vector<std::string>& words) {
+  return find(key) != nullptr ? std::optional(one_of(key, words)) : std::nullopt;
+}
+
 std::vector<std::string> StrictTable::texts(std::string_view key, const std::string& right) {
   std::vector<std::string> result;
   const toml::node* node = find_required(key, right);
@@ -142,6 +166,11 @@ std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t m
   return result;
 }
 
+std::vector<StrictTable> StrictTable::optional_tables(std::string_view key, std::size_t most,
+                                                      const std::string& right) {
+  return find(key) != nullptr ? tables(key, most, right) : std::vector<StrictTable>();
+}
+
 void StrictTable::refuse_unknown_keys() {
   if (table_ == nullptr) {
     return;
@@ -158,7 +187,9 @@ void StrictTable::refuse_unknown_keys() {
 }
 
 const toml::node* StrictTable::find(std::string_view key) {
-  known_.emplace_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+    known_.emplace_back(key);
+  }
   return table_ != nullptr ? table_->get(key) : nullptr;
 }
 

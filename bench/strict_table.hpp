@@ -31,6 +31,11 @@ class StrictTable {
   StrictTable(const toml::table* table, std::string path, Findings& findings);
 
   [[nodiscard]] std::string text(std::string_view key);
+  [[nodiscard]] std::optional<std::string> optional_text(std::string_view key);
+  /// A string that is one of `words`.
+  [[nodiscard]] std::string one_of(std::string_view key, const std::vector<std::string>& words);
+  [[nodiscard]] std::optional<std::string> optional_one_of(std::string_view key,
+                                                           const std::vector<std::string>& words);
   /// An array of at least one string that is not empty; `right` tells what it should hold.
   [[nodiscard]] std::vector<std::string> texts(std::string_view key, const std::string& right);
   [[nodiscard]] double number(std::string_view key, const Range& range, std::string_view unit);
@@ -48,6 +53,10 @@ class StrictTable {
   /// One table for each of the 1 to `most` entries of an array; `right` tells what it should hold.
   [[nodiscard]] std::vector<StrictTable> tables(std::string_view key, std::size_t most,
                                                 const std::string& right);
+
+  /// The same; none where the key is missing.
+  [[nodiscard]] std::vector<StrictTable> optional_tables(std::string_view key, std::size_t most,
+                                                         const std::string& right);
 
   /// Adds a finding for each key that no question has named. Ask last.
   void refuse_unknown_keys();

@@ -8,19 +8,18 @@
 namespace tautline::bench {
 namespace {
 
-/// Characters as a terminal shows them: continuation bytes of UTF-8 take no column.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char letter) {
-    return (static_cast<unsigned char>(letter) & 0xC0U) != 0x80U;
-  }));
-}
-
 std::string padded(const std::string& text, std::size_t width, bool left) {
-  const std::string space(width - width_of(text), ' ');
+  const std::string space(width - terminal_width(text), ' ');
   return left ? text + space : space + text;
 }
 
 }  // namespace
+
+std::size_t terminal_width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char letter) {
+    return (static_cast<unsigned char>(letter) & 0xC0U) != 0x80U;
+  }));
+}
 
 std::string markdown_text(const std::string& text) {
   std::string result;
@@ -48,9 +47,9 @@ void Table::add(std::vector<std::string> cells) {
 std::vector<std::size_t> Table::widths(const std::vector<std::vector<std::string>>& rows) const {
   std::vector<std::size_t> result;
   for (std::size_t column = 0; column < headings_.size(); ++column) {
-    std::size_t width = std::max<std::size_t>(3, width_of(headings_[column]));
+    std::size_t width = std::max<std::size_t>(3, terminal_width(headings_[column]));
     for (const auto& row : rows) {
-      width = std::max(width, width_of(row[column]));
+      width = std::max(width, terminal_width(row[column]));
     }
     result.push_back(width);
   }

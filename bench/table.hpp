@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,9 @@ namespace tautline::bench {
 
 /// `text` with the characters that Markdown and HTML read as their own made harmless, on one line.
 [[nodiscard]] std::string markdown_text(const std::string& text);
+
+/// Columns that `text` takes on a terminal; continuation bytes of UTF-8 take none.
+[[nodiscard]] std::size_t terminal_width(const std::string& text);
 
 /// A table of text whose columns line up, so that it reads the same rendered and raw.
 class Table {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace tautline::bench {
+
+/// How to write to where standard output goes.
+struct TerminalStyle {
+  std::size_t width = 100;  // [columns]
+  bool colour = false;
+};
+
+/// The style of standard output: the width of the terminal, and colours if it is one that has them
+/// and the user has not said no (https://no-color.org). Without a terminal the defaults.
+[[nodiscard]] TerminalStyle output_style();
+
+enum class Colour { red, yellow, green, grey };
+
+/// `text` in a colour, or as it is.
+[[nodiscard]] std::string coloured(const std::string& text, Colour colour,
+                                   const TerminalStyle& style);
+
+}  // namespace tautline::bench

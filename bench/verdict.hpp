@@ -1,0 +1,41 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/limits.hpp"
+#include "bench/table.hpp"
+
+namespace tautline::bench {
+
+/// A row that breaks the gate.
+struct BrokenRow {
+  std::string engine;
+  std::string model;
+  std::string the_case;  // or empty: all
+  std::string step;      // [s], or empty: all
+  std::string metric;
+  std::string value;  // with its unit; "failed" and the like without a number
+  std::string limit;
+  std::string reason;
+};
+
+/// Holds every run of `report` against `limits`: each gets a "verdict", the report "limits"
+/// (bench/report.schema.json). Draws on the report alone. The words:
+///   pass                every limit on the run holds;
+///   deviation-flagged   a limit does not hold, or the run failed or diverged;
+///   informative         no limit on it, or the manifest says so;
+///   unsupported         the run stopped because the model goes no further, or the manifest says so.
+void add_verdicts(nlohmann::ordered_json& report, const Limits& limits);
+
+/// What breaks the gate, for a report with verdicts: limits that do not hold and are not known to,
+/// runs and engines that failed, and known deviations of which no run of the report shows any.
+[[nodiscard]] std::vector<BrokenRow> broken_rows(const nlohmann::ordered_json& report,
+                                                 const Limits& limits);
+
+/// The rows as a table for a terminal and a last line that says whether the gate holds.
+[[nodiscard]] std::string gate_text(const nlohmann::ordered_json& report, const Limits& limits,
+                                    const std::vector<BrokenRow>& rows);
+
+}  // namespace tautline::bench

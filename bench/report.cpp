@@ -7,6 +7,7 @@
 
 #include "bench/audit.hpp"
 #include "bench/report_context.hpp"
+#include "bench/attribution_json.hpp"
 #include "bench/report_rows.hpp"
 #include "bench/text.hpp"
 #include "bench/wire.hpp"
@@ -93,6 +94,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   report["summary"] = summary_json(runs);
   report["convergence"] = convergence_json(runs);
   report["findings"] = ordered_json::array();
+  report["attribution_summary"] = attribution_summary_json(runs);
   report["runs"] = std::move(runs);
   add_audit(report);
   report["chapter"] = context.chapter;

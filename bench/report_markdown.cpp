@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "bench/attribution_json.hpp"
 #include "bench/report.hpp"
 #include "bench/report_tables.hpp"
 #include "bench/report_terminal.hpp"
@@ -145,6 +146,10 @@ std::string report_markdown(const ordered_json& report) {
       "\n## Convergence\n\nSlope of log error over log step of the early position error, case by "
       "case: 1 is first order, 0 does not converge.\n\n";
   out += convergence_table(report).markdown();
+  if (const Table attribution = attribution_table(report); !attribution.empty()) {
+    out += "\n## Where errors come from\n\n" + attribution.markdown() + "\n";
+    out += attribution_reading();
+  }
   const Table failures = failures_table(report);
   out += "\n## Failures\n\n" + (failures.empty() ? "None.\n" : failures.markdown());
   out += "\n## The exact solutions\n\n" + cases_table(report).markdown();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bench/replay_data.hpp"
+#include "bench/attribution_json.hpp"
 #include "bench/solution_json.hpp"
 #include "bench/text.hpp"
 #include "tautline/geometry.hpp"
@@ -130,6 +131,7 @@ ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
   row["path"] = nullptr;
   row["impacts"] = nullptr;
   row["audit"] = nullptr;
+  row["attribution"] = nullptr;
   if (reply.trajectory) {
     row["stride"] = reply.trajectory->stride;
     row["recorded_impacts"] = reply.trajectory->impacts.size();
@@ -140,6 +142,9 @@ ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
     row["path"] =
         run_path_json(reference.the_case, *reply.trajectory, run.path_samples, options.count_speed);
     row["impacts"] = run_impacts_json(reference.the_case, *reply.trajectory, options.count_speed);
+    row["attribution"] = attribution_json(
+        attribute(reference.the_case, reference.solution, reference.horizon, *reply.trajectory,
+                  {reference.law, noise_of(engine.precision), options.count_speed}));
   }
   return row;
 }

@@ -56,7 +56,7 @@ std::vector<ReferenceCase> solve_cases(const std::vector<Case>& cases, ImpactLaw
     Solution solution = solve(the_case, {.law = law});
     const double horizon = predictability_horizon(the_case, solution, law);
     Settling settled = settling(the_case, solution);
-    references.push_back({the_case, std::move(solution), std::move(settled), horizon});
+    references.push_back({the_case, std::move(solution), std::move(settled), horizon, law});
   }
   return references;
 }

@@ -36,6 +36,7 @@ struct ReferenceCase {
   Solution solution;
   Settling settling;
   double horizon;  // [s]
+  ImpactLaw law = ImpactLaw::simultaneous;
 };
 
 /// The exact side of every case.

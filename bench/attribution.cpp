@@ -1,0 +1,354 @@
+#include "bench/attribution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "bench/attribution_chain.hpp"
+#include "bench/attribution_scheme.hpp"
+#include "bench/attribution_segments.hpp"
+#include "tautline/flight.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/projection.hpp"
+#include "tautline/sensitivity.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Beyond this share of amplification the parts say how the motion grows, not where it came from.
+constexpr double most_amplified = 0.5;
+
+/// The parts must add up to the deviation within this share of it [-].
+constexpr double most_remainder = 0.05;
+
+/// The time is tried after impact 1, 2, 3, 5, 7, ...: each so many times later than the last [-].
+constexpr double next_try = 1.4;
+
+/// A search this many tries long without success is over: later is no better.
+constexpr int most_failures = 2;
+
+/// More segments than this are not followed: each costs a few solutions.
+constexpr std::size_t most_segments = 600;
+
+using Growth = Eigen::Matrix<double, 2, 6>;
+
+/// A state carried to T by the exact motion.
+struct Carried {
+  Vec2 position = Vec2::Zero();      // [m]
+  Growth growth = Growth::Zero();    // d position / d state at the segment's end
+  std::optional<Solution> solution;  // the motion restarted
+};
+
+/// d state(dt) / d state of a flight.
+StateMatrix flight_matrix(double dt) {
+  StateMatrix matrix = StateMatrix::Identity();
+  matrix.topRightCorner<3, 3>().diagonal().setConstant(dt);
+  return matrix;
+}
+
+Eigen::Matrix<double, 6, 1> difference(const State& a, const State& b) {
+  Eigen::Matrix<double, 6, 1> result;
+  result << a.position - b.position, a.angle - b.angle, a.velocity - b.velocity, a.spin - b.spin;
+  return result;
+}
+
+/// What has been summed up to T.
+struct Sum {
+  Attribution result;
+  double chaos = 0.0;  // [m], the amplification of defects above the noise
+};
+
+class Attributor {
+ public:
+  Attributor(const Case& the_case, const Solution& solution, const Trajectory& run,
+             const AttributionOptions& options)
+      : case_(the_case),
+        solution_(solution),
+        run_(run),
+        options_(options),
+        jumps_(jumps_of(the_case, run)),
+        scheme_(find_scheme(the_case, jumps_, run)) {}
+
+  /// The parts at the sample `last`; none where the exact motion cannot be restarted.
+  [[nodiscard]] std::optional<Sum> at(std::size_t last) {
+    until_ = run_.points[last].time;
+    const Vec2 deviation = run_.points[last].state.position - solution_.at(until_).position;
+    direction_ = deviation.norm() > 0.0 ? Vec2(deviation.normalized()) : Vec2(Vec2::Zero());
+    Sum sum;
+    sum.result.until = until_;
+    sum.result.deviation = deviation.norm();
+    sum.result.parts = CauseParts{};
+    const std::vector<Segment> cuts = segments(case_, run_, jumps_, last);
+    if (cuts.size() > most_segments) {
+      return std::nullopt;
+    }
+    auto from = carry(case_.initial, 0.0);
+    for (const Segment& segment : cuts) {
+      const double end = run_.points[segment.last].time;
+      const bool is_last = segment.last == last;
+      auto to = is_last ? at_the_end(run_.points[last].state) : carry(segment.end, end);
+      if (!from || !to || !add(segment, *from, *to, sum)) {
+        return std::nullopt;
+      }
+      ++(segment.kind == Segment::Kind::impact ? sum.result.impacts : sum.result.arcs);
+      from = std::move(to);
+    }
+    const auto& parts = *sum.result.parts;
+    sum.result.remainder = sum.result.deviation - std::accumulate(parts.begin(), parts.end(), 0.0);
+    return sum;
+  }
+
+ private:
+  /// The case restarted, without the limits of its validity, which a neighbour may reach sooner.
+  [[nodiscard]] std::optional<Carried> carry(const State& state, double time) const {
+    Case restarted = case_;
+    restarted.initial = state;
+    restarted.duration = until_ - time;
+    restarted.angle_limit.reset();
+    restarted.ceiling.reset();
+    if (!problems(restarted).empty()) {
+      return std::nullopt;
+    }
+    Carried result;
+    result.solution = solve(restarted, {.law = options_.law});
+    if (result.solution->end_time() < restarted.duration) {
+      return std::nullopt;
+    }
+    result.position = result.solution->at(restarted.duration).position;
+    result.growth =
+        Sensitivity(restarted, *result.solution, options_.law).at(restarted.duration).topRows<2>();
+    return result;
+  }
+
+  [[nodiscard]] static Carried at_the_end(const State& state) {
+    Carried result;
+    result.position = state.position;
+    result.growth.leftCols<2>().setIdentity();
+    return result;
+  }
+
+  /// Carries a hypothetical state at `time`. One that is overstretched has its impact behind it and
+  /// moves out: it is restarted where it has come out, or put onto the cables if it does not.
+  [[nodiscard]] std::optional<Carried> carry_virtual(const State& state, double time,
+                                                     double patience) const {
+    constexpr int tries = 16;
+    for (int index = 0; index <= tries; ++index) {
+      const double wait = patience * index / tries;
+      const State later = fly(state, case_.gravity, wait);
+      if (time + wait >= until_) {
+        return at_the_end(fly(state, case_.gravity, until_ - time));
+      }
+      if (overstretched(later).empty()) {
+        auto result = carry(later, time + wait);
+        if (result) {
+          result->growth = (result->growth * flight_matrix(wait)).eval();
+        }
+        return result;
+      }
+    }
+    return carry(with_zero_gaps(case_, state, overstretched(state)), time);
+  }
+
+  [[nodiscard]] CableSet overstretched(const State& state) const {
+    CableSet result;
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      if (gap(case_.cables[index], state) < 0.0) {
+        result.insert(index);
+      }
+    }
+    return result;
+  }
+
+  /// Adds one segment, whose start and end are carried already. False where a link cannot be.
+  [[nodiscard]] bool add(const Segment& segment, const Carried& from, const Carried& to, Sum& sum) {
+    const Chain chain = chain_of(case_, run_, segment, jumps_, scheme_, *from.solution);
+    const double start = run_.points[segment.first].time;
+    const double end = run_.points[segment.last].time;
+    auto& parts = *sum.result.parts;
+    const auto part = [&](Cause cause) -> double& {
+      return parts[static_cast<std::size_t>(cause)];
+    };
+    if (is_noise(chain.exact, chain.links.back().state)) {
+      part(Cause::amplification) += direction_.dot(to.position - from.position);
+      return true;
+    }
+    // the exact motion restarted from the start goes through the chain's first state
+    auto before = carry_virtual(chain.exact, end, end - start);
+    if (!before) {
+      return false;
+    }
+    before->position = from.position;
+    State state = chain.exact;
+    for (std::size_t index = 0; index < chain.links.size(); ++index) {
+      const Link& link = chain.links[index];
+      const bool last = index + 1 == chain.links.size();
+      const Eigen::Matrix<double, 6, 1> defect = difference(link.state, state);
+      if (!last && defect.isZero(0.0)) {
+        continue;
+      }
+      auto after = last ? std::optional<Carried>(to) : carry_virtual(link.state, end, end - start);
+      if (!after) {
+        return false;
+      }
+      const Vec2 way = after->position - before->position;
+      const double first_order = first_order_of(*before, *after, defect);
+      const double own = way.norm() > first_order ? first_order / way.norm() : 1.0;
+      const double along = direction_.dot(way);
+      part(link.cause) += own * along;
+      part(Cause::amplification) += (1.0 - own) * along;
+      sum.chaos += (1.0 - own) * std::abs(along);
+      before = std::move(after);
+      state = link.state;
+    }
+    return true;
+  }
+
+  /// How far a defect is carried to first order, by the derivative at either end [m]; an infinite
+  /// one (grazing) says nothing.
+  [[nodiscard]] static double first_order_of(const Carried& a, const Carried& b,
+                                             const Eigen::Matrix<double, 6, 1>& defect) {
+    double most = 0.0;
+    for (const Carried* end : {&a, &b}) {
+      if (end->growth.allFinite()) {
+        most = std::max(most, (end->growth * defect).norm());
+      }
+    }
+    return most;
+  }
+
+  [[nodiscard]] bool is_noise(const State& a, const State& b) const {
+    const double length = shortest_length(case_);
+    const double speed =
+        std::sqrt(case_.gravity.norm() * length) + speed_scale(case_, case_.initial);
+    const double radius = attachment_radius(case_);
+    const auto d = difference(a, b);
+    const double size = std::max((d.head<2>().norm() + radius * std::abs(d[2])) / length,
+                                 (d.segment<2>(3).norm() + radius * std::abs(d[5])) / speed);
+    return size <= options_.noise;
+  }
+
+  const Case& case_;
+  const Solution& solution_;
+  const Trajectory& run_;
+  const AttributionOptions& options_;
+  std::vector<Jump> jumps_;
+  Scheme scheme_;
+  double until_ = 0.0;             // [s]
+  Vec2 direction_ = Vec2::Zero();  // of D(T)
+};
+
+/// The instants to try: middles between impacts of the exact motion, then the end.
+std::vector<double> instants(const std::vector<CountedImpact>& impacts, double end) {
+  std::vector<double> result;
+  std::size_t wanted = 1;
+  for (std::size_t index = 0; index < impacts.size() && impacts[index].time < end; ++index) {
+    if (index + 1 < wanted) {
+      continue;
+    }
+    wanted = std::max(wanted + 1, static_cast<std::size_t>(next_try * static_cast<double>(wanted)));
+    const double next = index + 1 < impacts.size() ? impacts[index + 1].time : end;
+    result.push_back(std::min(end, 0.5 * (impacts[index].time + next)));
+  }
+  if (result.empty() || result.back() < end) {
+    result.push_back(end);
+  }
+  return result;
+}
+
+bool is_good(const Sum& sum) {
+  double all = 0.0;
+  for (const double part : *sum.result.parts) {
+    all += std::abs(part);
+  }
+  return std::abs(sum.result.remainder) <= most_remainder * sum.result.deviation &&
+         sum.chaos <= most_amplified * all;
+}
+
+Attribution nothing(std::string reason) {
+  Attribution result;
+  result.reason = std::move(reason);
+  return result;
+}
+
+}  // namespace
+
+std::string_view to_string(Cause cause) {
+  switch (cause) {
+    case Cause::flight_bias:
+      return "flight_bias";
+    case Cause::event_lag:
+      return "event_lag";
+    case Cause::late_rate:
+      return "late_rate";
+    case Cause::position_correction:
+      return "position_correction";
+    case Cause::threshold:
+      return "threshold";
+    case Cause::solver_residual:
+      return "solver_residual";
+    case Cause::taut_drift:
+      return "taut_drift";
+    case Cause::amplification:
+      return "amplification";
+  }
+  return "unknown";
+}
+
+double noise_of(std::string_view precision) {
+  constexpr double of_double = 1e-9;
+  constexpr double of_float = 1e-5;
+  return precision == "float32" ? of_float : of_double;
+}
+
+Attribution attribute(const Case& the_case, const Solution& solution, double horizon,
+                      const Trajectory& run, const AttributionOptions& options) {
+  const auto impacts = counted_impacts(the_case, solution, options.count_speed);
+  if (run.diverged) {
+    return nothing("the run diverged");
+  }
+  if (run.stride > 1) {
+    return nothing("the run has more steps than are kept");
+  }
+  const double goal = std::min(horizon, solution.end_time());
+  const double end = run.points.empty() ? 0.0 : std::min(goal, run.points.back().time);
+  if (!(end > 0.0)) {
+    return nothing("the run has no sample but its start");
+  }
+  if (run.impacts.empty() && !impacts.empty() && impacts.front().time < end) {
+    return nothing("the run has no impact, the exact motion has");
+  }
+  Attributor attributor(the_case, solution, run, options);
+  std::optional<Attribution> best;
+  int failures = 0;
+  for (const double instant : instants(impacts, end)) {
+    const auto after =
+        std::upper_bound(run.points.begin(), run.points.end(), instant,
+                         [](double time, const Point& point) { return time < point.time; });
+    const auto last = static_cast<std::size_t>(after - run.points.begin());
+    if (last < 2) {
+      continue;
+    }
+    const auto sum = attributor.at(last - 1);
+    if (sum && is_good(*sum)) {
+      best = sum->result;
+      failures = 0;
+    } else if (++failures > most_failures) {
+      break;
+    }
+  }
+  if (!best) {
+    return nothing("the deviation is amplification from the first impact on");
+  }
+  if (goal - best->until > 2.0 * run.step) {
+    best->reason = end < goal && end - best->until <= 2.0 * run.step
+                       ? "the run ends there"
+                       : fmt::format("after t = {:.6g} most is amplification", best->until);
+  }
+  return *best;
+}
+
+}  // namespace tautline::bench

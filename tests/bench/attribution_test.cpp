@@ -1,0 +1,3 @@
+#include "bench/attribution.hpp"
+
+#include <gtest/gtest.h>

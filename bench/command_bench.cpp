@@ -145,13 +145,9 @@ int bench_command(const BenchCommand& command) {
     fmt::print(
         "{}\n{} runs in {:.1f} s, {:.0f} MB; report: {}, with report.md and report.json "
         "beside it\n",
-        report_summary(report), result.runs.size(), context.elapsed,
+        report_summary(report, output_style()), result.runs.size(), context.elapsed,
         (context.program_memory + options.jobs * context.worker_memory) / 1e6,
         (command.out / "index.html").string());
-    fmt::print("{}\n{} runs in {:.1f} s, {:.0f} MB; report: {} and report.json beside it\n",
-               report_summary(report, output_style()), result.runs.size(), context.elapsed,
-               (context.program_memory + options.jobs * context.worker_memory) / 1e6,
-               (command.out / "report.md").string());
   }
   if (result.interrupted) {
     complain(

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <thread>
 
+#include "bench/attribution_json.hpp"
 #include "bench/audit.hpp"
 #include "bench/report_context.hpp"
-#include "bench/attribution_json.hpp"
 #include "bench/report_rows.hpp"
 #include "bench/text.hpp"
 #include "bench/wire.hpp"
@@ -78,7 +78,6 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   for (const ReferenceCase& reference : references) {
     cases.push_back(case_row(reference, options.compare));
   }
-  ordered_json report = {{"schema", 3},
   ordered_json report = {{"schema", report_schema},
                          {"program", {{"name", "tautline"}, {"version", TAUTLINE_VERSION}}}};
   report["complete"] = result.runs.size() == result.planned;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "bench/replay_data.hpp"
 #include "bench/attribution_json.hpp"
+#include "bench/replay_data.hpp"
 #include "bench/solution_json.hpp"
 #include "bench/text.hpp"
 #include "tautline/geometry.hpp"

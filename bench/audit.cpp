@@ -50,7 +50,7 @@ void add_audit(ordered_json& report) {
   ordered_json rows = ordered_json::array();
   for (const AuditedModel& model : audited_models(report)) {
     for (const auto& look : {restitution_findings, impulse_findings, sleep_findings}) {
-      for (const Finding& finding : look(model)) {
+      for (const AuditFinding& finding : look(model)) {
         rows.push_back({{"engine", model.engine},
                         {"model", model.model},
                         {"kind", finding.kind},

@@ -17,9 +17,9 @@ constexpr std::size_t least_impacts = 8;
 /// A model is told of where more than half of its impacts have more of this in them [-].
 constexpr double notable = 0.05;
 
-std::optional<Finding> finding(const AuditedModel& model, const std::string& kind,
-                               const std::string& sentence,
-                               const std::function<double(const AuditedImpact&)>& part) {
+std::optional<AuditFinding> finding(const AuditedModel& model, const std::string& kind,
+                                    const std::string& sentence,
+                                    const std::function<double(const AuditedImpact&)>& part) {
   std::vector<double> parts;
   for (const AuditedImpact& impact : model.impacts) {
     parts.push_back(part(impact));
@@ -28,19 +28,19 @@ std::optional<Finding> finding(const AuditedModel& model, const std::string& kin
     return std::nullopt;
   }
   const double middle = quantile(parts, 0.5);
-  return Finding{kind,
-                 fmt::format("{} {:.2g} of the impulse (median; {:.2g} in 5 % of the impacts)",
-                             sentence, middle, quantile(parts, 0.95)),
-                 middle,
-                 "",
-                 model.runs,
-                 parts.size()};
+  return AuditFinding{kind,
+                      fmt::format("{} {:.2g} of the impulse (median; {:.2g} in 5 % of the impacts)",
+                                  sentence, middle, quantile(parts, 0.95)),
+                      middle,
+                      "",
+                      model.runs,
+                      parts.size()};
 }
 
 }  // namespace
 
-std::vector<Finding> impulse_findings(const AuditedModel& model) {
-  std::vector<Finding> findings;
+std::vector<AuditFinding> impulse_findings(const AuditedModel& model) {
+  std::vector<AuditFinding> findings;
   if (auto across =
           finding(model, "tangential-impulse", "impacts push the body across the cable, by",
                   [](const AuditedImpact& impact) { return impact.across; })) {

@@ -73,7 +73,7 @@ std::string range_text(const std::vector<double>& numbers) {
 }
 
 /// Nothing rebounds, or everything with one restitution, whatever is requested.
-std::optional<Finding> ignored(const AuditedModel& model, const Impacts& asked) {
+std::optional<AuditFinding> ignored(const AuditedModel& model, const Impacts& asked) {
   if (asked.size() < least_on_a_side) {
     return std::nullopt;
   }
@@ -95,13 +95,14 @@ std::optional<Finding> ignored(const AuditedModel& model, const Impacts& asked) 
     return std::nullopt;
   }
   const double shown = std::abs(middle) < 0.5 * alike ? 0.0 : middle;
-  return Finding{"restitution-ignored",
-                 fmt::format("restitution is ignored: e is {:.2g} (median) where {} is requested",
-                             shown, range_text(requested)),
-                 shown,
-                 "",
-                 model.runs,
-                 asked.size()};
+  return AuditFinding{
+      "restitution-ignored",
+      fmt::format("restitution is ignored: e is {:.2g} (median) where {} is requested", shown,
+                  range_text(requested)),
+      shown,
+      "",
+      model.runs,
+      asked.size()};
 }
 
 /// The place in `sorted`, in rising speed, that best parts lost impacts below from kept ones above.
@@ -120,7 +121,7 @@ std::size_t best_cut(const Impacts& sorted) {
 }
 
 /// A speed below which nothing rebounds.
-std::optional<Finding> threshold(const AuditedModel& model, Impacts asked) {
+std::optional<AuditFinding> threshold(const AuditedModel& model, Impacts asked) {
   std::sort(asked.begin(), asked.end(),
             [](const AuditedImpact& a, const AuditedImpact& b) { return a.speed < b.speed; });
   const std::size_t cut = best_cut(asked);
@@ -134,20 +135,21 @@ std::optional<Finding> threshold(const AuditedModel& model, Impacts asked) {
   const double slower = below.back().speed;
   const double faster = above.front().speed;
   const double value = 0.5 * (slower + faster);
-  return Finding{"threshold",
-                 fmt::format("bounces slower than {:.2g} m/s are lost: {} of {} impacts up to "
-                             "{:.3g} m/s do not rebound, {} of {} from {:.3g} m/s on do",
-                             value, std::count_if(below.begin(), below.end(), lost), below.size(),
-                             slower, std::count_if(above.begin(), above.end(), std::not_fn(lost)),
-                             above.size(), faster),
-                 value,
-                 "m/s",
-                 model.runs,
-                 asked.size()};
+  return AuditFinding{
+      "threshold",
+      fmt::format("bounces slower than {:.2g} m/s are lost: {} of {} impacts up to "
+                  "{:.3g} m/s do not rebound, {} of {} from {:.3g} m/s on do",
+                  value, std::count_if(below.begin(), below.end(), lost), below.size(), slower,
+                  std::count_if(above.begin(), above.end(), std::not_fn(lost)), above.size(),
+                  faster),
+      value,
+      "m/s",
+      model.runs,
+      asked.size()};
 }
 
 /// Rebounds that are too fast or too slow, one like the other.
-std::optional<Finding> offset(const AuditedModel& model, const Impacts& bounces) {
+std::optional<AuditFinding> offset(const AuditedModel& model, const Impacts& bounces) {
   const auto deviations = values(bounces, deviation_of);
   const double middle = quantile(deviations, 0.5);
   const double one_side = quantile(deviations, middle > 0.0 ? 0.25 : 0.75);
@@ -156,19 +158,20 @@ std::optional<Finding> offset(const AuditedModel& model, const Impacts& bounces)
     return std::nullopt;
   }
   const double outer = quantile(deviations, middle > 0.0 ? 0.95 : 0.05);
-  return Finding{middle > 0.0 ? "gain" : "offset",
-                 fmt::format("rebounds are too {}: e is {:.2g} {} the requested one (median), and "
-                             "{:.2g} in 5 % of the impacts",
-                             middle > 0.0 ? "fast" : "slow", std::abs(middle),
-                             middle > 0.0 ? "above" : "below", std::abs(outer)),
-                 middle,
-                 "",
-                 model.runs,
-                 bounces.size()};
+  return AuditFinding{
+      middle > 0.0 ? "gain" : "offset",
+      fmt::format("rebounds are too {}: e is {:.2g} {} the requested one (median), and "
+                  "{:.2g} in 5 % of the impacts",
+                  middle > 0.0 ? "fast" : "slow", std::abs(middle),
+                  middle > 0.0 ? "above" : "below", std::abs(outer)),
+      middle,
+      "",
+      model.runs,
+      bounces.size()};
 }
 
 /// Restitution that spreads around the requested one by more than sampling explains.
-std::optional<Finding> spread(const AuditedModel& model, const Impacts& bounces) {
+std::optional<AuditFinding> spread(const AuditedModel& model, const Impacts& bounces) {
   const auto floors = values(bounces, floors_of);
   if (quantile(floors, 0.95) - quantile(floors, 0.05) < wide) {
     return std::nullopt;
@@ -183,7 +186,7 @@ std::optional<Finding> spread(const AuditedModel& model, const Impacts& bounces)
   const double mean = sum / static_cast<double>(deviations.size());
   const double sd = std::sqrt(squares / static_cast<double>(deviations.size()) - mean * mean);
   const auto [least, most] = std::minmax_element(deviations.begin(), deviations.end());
-  return Finding{
+  return AuditFinding{
       "scatter",
       fmt::format("e scatters around the requested one: off by {:+.2g} in the mean, with "
                   "a standard deviation of {:.2g}, between {:+.2g} and {:+.2g}",
@@ -195,7 +198,7 @@ std::optional<Finding> spread(const AuditedModel& model, const Impacts& bounces)
 }
 
 /// Rebounds that take several steps.
-std::optional<Finding> several_steps(const AuditedModel& model, const Impacts& bounces) {
+std::optional<AuditFinding> several_steps(const AuditedModel& model, const Impacts& bounces) {
   const Impacts longer =
       those(bounces, [](const AuditedImpact& impact) { return impact.steps > 1; });
   if (2 * longer.size() < bounces.size()) {
@@ -204,20 +207,20 @@ std::optional<Finding> several_steps(const AuditedModel& model, const Impacts& b
   const auto steps =
       values(longer, [](const AuditedImpact& impact) { return static_cast<double>(impact.steps); });
   const double middle = quantile(steps, 0.5);
-  return Finding{"several-steps",
-                 fmt::format("an impact takes {:.0f} steps (median; {:.0f} in the longest)", middle,
-                             quantile(steps, 1.0)),
-                 middle,
-                 "steps",
-                 model.runs,
-                 bounces.size()};
+  return AuditFinding{"several-steps",
+                      fmt::format("an impact takes {:.0f} steps (median; {:.0f} in the longest)",
+                                  middle, quantile(steps, 1.0)),
+                      middle,
+                      "steps",
+                      model.runs,
+                      bounces.size()};
 }
 
 }  // namespace
 
-std::vector<Finding> restitution_findings(const AuditedModel& model) {
-  std::vector<Finding> findings;
-  const auto note = [&](std::optional<Finding> finding) {
+std::vector<AuditFinding> restitution_findings(const AuditedModel& model) {
+  std::vector<AuditFinding> findings;
+  const auto note = [&](std::optional<AuditFinding> finding) {
     if (finding) {
       findings.push_back(std::move(*finding));
     }

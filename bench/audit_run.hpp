@@ -42,7 +42,7 @@ struct AuditedModel {
 };
 
 /// What a model does to impacts: a "finding" of bench/report.schema.json.
-struct Finding {
+struct AuditFinding {
   std::string kind;
   std::string sentence;
   std::optional<double> value;
@@ -69,12 +69,12 @@ struct Finding {
 [[nodiscard]] double quantile(std::vector<double> values, double part);
 
 /// Restitution that is ignored, cut off, spread, too large or too small; impacts of several steps.
-[[nodiscard]] std::vector<Finding> restitution_findings(const AuditedModel& model);
+[[nodiscard]] std::vector<AuditFinding> restitution_findings(const AuditedModel& model);
 
 /// Impulses that do not point along the cable, or turn the body by other than their arm.
-[[nodiscard]] std::vector<Finding> impulse_findings(const AuditedModel& model);
+[[nodiscard]] std::vector<AuditFinding> impulse_findings(const AuditedModel& model);
 
 /// Bodies put to sleep.
-[[nodiscard]] std::vector<Finding> sleep_findings(const AuditedModel& model);
+[[nodiscard]] std::vector<AuditFinding> sleep_findings(const AuditedModel& model);
 
 }  // namespace tautline::bench

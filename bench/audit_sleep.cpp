@@ -104,7 +104,7 @@ std::optional<Freeze> freeze_of(const ordered_json& run, const ordered_json& the
   return Freeze{run.at("case"), time, lost};
 }
 
-std::vector<Finding> sleep_findings(const AuditedModel& model) {
+std::vector<AuditFinding> sleep_findings(const AuditedModel& model) {
   if (model.freezes.empty()) {
     return {};
   }

@@ -18,8 +18,12 @@ inline constexpr std::size_t most_impacts = 300;
 /// Samples of an exact path.
 inline constexpr std::size_t most_path_samples = 400;
 
-/// Samples of one path of a report of `runs` runs, so that all of them have about 8 MB.
+/// Samples of one path of a report of `runs` runs, so that all of them have about 6 MB.
 [[nodiscard]] std::size_t path_samples(std::size_t runs);
+
+/// Leaves in every run of `report` its fastest impacts, so many that all runs have about 6 MB of
+/// them, and takes the others out of its path. What is drawn from all impacts comes before.
+void thin_impacts(nlohmann::ordered_json& report);
 
 /// `value` with six significant digits, or null where it is not finite.
 [[nodiscard]] nlohmann::ordered_json rounded(double value);

@@ -8,6 +8,7 @@
 #include "bench/attribution_json.hpp"
 #include "bench/audit.hpp"
 #include "bench/report_context.hpp"
+#include "bench/replay_data.hpp"
 #include "bench/report_rows.hpp"
 #include "bench/text.hpp"
 #include "bench/wire.hpp"
@@ -97,6 +98,7 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   report["runs"] = std::move(runs);
   add_audit(report);
   report["chapter"] = context.chapter;
+  thin_impacts(report);
   report["context"] = context_json(context, result);
   return report;
 }

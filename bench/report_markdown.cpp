@@ -152,6 +152,11 @@ std::string report_markdown(const ordered_json& report) {
   }
   const Table failures = failures_table(report);
   out += "\n## Failures\n\n" + (failures.empty() ? "None.\n" : failures.markdown());
+  out += "\n## Restitution audit\n\nWhat the models do to impacts, found from their runs.\n\n" +
+         findings_list(report) +
+         "\nEffective less requested restitution, of the impacts of one cable alone that are fast "
+         "enough for the step:\n\n" +
+         scatter_table(report).markdown();
   out += "\n## The exact solutions\n\n" + cases_table(report).markdown();
   out += "\n## Case by case\n";
   for (const ordered_json& row : report.at("cases")) {

@@ -30,6 +30,11 @@ namespace tautline::bench {
 /// Says which models stopped before their end, each with its first reason, and that this is no
 /// failure; "" without one.
 [[nodiscard]] std::string stopped_sentence(const nlohmann::ordered_json& report);
+/// Effective less requested restitution over all cases, by engine, model and step.
+[[nodiscard]] Table scatter_table(const nlohmann::ordered_json& report);
+
+/// What the models do to impacts, as a Markdown list.
+[[nodiscard]] std::string findings_list(const nlohmann::ordered_json& report);
 
 /// A string of the report, safe to print.
 [[nodiscard]] std::string report_text(const nlohmann::ordered_json& value);

@@ -19,11 +19,10 @@ using Impacts = std::vector<AuditedImpact>;
 constexpr std::size_t least_on_a_side = 3;
 constexpr std::size_t least_impacts = 8;
 
-/// An impact asks for a rebound from this restitution on; it is lost below this part of it, and
-/// bounces above that one [-].
+/// An impact asks for a rebound from this restitution on, and is lost below this part of it [-]: a
+/// correction of the overstretch may push a lost one a little.
 constexpr double asking = 0.2;
-constexpr double lost_part = 0.25;
-constexpr double bounce_part = 0.5;
+constexpr double lost_part = 0.5;
 
 /// So many impacts of a group may say otherwise [-].
 constexpr double contrary = 0.1;
@@ -37,9 +36,7 @@ constexpr double far_off = 3.0;
 constexpr double least_offset = 0.02;
 
 bool lost(const AuditedImpact& impact) { return impact.effective < lost_part * impact.requested; }
-bool bounced(const AuditedImpact& impact) {
-  return impact.effective > bounce_part * impact.requested;
-}
+bool bounced(const AuditedImpact& impact) { return !lost(impact); }
 
 Impacts those(const Impacts& impacts, const std::function<bool(const AuditedImpact&)>& wanted) {
   Impacts result;

@@ -1,6 +1,5 @@
 // What a model makes of restitution, from the impacts of all its runs. Each question leaves aside
-// what the one before has explained: where nothing rebounds nothing is cut off, and what is cut off
-// does not spread.
+// what the one before has explained: what is cut off does not spread.
 
 #include <fmt/format.h>
 
@@ -69,37 +68,46 @@ std::string range_text(const std::vector<double>& numbers) {
                          : fmt::format("{:.3g} to {:.3g}", *least, *most);
 }
 
-/// Nothing rebounds, or everything with one restitution, whatever is requested.
-std::optional<AuditFinding> ignored(const AuditedModel& model, const Impacts& asked) {
-  if (asked.size() < least_on_a_side) {
+AuditFinding ignored(const AuditedModel& model, const Impacts& asked, double e) {
+  return {"restitution-ignored",
+          fmt::format("restitution is ignored: e is {:.2g} (median) where {} is requested", e,
+                      range_text(values(asked, requested_of))),
+          e,
+          "",
+          model.runs,
+          asked.size()};
+}
+
+/// Effective restitutions this near are the same, and requested ones this far apart are not [-].
+constexpr double alike = 0.05;
+constexpr double different = 0.2;
+
+/// Everything comes back with one restitution, whatever is requested.
+std::optional<AuditFinding> constant(const AuditedModel& model, const Impacts& asked) {
+  if (asked.size() < least_impacts) {
     return std::nullopt;
   }
-  const auto effective = values(asked, effective_of);
+  const double middle = quantile(values(asked, effective_of), 0.5);
   const auto requested = values(asked, requested_of);
-  const double middle = quantile(effective, 0.5);
-  constexpr double different = 0.2;  // [-], requested restitutions that must not give the same
-  constexpr double alike = 0.05;     // [-], effective ones
   const auto [least, most] = std::minmax_element(requested.begin(), requested.end());
-  const bool constant = asked.size() >= least_impacts && *most - *least >= different &&
-                        share(asked,
-                              [&](const AuditedImpact& impact) {
-                                return std::abs(impact.effective - middle) < alike;
-                              }) >= 1.0 - contrary &&
-                        share(asked, [&](const AuditedImpact& impact) {
-                          return std::abs(impact.deviation()) > alike;
-                        }) > contrary;
-  if (share(asked, lost) < 1.0 - contrary && !constant) {
+  const double same = share(asked, [&](const AuditedImpact& impact) {
+    return std::abs(impact.effective - middle) < alike;
+  });
+  const double wrong = share(
+      asked, [](const AuditedImpact& impact) { return std::abs(impact.deviation()) > alike; });
+  if (*most - *least < different || middle < alike || same < 1.0 - contrary || wrong < contrary) {
     return std::nullopt;
   }
-  const double shown = std::abs(middle) < 0.5 * alike ? 0.0 : middle;
-  return AuditFinding{
-      "restitution-ignored",
-      fmt::format("restitution is ignored: e is {:.2g} (median) where {} is requested", shown,
-                  range_text(requested)),
-      shown,
-      "",
-      model.runs,
-      asked.size()};
+  return ignored(model, asked, middle);
+}
+
+/// Nothing rebounds.
+std::optional<AuditFinding> nothing(const AuditedModel& model, const Impacts& asked) {
+  if (asked.size() < least_on_a_side || share(asked, lost) < 1.0 - contrary) {
+    return std::nullopt;
+  }
+  const double middle = quantile(values(asked, effective_of), 0.5);
+  return ignored(model, asked, std::abs(middle) < 0.5 * alike ? 0.0 : middle);
 }
 
 /// The place in `sorted`, in rising speed, that best parts lost impacts below from kept ones above.
@@ -225,12 +233,14 @@ std::vector<AuditFinding> restitution_findings(const AuditedModel& model) {
   };
   const Impacts asked =
       those(model.impacts, [](const AuditedImpact& impact) { return impact.requested >= asking; });
-  if (note(ignored(model, asked))) {
+  if (note(constant(model, asked))) {
     return findings;
   }
   double slowest = 0.0;  // [m/s], that is not cut off
   if (note(threshold(model, asked))) {
     slowest = *findings.back().value;
+  } else if (note(nothing(model, asked))) {
+    return findings;
   }
   const Impacts fast =
       those(model.impacts, [&](const AuditedImpact& impact) { return impact.speed >= slowest; });

@@ -13,8 +13,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Lengths are told by this part of the shortest cable, angles by as many radians [-].
-constexpr double moved = 1e-3;
+/// Parts of the shortest cable, and radians [-]: what the body moves at least between the sample
+/// before a freeze and the freeze, where one that comes to rest by itself hardly moves any more;
+/// and what the exact motion moves at least after it.
+constexpr double moved_before = 3e-4;
+constexpr double moves_after = 1e-2;
 
 /// A stretch without motion is a freeze from this many samples on, and this part of the run.
 constexpr std::size_t least_samples = 4;
@@ -58,17 +61,15 @@ bool exact_moves(const ordered_json& the_case, double from, double until, double
     }
   }
   return std::any_of(poses.begin(), poses.end(), [&](const Pose& other) {
-    return distance(poses.front(), other, cable) > 10.0 * moved;
+    return distance(poses.front(), other, cable) > moves_after;
   });
 }
 
-/// True where an impact of the run is between `from` and `until` [s]: a body that sticks to its
-/// cable there has not been put to sleep.
-bool hit_between(const ordered_json& run, double from, double until) {
+/// True where the run has an impact at `time` [s], as written: a body that sticks to its cable
+/// there has not been put to sleep.
+bool hits_at(const ordered_json& run, const ordered_json& time) {
   const ordered_json& times = run.at("impacts").at("time");
-  return std::any_of(times.begin(), times.end(), [&](const ordered_json& time) {
-    return time.is_number() && time.get<double>() >= from && time.get<double>() <= until;
-  });
+  return std::find(times.begin(), times.end(), time) != times.end();
 }
 
 }  // namespace
@@ -87,16 +88,11 @@ std::optional<Freeze> freeze_of(const ordered_json& run, const ordered_json& the
   const double time = times.at(first);
   const double end = times.back();
   const bool lasts = times.size() - first >= least_samples && end - time >= least_part * end;
-  if (!lasts || first < 2) {
+  if (!lasts || first == 0) {
     return std::nullopt;
   }
-  // what comes to rest by itself slows down before
-  const Pose frozen = pose(path, first);
-  const Pose before = pose(path, first - 1);
-  const double speed =
-      std::max(distance(before, frozen, cable), distance(pose(path, first - 2), before, cable));
-  if (speed < moved || hit_between(run, times.at(first - 1), time) ||
-      !exact_moves(the_case, time, end, cable)) {
+  if (distance(pose(path, first - 1), pose(path, first), cable) < moved_before ||
+      hits_at(run, times.at(first)) || !exact_moves(the_case, time, end, cable)) {
     return std::nullopt;
   }
   const double lost =

@@ -115,7 +115,7 @@ TEST(Suite, RunTwiceGivesAnIdenticalReportButForItsContext) {
   ASSERT_EQ(program(suite(folder.path() / "two", "1e-2")).code, 0);
   const auto text = [](const fs::path& out) {
     const std::string whole = content_of(out / "report.json");
-    return whole.substr(0, whole.find("\n  \"context\""));
+    return whole.substr(0, whole.find("\n \"context\""));
   };
   const std::string first = text(folder.path() / "one");
   EXPECT_GT(first.size(), 10'000U);

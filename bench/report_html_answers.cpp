@@ -47,6 +47,24 @@ std::optional<std::pair<double, double>> median_errors(const ordered_json& repor
   return result;
 }
 
+/// How the runs ended; what did not happen is not said.
+std::string endings_sentence(const ordered_json& report) {
+  std::vector<std::string> parts = {
+      fmt::format("{} ran to the end", count_status(report, "finished"))};
+  if (const std::size_t stopped = count_status(report, "stopped"); stopped > 0) {
+    parts.push_back(fmt::format("{} stopped where the engine goes no further", stopped));
+  }
+  if (const std::size_t bad = count_status(report, "failed") + count_status(report, "diverged");
+      bad > 0) {
+    parts.push_back(fmt::format("{} failed or diverged", bad));
+  }
+  return joined(parts, "and") + ".";
+}
+
+std::string small_number(double value) {
+  return value == 0.0 ? "0" : fmt::format("{:.1e}", value);  // exactly: no digits to show
+}
+
 std::string errors_sentence(const ordered_json& report) {
   const auto engines = median_errors(report, false);
   const auto exact = median_errors(report, true);
@@ -55,12 +73,12 @@ std::string errors_sentence(const ordered_json& report) {
     out += fmt::format(
         " At the smallest step the median distance from the exact position, up to the "
         "predictability "
-        "horizon, is between {:.1e} and {:.1e} m, by engine and model",
-        engines->first, engines->second);
+        "horizon, is between {} and {} m, by engine and model",
+        small_number(engines->first), small_number(engines->second));
     out += exact ? fmt::format(
                        "; the exact motion, put through the same comparison as a control, is at "
-                       "most {:.1e} m off.",
-                       exact->second)
+                       "most {} m off.",
+                       small_number(exact->second))
                  : ".";
   }
   return out;
@@ -156,16 +174,12 @@ std::string answer_paragraph(const ordered_json& report) {
   for (const ordered_json& step : report.at("options").at("steps")) {
     steps.push_back(fmt::format("{:g}", step.get<double>()));
   }
-  const std::size_t bad = count_status(report, "failed") + count_status(report, "diverged");
   std::string out = fmt::format(
-      "<p class=\"answer\">{} on {} with {}, at steps of {} s: {}, each held against the exact "
-      "motion of "
-      "its case. {} ran to the end, {} stopped where their engine has no more to say, {} failed or "
-      "diverged.",
+      "<p class=\"answer\">{} on {} with {}, at {} of {} s: {}, each held against the exact motion "
+      "of its case. {}",
       counted(report.at("cases").size(), "case"), counted(engines.size(), "engine"),
-      counted(models.size(), "model"), joined(steps, "and"),
-      counted(report.at("runs").size(), "run"), count_status(report, "finished"),
-      count_status(report, "stopped"), bad);
+      counted(models.size(), "model"), steps.size() == 1 ? "a step" : "steps", joined(steps, "and"),
+      counted(report.at("runs").size(), "run"), endings_sentence(report));
   if (!report.at("complete").get<bool>()) {
     out += fmt::format(" <strong>The suite was interrupted: {} were planned.</strong>",
                        counted(report.at("planned_runs").get<std::size_t>(), "run"));

@@ -37,65 +37,41 @@ const Made& made() {
   return result;
 }
 
+constexpr const char* verdict = R"({"word": "deviation-flagged", "checks": [
+  {"metric": "position error", "value": 0.25, "limit": 0.125, "holds": false, "known": true,
+   "reason": "the engine says so"},
+  {"metric": "energy gain", "value": 0.5, "limit": 2, "holds": true, "known": false, "reason": ""}]})";
+
+constexpr const char* findings = R"([{"engine": "e", "model": "m", "kind": "threshold",
+  "sentence": "bounces slower than 0.2 m/s are lost", "value": 0.2, "unit": "m/s",
+  "evidence": {"runs": 3, "impacts": 17}}])";
+
+constexpr const char* attribution = R"([{"engine": "e", "model": "m", "step": 0.01, "cases": 4,
+  "deviation": {"median": 1.5e-3, "worst": 2.5e-3},
+  "shares": {"flight_bias": 0.625, "event_lag": 0.375}, "remainder": 1e-5}])";
+
+constexpr const char* chapter = R"({
+  "tables": [{"name": "Table 5.2", "title": "Moments of *inertia*.",
+    "columns": [{"name": "shape", "unit": ""}, {"name": "I", "unit": "mS^2"}],
+    "rows": [["circle", 0.0123456789], ["box", null]], "notes": ["A **note**."]}],
+  "figures": [{"name": "5.6", "title": "y over x", "x": "x [S]", "y": "y [S]",
+    "curves": [{"name": "c", "x": [0.0], "y": [1.0]}], "boundary": null, "marks": [],
+    "chapter": "It says.", "truth": "It is."}],
+  "corrections": [{"where": "Section 5.8", "chapter": "It settles.", "right": "It swings.",
+    "shown": "By 0.65 rad.", "holds": false}]})";
+
 /// The same report with everything in it that other parts of the program may add.
 ordered_json full_report() {
   ordered_json report = made().report;
   for (ordered_json& run : report["runs"]) {
-    run["verdict"] = {{"word", "deviation-flagged"},
-                      {"checks",
-                       {{{"metric", "position error"},
-                         {"value", 0.25},
-                         {"limit", 0.125},
-                         {"holds", false},
-                         {"known", true},
-                         {"reason", "the engine says so"}},
-                        {{"metric", "energy gain"},
-                         {"value", 0.5},
-                         {"limit", 2.0},
-                         {"holds", true},
-                         {"known", false},
-                         {"reason", ""}}}}};
+    run["verdict"] = ordered_json::parse(verdict);
   }
   for (ordered_json& the_case : report["cases"]) {
-    the_case["geometry"] = {{{"restitution", 0.75}}, {{"restitution", 0.75}}};
+    the_case["geometry"] = ordered_json::parse(R"([{"restitution": 0.75}, {"restitution": 0.75}])");
   }
-  report["findings"] = {{{"engine", "e"},
-                         {"model", "m"},
-                         {"kind", "threshold"},
-                         {"sentence", "bounces slower than 0.2 m/s are lost"},
-                         {"value", 0.2},
-                         {"unit", "m/s"},
-                         {"evidence", {{"runs", 3}, {"impacts", 17}}}}};
-  report["attribution_summary"] = {{{"engine", "e"},
-                                    {"model", "m"},
-                                    {"step", 0.01},
-                                    {"cases", 4},
-                                    {"deviation", {{"median", 1.5e-3}, {"worst", 2.5e-3}}},
-                                    {"shares", {{"flight_bias", 0.625}, {"event_lag", 0.375}}},
-                                    {"remainder", 1e-5}}};
-  report["chapter"] = {
-      {"tables",
-       {{{"name", "Table 5.2"},
-         {"title", "Moments of *inertia*."},
-         {"columns", {{{"name", "shape"}, {"unit", ""}}, {{"name", "I"}, {"unit", "mS^2"}}}},
-         {"rows", {{"circle", 0.0123456789}, {"box", nullptr}}},
-         {"notes", {"A **note**."}}}}},
-      {"figures",
-       {{{"name", "5.6"},
-         {"title", "y over x"},
-         {"x", "x [S]"},
-         {"y", "y [S]"},
-         {"curves", {{{"name", "c"}, {"x", {0.0}}, {"y", {1.0}}}}},
-         {"boundary", nullptr},
-         {"marks", ordered_json::array()},
-         {"chapter", "It says."},
-         {"truth", "It is."}}}},
-      {"corrections",
-       {{{"where", "Section 5.8"},
-         {"chapter", "It settles."},
-         {"right", "It swings."},
-         {"shown", "By 0.65 rad."},
-         {"holds", false}}}}};
+  report["findings"] = ordered_json::parse(findings);
+  report["attribution_summary"] = ordered_json::parse(attribution);
+  report["chapter"] = ordered_json::parse(chapter);
   return report;
 }
 
@@ -210,7 +186,6 @@ TEST(ReportPage, ShowsEveryRunAndWhyItFailed) {
   const std::size_t rows = made().report.at("runs").size();
   const std::size_t start = page.find("<table id=\"cases-table\"");
   const std::string table = page.substr(start, page.find("</table>", start) - start);
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n') > 0, true);
   std::size_t found = 0;
   for (std::size_t at = table.find("<tr"); at != std::string::npos;
        at = table.find("<tr", at + 1)) {
@@ -219,11 +194,8 @@ TEST(ReportPage, ShowsEveryRunAndWhyItFailed) {
   EXPECT_EQ(found, rows + 2);  // and two rows of headings
   EXPECT_NE(table.find("crashed: SIGSEGV"), std::string::npos);
   EXPECT_NE(table.find("stopped: a cable is taut"), std::string::npos);
-  for (const ordered_json& engine : made().report.at("engines")) {
-    if (!engine.at("problem").is_null()) {
-      EXPECT_NE(page.find("<tbody class=\"missing\">"), std::string::npos);
-    }
-  }
+  const std::size_t missing = page.find("<tbody class=\"missing\">");
+  EXPECT_NE(page.find("mute</th>", missing), std::string::npos) << "an engine that does not answer";
 }
 
 TEST(ReportPage, ShowsLimitsBesideValuesAndNamesNoWinner) {

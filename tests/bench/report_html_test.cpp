@@ -205,7 +205,7 @@ TEST(ReportPage, ShowsLimitsBesideValuesAndNamesNoWinner) {
           "deviation-flagged</span><br>position error <span data-value=\"0.25\">0.25</span>, limit "
           "<span data-value=\"0.125\">"),
       std::string::npos);
-  EXPECT_EQ(page.find("energy gain <span"), std::string::npos)
+  EXPECT_EQ(page.find("energy gain <span data"), std::string::npos)
       << "a limit that holds beside one that does not";
   for (const std::string word : {"winner", "best", "wins"}) {
     EXPECT_EQ(page.find(word), std::string::npos) << word;

@@ -150,6 +150,11 @@ TEST(ReportPage, IsTheSameFromTheReportReadBack) {
   EXPECT_TRUE(made().page == report_html(made().report, page_assets()));
 }
 
+TEST(ReportPage, LeavesTheChapterOutWhereItsCasesWereNotAllRun) {
+  EXPECT_TRUE(made().report.at("chapter").is_null());
+  EXPECT_NE(made().page.find("Not in this report: it is made when"), std::string::npos);
+}
+
 TEST(ReportPage, ClosesEveryElement) {
   EXPECT_EQ(unbalanced(made().page), "");
   EXPECT_EQ(unbalanced(report_html(full_report(), page_assets())), "");

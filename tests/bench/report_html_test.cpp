@@ -155,6 +155,22 @@ TEST(ReportPage, LeavesTheChapterOutWhereItsCasesWereNotAllRun) {
   EXPECT_NE(made().page.find("Not in this report: it is made when"), std::string::npos);
 }
 
+TEST(ReportPage, IsWholeOrNotThere) {
+  if (page_assets().plotly.empty()) {
+    GTEST_SKIP() << "without Plotly the page is as small as the other files";
+  }
+  const TemporaryFolder out;
+  const Outcome outcome =
+      program({"bench", "bouncing-ball", "--engines", "exact", "--models", "event", "--steps",
+               "1e-2", "--out", (out.path() / "r").string()},
+              "ulimit -f 200;");  // room for every other file
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("index.html: File too large"), std::string::npos) << outcome.errors;
+  const std::vector<std::string> whole = {"report.json", "report.md", "runs",
+                                          "tautline-results.txt"};
+  EXPECT_EQ(bench::test::names_in(out.path() / "r"), whole);
+}
+
 TEST(ReportPage, ClosesEveryElement) {
   EXPECT_EQ(unbalanced(made().page), "");
   EXPECT_EQ(unbalanced(report_html(full_report(), page_assets())), "");

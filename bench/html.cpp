@@ -32,7 +32,7 @@ void mark_up(std::string& text, std::string_view mark, const std::string& elemen
       continue;
     }
     const std::string inner = text.substr(start, end - start);
-    const std::string marked = "<" + element + ">" + inner + "</" + element + ">";
+    const std::string marked = fmt::format("<{0}>{1}</{0}>", element, inner);
     text.replace(at, end + mark.size() - at, marked);
     at = text.find(mark, at + marked.size());
   }

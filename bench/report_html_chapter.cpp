@@ -77,7 +77,7 @@ std::string table_html(const ordered_json& table) {
   }
   std::string notes;
   for (const ordered_json& note : table.at("notes")) {
-    notes += "<li>" + html_prose(note.get<std::string>()) + "</li>\n";
+    notes += fmt::format("<li>{}</li>\n", html_prose(note.get<std::string>()));
   }
   return html.html() + (notes.empty() ? "" : "<ul class=\"notes\">\n" + notes + "</ul>\n");
 }

@@ -67,8 +67,8 @@ std::string reading_section(const ordered_json& report) {
   constexpr std::string_view bullet = "- ";
   for (std::size_t at = 0; at < list.size();) {
     const std::size_t end = std::min(list.find('\n', at), list.size());
-    out +=
-        "<li>" + html_prose(list.substr(at + bullet.size(), end - at - bullet.size())) + "</li>\n";
+    const std::string item = list.substr(at + bullet.size(), end - at - bullet.size());
+    out += fmt::format("<li>{}</li>\n", html_prose(item));
     at = end + 1;
   }
   return out +

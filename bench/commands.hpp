@@ -54,7 +54,7 @@ struct BenchCommand {
   std::filesystem::path out = "results";
   std::optional<unsigned> jobs;  // one per core if not given
   bool resume = false;
-  double time_limit = 60.0;  // [s]
+  double time_limit = 60.0;         // [s]
   std::optional<std::string> gate;  // limits file; breaking it makes the exit code 1
   std::string json;
   std::string command_line;  // as it was typed, for the report

@@ -66,8 +66,8 @@ constexpr const char* case_help =
 /// The commands and their options; `code` gets the exit code of the one that ran. Everything given
 /// here must outlive `app`, which runs the command while it parses.
 void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, BenchCommand& bench,
-            CompareCommand& compare, CheckCommand& check, ReproduceCommand& reproduce, EnginesCommand& engines,
-            CasesCommand& cases) {
+            CompareCommand& compare, CheckCommand& check, ReproduceCommand& reproduce,
+            EnginesCommand& engines, CasesCommand& cases) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bench/plot_style.hpp"
 #include "bench/plot_view.hpp"
 #include "bench/text.hpp"
 #include "tautline/geometry.hpp"
@@ -22,40 +23,15 @@ constexpr double left = 64.0;
 constexpr double right = 20.0;
 constexpr double top = 64.0;
 constexpr double bottom = 92.0;
+constexpr double between = 84.0;     // two panels
+constexpr double narrowest = 560.0;  // what the words below a panel need
 
-constexpr std::size_t path_points = 4000;   // a finer path is not seen
+/// The motion has a panel of its own where it fills less of the whole than this [-].
+constexpr double enlarged_below = 0.4;
+
+constexpr std::size_t path_points = 4000;    // a finer path is not seen
 constexpr std::size_t marked_impacts = 400;  // the fastest; more is a smear
 constexpr std::size_t faint_bodies = 8;      // at the fastest impacts
-
-constexpr const char* style = R"(<style>
-text{font:13px system-ui,sans-serif;fill:#1a1a1a}
-.title{font-size:16px;font-weight:600}
-.muted{fill:#555}
-.paper{fill:#fff}
-.frame{fill:none;stroke:#8a8a8a}
-.grid{stroke:#e3e3e3}
-.path{fill:none;stroke:#1f6fb4;stroke-width:1.2;stroke-linejoin:round}
-.cable{fill:none;stroke:#1a1a1a;stroke-width:1.6}
-.before{opacity:.55}
-.slack{stroke-dasharray:6 4}
-.body{fill:#9a9a9a;stroke:#1a1a1a;stroke-width:1.5;stroke-linejoin:round}
-.bar{fill:none;stroke:#1a1a1a;stroke-width:7;stroke-linecap:round}
-.core{fill:none;stroke:#bdbdbd;stroke-width:4;stroke-linecap:round}
-.start .body,.start .core{fill:#fff}.start .core{stroke:#fff}
-.faint{opacity:.22}
-.centre{fill:#1a1a1a}
-.impact{fill:none;stroke:#c4320a;stroke-width:1.3}
-.anchor{fill:#1a1a1a}
-.scale{stroke:#1a1a1a;stroke-width:2}
-.halo{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round;font-weight:600}
-@media (prefers-color-scheme:dark){
-text{fill:#eee}.muted{fill:#b5b5b5}.paper{fill:#16181c}.frame{stroke:#7d7d7d}.grid{stroke:#30343a}
-.path{stroke:#6db3f2}.cable,.scale{stroke:#eee}.body{fill:#70757d;stroke:#eee}.bar{stroke:#eee}
-.core{stroke:#50555c}.start .body{fill:#16181c}.start .core{stroke:#16181c;fill:none}
-.centre,.anchor{fill:#eee}.impact{stroke:#ff9166}.halo{stroke:#16181c}
-}
-</style>
-)";
 
 /// An impact that is drawn.
 struct Mark {
@@ -110,39 +86,39 @@ class Picture {
         path_(path_of(solution)),
         marks_(marks_of(the_case, solution)),
         end_(solution.at(solution.end_time())) {
-    Extent extent;
-    std::for_each(path_.begin(), path_.end(), [&](const Vec2& point) { extent.add(point); });
+    std::for_each(path_.begin(), path_.end(), [&](const Vec2& point) { motion_.add(point); });
     for (const Cable& cable : case_.cables) {
-      extent.add(cable.anchor);
       for (const State& state : {case_.initial, end_}) {
-        extent.add(attachment_point(state, cable));
-        extent.add(lowest(cable, state));
+        motion_.add(attachment_point(state, cable));
       }
     }
-    view_ = extent.with_margin();
-    scale_ = std::min((wide - left - right) / view_.size().x(), tallest / view_.size().y());
-    width_ = scale_ * view_.size().x();
-    height_ = scale_ * view_.size().y();
+    whole_ = motion_;
+    for (const Cable& cable : case_.cables) {
+      whole_.add(cable.anchor);
+      whole_.add(lowest(cable, case_.initial));
+      whole_.add(lowest(cable, end_));
+    }
+    whole_ = whole_.with_margin();
+    motion_ = motion_.with_margin();
   }
 
   std::string text() {
-    begin();
-    axes();
-    out_ += "<g clip-path=\"url(#inside)\">\n";
-    cables(case_.initial, solution_.arcs().front().taut, "cable before");
-    path();
-    for (std::size_t index = std::min(faint_bodies, marks_.size()); index-- > 0;) {
-      body(marks_[index].pose, "faint");
+    const bool enlarge = motion_.size().maxCoeff() < enlarged_below * whole_.size().maxCoeff();
+    std::string panels;
+    show(whole_, top);
+    panels += panel(enlarge ? "whole" : "all");
+    double bottom_of_panels = top_ + height_;
+    double sheet_width = width_;
+    if (enlarge) {
+      panels += enlarged_frame();
+      show(motion_, bottom_of_panels + between);
+      panels += heading() + panel("enlarged");
+      bottom_of_panels = top_ + height_;
+      sheet_width = std::max(sheet_width, width_);
     }
-    impacts();
-    cables(end_, solution_.arcs().back().taut, "cable");
-    body(case_.initial, "start");
-    body(end_, "end");
-    anchors();
-    labels();
-    out_ += "</g>\n";
-    legend();
-    return out_ + "</svg>\n";
+    const std::string key = legend(bottom_of_panels + 68.0);
+    return begin(std::max(sheet_width + left + right, narrowest), bottom_of_panels + bottom) +
+           panels + key + "</svg>\n";
   }
 
  private:
@@ -150,7 +126,7 @@ class Picture {
     return left + scale_ * (point.x() - view_.low().x());
   }
   [[nodiscard]] double py(const Vec2& point) const {
-    return top + height_ - scale_ * (point.y() - view_.low().y());
+    return top_ + height_ - scale_ * (point.y() - view_.low().y());
   }
 
   /// The unit vector down; where nothing pulls, down on the sheet.
@@ -165,27 +141,68 @@ class Picture {
     return 0.5 * (cable.anchor + end) + sag(cable.length, (end - cable.anchor).norm()) * down();
   }
 
-  /// The title in lines that fit the sheet.
-  void begin() {
+  /// Makes `view` the world that is seen, below `from` on the sheet.
+  void show(const Extent& view, double from) {
+    view_ = view;
+    top_ = from;
+    scale_ = std::min((wide - left - right) / view_.size().x(), tallest / view_.size().y());
+    width_ = scale_ * view_.size().x();
+    height_ = scale_ * view_.size().y();
+  }
+
+  /// One view of the motion: "whole" leaves the crowd of impacts to "enlarged", "all" shows both.
+  std::string panel(const std::string& kind) {
+    out_ = axes(kind);
+    cables(case_.initial, solution_.arcs().front().taut, "cable before");
+    path();
+    if (kind != "whole") {
+      for (std::size_t index = std::min(faint_bodies, marks_.size()); index-- > 0;) {
+        body(marks_[index].pose, "faint");
+      }
+      impacts();
+    }
+    cables(end_, solution_.arcs().back().taut, "cable");
+    body(case_.initial, "start");
+    body(end_, "end");
+    anchors();
+    if (kind != "whole") {
+      labels();
+    }
+    return out_ + "</g>\n";
+  }
+
+  /// What the second panel enlarges, in the first.
+  [[nodiscard]] std::string enlarged_frame() const {
+    const Vec2 low = motion_.low();
+    const Vec2 high = low + motion_.size();
+    return fmt::format(
+        "<rect class=\"frame\" stroke-dasharray=\"2 3\" x=\"{:.1f}\" y=\"{:.1f}\" "
+        "width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+        px(low), py(high), px(high) - px(low), py(low) - py(high));
+  }
+
+  [[nodiscard]] std::string heading() const {
+    return fmt::format(
+        "<text class=\"muted\" x=\"{:.1f}\" y=\"{:.1f}\">the dotted part, "
+        "enlarged</text>\n",
+        left, top_ - 10.0);
+  }
+
+  /// The sheet, its title and what it is.
+  [[nodiscard]] std::string begin(double sheet_width, double sheet_height) const {
     constexpr std::size_t longest_title = 64;  // [bytes], what fits the sheet
     const std::string name = xml_text(printable(case_.name, longest_title));
-    const std::string line = fmt::format(
-        "t = 0 to {:.6g} s, {} impact{}, ends: {}", solution_.end_time(), marks_.size(),
-        marks_.size() == 1 ? "" : "s", ending_words());
-    const double sheet_width = std::max(width_ + left + right, 560.0);
-    const double sheet_height = height_ + top + bottom;
-    out_ += fmt::format(
+    const std::string line =
+        fmt::format("t = 0 to {:.6g} s, {} impact{}, ends {}", solution_.end_time(), marks_.size(),
+                    marks_.size() == 1 ? "" : "s", ending_words());
+    return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
         "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n<desc>Exact "
-        "motion of a body on {3} cable{4}: {5}.</desc>\n{6}",
+        "motion of a body on {3} cable{4}: {5}.</desc>\n{6}<rect class=\"paper\" width=\"100%\" "
+        "height=\"100%\"/>\n<text class=\"title\" x=\"{7}\" y=\"26\">{2}</text>\n<text "
+        "class=\"muted\" x=\"{7}\" y=\"47\">{5}</text>\n",
         sheet_width, sheet_height, name, case_.cables.size(), case_.cables.size() == 1 ? "" : "s",
-        line, style);
-    out_ += fmt::format(
-        "<clipPath id=\"inside\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
-        "height=\"{:.1f}\"/></clipPath>\n<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n"
-        "<text class=\"title\" x=\"{:.1f}\" y=\"26\">{}</text>\n<text class=\"muted\" x=\"{:.1f}\" "
-        "y=\"47\">{}</text>\n",
-        left, top, width_, height_, left, name, left, line);
+        line, plot_style, left);
   }
 
   [[nodiscard]] std::string ending_words() const {
@@ -203,28 +220,33 @@ class Picture {
     }
   }
 
-  void axes() {
+  /// The grid, its numbers and the frame; opens the group that the frame clips.
+  [[nodiscard]] std::string axes(const std::string& clip) const {
+    std::string out;
     for (const double x : ticks(view_.low().x(), view_.size().x())) {
-      const double at = px({x, 0.0});
-      out_ += fmt::format(
-          "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/><text class=\"muted\" "
+      out += fmt::format(
+          "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}v{2:.1f}\"/><text class=\"muted\" "
           "text-anchor=\"middle\" x=\"{0:.1f}\" y=\"{3:.1f}\">{4:.6g}</text>\n",
-          at, top, top + height_, top + height_ + 18.0, x);
+          px({x, 0.0}), top_, height_, top_ + height_ + 18.0, x);
     }
     for (const double y : ticks(view_.low().y(), view_.size().y())) {
       const double at = py({0.0, y});
-      out_ += fmt::format(
-          "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}H{2:.1f}\"/><text class=\"muted\" "
+      out += fmt::format(
+          "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}h{2:.1f}\"/><text class=\"muted\" "
           "text-anchor=\"end\" x=\"{3:.1f}\" y=\"{4:.1f}\">{5:.6g}</text>\n",
-          left, at, left + width_, left - 6.0, at + 4.0, y);
+          left, at, width_, left - 6.0, at + 4.0, y);
     }
-    out_ += fmt::format(
-        "<rect class=\"frame\" x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" "
-        "height=\"{3:.1f}\"/>\n<text text-anchor=\"middle\" x=\"{4:.1f}\" y=\"{5:.1f}\">x "
-        "[m]</text>\n<text text-anchor=\"middle\" transform=\"translate(16 {6:.1f}) "
-        "rotate(-90)\">y [m]</text>\n",
-        left, top, width_, height_, left + 0.5 * width_, top + height_ + 38.0,
-        top + 0.5 * height_);
+    const std::string frame = fmt::format(
+        "x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
+        "height=\"{:.1f}\"/>",
+        left, top_, width_, height_);
+    return out +
+           fmt::format(
+               "<rect class=\"frame\" {0}\n<text text-anchor=\"middle\" x=\"{1:.1f}\" "
+               "y=\"{2:.1f}\">x [m]</text>\n<text text-anchor=\"middle\" transform=\"translate(14 "
+               "{3:.1f}) rotate(-90)\">y [m]</text>\n<clipPath id=\"{4}\"><rect "
+               "{0}</clipPath>\n<g clip-path=\"url(#{4})\">\n",
+               frame, left + 0.5 * width_, top_ + height_ + 38.0, top_ + 0.5 * height_, clip);
   }
 
   void path() {
@@ -243,12 +265,11 @@ class Picture {
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       const Cable& cable = case_.cables[index];
       const Vec2 end = attachment_point(state, cable);
-      const bool is_taut =
-          taut.contains(index) || gap(cable, state) <= gap_rounding * cable.length;
+      const bool is_taut = taut.contains(index) || gap(cable, state) <= gap_rounding * cable.length;
       // the control point of a parabola lies twice as deep as its vertex
       const Vec2 control = 2.0 * lowest(cable, state) - 0.5 * (cable.anchor + end);
-      out_ += fmt::format("<path class=\"{}{}\" d=\"M{:.1f} {:.1f}", kind,
-                          is_taut ? "" : " slack", px(cable.anchor), py(cable.anchor));
+      out_ += fmt::format("<path class=\"{}{}\" d=\"M{:.1f} {:.1f}", kind, is_taut ? "" : " slack",
+                          px(cable.anchor), py(cable.anchor));
       out_ += is_taut ? fmt::format("L{:.1f} {:.1f}\"/>\n", px(end), py(end))
                       : fmt::format("Q{:.1f} {:.1f} {:.1f} {:.1f}\"/>\n", px(control), py(control),
                                     px(end), py(end));
@@ -277,7 +298,7 @@ class Picture {
   void impacts() {
     for (std::size_t index = 0; index < std::min(marked_impacts, marks_.size()); ++index) {
       const Vec2& at = marks_[index].pose.position;
-      out_ += fmt::format("<circle class=\"impact\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>\n",
+      out_ += fmt::format("<circle class=\"impact\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"/>\n",
                           px(at), py(at));
     }
   }
@@ -286,19 +307,21 @@ class Picture {
     for (const Cable& cable : case_.cables) {
       const double x = px(cable.anchor);
       const double y = py(cable.anchor);
-      out_ += fmt::format("<rect class=\"anchor\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" "
-                          "height=\"8\"/>\n",
-                          x - 4.0, y - 4.0);
+      out_ += fmt::format(
+          "<rect class=\"anchor\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" "
+          "height=\"8\"/>\n",
+          x - 4.0, y - 4.0);
     }
   }
 
   /// A word below a body, away from the other one.
   void label(const State& state, double dy, const char* word) {
     const double x = std::clamp(px(state.position), left + 24.0, left + width_ - 24.0);
-    const double y = std::clamp(py(state.position) + dy, top + 16.0, top + height_ - 8.0);
-    out_ += fmt::format("<text class=\"halo\" text-anchor=\"middle\" x=\"{:.1f}\" "
-                        "y=\"{:.1f}\">{}</text>\n",
-                        x, y, word);
+    const double y = std::clamp(py(state.position) + dy, top_ + 16.0, top_ + height_ - 8.0);
+    out_ += fmt::format(
+        "<text class=\"halo\" text-anchor=\"middle\" x=\"{:.1f}\" "
+        "y=\"{:.1f}\">{}</text>\n",
+        x, y, word);
   }
 
   void labels() {
@@ -307,23 +330,20 @@ class Picture {
     label(end_, start_above ? 24.0 : -14.0, "end");
   }
 
-  /// What the lines mean, and the scale bar.
-  void legend() {
-    const double y = top + height_ + 68.0;
-    out_ += fmt::format(
-        "<path class=\"path\" d=\"M{0} {1}h26\"/><text x=\"{2}\" y=\"{3}\">centre of mass</text>\n"
-        "<path class=\"cable\" d=\"M{4} {1}h26\"/><text x=\"{5}\" y=\"{3}\">taut</text>\n"
-        "<path class=\"cable slack\" d=\"M{6} {1}h30\"/><text x=\"{7}\" y=\"{3}\">slack</text>\n"
-        "<circle class=\"impact\" cx=\"{8}\" cy=\"{1}\" r=\"3\"/><text x=\"{9}\" "
-        "y=\"{3}\">impact</text>\n",
-        left, y, left + 32.0, y + 4.0, left + 140.0, left + 172.0, left + 214.0, left + 250.0,
-        left + 304.0, left + 313.0);
+  /// What the lines mean, and the scale bar of the last panel.
+  [[nodiscard]] std::string legend(double y) const {
     const double length = round_below(0.25 * view_.size().x());
-    out_ += fmt::format(
-        "<path class=\"scale\" d=\"M{0:.1f} {1}v8m0-4h{2:.1f}m0-4v8\"/><text x=\"{3:.1f}\" "
-        "y=\"{4}\">{5:g} m</text>\n",
-        left + 380.0, y - 4.0, std::min(scale_ * length, wide), left + 388.0 + scale_ * length,
-        y + 4.0, length);
+    return fmt::format(
+        "<path class=\"path\" d=\"M{0} {1:.1f}h26\"/><text x=\"{2}\" y=\"{3:.1f}\">centre of "
+        "mass</text>\n<path class=\"cable\" d=\"M{4} {1:.1f}h26\"/><text x=\"{5}\" "
+        "y=\"{3:.1f}\">taut</text>\n<path class=\"cable slack\" d=\"M{6} {1:.1f}h30\"/><text "
+        "x=\"{7}\" y=\"{3:.1f}\">slack</text>\n<circle class=\"impact\" cx=\"{8}\" "
+        "cy=\"{1:.1f}\" r=\"3\"/><text x=\"{9}\" y=\"{3:.1f}\">impact</text>\n<path "
+        "class=\"scale\" d=\"M{10} {11:.1f}v8m0-4h{12:.1f}m0-4v8\"/><text x=\"{13:.1f}\" "
+        "y=\"{3:.1f}\">{14:g} m</text>\n",
+        left, y, left + 32.0, y + 4.0, left + 140.0, left + 172.0, left + 214.0, left + 250.0,
+        left + 304.0, left + 313.0, left + 380.0, y - 4.0, scale_ * length,
+        left + 388.0 + scale_ * length, length);
   }
 
   const Case& case_;
@@ -331,8 +351,11 @@ class Picture {
   std::vector<Vec2> path_;
   std::vector<Mark> marks_;
   State end_;
-  Extent view_;
+  Extent whole_;
+  Extent motion_;
+  Extent view_;          // of the panel that is drawn
   double scale_ = 1.0;   // [px/m]
+  double top_ = 0.0;     // [px]
   double width_ = 0.0;   // [px]
   double height_ = 0.0;  // [px]
   std::string out_;

@@ -180,7 +180,8 @@ std::string report_summary(const ordered_json& report, const TerminalStyle& styl
   if (report.contains("limits") && report.at("limits").is_object()) {
     out += fmt::format(
         "verdict: against {}, version {}; flagged: a limit is broken; known: as the limits say.\n",
-        report_text(report.at("limits").at("file")), report_text(report.at("limits").at("version")));
+        report_text(report.at("limits").at("file")),
+        report_text(report.at("limits").at("version")));
   }
   if (const std::string stopped = stopped_sentence(report); !stopped.empty()) {
     out += stopped + "\n";

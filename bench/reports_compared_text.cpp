@@ -64,22 +64,22 @@ std::vector<std::string> joined_cells(std::vector<std::string> cells,
 std::string statuses(const std::string& title, const ordered_json& rows) {
   return section(title, rows, {"engine", "model", "case", "step", "before", "after", "reason"}, 3,
                  3, [](const ordered_json& row) {
-                   return joined_cells(who(row), {report_text(row.at("before")),
-                                                  report_text(row.at("after")),
-                                                  report_text(row.at("reason"))});
+                   return joined_cells(who(row),
+                                       {report_text(row.at("before")), report_text(row.at("after")),
+                                        report_text(row.at("reason"))});
                  });
 }
 
 std::string metrics(const std::string& title, const ordered_json& rows) {
-  return section(
-      title, rows,
-      {"engine", "model", "case", "step", "metric", "before", "after", "factor", "unit"}, 3, 1,
-      [](const ordered_json& row) {
-        return joined_cells(
-            who(row), {report_text(row.at("metric")), value_text(row.at("before")),
-                       value_text(row.at("after")), factor_text(row),
-                       row.at("unit") == "1" ? std::string("-") : report_text(row.at("unit"))});
-      });
+  return section(title, rows,
+                 {"engine", "model", "case", "step", "metric", "before", "after", "factor", "unit"},
+                 3, 1, [](const ordered_json& row) {
+                   return joined_cells(
+                       who(row),
+                       {report_text(row.at("metric")), value_text(row.at("before")),
+                        value_text(row.at("after")), factor_text(row),
+                        row.at("unit") == "1" ? std::string("-") : report_text(row.at("unit"))});
+                 });
 }
 
 std::string runs(const std::string& title, const ordered_json& rows) {

@@ -106,8 +106,7 @@ ordered_json verdict_on(const Limits& limits, const ordered_json& run,
 ordered_json limits_json(const Limits& limits) {
   ordered_json metrics = ordered_json::array();
   for (const LimitedMetric& metric : limited_metrics()) {
-    metrics.push_back(
-        {{"name", metric.name}, {"unit", metric.unit}, {"meaning", metric.meaning}});
+    metrics.push_back({{"name", metric.name}, {"unit", metric.unit}, {"meaning", metric.meaning}});
   }
   return {{"file", limits.file}, {"version", limits.version}, {"metrics", std::move(metrics)}};
 }

@@ -26,7 +26,8 @@ struct BrokenRow {
 ///   pass                every limit on the run holds;
 ///   deviation-flagged   a limit does not hold, or the run failed or diverged;
 ///   informative         no limit on it, or the manifest says so;
-///   unsupported         the run stopped because the model goes no further, or the manifest says so.
+///   unsupported         the run stopped because the model goes no further, or the manifest says
+///   so.
 void add_verdicts(nlohmann::ordered_json& report, const Limits& limits);
 
 /// What breaks the gate, for a report with verdicts: limits that do not hold and are not known to,

@@ -93,11 +93,11 @@ void add_passing(const ordered_json& report, const Limits& limits, std::vector<B
       }
     }
     if (passing != nullptr && !still) {
-      rows.push_back({word(*passing, "engine"), word(*passing, "model"), printable(known.runs.the_case),
-                      known.runs.step ? fmt::format("{:g}", *known.runs.step) : "", known.metric,
-                      "holds", "known not to",
-                      "has started to hold: take it out of the manifest; there: " +
-                          printable(known.reason)});
+      rows.push_back(
+          {word(*passing, "engine"), word(*passing, "model"), printable(known.runs.the_case),
+           known.runs.step ? fmt::format("{:g}", *known.runs.step) : "", known.metric, "holds",
+           "known not to",
+           "has started to hold: take it out of the manifest; there: " + printable(known.reason)});
     }
   }
 }
@@ -144,8 +144,8 @@ std::string gate_text(const ordered_json& report, const Limits& limits,
     }
   }
   const std::string source = printable(limits.file) + ", version " + printable(limits.version);
-  return result +
-         (rows.empty() ? fmt::format("The gate holds ({}): {}.\n", source, counts(report))
+  return result + (rows.empty()
+                       ? fmt::format("The gate holds ({}): {}.\n", source, counts(report))
                        : fmt::format("The gate is broken by {} row{} ({}): {}.\n", rows.size(),
                                      rows.size() == 1 ? "" : "s", source, counts(report)));
 }

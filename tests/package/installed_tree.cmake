@@ -79,3 +79,7 @@ build_project("${prefix}/${EXAMPLE_DIR}/own_engine" "${WORK_DIR}/own_engine")
 run("${prefix}/${PROGRAM}" check "${WORK_DIR}/own_engine/own_engine.so")
 run("${prefix}/${PROGRAM}" bench bouncing-ball --engine "${WORK_DIR}/own_engine/own_engine.so"
   --steps 0.01 --out "${WORK_DIR}/results")
+
+# the workflow that docs/ci-recipe.md gives to the maintainer of an engine
+run("${CMAKE_COMMAND}" -E env "CXXFLAGS=${FLAGS}" "Eigen3_DIR=${EIGEN_DIR}"
+  "${SOURCE_DIR}/scripts/test-recipe" "${prefix}")

@@ -27,7 +27,7 @@ constexpr double between = 84.0;     // two panels
 constexpr double narrowest = 560.0;  // what the words below a panel need
 
 /// The motion has a panel of its own where it fills less of the whole than this [-].
-constexpr double enlarged_below = 0.4;
+constexpr double enlarged_below = 0.33;
 
 constexpr std::size_t path_points = 4000;    // a finer path is not seen
 constexpr std::size_t marked_impacts = 400;  // the fastest; more is a smear
@@ -92,6 +92,11 @@ class Picture {
         motion_.add(attachment_point(state, cable));
       }
     }
+    for (std::size_t index = 0; index < std::min(faint_bodies, marks_.size()); ++index) {
+      for (const Cable& cable : case_.cables) {
+        motion_.add(attachment_point(marks_[index].pose, cable));
+      }
+    }
     whole_ = motion_;
     for (const Cable& cable : case_.cables) {
       whole_.add(cable.anchor);
@@ -154,18 +159,18 @@ class Picture {
   std::string panel(const std::string& kind) {
     out_ = axes(kind);
     cables(case_.initial, solution_.arcs().front().taut, "cable before");
-    path();
     if (kind != "whole") {
       for (std::size_t index = std::min(faint_bodies, marks_.size()); index-- > 0;) {
         body(marks_[index].pose, "faint");
       }
-      impacts();
     }
     cables(end_, solution_.arcs().back().taut, "cable");
     body(case_.initial, "start");
     body(end_, "end");
     anchors();
+    path();  // over the bodies: it runs inside them
     if (kind != "whole") {
+      impacts();
       labels();
     }
     return out_ + "</g>\n";

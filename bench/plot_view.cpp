@@ -100,11 +100,14 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   });
   std::vector<Vec2> hull;
+  // points of one line, which rounding has moved off it, stay on it [m^2]
+  const double in_line =
+      points.empty() ? 0.0 : 1e-9 * (points.back() - points.front()).squaredNorm();
   const auto go_round = [&](auto first, auto last) {  // Andrew's monotone chain, one half
     const std::size_t start = hull.size();
     for (; first != last; ++first) {
       while (hull.size() >= start + 2 &&
-             cross<double>(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= 0.0) {
+             cross<double>(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= in_line) {
         hull.pop_back();
       }
       hull.push_back(*first);

@@ -179,7 +179,7 @@ std::string report_summary(const ordered_json& report, const TerminalStyle& styl
       report.at("options").at("early_impacts").get<int>());
   if (report.contains("limits") && report.at("limits").is_object()) {
     out += fmt::format(
-        "verdict: against {}, version {}; flagged: a limit is broken; known: as the limits say.\n",
+        "verdict: by {}, version {}; flagged: breaks a limit, known: as the limits say.\n",
         report_text(report.at("limits").at("file")),
         report_text(report.at("limits").at("version")));
   }

@@ -18,6 +18,14 @@ using nlohmann::ordered_json;
 /// A longer file is no report: 10,000 runs are some 60 MB [bytes].
 constexpr std::size_t longest_report = std::size_t{1} << 30U;
 
+std::set<std::string> names(const ordered_json& list) {
+  std::set<std::string> result;
+  for (const ordered_json& entry : list) {
+    result.insert(entry.at("name").get<std::string>());
+  }
+  return result;
+}
+
 /// What is wrong with `json` as a report; "" if nothing that is seen from outside.
 std::string problem_of(const ordered_json& json) {
   const bool is_report = json.is_object() && json.contains("schema") && json.contains("runs") &&
@@ -30,8 +38,13 @@ std::string problem_of(const ordered_json& json) {
     return fmt::format("has schema {}, must be {}: run `tautline bench` of this version for it",
                        printable(schema.dump()), report_schema);
   }
+  const std::set<std::string> engines = names(json.at("engines"));
+  const std::set<std::string> cases = names(json.at("cases"));
   std::set<std::tuple<std::string, std::string, std::string, double>> seen;
   for (const ordered_json& run : json.at("runs")) {
+    if (!engines.contains(run.at("engine")) || !cases.contains(run.at("case"))) {
+      return "has a run whose engine or case it does not list";
+    }
     if (!seen.emplace(run.at("case"), run.at("engine"), run.at("model"),
                       run.at("step").get<double>())
              .second) {

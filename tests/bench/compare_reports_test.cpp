@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 const ordered_json& sound() {
   static const ordered_json report = [] {
     const TemporaryFolder out;
-    static_cast<void>(program({"bench", "bouncing-ball", "breakwater/1510121100", "--engines",
+    static_cast<void>(program({"bench", "bouncing-ball", "breakwater/1910121100", "--engines",
                                "exact," + bad_engine("sound"), "--steps", "1e-2,1e-3", "--out",
                                (out.path() / "r").string()}));
     return ordered_json::parse(content_of(out.path() / "r/report.json"));
@@ -31,7 +31,7 @@ const ordered_json& sound() {
 /// The metrics of the sound engine's run of the breakwater at 1e-3 in `report`.
 ordered_json& metrics_of(ordered_json& report) {
   for (ordered_json& run : report.at("runs")) {
-    if (run.at("engine") == "sound" && run.at("case") == "breakwater/1510121100" &&
+    if (run.at("engine") == "sound" && run.at("case") == "breakwater/1910121100" &&
         run.at("step") == 1e-3) {
       return run.at("metrics");
     }

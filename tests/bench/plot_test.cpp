@@ -39,10 +39,11 @@ Case case_named(const std::string& name) {
 TEST(Plot, ShowsPathBodiesAnchorsCablesImpactsAxesAndScale) {
   const Case the_case = case_named("plate-four-cables");
   const std::string svg = plot_svg(the_case, solve(the_case));
-  EXPECT_EQ(count(svg, "<rect class=\"anchor\""), 4U);
-  EXPECT_EQ(count(svg, "<path class=\"cable before"), 4U);  // the start's cables
-  EXPECT_EQ(count(svg, "<g class=\"start\">"), 1U);
-  EXPECT_EQ(count(svg, "<g class=\"end\">"), 1U);
+  const std::size_t panels = count(svg, "x [m]");  // a small motion has a second one
+  EXPECT_EQ(count(svg, "<rect class=\"anchor\""), 4 * panels);
+  EXPECT_EQ(count(svg, "<path class=\"cable before"), 4 * panels);  // the start's cables
+  EXPECT_EQ(count(svg, "<g class=\"start\">"), panels);
+  EXPECT_EQ(count(svg, "<g class=\"end\">"), panels);
   EXPECT_GE(count(svg, "<g class=\"faint\">"), 1U);
   EXPECT_GE(count(svg, "<circle class=\"impact\""), 10U);
   EXPECT_GE(count(svg, " slack\""), 4U);
@@ -56,7 +57,7 @@ TEST(Plot, ShowsPathBodiesAnchorsCablesImpactsAxesAndScale) {
 TEST(Plot, ASlackCableSagsAndATautOneIsStraight) {
   const Case ball = case_named("bouncing-ball");
   const std::string svg = plot_svg(ball, solve(ball));
-  EXPECT_EQ(count(svg, "cable before slack\""), 1U);
+  EXPECT_EQ(count(svg, "cable before slack\""), count(svg, "x [m]"));
   // the ball rests on its cable in the end
   const std::size_t last = svg.find("<path class=\"cable\" d=\"M");
   ASSERT_NE(last, std::string::npos);
@@ -74,7 +75,7 @@ TEST(Plot, AHostileNameIsHarmless) {
   EXPECT_EQ(svg.find("<script"), std::string::npos);
   EXPECT_EQ(svg.find('\x1b'), std::string::npos);
   EXPECT_NE(svg.find("&lt;/title&gt;&lt;script&gt;"), std::string::npos);
-  EXPECT_LT(svg.find("</svg>"), 100'000U);
+  EXPECT_LT(svg.find("</svg>"), 300'000U);
 }
 
 TEST(Plot, HugeTinyAndStillMotionsHaveAPictureToo) {

@@ -64,6 +64,18 @@ void add_runs(const ordered_json& report, std::vector<BrokenRow>& rows) {
   }
 }
 
+/// A gate that judges nothing, because no limit is on any run: a name in the file is wrong.
+void add_idle(const ordered_json& report, std::vector<BrokenRow>& rows) {
+  const auto& runs = report.at("runs");
+  const bool idle = std::all_of(runs.begin(), runs.end(), [](const ordered_json& run) {
+    return run.at("verdict").at("checks").empty();
+  });
+  if (idle) {
+    rows.push_back({"", "", "", "", "", "no checks", "",
+                    "no limit of the file is on any run: see its names of engines and models"});
+  }
+}
+
 /// Whether one check of `run` is what `known` speaks of, and then whether it still deviates.
 std::optional<bool> deviates(const ordered_json& run, const KnownDeviation& known) {
   for (const ordered_json& check : run.at("verdict").at("checks")) {
@@ -124,6 +136,7 @@ std::vector<BrokenRow> broken_rows(const ordered_json& report, const Limits& lim
   add_engines(report, rows);
   add_runs(report, rows);
   add_passing(report, limits, rows);
+  add_idle(report, rows);
   return rows;
 }
 

@@ -173,6 +173,15 @@ TEST(Gate, AKnownDeviationPassesAndOneThatHasStartedToHoldDoesNot) {
   EXPECT_EQ(gated(bad_engine("sound"), limits).outcome.code, 0);
 }
 
+TEST(Gate, OneThatJudgesNoRunIsBroken) {
+  const std::string limits = limits_text(
+      "[[limits]]\nengine = \"nobody\"\nmodel = \"*\"\nmetric = \"overstretch\"\nlimit = 1.0\n"
+      "unit = \"m\"\nreason = \"r\"\n");
+  const Gated idle = gated(bad_engine("sound"), limits);
+  EXPECT_EQ(idle.outcome.code, 1) << idle.outcome.output;
+  EXPECT_NE(idle.outcome.output.find("no limit of the file is on any run"), std::string::npos);
+}
+
 TEST(Gate, ARunThatDivergesBreaksItUnlessThatIsKnown) {
   const std::string limits = limits_text(restitution_limit("1e-3"));
   const Gated diverged = gated(bad_engine("nan"), limits);

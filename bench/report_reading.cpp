@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <set>
+#include <system_error>
 #include <tuple>
 
 #include "bench/input_file.hpp"
@@ -62,7 +65,11 @@ std::string problem_of(const ordered_json& json) {
 
 ReportReading read_report(const std::filesystem::path& path) {
   const std::string name = path.empty() ? "\"\"" : printable(path.native(), 1024);
-  InputFile file = read_input_file(path, longest_report);
+  // room for what the file has, not for the longest: that would be a gigabyte of zeros
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  InputFile file = read_input_file(
+      path, error ? longest_report : std::min<std::uintmax_t>(size, longest_report));
   if (file.problem) {
     return {std::nullopt, {name + ": " + *file.problem}};
   }

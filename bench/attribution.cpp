@@ -7,14 +7,11 @@
 #include <numeric>
 #include <vector>
 
+#include "bench/attribution_carry.hpp"
 #include "bench/attribution_chain.hpp"
 #include "bench/attribution_scheme.hpp"
 #include "bench/attribution_segments.hpp"
-#include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/sensitivity.hpp"
-#include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -34,21 +31,9 @@ constexpr int most_failures = 2;
 /// More segments than this are not followed: each costs a few solutions.
 constexpr std::size_t most_segments = 600;
 
-using Growth = Eigen::Matrix<double, 2, 6>;
-
-/// A state carried to T by the exact motion.
-struct Carried {
-  Vec2 position = Vec2::Zero();      // [m]
-  Growth growth = Growth::Zero();    // d position / d state at the segment's end
-  std::optional<Solution> solution;  // the motion restarted
-};
-
-/// d state(dt) / d state of a flight.
-StateMatrix flight_matrix(double dt) {
-  StateMatrix matrix = StateMatrix::Identity();
-  matrix.topRightCorner<3, 3>().diagonal().setConstant(dt);
-  return matrix;
-}
+/// Where defects carried to first order miss the whole by no more than this, they are taken as they
+/// are, and no link is carried exactly [-]: it saves four solutions of five.
+constexpr double nearly_linear = 0.02;
 
 Eigen::Matrix<double, 6, 1> difference(const State& a, const State& b) {
   Eigen::Matrix<double, 6, 1> result;
@@ -61,6 +46,10 @@ struct Sum {
   Attribution result;
   double chaos = 0.0;  // [m], the amplification of defects above the noise
 };
+
+double& part(Sum& sum, Cause cause) {
+  return sum.result.parts.value()[static_cast<std::size_t>(cause)];
+}
 
 class Attributor {
  public:
@@ -86,12 +75,13 @@ class Attributor {
     if (cuts.size() > most_segments) {
       return std::nullopt;
     }
-    auto from = carry(case_.initial, 0.0);
+    const Carrier carrier(case_, options_.law, until_);
+    auto from = carrier.carry(case_.initial, 0.0);
     for (const Segment& segment : cuts) {
       const double end = run_.points[segment.last].time;
       const bool is_last = segment.last == last;
-      auto to = is_last ? at_the_end(run_.points[last].state) : carry(segment.end, end);
-      if (!from || !to || !add(segment, *from, *to, sum)) {
+      auto to = is_last ? Carried(run_.points[last].state) : carrier.carry(segment.end, end);
+      if (!from || !to || !add(carrier, segment, *from, *to, sum)) {
         return std::nullopt;
       }
       ++(segment.kind == Segment::Kind::impact ? sum.result.impacts : sum.result.arcs);
@@ -103,118 +93,86 @@ class Attributor {
   }
 
  private:
-  /// The case restarted, without the limits of its validity, which a neighbour may reach sooner.
-  [[nodiscard]] std::optional<Carried> carry(const State& state, double time) const {
-    Case restarted = case_;
-    restarted.initial = state;
-    restarted.duration = until_ - time;
-    restarted.angle_limit.reset();
-    restarted.ceiling.reset();
-    if (!problems(restarted).empty()) {
-      return std::nullopt;
-    }
-    Carried result;
-    result.solution = solve(restarted, {.law = options_.law});
-    if (result.solution->end_time() < restarted.duration) {
-      return std::nullopt;
-    }
-    result.position = result.solution->at(restarted.duration).position;
-    result.growth =
-        Sensitivity(restarted, *result.solution, options_.law).at(restarted.duration).topRows<2>();
-    return result;
-  }
-
-  [[nodiscard]] static Carried at_the_end(const State& state) {
-    Carried result;
-    result.position = state.position;
-    result.growth.leftCols<2>().setIdentity();
-    return result;
-  }
-
-  /// Carries a hypothetical state at `time`. One that is overstretched has its impact behind it and
-  /// moves out: it is restarted where it has come out, or put onto the cables if it does not.
-  [[nodiscard]] std::optional<Carried> carry_virtual(const State& state, double time,
-                                                     double patience) const {
-    constexpr int tries = 16;
-    for (int index = 0; index <= tries; ++index) {
-      const double wait = patience * index / tries;
-      const State later = fly(state, case_.gravity, wait);
-      if (time + wait >= until_) {
-        return at_the_end(fly(state, case_.gravity, until_ - time));
-      }
-      if (overstretched(later).empty()) {
-        auto result = carry(later, time + wait);
-        if (result) {
-          result->growth = (result->growth * flight_matrix(wait)).eval();
-        }
-        return result;
-      }
-    }
-    return carry(with_zero_gaps(case_, state, overstretched(state)), time);
-  }
-
-  [[nodiscard]] CableSet overstretched(const State& state) const {
-    CableSet result;
-    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      if (gap(case_.cables[index], state) < 0.0) {
-        result.insert(index);
-      }
-    }
-    return result;
-  }
-
   /// Adds one segment, whose start and end are carried already. False where a link cannot be.
-  [[nodiscard]] bool add(const Segment& segment, const Carried& from, const Carried& to, Sum& sum) {
-    const Chain chain = chain_of(case_, run_, segment, jumps_, scheme_, *from.solution);
+  [[nodiscard]] bool add(const Carrier& carrier, const Segment& segment, Carried& from, Carried& to,
+                         Sum& sum) {
+    const Chain chain = chain_of(case_, run_, segment, jumps_, scheme_, from.solution());
     const double start = run_.points[segment.first].time;
     const double end = run_.points[segment.last].time;
-    auto& parts = *sum.result.parts;
-    const auto part = [&](Cause cause) -> double& {
-      return parts[static_cast<std::size_t>(cause)];
-    };
+    const Vec2 whole = to.position() - from.position();
     if (is_noise(chain.exact, chain.links.back().state)) {
-      part(Cause::amplification) += direction_.dot(to.position - from.position);
+      part(sum, Cause::amplification) += direction_.dot(whole);
       return true;
     }
-    // the exact motion restarted from the start goes through the chain's first state
-    auto before = carry_virtual(chain.exact, end, end - start);
-    if (!before) {
+    return add_linear(chain, to.growth(), whole, sum) ||
+           add_exactly(carrier, chain, from, to, end, end - start, sum);
+  }
+
+  /// Adds the links of a chain that is carried by `whole` [m], if that is nearly what `growth`
+  /// says.
+  [[nodiscard]] bool add_linear(const Chain& chain, const Growth& growth, const Vec2& whole,
+                                Sum& sum) const {
+    CauseParts linear{};
+    Vec2 left = whole;
+    double size = 0.0;
+    State state = chain.exact;
+    for (const Link& link : chain.links) {
+      const Vec2 way = growth * difference(link.state, state);
+      linear[static_cast<std::size_t>(link.cause)] += direction_.dot(way);
+      left -= way;
+      size += way.norm();
+      state = link.state;
+    }
+    if (!(left.norm() <= nearly_linear * size)) {
       return false;
     }
-    before->position = from.position;
+    for (const Cause cause : causes) {
+      part(sum, cause) += linear[static_cast<std::size_t>(cause)];
+    }
+    part(sum, Cause::amplification) += direction_.dot(left);
+    sum.chaos += std::abs(direction_.dot(left));
+    return true;
+  }
+
+  /// Adds them one by one, each carried exactly from `end` [s]. False where one cannot be.
+  [[nodiscard]] bool add_exactly(const Carrier& carrier, const Chain& chain, const Carried& from,
+                                 const Carried& to, double end, double patience, Sum& sum) const {
+    auto before = carrier.carry_out(chain.exact, end, patience);
+    Vec2 place = from.position();  // the exact motion goes through the chain's first state
     State state = chain.exact;
-    for (std::size_t index = 0; index < chain.links.size(); ++index) {
+    for (std::size_t index = 0; before && index < chain.links.size(); ++index) {
       const Link& link = chain.links[index];
       const bool last = index + 1 == chain.links.size();
       const Eigen::Matrix<double, 6, 1> defect = difference(link.state, state);
       if (!last && defect.isZero(0.0)) {
         continue;
       }
-      auto after = last ? std::optional<Carried>(to) : carry_virtual(link.state, end, end - start);
+      auto after = last ? to : carrier.carry_out(link.state, end, patience);
       if (!after) {
         return false;
       }
-      const Vec2 way = after->position - before->position;
+      const Vec2 way = after->position() - place;
       const double first_order = first_order_of(*before, *after, defect);
       const double own = way.norm() > first_order ? first_order / way.norm() : 1.0;
       const double along = direction_.dot(way);
-      part(link.cause) += own * along;
-      part(Cause::amplification) += (1.0 - own) * along;
+      part(sum, link.cause) += own * along;
+      part(sum, Cause::amplification) += (1.0 - own) * along;
       sum.chaos += (1.0 - own) * std::abs(along);
+      place = after->position();
       before = std::move(after);
       state = link.state;
     }
-    return true;
+    return before.has_value();
   }
 
   /// How far a defect is carried to first order, by the derivative at either end [m]; an infinite
   /// one (grazing) says nothing.
-  [[nodiscard]] static double first_order_of(const Carried& a, const Carried& b,
+  [[nodiscard]] static double first_order_of(Carried& a, Carried& b,
                                              const Eigen::Matrix<double, 6, 1>& defect) {
     double most = 0.0;
-    for (const Carried* end : {&a, &b}) {
-      if (end->growth.allFinite()) {
-        most = std::max(most, (end->growth * defect).norm());
+    for (Carried* end : {&a, &b}) {
+      if (end->growth().allFinite()) {
+        most = std::max(most, (end->growth() * defect).norm());
       }
     }
     return most;

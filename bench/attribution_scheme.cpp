@@ -44,6 +44,23 @@ double step_rate(const Case& the_case, BounceRule rule, const Jump& jump, const 
   return after ? -gravity_rate(the_case, jump, state) * jump.dt : 0.0;
 }
 
+/// The state of the flight through `state` where the gap is zero, by Newton's method: it is less
+/// than a step away.
+State at_contact(const Case& the_case, const Cable& cable, const State& state) {
+  constexpr int enough = 4;
+  double dt = 0.0;
+  State result = state;
+  for (int iteration = 0; iteration < enough; ++iteration) {
+    const double rate = gap_rate(cable, result);
+    if (!(rate < 0.0)) {
+      return state;
+    }
+    dt -= gap(cable, result) / rate;
+    result = fly(state, the_case.gravity, dt);
+  }
+  return result;
+}
+
 /// The gap rate [m/s] right after the run's own jump.
 double rate_after(const Case& the_case, const Jump& jump) {
   State after = jump.before;
@@ -118,9 +135,9 @@ std::vector<double> corrections(const Case& the_case, BounceRule rule,
 
 /// The rules that fit best; a more complicated one must fit much better.
 Scheme best_rules(const Case& the_case, const std::vector<Witness>& witnesses) {
-  constexpr std::array rules = {BounceRule::as_is, BounceRule::with_gravity,
+  constexpr std::array rules = {BounceRule::as_is,         BounceRule::with_gravity,
                                 BounceRule::after_gravity, BounceRule::after_both,
-                                BounceRule::end_of_step};
+                                BounceRule::end_of_step,   BounceRule::at_contact};
   Scheme plain;
   double plain_misfit = misfit(the_case, plain, witnesses);
   Scheme corrected;
@@ -249,6 +266,8 @@ double bounced_rate(const Case& the_case, BounceRule rule, const Jump& jump, con
     rate += gravity_rate(the_case, jump, state) * jump.dt;
   } else if (rule == BounceRule::end_of_step) {
     rate = gap_rate(cable, fly(state, the_case.gravity, jump.dt));
+  } else if (rule == BounceRule::at_contact) {
+    rate = gap_rate(cable, at_contact(the_case, cable, state));
   }
   return (bounces ? restitution(cable, rate) * std::max(0.0, -rate) : 0.0) + added;
 }

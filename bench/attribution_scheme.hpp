@@ -34,6 +34,7 @@ enum class BounceRule {
   after_gravity,  // e |r + c dt|, gravity's part of the step first
   after_both,     // e |r + c dt| - c dt
   end_of_step,    // e times the rate one step of flight later
+  at_contact,     // e times the rate where the flight has zero gap, although it is not there
 };
 
 /// How an overstretch g < 0 raises the rebound: by -k g / dt, or to it where that is faster.

@@ -98,6 +98,17 @@ Trajectory planted_run(const Case& the_case, double end, const Planted& planted,
     time += wait;
     run.impacts.push_back({time, cable, 1.0, gap_rate(the_case.cables[cable], before),
                            gap_rate(the_case.cables[cable], after), 0, before, after});
+    if (gap_rate(the_case.cables[cable], after) < 1e-8) {  // it sticks: the rest is exact
+      Case rest = the_case;
+      rest.initial = after;
+      rest.duration = end - time;
+      const Solution solution = solve(rest);
+      for (; static_cast<double>(next) * step < end; ++next) {
+        const double now = static_cast<double>(next) * step;
+        run.points.push_back({now, solution.at(now - time)});
+      }
+      return run;
+    }
     state = after;
     touching = {};
     if (gap(the_case.cables[cable], state) <= 1e-13) {
@@ -250,7 +261,7 @@ TEST_P(PlantedCause, SlowImpactsDoNotRebound) {
       {.rate =
            [threshold](const Case& own, std::size_t cable, const State& at_contact, const State&) {
              const double speed = -gap_rate(own.cables[cable], at_contact);
-             return speed < threshold ? 1e-9 : exact_rate(own, cable, at_contact);
+             return speed < threshold ? 0.0 : exact_rate(own, cable, at_contact);
            }},
       exact_flight());
 }

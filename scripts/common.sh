@@ -25,24 +25,24 @@ configure_preset() {
   quietly cmake -S "$root" --preset "$1" "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher"
 }
 
-# fetch_plotly: brings what bench/page/package.json pins. Without it the report page has no charts, which is
-# said and is no failure: a machine may have no way to npm's registry.
-fetch_plotly() {
-  local page=$root/bench/page
-  if cmp --silent "$page/package-lock.json" "$page/node_modules/.fetched"; then
+# fetch_from_npm <folder> <consequence of doing without>: brings what the folder's package.json pins. A
+# machine may have no way to npm's registry: that is said, and is no failure.
+fetch_from_npm() {
+  local folder=$root/$1
+  if cmp --silent "$folder/package-lock.json" "$folder/node_modules/.fetched"; then
     return
   fi
-  say "npm ci in bench/page (Plotly, for the charts of the report page)"
-  if command -v npm >/dev/null && quietly npm ci --prefix "$page" --ignore-scripts --no-audit --no-fund; then
-    cp "$page/package-lock.json" "$page/node_modules/.fetched"
+  say "npm ci in $1"
+  if command -v npm >/dev/null && quietly npm ci --prefix "$folder" --ignore-scripts --no-audit --no-fund; then
+    cp "$folder/package-lock.json" "$folder/node_modules/.fetched"
   else
-    say "Plotly could not be had from npm: the report page will have no charts"
+    say "npm brought nothing to $1: $2"
   fi
 }
 
 # build_preset <preset>
 build_preset() {
-  fetch_plotly
+  fetch_from_npm bench/page "the report page will have no charts"
   say "configure and build ($1, in build/$1; the first time takes minutes)"
   configure_preset "$1"
   quietly cmake --build "$root/build/$1"

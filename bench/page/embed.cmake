@@ -1,7 +1,12 @@
-# Writes OUTPUT, the C++ source that holds the page's files, from STYLE, SCRIPTS (in order, separated by
-# |), PLOTLY and its LICENCE (both may be empty). Called at build time by bench/page/CMakeLists.txt.
+# Writes OUTPUT, the C++ source that holds the page's files, from STYLE and SCRIPTS (each in order, separated
+# by |), PLOTLY and its LICENCE (both may be empty). Called at build time by bench/page/CMakeLists.txt.
 
-file(READ "${STYLE}" style)
+set(style "")
+string(REPLACE "|" ";" STYLE "${STYLE}")
+foreach(sheet IN LISTS STYLE)
+  file(READ "${sheet}" text)
+  string(APPEND style "${text}")
+endforeach()
 set(scripts "")
 string(REPLACE "|" ";" SCRIPTS "${SCRIPTS}")
 foreach(script IN LISTS SCRIPTS)

@@ -1,0 +1,68 @@
+// Stacked bars of what a deviation is made of, by engine, model and step: over all cases, or of one.
+// Hatching tells the causes apart where colour does not.
+(() => {
+  'use strict';
+  const { report, axis, chart, make, select, number } = tautline;
+  const element = document.getElementById('chart-attribution');
+  if (!element) {
+    return;
+  }
+
+  const causes = [['flight_bias', 'flight bias', ''], ['event_lag', 'event lag', '/'],
+    ['late_rate', 'late rate', '\\'], ['position_correction', 'position correction', 'x'],
+    ['threshold', 'threshold', '-'], ['solver_residual', 'solver residual', '|'],
+    ['taut_drift', 'taut drift', '+'], ['amplification', 'chaotic amplification', '.']];
+
+  const steps = [...new Set(report.runs.map((run) => run.step))].sort((a, b) => b - a);
+  const choice = { case: '', step: String(steps[steps.length >> 1]) };
+
+  /// Shares of the sum of the sizes of all parts; null where the run has none.
+  function sharesOf(run) {
+    const parts = run.attribution && run.attribution.parts;
+    const sizes = causes.map(([name]) => Math.abs(parts && parts[name] || 0));
+    const sum = sizes.reduce((a, b) => a + b, 0);
+    return sum > 0 ? Object.fromEntries(causes.map(([name], i) => [name, sizes[i] / sum])) : null;
+  }
+
+  /// {name, shares, deviation} of what is drawn, first on top.
+  function rows() {
+    const fits = (row) => !choice.step || String(row.step) === choice.step;
+    const name = (row) => `${row.engine} ${row.model}${choice.step ? '' : `, ${number(row.step)} s`}`;
+    const found = choice.case
+      ? report.runs.filter((run) => run.case === choice.case && fits(run)).map((run) => ({
+        name: name(run), shares: sharesOf(run), deviation: run.attribution && run.attribution.deviation }))
+      : (report.attribution_summary || []).filter(fits).map((row) => ({ name: name(row),
+        shares: row.shares, deviation: row.deviation && row.deviation.median }));
+    return found.filter((row) => row.shares && causes.some(([cause]) => row.shares[cause] > 0)).reverse();
+  }
+
+  function build(colours) {
+    const found = rows();
+    if (found.length === 0) {
+      return { empty: 'No run of this choice has a deviation that was taken apart.' };
+    }
+    return {
+      data: causes.map(([cause, text, hatch], i) => ({ type: 'bar', orientation: 'h', name: text,
+        y: found.map((row) => row.name), x: found.map((row) => row.shares[cause] || 0),
+        customdata: found.map((row) => number(row.deviation)),
+        hovertemplate: `<b>%{y}</b><br>${text}: %{x:.1%} of %{customdata} m<extra></extra>`,
+        marker: { color: colours.engines[i], line: { color: colours.paper, width: 0.6 },
+          pattern: { shape: hatch, bgcolor: colours.engines[i], fgcolor: colours.paper, size: 6,
+            solidity: 0.3 } } })),
+      layout: { barmode: 'stack', bargap: 0.25, height: 120 + 22 * found.length, showlegend: true,
+        legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0, traceorder: 'normal' },
+        margin: { l: 64, r: 16, t: 70, b: 52 },
+        xaxis: axis(colours, { title: { text: 'share of the deviation [-]' }, range: [0, 1] }),
+        yaxis: axis(colours, { title: { text: 'engine and model' }, type: 'category', ticks: '',
+          tickfont: { size: 11 } }) },
+    };
+  }
+
+  const made = chart(element, build);
+  const change = (name) => (value) => { choice[name] = value; made.update(); };
+  const text = (value) => [String(value), String(value)];
+  element.before(make('div', { class: 'controls' },
+    select('Case', [['', 'all cases'], ...report.cases.map((one) => [one.name, one.name])], '',
+      change('case')).element,
+    select('Step [s]', [['', 'all steps'], ...steps.map(text)], choice.step, change('step')).element));
+})();

@@ -1,0 +1,180 @@
+// The restitution audit: every impact in the report, by case, engine, model and step. Requested
+// against effective restitution over impact speed and over the lever arm, the impulse errors, and
+// the ladder of bounce heights against e^(2n).
+(() => {
+  'use strict';
+  const { report, mark, axis, logAxis, chart, make, select, refill, short, number, modelsOf } = tautline;
+
+  /// More points than this in a chart are thinned evenly: a page has to stay quick.
+  const most = 4000;
+  /// Errors at or below this are rounding and drawn here, as a logarithm has no zero [N s, N m s].
+  const floor = 1e-17;
+
+  const app = document.getElementById('audit-app');
+  if (!app) {
+    return;
+  }
+  const audited = report.runs.filter((run) => run.impacts && run.impacts.time.length > 0);
+  const engines = [...new Set(audited.map((run) => run.engine))];
+  const steps = [...new Set(audited.map((run) => run.step))].sort((a, b) => b - a);
+  if (audited.length === 0) {
+    app.textContent = 'No run of this report has impacts to audit.';
+    return;
+  }
+  const choice = { case: '', model: '', step: String(steps[steps.length >> 1]),
+    engine: engines.find((name) => name !== 'exact') || engines[0] };
+
+  const chosen = () => audited.filter((run) => run.engine === choice.engine
+    && (!choice.case || run.case === choice.case) && (!choice.model || run.model === choice.model)
+    && (!choice.step || String(run.step) === choice.step));
+
+  /// The impacts of the chosen runs by model, thinned: {model, total, rows}.
+  function impacts() {
+    const byModel = new Map();
+    let total = 0;
+    for (const run of chosen()) {
+      const columns = run.impacts;
+      total += columns.time.length;
+      const rows = byModel.get(run.model) || [];
+      columns.time.forEach((time, i) => rows.push({ time, run, requested: columns.requested[i],
+        speed: -columns.rate_before[i], effective: -columns.rate_after[i] / columns.rate_before[i],
+        cable: columns.cable[i], arm: columns.arm[i], tangential: columns.tangential_error[i],
+        angular: columns.angular_error[i] }));
+      byModel.set(run.model, rows);
+    }
+    const stride = Math.ceil(total / most);
+    return { total, models: [...byModel].map(([model, rows]) => ({ model,
+      rows: rows.filter((row, i) => i % stride === 0) })) };
+  }
+
+  const told = (row) => `${short(row.run.case)}<br>step ${number(row.run.step)} s, t = ${number(row.time, 5)}`
+    + ` s, cable ${row.cable}<br>closing at ${number(row.speed)} m/s, arm ${number(row.arm)} m`
+    + `<br>asked ${number(row.requested)}, got ${number(row.effective)}`;
+  // Plotly reads markup in hover text: a name must not be able to write any
+  const plain = (text) => text.replace(/&/g, '&amp;').replace(/<(?!br>)/g, '&lt;');
+
+  function dots(model, rows, x, y, more = {}) {
+    const { colour, symbol } = mark(choice.engine, model);
+    return { type: 'scatter', mode: 'markers', name: `${choice.engine} ${model}`,
+      x: rows.map(x), y: rows.map(y), text: rows.map((row) => plain(told(row))),
+      hovertemplate: '<b>%{fullData.name}</b><br>%{text}<extra></extra>',
+      marker: { color: colour, symbol, size: 7, opacity: 0.75,
+        line: { color: colour, width: /-open/.test(symbol) ? 1.2 : 0 } }, ...more };
+  }
+
+  function requested(models, x, colours) {
+    const rows = models.flatMap((one) => one.rows).filter((row) => row.requested !== null);
+    return { type: 'scatter', mode: 'markers', name: 'requested', hoverinfo: 'skip',
+      x: rows.map(x), y: rows.map((row) => row.requested),
+      marker: { symbol: 'line-ew-open', size: 11, color: colours.ink, line: { width: 1.6 } } };
+  }
+
+  const note = (total, drawn) => (total > drawn ? `${drawn} of ${total} impacts are drawn.` : '');
+  const nothing = { empty: 'No impact in this choice.' };
+
+  /// The thresholds that were found in what is chosen, as upright lines.
+  function thresholds(colours) {
+    const found = (report.findings || []).filter((one) => one.kind === 'threshold'
+      && one.engine === choice.engine && one.value > 0 && (!choice.model || one.model === choice.model));
+    const values = [...new Set(found.map((one) => one.value))];
+    return { shapes: values.map((value) => ({ type: 'line', x0: value, x1: value, yref: 'paper', y0: 0,
+      y1: 1, line: { color: colours.flag, width: 1.5, dash: 'dash' } })),
+    annotations: values.map((value) => ({ x: Math.log10(value), y: 1, yref: 'paper', showarrow: false,
+      text: `threshold ${number(value)} m/s`, xanchor: 'left', yanchor: 'top',
+      font: { color: colours.flag } })) };
+  }
+
+  function restitution(x, axisOf, extra) {
+    return (colours) => {
+      const { total, models } = impacts();
+      const rows = models.flatMap((one) => one.rows);
+      if (total === 0) {
+        return nothing;
+      }
+      return { note: note(total, rows.length),
+        data: [...models.map((one) => dots(one.model, one.rows, x, (row) => row.effective)),
+          requested(models, x, colours)],
+        layout: { ...extra(colours), xaxis: axisOf(colours),
+          yaxis: axis(colours, { title: { text: 'restitution [-]' } }) } };
+    };
+  }
+
+  /// A range of decades, and labels that are not too close.
+  const spread = (range) => ({ range, dtick: Math.ceil((range[1] - range[0]) / 8) });
+
+  function impulse(colours) {
+    const { total, models } = impacts();
+    if (total === 0) {
+      return nothing;
+    }
+    const size = (value) => Math.max(Math.abs(value), floor);
+    const speed = (row) => row.speed;
+    const decades = (name) => {
+      const sizes = models.flatMap((one) => one.rows).map((row) => Math.log10(size(row[name])));
+      return [Math.floor(Math.min(...sizes)) - 0.2, Math.ceil(Math.max(...sizes) + 1e-9) + 0.2];
+    };
+    return { note: note(total, models.flatMap((one) => one.rows).length),
+      data: [...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.tangential))),
+        ...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.angular),
+          { yaxis: 'y2', showlegend: false }))],
+      layout: { height: 560, xaxis: logAxis(colours, { title: { text: 'impact speed [m/s]' }, anchor: 'y2' }),
+        yaxis: logAxis(colours, { title: { text: 'across the cable [N s]' }, domain: [0.54, 1],
+          ...spread(decades('tangential')) }),
+        yaxis2: logAxis(colours, { title: { text: 'angular error [N m s]' }, domain: [0, 0.46],
+          ...spread(decades('angular')) }) } };
+  }
+
+  function ladder(colours) {
+    const runs = chosen().filter((run) => run.audit && run.audit.ladder);
+    if (runs.length === 0) {
+      return { empty: 'No run of this choice bounces straight up and down on one cable, as a ladder '
+        + 'of heights needs.' };
+    }
+    const exact = runs.map((run) => run.audit.ladder.exact).sort((a, b) => b.length - a.length)[0];
+    const counted = (values) => values.map((value, n) => n);
+    const traces = runs.map((run) => {
+      const { colour, symbol, dash } = mark(run.engine, run.model);
+      const { heights } = run.audit.ladder;
+      return { type: 'scatter', mode: 'lines+markers', x: counted(heights), y: heights,
+        name: `${run.engine} ${run.model}, step ${number(run.step)} s`,
+        hovertemplate: '<b>%{fullData.name}</b><br>bounce %{x}: %{y:.3g}<extra></extra>',
+        line: { color: colour, dash, width: 1.3 }, marker: { color: colour, symbol, size: 8 } };
+    });
+    return { data: [{ type: 'scatter', mode: 'lines', name: 'e^(2n)', x: counted(exact), y: exact,
+      hovertemplate: 'e^(2n), bounce %{x}: %{y:.3g}<extra></extra>',
+      line: { color: colours.muted, width: 4 } }, ...traces],
+    layout: { xaxis: axis(colours, { title: { text: 'bounce n [-]' } }),
+      yaxis: logAxis(colours, { title: { text: 'height over the first, h<sub>n</sub>/h<sub>0</sub> [-]' } }) } };
+  }
+
+  const ids = { restitution: 'chart-restitution', arm: 'chart-arm', impulse: 'chart-impulse',
+    ladder: 'chart-ladder' };
+  const place = (id, title) => {
+    const element = make('div', { class: 'chart', id });
+    app.append(make('figure', {}, make('figcaption', {}, title), element));
+    return element;
+  };
+  const update = () => Object.values(ids).forEach((id) => tautline.charts[id]?.update());
+  const all = (text, values) => [['', text], ...values.map((value) => [String(value), String(value)])];
+  const models = () => all('all models', modelsOf(choice.engine));
+  const change = (name) => (value) => { choice[name] = value; update(); };
+  const model = select('Model', models(), '', change('model'));
+  app.replaceChildren(make('div', { class: 'controls' },
+    select('Engine', engines.map((name) => [name, name]), choice.engine, (value) => {
+      choice.engine = value;
+      refill(model, models());
+      choice.model = model.value;
+      update();
+    }).element, model.element,
+    select('Step [s]', all('all steps', steps), choice.step, change('step')).element,
+    select('Case', all('all cases', report.cases.map((one) => one.name)), '', change('case')).element));
+  chart(place(ids.restitution, 'Restitution over the speed of the impact: asked (bars) and got (marks).'),
+    restitution((row) => row.speed, (colours) => logAxis(colours,
+      { title: { text: 'impact speed [m/s]' } }), thresholds));
+  chart(place(ids.arm, 'The same over the lever arm of the cable about the centre of mass.'),
+    restitution((row) => row.arm, (colours) => axis(colours, { title: { text: 'lever arm [m]' } }),
+      () => ({})));
+  chart(place(ids.impulse, 'Errors of the impulse: across the cable, where it should be none, and in '
+    + 'the spin against arm times impulse.'), impulse);
+  chart(place(ids.ladder, 'Bounce ladder: heights over the first, against e^(2n).'), ladder);
+})();

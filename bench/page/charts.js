@@ -1,0 +1,125 @@
+// Error against cost and error against step, one curve a model: of one case, or the median over the
+// cases. The slopes beside the names are the report's ("convergence"), fitted case by case.
+(() => {
+  'use strict';
+  const { report, mark, logAxis, chart, make, select, legend, number } = tautline;
+
+  /// An error this small is rounding: it does not shrink with the step [m]. The report's slopes are
+  /// fitted to what is above it; below it a point is drawn at the foot of the chart.
+  const rounding = 1e-9;
+
+  const key = (row) => `${row.engine}/${row.model}`;
+  const models = [...new Map(report.runs.map((run) => [key(run), run])).values()]
+    .map(({ engine, model }) => ({ engine, model }));
+  const costs = new Map(report.context.timing.map((row) =>
+    [`${row.case}\n${key(row)}\n${row.step}`, row.step_cost / row.step]));
+  const slopes = Object.fromEntries(report.convergence.filter((row) => row.slope)
+    .map((row) => [key(row), `slope ${number(Number(row.slope.median.toFixed(2)))}`]));
+
+  const byModel = new Map();
+  report.runs.forEach((run) => {
+    byModel.set(key(run), [...(byModel.get(key(run)) || []), run]);
+  });
+
+  function median(values) {
+    const sorted = [...values].sort((a, b) => a - b);
+    const half = sorted.length >> 1;
+    return sorted.length % 2 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+  }
+
+  /// The points of one model, in falling step: {step, error, cost, cases}.
+  function points(model, choice) {
+    const steps = new Map();
+    for (const run of byModel.get(model)) {
+      const error = run.metrics && run.metrics[choice.window].position_error;
+      const working = run.status === 'finished' || run.status === 'stopped';
+      if (working && typeof error === 'number' && (!choice.case || run.case === choice.case)) {
+        const at = steps.get(run.step) || { errors: [], costs: [] };
+        at.errors.push(error);
+        at.costs.push(costs.get(`${run.case}\n${model}\n${run.step}`));
+        steps.set(run.step, at);
+      }
+    }
+    return [...steps].sort((a, b) => b[0] - a[0]).map(([step, at]) => ({ step,
+      error: median(at.errors), cases: at.errors.length,
+      cost: at.costs.every((cost) => cost > 0) ? median(at.costs) : null }));
+  }
+
+  function curve({ engine, model }, choice, abscissa, colours, hidden) {
+    const { colour, symbol, dash } = mark(engine, model);
+    const found = points(`${engine}/${model}`, choice).filter((point) => point[abscissa] > 0);
+    return {
+      name: `${engine} ${model}`, mode: 'lines+markers', type: 'scatter',
+      visible: !hidden.has(`${engine}/${model}`),
+      x: found.map((point) => point[abscissa]),
+      y: found.map((point) => point.error),
+      text: found.map((point) => `step ${number(point.step)} s, error ${number(point.error)} m, cost `
+        + `${number(point.cost)} s/s${choice.case ? '' : `, median of ${point.cases} cases`}`),
+      hovertemplate: '<b>%{fullData.name}</b><br>%{text}<extra></extra>',
+      line: { color: colour, dash, width: engine === 'exact' ? 2.4 : 1.5 },
+      marker: { color: colour, symbol, size: 9,
+        line: { color: /-open/.test(symbol) ? colour : colours.paper, width: 1 } },
+    };
+  }
+
+  /// Thin lines of slope one and two through the corner of the drawn errors, to compare with.
+  function guides(curves, errors, colours) {
+    const xs = curves.flatMap((one) => one.x);
+    if (errors.length === 0) {
+      return [];
+    }
+    const [left, right] = [Math.min(...xs), Math.max(...xs)];
+    const top = Math.max(...errors);
+    return [1, 2].map((slope) => ({ type: 'scatter', mode: 'lines+text', hoverinfo: 'skip',
+      name: `slope ${slope}`, x: [left, right], y: [top * (left / right) ** slope, top],
+      text: [`slope ${slope} `, ''], textposition: 'bottom right', showlegend: false,
+      textfont: { color: colours.muted, size: 12 },
+      line: { color: colours.muted, width: 1, dash: 'dot' } }));
+  }
+
+  function build(choice, abscissa, hidden) {
+    return (colours) => {
+      const curves = models.map((model) => curve(model, choice, abscissa, colours, hidden));
+      if (curves.every((one) => one.x.length === 0)) {
+        return { empty: 'No run of this choice has an error to draw.' };
+      }
+      const title = { step: 'step [s]', cost: 'processor time per simulated second [s/s]' }[abscissa];
+      const range = { early: 'over the early impacts', horizon: 'to the horizon' }[choice.window];
+      const errors = curves.flatMap((one) => one.y);
+      const large = errors.filter((error) => error > rounding);
+      const foot = large.length ? 10 ** (Math.floor(Math.log10(Math.min(...large))) - 1) : rounding;
+      curves.forEach((one) => { one.y = one.y.map((error) => (error > rounding ? error : foot)); });
+      return { data: [...(abscissa === 'step' ? guides(curves, large, colours) : []), ...curves],
+        note: large.length < errors.length
+          ? `Errors up to ${number(rounding)} m are rounding; they are drawn at the foot.` : '',
+        layout: { height: 480,
+          xaxis: logAxis(colours, { title: { text: title } }),
+          yaxis: logAxis(colours, { title: { text: `position error ${range} [m]` } }) } };
+    };
+  }
+
+  function install(id, abscissa, notes) {
+    const element = document.getElementById(id);
+    if (!element) {
+      return;
+    }
+    const choice = { case: '', window: 'early' };
+    const hidden = new Set();
+    const made = chart(element, build(choice, abscissa, hidden));
+    const change = (name) => (value) => { choice[name] = value; made.update(); };
+    const cases = [['', `median over the cases (${report.cases.length})`],
+      ...report.cases.map((one) => [one.name, one.name])];
+    const keys = make('div', { class: 'legend' });
+    element.before(make('div', { class: 'controls' },
+      select('Case', cases, '', change('case')).element,
+      select('Error', [['early', `over the first ${report.options.early_impacts} impacts`],
+        ['horizon', 'to the predictability horizon']], 'early', change('window')).element));
+    element.after(keys);
+    const rows = () => legend(keys, models, hidden, notes, () => made.update());
+    rows();
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', rows);
+  }
+
+  install('chart-cost', 'cost', {});
+  install('chart-step', 'step', slopes);
+})();

@@ -1,0 +1,210 @@
+// The replay of a case: the exact path and up to three runs over it. Play, scrub, step by event,
+// change the speed; the keys are written beside it. Where the system asks for less motion, play goes
+// from event to event.
+(() => {
+  'use strict';
+  const { report, make, select, refill, sample, number, plots, scene } = tautline;
+  const { motion, eventTimes } = tautline.motions;
+  const app = document.getElementById('replay-app');
+  const cases = report.cases.filter((one) => one.path);
+  if (!app) {
+    return;
+  }
+  if (cases.length === 0) {
+    app.textContent = 'This report has no paths to replay.';
+    return;
+  }
+
+  /// Slots for runs beside the exact path: more would hide each other.
+  const slots = 3;
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
+  /// With less motion, how long an event stands [ms].
+  const stand = 1200;
+
+  const state = { system: cases[0], runs: [], motions: [], cable: 0, time: 0, speed: 1, playing: false };
+  let picture;
+  let times = [];
+
+  const runsOf = (system) => report.runs.filter((run) => run.case === system.name && run.path);
+  const keyOf = (run) => `${run.engine} ${run.model} ${run.step}`;
+  const end = () => state.system.path.time[state.system.path.time.length - 1];
+
+  /// Runs to start with: the first model of the first engines, at the middle step.
+  function firstRuns(system) {
+    const runs = runsOf(system).filter((run) => run.engine !== 'exact');
+    const steps = [...new Set(runs.map((run) => run.step))].sort((a, b) => b - a);
+    const middle = runs.filter((run) => run.step === steps[steps.length >> 1]);
+    const engines = [...new Set(middle.map((run) => run.engine))].slice(0, 2);
+    return engines.map((engine) => keyOf(middle.find((run) => run.engine === engine)));
+  }
+
+  const canvas = make('canvas', { class: 'replay-canvas', role: 'img', 'aria-label': 'the moving body' });
+  const status = make('p', { class: 'replay-status', role: 'status' });
+  const slider = make('input', { type: 'range', min: 0, step: 'any', 'aria-label': 'time [s]' });
+  const keys = make('div', { class: 'keys' });
+  const graphs = make('div', { class: 'chart', id: 'chart-replay' });
+  const button = (text, label, action, id) => make('button', { type: 'button', 'aria-label': label,
+    title: label, id, on: { click: action } }, text);
+  const play = button('Play', 'play or pause (space)', () => toggle(), 'replay-play');
+
+  function describe() {
+    const at = (event) => Math.abs(event.time - state.time) < 1e-6;
+    const told = state.motions.flatMap((one) => one.happenings.filter(at).map((event) =>
+      `${one.name}: ${event.kind} of cable ${event.cables.join(' and ')}`
+      + `${event.speed ? `, closing at ${number(event.speed)} m/s` : ''}`));
+    return [`t = ${number(state.time, 5)} s of ${number(end(), 5)} s`, ...told, picture.words(state.time),
+      ...(state.time > state.system.horizon
+        ? ['beyond the horizon: what differs here says nothing about an engine'] : [])].join(' \u00b7 ');
+  }
+
+  function show(time, speak = true) {
+    state.time = Math.min(end(), Math.max(0, time));
+    slider.value = state.time;
+    slider.setAttribute('aria-valuetext', `${number(state.time, 4)} s`);
+    picture.draw(state.time, state.speed);
+    graph.cursor(state.time);
+    // a moving text is read out by nobody: with the play, only the time
+    status.setAttribute('aria-live', speak ? 'polite' : 'off');
+    status.textContent = describe();
+  }
+
+  function stop() {
+    state.playing = false;
+    play.textContent = 'Play';
+  }
+
+  function frame(before) {
+    return (now) => {
+      if (!state.playing) {
+        return;
+      }
+      show(state.time + state.speed * (now - before) / 1000, false);
+      if (state.time >= end()) {
+        stop();
+      } else {
+        requestAnimationFrame(frame(now));
+      }
+    };
+  }
+
+  function standStill() {
+    if (state.playing) {
+      toEvent(1);
+      if (state.time < end()) {
+        setTimeout(standStill, stand / state.speed);
+      } else {
+        stop();
+      }
+    }
+  }
+
+  function toggle() {
+    if (state.playing) {
+      stop();
+      show(state.time);
+      return;
+    }
+    state.playing = true;
+    play.textContent = 'Pause';
+    if (state.time >= end()) {
+      show(0);
+    }
+    if (still.matches) {
+      standStill();
+    } else {
+      requestAnimationFrame((now) => frame(now)(now));
+    }
+  }
+
+  function toEvent(direction) {
+    const next = direction > 0 ? times.find((time) => time > state.time + 1e-6)
+      : times.findLast((time) => time < state.time - 1e-6);
+    show(next === undefined ? (direction > 0 ? end() : 0) : next);
+  }
+
+  /// Everything anew for the chosen case, runs and cable.
+  function load() {
+    const chosen = new Set(state.runs);
+    state.motions = [motion(state.system, null),
+      ...runsOf(state.system).filter((run) => chosen.has(keyOf(run))).map((run) => motion(state.system, run))];
+    times = eventTimes(state.motions);
+    picture = scene(canvas, state.system, state.motions);
+    slider.max = end();
+    app.style.setProperty('--horizon', `${Math.min(100, 100 * state.system.horizon / end())}%`);
+    keys.replaceChildren(...state.motions.map((one) => make('span', { class: 'key' },
+      ...(one.reference ? [make('span', { class: 'sample exact', 'aria-hidden': 'true' })]
+        : [sample(one.engine, one.model)]), one.name)));
+    graph.update();
+    show(Math.min(state.time, end()));
+  }
+
+  const runChoices = () => [['', 'none'], ...runsOf(state.system).map((run) =>
+    [keyOf(run), `${run.engine} ${run.model}, step ${number(run.step)} s`])];
+  const cableChoices = () => state.system.geometry.map((_, i) => [String(i), `cable ${i}`]);
+  const runSelects = Array.from({ length: slots }, (_, i) => select(`Run ${i + 1}`, [['', 'none']], '',
+    (value) => { state.runs[i] = value; load(); }));
+  const cable = select('Gap of', cableChoices(), '0', (value) => { state.cable = Number(value); load(); });
+
+  function choose(system) {
+    state.system = system;
+    [state.cable, state.time] = [0, 0];
+    const first = firstRuns(system);
+    runSelects.forEach((one, i) => {
+      refill(one, runChoices());
+      one.box.value = first[i] || '';
+      state.runs[i] = one.box.value;
+    });
+    refill(cable, cableChoices());
+    load();
+  }
+
+  const speeds = [['0.1', '\u00d7 0.1'], ['0.25', '\u00d7 0.25'], ['0.5', '\u00d7 0.5'], ['1', '\u00d7 1'],
+    ['2', '\u00d7 2'], ['4', '\u00d7 4']];
+  app.replaceChildren(
+    make('div', { class: 'controls' },
+      select('Case', cases.map((one) => [one.name, one.name]), cases[0].name, (value) => {
+        stop();
+        choose(cases.find((one) => one.name === value));
+      }).element, ...runSelects.map((one) => one.element)),
+    keys, canvas, slider, make('div', { class: 'horizon', 'aria-hidden': 'true' }),
+    make('div', { class: 'controls replay-buttons' },
+      button('Start', 'to the start (Home)', () => show(0)),
+      button('\u2190 Event', 'to the event before (Shift and arrow left)', () => toEvent(-1), 'replay-before'),
+      play,
+      button('Event \u2192', 'to the next event (Shift and arrow right)', () => toEvent(1), 'replay-next'),
+      button('End', 'to the end (End)', () => show(end())),
+      select('Speed', speeds, '1', (value) => { state.speed = Number(value); }).element, cable.element),
+    status,
+    make('p', { class: 'replay-keys' }, 'Keys: ', make('kbd', {}, 'space'), ' plays and pauses, ',
+      make('kbd', {}, '\u2190'), ' ', make('kbd', {}, '\u2192'), ' move by a hundredth, with ',
+      make('kbd', {}, 'Shift'), ' to the next event, ', make('kbd', {}, 'Home'), ' and ',
+      make('kbd', {}, 'End'), ' go to the ends. Slack cables sag and are dashed, taut ones are straight.',
+      still.matches ? ' Your system asks for less motion: play goes from event to event.' : ''),
+    graphs);
+  const graph = plots(graphs, state);
+
+  app.addEventListener('keydown', (event) => {
+    const tag = event.target.tagName;
+    const own = { ' ': toggle, Home: () => show(0), End: () => show(end()),
+      ArrowLeft: () => (event.shiftKey ? toEvent(-1) : show(state.time - end() / 100)),
+      ArrowRight: () => (event.shiftKey ? toEvent(1) : show(state.time + end() / 100)) }[event.key];
+    if (!own || tag === 'SELECT' || event.ctrlKey || event.altKey || event.metaKey
+        || (event.key === ' ' && tag === 'BUTTON')) {
+      return;
+    }
+    event.preventDefault();
+    own();
+  });
+  slider.addEventListener('input', () => show(Number(slider.value)));
+  const again = () => picture && show(state.time, false);
+  new ResizeObserver(again).observe(canvas);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => picture && load());
+  // drawn when it comes near the view: to measure it earlier would lay out the whole page
+  const near = new IntersectionObserver((entries) => {
+    if (entries.some((one) => one.isIntersecting)) {
+      near.disconnect();
+      choose(cases[0]);
+    }
+  }, { rootMargin: '300px' });
+  near.observe(app);
+})();

@@ -1,0 +1,67 @@
+// What the browser tests share: Debian's Chromium, and a page opened from disk with all it said and
+// all it asked for written down.
+import { chromium } from 'playwright-core';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const program = process.env.TAUTLINE_CHROMIUM || '/usr/bin/chromium';
+
+/// Root may not use Chromium's sandbox, and a container's /dev/shm is too small for it.
+const options = { executablePath: program,
+  args: ['--disable-dev-shm-usage', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])] };
+
+/// The page that `tautline bench` wrote for these tests.
+export const benchPage = () => {
+  if (!process.env.TAUTLINE_PAGE) {
+    throw new Error('set TAUTLINE_PAGE to an index.html that `tautline bench` wrote');
+  }
+  return process.env.TAUTLINE_PAGE;
+};
+
+export const reportOf = (file) => JSON.parse(
+  /<script type="application\/json" id="report-data">([^<]*)/.exec(readFileSync(file, 'utf8'))[1]);
+
+/// Opens `file` in a browser of its own and passes {page, said, asked, dialogs, milliseconds} to
+/// `action`; `context` is Playwright's options of a context.
+export async function withPage(file, action, { width = 1280, height = 900, ...context } = {}) {
+  const browser = await chromium.launch(options);
+  try {
+    const view = await browser.newContext({ viewport: { width, height }, ...context });
+    const page = await view.newPage();
+    const [said, asked, dialogs] = [[], [], []];
+    page.on('console', (message) => ['error', 'warning'].includes(message.type()) && said.push(message.text()));
+    page.on('pageerror', (error) => said.push(error.stack));
+    page.on('request', (request) => asked.push(request.url()));
+    page.on('dialog', (dialog) => { dialogs.push(dialog.message()); dialog.dismiss(); });
+    const start = performance.now();
+    await page.goto(pathToFileURL(file).href);
+    const milliseconds = performance.now() - start;
+    return await action({ page, said, asked, dialogs, milliseconds });
+  } finally {
+    await browser.close();
+  }
+}
+
+/// The same for a page given as text.
+export async function withText(text, action, context) {
+  const folder = mkdtempSync(join(tmpdir(), 'tautline-page-'));
+  const file = join(folder, 'index.html');
+  try {
+    writeFileSync(file, text);
+    return await withPage(file, action, context);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/// Scrolls through the whole page, so that every chart is drawn.
+export async function drawAll(page) {
+  for (const chart of await page.locator('.chart').all()) {
+    await chart.scrollIntoViewIfNeeded();
+  }
+  await page.waitForFunction(() => Object.values(tautline.charts).every((one) =>
+    one.body.hidden || one.body.classList.contains('js-plotly-plot')));
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}

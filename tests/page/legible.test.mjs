@@ -1,0 +1,87 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { benchPage, drawAll, withPage } from './browser.mjs';
+
+/// The least contrast of text, by WCAG 2 (level AA).
+const leastContrast = 4.5;
+
+for (const width of [400, 1600]) {
+  test(`at ${width} px nothing makes the page scroll sideways, and no chart is cut`, async () => {
+    await withPage(benchPage(), async ({ page }) => {
+      await drawAll(page);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width);
+      const cut = await page.evaluate(() => Object.entries(tautline.charts).filter(([, { body, element }]) =>
+        !body.hidden && body.querySelector('.main-svg').getBoundingClientRect().right
+          > element.getBoundingClientRect().right + 1).map(([id]) => id));
+      assert.deepEqual(cut, []);
+    }, { width });
+  });
+}
+
+/// Texts of the page, of the charts too, with less contrast than `least` against what is behind them.
+function pale(least) {
+  const channel = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
+  const brush = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+  const rgba = (colour) => {
+    brush.clearRect(0, 0, 1, 1);
+    brush.fillStyle = colour;
+    brush.fillRect(0, 0, 1, 1);
+    return [...brush.getImageData(0, 0, 1, 1).data].map((value) => value / 255);
+  };
+  const luminance = (colour) => {
+    const [r, g, b] = colour.map(channel);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const behind = (element) => {
+    for (let at = element; at; at = at.parentElement) {
+      const colour = rgba(getComputedStyle(at).backgroundColor);
+      if (colour[3] > 0.99) {
+        return colour;
+      }
+    }
+    return [1, 1, 1, 1];
+  };
+  const bad = new Map();
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const element = walker.currentNode.parentElement;
+    if (!walker.currentNode.textContent.trim() || !element.checkVisibility({ opacityProperty: true })
+        || ['SCRIPT', 'STYLE'].includes(element.tagName)) {
+      continue;
+    }
+    const style = getComputedStyle(element);
+    const inside = element instanceof SVGElement;
+    const text = rgba(inside ? style.fill : style.color);
+    const [a, b] = [luminance(text.slice(0, 3)), luminance(behind(element).slice(0, 3))];
+    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (contrast < least) {
+      bad.set(`${element.tagName}.${element.getAttribute('class')} ${style.color}`, contrast.toFixed(2));
+    }
+  }
+  return [...bad].slice(0, 20).map((one) => one.join(': '));
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`every text has a contrast of ${leastContrast} in the ${colorScheme} scheme, in charts too`, async () => {
+    await withPage(benchPage(), async ({ page }) => {
+      await drawAll(page);
+      assert.deepEqual(await page.evaluate(pale, leastContrast), []);
+    }, { colorScheme });
+  });
+
+  test(`curves stand out from the paper by 3:1 in the ${colorScheme} scheme`, async () => {
+    await withPage(benchPage(), async ({ page }) => {
+      const weak = await page.evaluate(() => {
+        const channel = (hex, at) => {
+          const value = parseInt(hex.slice(at, at + 2), 16) / 255;
+          return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+        };
+        const luminance = (hex) => 0.2126 * channel(hex, 1) + 0.7152 * channel(hex, 3) + 0.0722 * channel(hex, 5);
+        const { paper, engines, muted, ink, flag } = tautline.theme();
+        const ratio = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        return [...engines, muted, ink, flag].filter((one) => ratio(luminance(one), luminance(paper)) < 3);
+      });
+      assert.deepEqual(weak, []);
+    }, { colorScheme });
+  });
+}

@@ -1,0 +1,151 @@
+// A report of the page's contract with as many cases, engines, models and steps as a test needs. The
+// bodies do move on their cables: a small stepper with Newton impacts, finer for what is called
+// exact, so that the pictures make sense. Nothing here is a measurement of any engine.
+const modelNames = {
+  exact: ['event', 'sampled'], bullet64: ['row', 'early', 'two-phase', 'contact', 'event'],
+  bullet32: ['row', 'early', 'two-phase', 'contact', 'event'], ode: ['row', 'early', 'contact', 'event'],
+  mujoco: ['tendon-limit', 'tendon-limit-rk4', 'impulse', 'event'], dart: ['row', 'early', 'event'],
+  simbody: ['rope', 'event-handler'], siconos: ['moreau-jean', 'moreau-jean-projected', 'event-driven'],
+  box2d: ['distance-joint', 'distance-joint-bounce', 'event'],
+  chipmunk: ['row', 'early', 'slide-joint', 'slide-joint-bounce', 'event'] };
+const six = (value) => Number(value.toPrecision(6));
+
+function system(index) {
+  const turn = 0.1 + 0.03 * index;
+  const geometry = [-1, 1].map((side) => ({ anchor: [side, 0], attachment: [0.5 * side, 0.2],
+    length: 1.2 + 0.02 * index, restitution: 0.9 - 0.02 * index }));
+  return { geometry, gravity: [0, -1], body: { mass: 1, inertia: 0.2 },
+    start: { x: 0.2 * Math.sin(turn), y: -0.7, angle: turn, vx: 0.3, vy: 0.1, spin: 0.4 } };
+}
+
+/// Steps a body and records samples and impacts; `bias` is the size of the flight error per step.
+function simulate({ geometry, gravity, body, start }, duration, dt, samples, bias) {
+  const s = { ...start };
+  const path = { time: [], x: [], y: [], angle: [], energy: [] };
+  const hits = [];
+  const record = (time) => {
+    path.time.push(six(time));
+    path.x.push(six(s.x));
+    path.y.push(six(s.y));
+    path.angle.push(six(s.angle));
+    path.energy.push(six(0.5 * body.mass * (s.vx ** 2 + s.vy ** 2) + 0.5 * body.inertia * s.spin ** 2
+      - body.mass * gravity[1] * s.y));
+  };
+  const steps = Math.round(duration / dt);
+  const every = Math.max(1, Math.floor(steps / samples));
+  record(0);
+  for (let i = 1; i <= steps; ++i) {
+    s.vy += gravity[1] * dt;
+    s.x += s.vx * dt;
+    s.y += (s.vy - 0.5 * gravity[1] * dt * (1 - bias)) * dt;
+    s.angle += s.spin * dt;
+    let jumped = false;
+    geometry.forEach((cable, which) => {
+      const [c, n] = [Math.cos(s.angle), Math.sin(s.angle)];
+      const r = [c * cable.attachment[0] - n * cable.attachment[1], n * cable.attachment[0] + c * cable.attachment[1]];
+      const d = [s.x + r[0] - cable.anchor[0], s.y + r[1] - cable.anchor[1]];
+      const far = Math.hypot(...d);
+      const u = [-d[0] / far, -d[1] / far];
+      const arm = r[0] * u[1] - r[1] * u[0];
+      const rate = s.vx * u[0] + s.vy * u[1] + arm * s.spin;
+      if (far >= cable.length && rate < 0) {
+        const inverse = 1 / body.mass + arm ** 2 / body.inertia;
+        const e = rate > -0.02 ? 0 : cable.restitution * (1 - bias * 0.1);
+        const impulse = -(1 + e) * rate / inverse;
+        s.vx += impulse * u[0] / body.mass;
+        s.vy += impulse * u[1] / body.mass;
+        s.spin += arm * impulse / body.inertia;
+        if (rate < -0.02) {
+          hits.push({ time: i * dt, cable: which, requested: cable.restitution, rate, after: -e * rate, arm, impulse });
+          jumped = true;
+        }
+      }
+    });
+    if (jumped || i % every === 0 || i === steps) {
+      record(i * dt);
+    }
+  }
+  return { path, hits };
+}
+
+const impactColumns = (hits, bias) => ({ time: hits.map((h) => six(h.time)), cable: hits.map((h) => h.cable),
+  requested: hits.map((h) => h.requested), rate_before: hits.map((h) => six(h.rate)),
+  rate_after: hits.map((h) => six(h.after)), arm: hits.map((h) => six(h.arm)),
+  tangential_error: hits.map((h) => six(1e-6 * bias * h.impulse)),
+  angular_error: hits.map((h) => six(1e-7 * bias * h.impulse)), steps: hits.map(() => 1) });
+
+const causes = ['flight_bias', 'event_lag', 'late_rate', 'position_correction', 'threshold',
+  'solver_residual', 'taut_drift', 'amplification'];
+const partsOf = (size, seed) => Object.fromEntries(causes.map((cause, i) =>
+  [cause, six(size * (1 + Math.sin(3 * seed + 2 * i)) / 8)]));
+
+function windowOf(until, error, exact, found) {
+  return { until, covered: until, position_error: six(error), angle_error: six(error), velocity_error: six(error),
+    impacts: { exact, found, matched: Math.min(exact, found), missed: Math.max(0, exact - found),
+      first_time_error: six(error), worst_time_error: six(error) } };
+}
+
+function runOf(the, engine, model, step, which, settings) {
+  const order = model.startsWith('event') || engine === 'exact' ? 2 : 1;
+  const error = engine === 'exact' ? 0 : 0.3 * (1 + which % 5) * step ** order;
+  const bias = engine === 'exact' ? 0 : 1 / (1 + which % 5);
+  const { path, hits } = simulate(the.system, settings.duration, Math.max(settings.finest, step), settings.samples, bias);
+  const parts = partsOf(error, which);
+  return { case: the.name, engine, model, step, status: 'finished', reason: '', output_tail: null,
+    stride: 1, recorded_impacts: hits.length, slow_impacts: 0, path, impacts: impactColumns(hits, bias),
+    metrics: { early: windowOf(0.3 * settings.duration, error, 5, 5),
+      horizon: windowOf(0.6 * settings.duration, 4 * error, 20, hits.length),
+      whole: windowOf(settings.duration, 20 * error, 30, hits.length), overstretch: error / 3,
+      settling: { last_impacts: [], later_impacts: 0, swing: null }, long_impacts: 0,
+      energy: { largest_gain: error / 10, error: -error },
+      restitution: { count: hits.length, smallest: 0.8, mean: 0.85, largest: 0.9, worst_error: 0.05 } },
+    audit: { ladder: which % 3 ? null : { cable: 0, exact_ratio: 0.81,
+      heights: [1, 0.8, 0.63, 0.5, 0.38].map((h) => six(h * (1 - bias * step))),
+      exact: [1, 0.81, 0.6561, 0.531441, 0.430467] },
+    scatter: { count: hits.length, mean: 0.85, standard_deviation: 0.01, smallest: 0.8, largest: 0.9 } },
+    attribution: error > 0 ? { until: 5, deviation: error, parts, remainder: 0.01 * error, arcs: 9, impacts: 8,
+      reason: '' } : null,
+    verdict: { word: error < 0.01 ? 'pass' : 'deviation-flagged', checks: [] } };
+}
+
+function caseOf(name, index, settings) {
+  const made = system(index);
+  const { path, hits } = simulate(made, settings.duration, settings.finest, 2 * settings.samples, 0);
+  return { system: made, row: { name, cables: 2, duration: settings.duration, ending: 'reached_duration',
+    end_time: settings.duration, horizon: 0.6 * settings.duration, counted_impacts: hits.length, start_energy: 0.1,
+    end_energy: 0.02, settling: { last_impacts: [], lock: null }, body: made.body, gravity: made.gravity,
+    geometry: made.geometry, path, events: { time: hits.map((h) => six(h.time)), kind: hits.map(() => 'impact'),
+      cables: hits.map((h) => [h.cable]), rate: hits.map((h) => six(-h.rate)) } } };
+}
+
+/// `cases` names; engines `engines` of the list above, and one that is missing; `steps` [s].
+export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engines = Object.keys(modelNames),
+  steps = [1e-2, 1e-3, 1e-4], duration = 10, samples = 88, finest = 2e-3 } = {}) {
+  const settings = { duration, samples, finest };
+  const made = cases.map((name, i) => ({ name, ...caseOf(name, i, settings) }));
+  const models = engines.flatMap((engine) => modelNames[engine].map((model) => ({ engine, model })));
+  const runs = made.flatMap((the) => models.flatMap(({ engine, model }, which) =>
+    steps.map((step) => runOf(the, engine, model, step, which, settings))));
+  const groups = models.flatMap(({ engine, model }, which) => steps.map((step) => ({ engine, model, step, which })));
+  return { schema: 3, program: { name: 'tautline', version: 'synthetic' }, complete: true, planned_runs: runs.length,
+    options: { steps, law: 'simultaneous', count_speed: 0.01, early_impacts: 5, time_limit: 60, memory_limit: 1e9 },
+    engines: [...engines.map((name) => ({ name, version: '1', precision: 'float64', problem: null, missing: false,
+      models: modelNames[name].map((model) => ({ name: model, sentence: 'Synthetic.', settings: [] })) })),
+    { name: 'absent', problem: 'its library was not found', missing: true }],
+    cases: made.map((the) => the.row), runs,
+    summary: groups.map(({ engine, model, step }) => ({ engine, model, step, cases: cases.length, failed: 0 })),
+    convergence: models.map(({ engine, model }, which) => ({ engine, model, cases: cases.length, cases_at_rounding: 0,
+      slope: engine === 'exact' ? null : { smallest: 0.9, median: 1 + (which % 2), largest: 2.1 } })),
+    findings: [{ engine: 'bullet64', model: 'row', kind: 'threshold', sentence: 'bounces slower than 0.2 m/s are lost',
+      value: 0.2, unit: 'm/s', evidence: { runs: 3, impacts: 30 } }],
+    attribution_summary: groups.map(({ engine, model, step, which }) => ({ engine, model, step, cases: cases.length,
+      deviation: { median: step, worst: 3 * step }, shares: engine === 'exact' ? {} : partsOf(1, which), remainder: 0.01 })),
+    limits: null,
+    chapter: { tables: [], corrections: [], figures: [{ name: '5.6', title: 'Angle of the first case', x: 'time [s]',
+      y: 'angle [rad]', curves: [{ name: 'angle', x: made[0].row.path.time, y: made[0].row.path.angle }],
+      boundary: null, marks: [{ time: 4, meaning: 'the cables stay taut' }], chapter: 'It rests.', truth: 'It swings.' }] },
+    context: { command: 'synthetic', started: '2026-01-01T00:00:00Z', elapsed: 1, program_memory: 1, worker_memory: 1,
+      kept_runs: 0, processor: 'none', cores: 1, compiler: 'none', build_type: 'none', flags: '', commit: 'unknown',
+      timing: runs.map(({ case: name, engine, model, step }) => ({ case: name, engine, model, step, memory: 1e7,
+        step_cost: 1e-6 * (1 + engine.length), reference_cost: 1e-8, cost_ratio: 100 })) } };
+}

@@ -23,8 +23,8 @@ export const benchPage = () => {
 export const reportOf = (file) => JSON.parse(
   /<script type="application\/json" id="report-data">([^<]*)/.exec(readFileSync(file, 'utf8'))[1]);
 
-/// Opens `file` in a browser of its own and passes {page, said, asked, dialogs, milliseconds} to
-/// `action`; `context` is Playwright's options of a context.
+/// Opens `file` in a browser of its own and passes {page, said, asked, dialogs, waited, worked}
+/// to `action`; the last two are what opening took by the clock and on the page's processor [ms]; `context` is Playwright's options of a context.
 export async function withPage(file, action, { width = 1280, height = 900, ...context } = {}) {
   const browser = await chromium.launch(options);
   try {
@@ -35,10 +35,14 @@ export async function withPage(file, action, { width = 1280, height = 900, ...co
     page.on('pageerror', (error) => said.push(error.stack));
     page.on('request', (request) => asked.push(request.url()));
     page.on('dialog', (dialog) => { dialogs.push(dialog.message()); dialog.dismiss(); });
+    const meter = await view.newCDPSession(page);
+    await meter.send('Performance.enable', { timeDomain: 'threadTicks' });
     const start = performance.now();
     await page.goto(pathToFileURL(file).href);
-    const milliseconds = performance.now() - start;
-    return await action({ page, said, asked, dialogs, milliseconds });
+    const waited = performance.now() - start;
+    const { metrics } = await meter.send('Performance.getMetrics');
+    const worked = 1000 * metrics.find(({ name }) => name === 'TaskDuration').value;
+    return await action({ page, said, asked, dialogs, waited, worked });
   } finally {
     await browser.close();
   }
@@ -59,7 +63,10 @@ export async function withText(text, action, context) {
 /// Scrolls through the whole page, so that every chart is drawn.
 export async function drawAll(page) {
   for (const chart of await page.locator('.chart').all()) {
-    await chart.scrollIntoViewIfNeeded();
+    await chart.evaluate((element) => new Promise((done) => {
+      element.scrollIntoView();
+      requestAnimationFrame(() => requestAnimationFrame(done));
+    }));
   }
   await page.waitForFunction(() => Object.values(tautline.charts).every((one) =>
     one.body.hidden || one.body.classList.contains('js-plotly-plot')));

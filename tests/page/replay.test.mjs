@@ -87,8 +87,10 @@ test('an impact flashes', () => replay(async ({ page }) => {
   });
   const flagged = () => page.evaluate((colour) => {
     const canvas = document.querySelector('.replay-canvas');
-    const brush = canvas.getContext('2d');
-    const { data } = brush.getImageData(0, 0, canvas.width, canvas.height);
+    const copy = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height });
+    const brush = copy.getContext('2d', { willReadFrequently: true });
+    brush.drawImage(canvas, 0, 0);
+    const { data } = brush.getImageData(0, 0, copy.width, copy.height);
     const probe = document.createElement('canvas').getContext('2d');
     probe.fillStyle = colour;
     probe.fillRect(0, 0, 1, 1);

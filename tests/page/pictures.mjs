@@ -26,7 +26,7 @@ await withPage(file, async ({ page }) => {
         const url = await page.evaluate(([chart, kind, width, height]) => {
           const one = window.tautline && tautline.charts[chart];
           if (!one || !one.picture) {
-            throw new Error(`the page has no ${chart}: was it written without Plotly?`);
+            throw new Error(`the page has no ${chart}: the report has nothing for it, or the program no Plotly`);
           }
           return one.picture(kind, width, height);
         }, [id, format, ...size]);

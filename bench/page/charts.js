@@ -90,9 +90,10 @@
       const foot = large.length ? 10 ** (Math.floor(Math.log10(Math.min(...large))) - 1) : rounding;
       curves.forEach((one) => { one.y = one.y.map((error) => (error > rounding ? error : foot)); });
       return { data: [...(abscissa === 'step' ? guides(curves, large, colours) : []), ...curves],
-        note: large.length < errors.length
-          ? `Errors up to ${number(rounding)} m are rounding; they are drawn at the foot.` : '',
         layout: { height: 480,
+          annotations: large.length < errors.length ? [{ xref: 'paper', x: 0.5, y: Math.log10(foot),
+            yanchor: 'bottom', showarrow: false, text: `drawn here: errors up to ${number(rounding)} m, rounding`,
+            font: { color: colours.muted, size: 12 } }] : [],
           xaxis: logAxis(colours, { title: { text: title } }),
           yaxis: logAxis(colours, { title: { text: `position error ${range} [m]` } }) } };
     };

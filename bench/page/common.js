@@ -122,6 +122,7 @@ window.tautline = (() => {
         }
         const layout = layoutOf(colours, figure.layout);
         return Plotly.toImage({ data: figure.data, layout: { ...layout, width, height,
+          margin: { l: 72, r: 16, t: 24, b: 72 },
           paper_bgcolor: colours.paper, showlegend: true,
           legend: { font: { size: 11 }, tracegroupgap: 2, ...layout.legend } } },
         { format, width, height, scale: format === 'png' ? 2 : 1 });

@@ -28,7 +28,7 @@
       trace('y3', poses.map((pose) => pose.angle), 'rad'),
       trace('y4', motion.impacts.map((impact) => impact.speed), 'm/s', { mode: 'markers',
         x: motion.impacts.map((impact) => impact.time),
-        marker: { color: colour, symbol, size: motion.reference ? 6 : 7,
+        marker: { color: colour, symbol, size: motion.reference ? 4 : 6,
           line: { color: colour, width: 1 } } })];
   }
 
@@ -53,7 +53,8 @@
       const panel = (title, i, more) => axis(colours, { title: { text: title, font: { size: 12 } },
         domain: fourths[i], nticks: 4, ...more });
       return {
-        data: state.motions.flatMap((motion) => lines(state, motion, colours)),
+        // the exact one last, on top
+        data: [...state.motions].reverse().flatMap((motion) => lines(state, motion, colours)),
         layout: { height: 640, margin: { l: 64, r: 12, t: 10, b: 46 },
           xaxis: axis(colours, { title: { text: 'time [s]' }, range: [0, end], anchor: 'y4' }),
           yaxis: panel(`gap ${state.cable} [m]`, 0),

@@ -52,7 +52,8 @@
       layout: { barmode: 'stack', bargap: 0.25, height: 120 + 22 * found.length, showlegend: true,
         legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0, traceorder: 'normal' },
         margin: { l: 64, r: 16, t: 70, b: 52 },
-        xaxis: axis(colours, { title: { text: 'share of the deviation [-]' }, range: [0, 1] }),
+        xaxis: axis(colours, { rangemode: 'tozero',
+          title: { text: `${choice.case ? '' : 'median '}share of the deviation [-]` } }),
         yaxis: axis(colours, { title: { text: 'engine and model' }, type: 'category', ticks: '',
           tickfont: { size: 11 } }) },
     };

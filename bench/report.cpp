@@ -7,8 +7,8 @@
 
 #include "bench/attribution_json.hpp"
 #include "bench/audit.hpp"
-#include "bench/report_context.hpp"
 #include "bench/replay_data.hpp"
+#include "bench/report_context.hpp"
 #include "bench/report_rows.hpp"
 #include "bench/text.hpp"
 #include "bench/wire.hpp"

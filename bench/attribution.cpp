@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -16,8 +17,16 @@
 namespace tautline::bench {
 namespace {
 
-/// Beyond this share of amplification the parts say how the motion grows, not where it came from.
+/// Up to this share of amplification the parts name where nine tenths of the deviation come from
+/// [-].
+constexpr double little_amplified = 0.1;
+
+/// Beyond this share they say how the motion grows, and nothing of where it came from [-].
 constexpr double most_amplified = 0.5;
+
+/// The time is not later than after so many impacts: the work grows with their square, and what
+/// they tell of an engine is told by then.
+constexpr std::size_t most_impacts = 16;
 
 /// The parts must add up to the deviation within this share of it [-].
 constexpr double most_remainder = 0.05;
@@ -204,6 +213,9 @@ std::vector<double> instants(const std::vector<CountedImpact>& impacts, double e
   std::vector<double> result;
   std::size_t wanted = 1;
   for (std::size_t index = 0; index < impacts.size() && impacts[index].time < end; ++index) {
+    if (index == most_impacts) {
+      return result;
+    }
     if (index + 1 < wanted) {
       continue;
     }
@@ -217,13 +229,25 @@ std::vector<double> instants(const std::vector<CountedImpact>& impacts, double e
   return result;
 }
 
-bool is_good(const Sum& sum) {
+/// The share of amplification above the noise [-]; infinite where the parts are not the whole.
+double amplified(const Sum& sum) {
   double all = 0.0;
   for (const double part : *sum.result.parts) {
     all += std::abs(part);
   }
-  return std::abs(sum.result.remainder) <= most_remainder * sum.result.deviation &&
-         sum.chaos <= most_amplified * all;
+  if (!(std::abs(sum.result.remainder) <= most_remainder * sum.result.deviation)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return sum.chaos > 0.0 ? sum.chaos / all : 0.0;
+}
+
+/// Why `found` ends before the horizon: `last` [s] was the last instant tried, `end` [s] the run's.
+std::string reason_to_end(const Attribution& found, double last, double end, double step) {
+  if (last - found.until > 2.0 * step) {
+    return fmt::format("after t = {:.6g} amplification takes over", found.until);
+  }
+  return end - found.until > 2.0 * step ? fmt::format("up to impact {}", most_impacts)
+                                        : "the run ends there";
 }
 
 Attribution nothing(std::string reason) {
@@ -282,7 +306,8 @@ Attribution attribute(const Case& the_case, const Solution& solution, double hor
   Attributor attributor(the_case, solution, run, options);
   std::optional<Attribution> best;
   int failures = 0;
-  for (const double instant : instants(impacts, end)) {
+  const std::vector<double> tried = instants(impacts, end);
+  for (const double instant : tried) {
     const auto after =
         std::upper_bound(run.points.begin(), run.points.end(), instant,
                          [](double time, const Point& point) { return time < point.time; });
@@ -291,7 +316,8 @@ Attribution attribute(const Case& the_case, const Solution& solution, double hor
       continue;
     }
     const auto sum = attributor.at(last - 1);
-    if (sum && is_good(*sum)) {
+    const double share = sum ? amplified(*sum) : std::numeric_limits<double>::infinity();
+    if (share <= little_amplified || (!best && share <= most_amplified)) {
       best = sum->result;
       failures = 0;
     } else if (++failures > most_failures) {
@@ -302,9 +328,7 @@ Attribution attribute(const Case& the_case, const Solution& solution, double hor
     return nothing("the deviation is amplification from the first impact on");
   }
   if (goal - best->until > 2.0 * run.step) {
-    best->reason = end < goal && end - best->until <= 2.0 * run.step
-                       ? "the run ends there"
-                       : fmt::format("after t = {:.6g} most is amplification", best->until);
+    best->reason = reason_to_end(*best, tried.back(), end, run.step);
   }
   return *best;
 }

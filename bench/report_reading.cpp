@@ -66,10 +66,10 @@ std::string problem_of(const ordered_json& json) {
 ReportReading read_report(const std::filesystem::path& path) {
   const std::string name = path.empty() ? "\"\"" : printable(path.native(), 1024);
   // room for what the file has, not for the longest: that would be a gigabyte of zeros
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  std::error_code no_size;
+  const std::uintmax_t size = std::filesystem::file_size(path, no_size);
   InputFile file = read_input_file(
-      path, error ? longest_report : std::min<std::uintmax_t>(size, longest_report));
+      path, no_size ? longest_report : std::min<std::uintmax_t>(size, longest_report));
   if (file.problem) {
     return {std::nullopt, {name + ": " + *file.problem}};
   }

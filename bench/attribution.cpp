@@ -31,21 +31,22 @@ constexpr std::size_t most_impacts = 16;
 /// The parts must add up to the deviation within this share of it [-].
 constexpr double most_remainder = 0.05;
 
-/// The time is tried after impact 1, 2, 3, 5, 7, ...: each so many times later than the last [-].
-constexpr double next_try = 1.4;
+/// The time is tried after impact 1, 2, 4, 8, ...: each so many times later than the last [-].
+constexpr double next_try = 2.0;
 
 /// A search this many tries long without success is over: later is no better.
-constexpr int most_failures = 2;
+constexpr int most_failures = 1;
 
-/// More segments than this are not followed: each costs a few solutions.
-constexpr std::size_t most_segments = 600;
+/// More segments than this are not followed: each costs a few solutions, and a cable that chatters
+/// where it should be taut has no end of them.
+constexpr std::size_t most_segments = 80;
 
 /// Where defects carried to first order miss the whole by no more than this, they are taken as they
 /// are, and no link is carried exactly [-]: it saves four solutions of five.
 constexpr double nearly_linear = 0.02;
 
-Eigen::Matrix<double, 6, 1> difference(const State& a, const State& b) {
-  Eigen::Matrix<double, 6, 1> result;
+StateDifference difference(const State& a, const State& b) {
+  StateDifference result;
   result << a.position - b.position, a.angle - b.angle, a.velocity - b.velocity, a.spin - b.spin;
   return result;
 }
@@ -113,20 +114,20 @@ class Attributor {
       part(sum, Cause::amplification) += direction_.dot(whole);
       return true;
     }
-    return add_linear(chain, to.growth(), whole, sum) ||
+    return add_linear(chain, to, whole, sum) ||
            add_exactly(carrier, chain, from, to, end, end - start, sum);
   }
 
-  /// Adds the links of a chain that is carried by `whole` [m], if that is nearly what `growth`
-  /// says.
-  [[nodiscard]] bool add_linear(const Chain& chain, const Growth& growth, const Vec2& whole,
+  /// Adds the links of a chain that ends in `to` and is carried by `whole` [m], if that is nearly
+  /// what they are to first order.
+  [[nodiscard]] bool add_linear(const Chain& chain, const Carried& to, const Vec2& whole,
                                 Sum& sum) const {
     CauseParts linear{};
     Vec2 left = whole;
     double size = 0.0;
     State state = chain.exact;
     for (const Link& link : chain.links) {
-      const Vec2 way = growth * difference(link.state, state);
+      const Vec2 way = to.to_first_order(difference(link.state, state));
       linear[static_cast<std::size_t>(link.cause)] += direction_.dot(way);
       left -= way;
       size += way.norm();
@@ -152,7 +153,7 @@ class Attributor {
     for (std::size_t index = 0; before && index < chain.links.size(); ++index) {
       const Link& link = chain.links[index];
       const bool last = index + 1 == chain.links.size();
-      const Eigen::Matrix<double, 6, 1> defect = difference(link.state, state);
+      const StateDifference defect = difference(link.state, state);
       if (!last && defect.isZero(0.0)) {
         continue;
       }
@@ -176,13 +177,12 @@ class Attributor {
 
   /// How far a defect is carried to first order, by the derivative at either end [m]; an infinite
   /// one (grazing) says nothing.
-  [[nodiscard]] static double first_order_of(Carried& a, Carried& b,
-                                             const Eigen::Matrix<double, 6, 1>& defect) {
+  [[nodiscard]] static double first_order_of(const Carried& a, const Carried& b,
+                                             const StateDifference& defect) {
     double most = 0.0;
-    for (Carried* end : {&a, &b}) {
-      if (end->growth().allFinite()) {
-        most = std::max(most, (end->growth() * defect).norm());
-      }
+    for (const Carried* end : {&a, &b}) {
+      const Vec2 way = end->to_first_order(defect);
+      most = way.allFinite() ? std::max(most, way.norm()) : most;
     }
     return most;
   }

@@ -36,9 +36,9 @@ namespace tautline::bench {
 //
 // So does all of a segment whose defect is no larger than the noise of the engine's numbers.
 //
-// T is one of these: the middles between the first exact impacts, and, if they are few, the run's last
-// sample before the horizon. It is the last at which amplification of defects above the noise is no
-// more than a tenth of all; if there is none, the first at which it is no more than half.
+// T is one of these: the middles between the first exact impacts, and, if they are few, the run's
+// last sample before the horizon. It is the last at which amplification of defects above the noise
+// is no more than a tenth of all; if there is none, the first at which it is no more than half.
 
 enum class Cause {
   flight_bias,          // the integrator's path between impacts: semi-implicit Euler, -g t dt / 2

@@ -9,9 +9,21 @@
 
 namespace tautline::bench {
 
-Carried::Carried(const State& state) : position_(state.position) {
-  growth_.emplace(Growth::Zero()).leftCols<2>().setIdentity();
+namespace {
+
+/// How far the near neighbour of `to_first_order` is, in the units of the case [-]: the square of
+/// it and the rounding of the motion over it are equally small.
+constexpr double nearness = 1e-7;
+
+State moved(State state, const StateDifference& by) {
+  state.position += by.head<2>();
+  state.angle += by[2];
+  state.velocity += by.segment<2>(3);
+  state.spin += by[5];
+  return state;
 }
+
+}  // namespace
 
 std::optional<Carried> Carried::by(Case restarted, ImpactLaw law) {
   if (!problems(restarted).empty()) {
@@ -23,17 +35,27 @@ std::optional<Carried> Carried::by(Case restarted, ImpactLaw law) {
     return std::nullopt;
   }
   result.position_ = result.solution_->at(restarted.duration).position;
-  result.growth_.reset();
   result.case_ = std::move(restarted);
   result.law_ = law;
   return result;
 }
 
-const Growth& Carried::growth() {
-  if (!growth_) {
-    growth_ = Sensitivity(case_, *solution_, law_).at(case_.duration).topRows<2>() * flight_;
+Vec2 Carried::to_first_order(const StateDifference& difference) const {
+  if (!solution_) {
+    return difference.head<2>();
   }
-  return *growth_;
+  const StateDifference start = flight_ * difference;
+  if (start.isZero(0.0)) {
+    return Vec2::Zero();
+  }
+  for (const double scale : {nearness / start.norm(), -nearness / start.norm()}) {
+    Case neighbour = case_;
+    neighbour.initial = moved(case_.initial, scale * start);
+    if (const auto carried = by(std::move(neighbour), law_)) {
+      return (carried->position() - position_) / scale;
+    }
+  }
+  return Sensitivity(case_, *solution_, law_).at(case_.duration).topRows<2>() * start;
 }
 
 CableSet overstretched(const Case& the_case, const State& state) {

@@ -11,14 +11,14 @@
 
 namespace tautline::bench {
 
-/// d position / d state.
-using Growth = Eigen::Matrix<double, 2, 6>;
+/// x, y [m], angle [rad], their rates.
+using StateDifference = Eigen::Matrix<double, 6, 1>;
 
 /// A state carried to one instant T by the exact motion.
 class Carried {
  public:
   /// A state at T.
-  explicit Carried(const State& state);
+  explicit Carried(const State& state) : position_(state.position) {}
 
   /// The motion of `restarted`, which lasts to T. None if it has problems, or ends before.
   [[nodiscard]] static std::optional<Carried> by(Case restarted, ImpactLaw law);
@@ -28,11 +28,12 @@ class Carried {
   /// The motion restarted. Only of a state before T.
   [[nodiscard]] const Solution& solution() const { return *solution_; }
 
-  /// d position(T) / d state; found when first asked for: it costs more than the motion. Infinite
-  /// where no derivative exists.
-  [[nodiscard]] const Growth& growth();
+  /// Where a neighbour at `difference` from the state is at T, from `position`, to first order [m]:
+  /// by a motion from a near neighbour, as a whole derivative costs eight motions; by the
+  /// derivative where neither side can start. Infinite where no derivative exists.
+  [[nodiscard]] Vec2 to_first_order(const StateDifference& difference) const;
 
-  /// The state had been flown freely for `wait` [s]: growth counts from before that.
+  /// The state had been flown freely for `wait` [s]: differences count from before that.
   void was_flown(double wait) { flight_.topRightCorner<3, 3>().diagonal().setConstant(wait); }
 
  private:
@@ -41,7 +42,6 @@ class Carried {
   ImpactLaw law_ = ImpactLaw::simultaneous;
   StateMatrix flight_ = StateMatrix::Identity();
   std::shared_ptr<const Solution> solution_;  // none at T
-  std::optional<Growth> growth_;
 };
 
 /// The cables that are longer than they can be at `state`.

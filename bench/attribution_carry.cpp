@@ -15,6 +15,10 @@ namespace {
 /// it and the rounding of the motion over it are equally small.
 constexpr double nearness = 1e-7;
 
+/// A motion with more events and taut steps than this is not followed: an elastic cable that is as
+/// good as taut bounces a million times.
+constexpr std::size_t most_events = 10'000;
+
 State moved(State state, const StateDifference& by) {
   state.position += by.head<2>();
   state.angle += by[2];
@@ -30,7 +34,8 @@ std::optional<Carried> Carried::by(Case restarted, ImpactLaw law) {
     return std::nullopt;
   }
   Carried result(restarted.initial);
-  result.solution_ = std::make_shared<const Solution>(solve(restarted, {.law = law}));
+  result.solution_ =
+      std::make_shared<const Solution>(solve(restarted, {.law = law, .max_events = most_events}));
   if (result.solution_->end_time() < restarted.duration) {
     return std::nullopt;
   }

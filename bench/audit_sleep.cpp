@@ -72,6 +72,23 @@ bool hits_at(const ordered_json& run, const ordered_json& time) {
   return std::find(times.begin(), times.end(), time) != times.end();
 }
 
+/// A body stands at the equilibrium if no more than this part of its first energy is left [-].
+constexpr double at_equilibrium = 1e-3;
+
+/// True where a run ends with no energy above the equilibrium of the final set of cables: what has
+/// lost it all may stand still.
+bool ends_at_equilibrium(const ordered_json& path, const ordered_json& the_case) {
+  const ordered_json& lock = the_case.at("settling").at("lock");
+  if (lock.is_null()) {
+    return false;
+  }
+  const ordered_json& swing = lock.at("swing");
+  const double lowest = the_case.at("end_energy").get<double>() -
+                        (swing.is_null() ? 0.0 : swing.at("energy").get<double>());
+  return path.at("energy").back().get<double>() - lowest <=
+         at_equilibrium * (the_case.at("start_energy").get<double>() - lowest);
+}
+
 }  // namespace
 
 std::optional<Freeze> freeze_of(const ordered_json& run, const ordered_json& the_case) {
@@ -92,7 +109,8 @@ std::optional<Freeze> freeze_of(const ordered_json& run, const ordered_json& the
     return std::nullopt;
   }
   if (distance(pose(path, first - 1), pose(path, first), cable) < moved_before ||
-      hits_at(run, times.at(first)) || !exact_moves(the_case, time, end, cable)) {
+      hits_at(run, times.at(first)) || !exact_moves(the_case, time, end, cable) ||
+      ends_at_equilibrium(path, the_case)) {
     return std::nullopt;
   }
   const double lost =

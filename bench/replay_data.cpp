@@ -20,9 +20,9 @@ namespace {
 using nlohmann::ordered_json;
 
 /// The paths of all runs may take so many bytes, and one sample of one takes this many.
-constexpr std::size_t path_budget = 6'000'000;
+constexpr std::size_t path_budget = 4'000'000;
 constexpr std::size_t sample_size = 40;
-constexpr std::size_t least_path_samples = 60;  // fewer do not show an arc between two impacts
+constexpr std::size_t least_path_samples = 45;  // fewer do not show an arc between two impacts
 
 /// A path, column by column.
 class Path {

@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 /// The impacts of all runs may take so many bytes, each as a row of the columns and as a sample of
 /// the path.
-constexpr std::size_t impact_budget = 6'000'000;
+constexpr std::size_t impact_budget = 4'000'000;
 constexpr std::size_t impact_size = 120;
 constexpr std::size_t least_impacts = 24;
 

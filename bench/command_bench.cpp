@@ -134,6 +134,9 @@ int bench_command(const BenchCommand& command) {
       run_suite(options, references, [&](std::size_t ended) { progress.show(ended); });
   progress.finish();
   context.chapter = chapter.result();
+  if (!chapter.failure().empty()) {
+    complain({"the chapter is not in the report: " + chapter.failure()});
+  }
   context.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   context.kept = result.kept;
   context.program_memory = peak_memory();

@@ -22,7 +22,10 @@ using nlohmann::ordered_json;
 /// The paths of all runs may take so many bytes, and one sample of one takes this many.
 constexpr std::size_t path_budget = 4'000'000;
 constexpr std::size_t sample_size = 40;
-constexpr std::size_t least_path_samples = 45;  // fewer do not show an arc between two impacts
+constexpr std::size_t least_path_samples = 40;  // fewer do not show an arc between two impacts
+
+/// What a path is drawn with; its times have more, as those of impacts do [-].
+constexpr int drawn_digits = 5;
 
 /// A path, column by column.
 class Path {
@@ -36,10 +39,10 @@ class Path {
       return;  // the last of a run that diverged
     }
     time_.push_back(rounded(time));
-    x_.push_back(rounded(state.position.x()));
-    y_.push_back(rounded(state.position.y()));
-    angle_.push_back(rounded(state.angle));
-    energy_.push_back(rounded(energy_there));
+    x_.push_back(rounded(state.position.x(), drawn_digits));
+    y_.push_back(rounded(state.position.y(), drawn_digits));
+    angle_.push_back(rounded(state.angle, drawn_digits));
+    energy_.push_back(rounded(energy_there, drawn_digits));
   }
 
   [[nodiscard]] ordered_json json() const {
@@ -147,11 +150,11 @@ std::size_t path_samples(std::size_t runs) {
                     most_path_samples);
 }
 
-ordered_json rounded(double value) {
+ordered_json rounded(double value, int digits) {
   if (!std::isfinite(value)) {
     return nullptr;
   }
-  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+  return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 
 std::vector<const RecordedImpact*> kept_impacts(const Trajectory& run, double count_speed) {

@@ -18,15 +18,15 @@ inline constexpr std::size_t most_impacts = 300;
 /// Samples of an exact path.
 inline constexpr std::size_t most_path_samples = 400;
 
-/// Samples of one path of a report of `runs` runs, so that all of them have about 6 MB.
+/// Samples of one path of a report of `runs` runs, so that all of them have about 4 MB.
 [[nodiscard]] std::size_t path_samples(std::size_t runs);
 
-/// Leaves in every run of `report` its fastest impacts, so many that all runs have about 6 MB of
+/// Leaves in every run of `report` its fastest impacts, so many that all runs have about 4 MB of
 /// them, and takes the others out of its path. What is drawn from all impacts comes before.
 void thin_impacts(nlohmann::ordered_json& report);
 
-/// `value` with six significant digits, or null where it is not finite.
-[[nodiscard]] nlohmann::ordered_json rounded(double value);
+/// `value` with `digits` significant digits, or null where it is not finite.
+[[nodiscard]] nlohmann::ordered_json rounded(double value, int digits = 6);
 
 /// The impacts of `run` that the report has, in rising time: those that close faster than
 /// `count_speed` [m/s], the fastest `most_impacts` of them. Pointers into `run`.

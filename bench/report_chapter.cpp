@@ -247,8 +247,9 @@ ChapterBeside::ChapterBeside(bool wanted) {
       })));
     } catch (const GivenUp&) {
       promise_.set_value(nullptr);
-    } catch (...) {
-      promise_.set_exception(std::current_exception());
+    } catch (const std::exception& error) {  // the runs beside it are worth their report
+      failure_ = error.what();
+      promise_.set_value(nullptr);
     }
   });
 }

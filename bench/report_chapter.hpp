@@ -2,6 +2,7 @@
 
 #include <future>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <thread>
 
 #include "bench/chapter_study.hpp"
@@ -27,11 +28,15 @@ class ChapterBeside {
   ChapterBeside(ChapterBeside&&) = delete;
   ChapterBeside& operator=(ChapterBeside&&) = delete;
 
-  /// Waits for the end: `chapter_row`, or null if it is not wanted or was interrupted. To be called
-  /// once.
+  /// Waits for the end: `chapter_row`, or null if it is not wanted, was interrupted or failed. To
+  /// be called once.
   [[nodiscard]] nlohmann::ordered_json result();
 
+  /// What went wrong, or "". To be asked after `result`.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+
  private:
+  std::string failure_;
   std::promise<nlohmann::ordered_json> promise_;
   std::jthread thread_;
 };

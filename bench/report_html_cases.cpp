@@ -69,8 +69,9 @@ std::string verdict_cell(const ordered_json& verdict) {
                                : std::string("–");
     };
     const ordered_json& reason = member(check, "reason");
-    return fmt::format("<br>{} {}, limit {}{}", html_text(check.at("metric").get<std::string>()),
+    return fmt::format("<br>{} {}, limit {}{}{}", html_text(check.at("metric").get<std::string>()),
                        number(check.at("value")), number(check.at("limit")),
+                       check.value("known", false) ? " (known)" : "",
                        reason.is_string() && !reason.get<std::string>().empty()
                            ? ": " + html_text(reason.get<std::string>())
                            : "");

@@ -19,14 +19,15 @@ struct Cause {
 constexpr Cause causes[] = {
     {"flight_bias", "flight bias",
      "free flight whose position is half a step of gravity off, g·dt·t/2"},
-    {"event_lag", "event lag", "an impact dealt with after its instant"},
+    {"event_lag", "event lag", "an impact dealt with before or after its instant"},
     {"late_rate", "late rate",
      "a restitution taken from the velocity of a later or overstretched pose"},
     {"position_correction", "position correction", "overstretch pulled back through the velocity"},
     {"threshold", "threshold", "an impact too slow for the engine to bounce"},
-    {"solver_residual", "solver residual", "an impulse that the solver did not finish"},
+    {"solver_residual", "solver residual", "what else the impulse did: a wrong size or direction"},
     {"taut_drift", "taut drift", "the motion on taut cables"},
-    {"amplification", "amplification", "an earlier error, grown by the motion itself"}};
+    {"amplification", "amplification",
+     "what the motion makes of errors beyond first order, or of rounding"}};
 
 std::string slopes_table(const ordered_json& report) {
   HtmlTable table(
@@ -60,8 +61,14 @@ std::string finding_item(const ordered_json& finding) {
   const ordered_json& evidence = member(finding, "evidence");
   std::string seen;
   if (evidence.is_object()) {
-    seen = fmt::format(" <span class=\"evidence\">{} impacts of {} runs</span>",
-                       evidence.at("impacts").dump(), evidence.at("runs").dump());
+    const auto count = [&](const char* what, const char* one, const char* several) {
+      const std::string number = evidence.at(what).dump();
+      return fmt::format("{} {}", number, number == "1" ? one : several);
+    };
+    const std::string runs = count("runs", "run", "runs");
+    seen = fmt::format(
+        " <span class=\"evidence\">{}</span>",
+        evidence.at("impacts") == 0 ? runs : count("impacts", "impact", "impacts") + " of " + runs);
   }
   return fmt::format("<li data-kind=\"{}\"><b>{} {}</b> {}{}</li>\n",
                      html_text(finding.at("kind").get<std::string>()),
@@ -142,7 +149,7 @@ std::string attribution_section(const ordered_json& report) {
       "<p>The exact solver starts again from the engine’s own state after each event, and one arc "
       "and "
       "one impact at a time are compared. A share is the part of a cause in the sum of the parts’ "
-      "sizes.</p>\n";
+      "sizes; over the cases it is the median, so a row need not add up to 1.</p>\n";
   out += attribution_table(summary);
   out += chart_place("chart-attribution", "Shares of the causes, by engine, model and step.");
   out += "<dl>\n";

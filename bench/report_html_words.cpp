@@ -72,9 +72,9 @@ std::string reading_section(const ordered_json& report) {
     at = end + 1;
   }
   return out +
-         "<li>A <strong>verdict</strong> holds one run against a file of limits; each limit stands "
-         "beside the "
-         "value. No engine is ranked: an error depends on the model, the step and what it is "
+         "<li>A <strong>verdict</strong> holds one run against a file of limits; the limit that "
+         "decides it stands beside the value. No engine is ranked: an error depends on the model, "
+         "the step and what it is "
          "for.</li>\n"
          "</ul>\n</section>\n";
 }

@@ -45,7 +45,7 @@
       data: causes.map(([cause, text, hatch], i) => ({ type: 'bar', orientation: 'h', name: text,
         y: found.map((row) => row.name), x: found.map((row) => row.shares[cause] || 0),
         customdata: found.map((row) => number(row.deviation)),
-        hovertemplate: `<b>%{y}</b><br>${text}: %{x:.1%} of %{customdata} m<extra></extra>`,
+        hovertemplate: `<b>%{y}</b><br>${text}: %{x:.1%}; deviation %{customdata} m<extra></extra>`,
         marker: { color: colours.engines[i], line: { color: colours.paper, width: 0.6 },
           pattern: { shape: hatch, bgcolor: colours.engines[i], fgcolor: colours.paper, size: 6,
             solidity: 0.3 } } })),
@@ -53,7 +53,7 @@
         legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0, traceorder: 'normal' },
         margin: { l: 64, r: 16, t: 70, b: 52 },
         xaxis: axis(colours, { rangemode: 'tozero',
-          title: { text: `${choice.case ? '' : 'median '}share of the deviation [-]` } }),
+          title: { text: `${choice.case ? '' : 'median '}share of the parts [-]` } }),
         yaxis: axis(colours, { title: { text: 'engine and model' }, type: 'category', ticks: '',
           tickfont: { size: 11 } }) },
     };

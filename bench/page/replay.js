@@ -38,7 +38,7 @@
     return engines.map((engine) => keyOf(middle.find((run) => run.engine === engine)));
   }
 
-  const canvas = make('canvas', { class: 'replay-canvas', role: 'img', 'aria-label': 'the moving body' });
+  const canvas = make('canvas', { class: 'replay-canvas', role: 'img', tabindex: '0', 'aria-label': 'the moving body' });
   const status = make('p', { class: 'replay-status', role: 'status' });
   const slider = make('input', { type: 'range', min: 0, step: 'any', 'aria-label': 'time [s]' });
   const keys = make('div', { class: 'keys' });

@@ -124,6 +124,15 @@ std::string data_of(const std::string& page) {
   return page.substr(at, page.find("</script>", at) - at);
 }
 
+/// The report without what the tables alone show.
+ordered_json read_by_scripts(ordered_json report) {
+  for (ordered_json& run : report.at("runs")) {
+    run.erase("verdict");
+    run.erase("output_tail");
+  }
+  return report;
+}
+
 void collect_numbers(const ordered_json& json, std::set<double>& numbers) {
   if (json.is_number()) {
     numbers.insert(json.get<double>());
@@ -317,7 +326,7 @@ TEST(ReportPage, HostileNamesAreHarmless) {
       const ordered_json back = ordered_json::parse(data, nullptr, false);
       EXPECT_FALSE(back.is_discarded());
       if (name.find('\xff') == std::string::npos) {
-        EXPECT_TRUE(back == report) << "the data are not the report's";
+        EXPECT_TRUE(back == read_by_scripts(report)) << "the data are not the report's";
       }
     }
   }

@@ -129,12 +129,12 @@ test('the keys do what is written beside the replay', () => replay(async ({ page
 test('everything in the replay is reached by tab, in the order it is read', () => replay(async ({ page }) => {
   await page.locator('#replay-app select').first().focus();
   const order = [];
-  for (let i = 0; i < 12; ++i) {
+  for (let i = 0; i < 13; ++i) {
     order.push(await page.evaluate(() => document.activeElement.getAttribute('aria-label')
       || document.activeElement.closest('label')?.firstChild.textContent || document.activeElement.tagName));
     await page.keyboard.press('Tab');
   }
-  assert.deepEqual(order, ['Case', 'Run 1', 'Run 2', 'Run 3', 'time [s]', 'to the start (Home)',
+  assert.deepEqual(order, ['Case', 'Run 1', 'Run 2', 'Run 3', 'the moving body', 'time [s]', 'to the start (Home)',
     'to the event before (Shift and arrow left)', 'play or pause (space)', 'to the next event (Shift and arrow right)',
     'to the end (End)', 'Speed', 'Gap of']);
 }));

@@ -18,11 +18,11 @@ quietly() {
   return "$status"
 }
 
-# configure_preset <preset>: with ccache if it is here. The launcher is set either way, so that a
+# configure_preset <preset> [-D...]: with ccache if it is here. The launcher is set either way, so that a
 # build folder survives the removal of ccache.
 configure_preset() {
   local launcher=${CMAKE_CXX_COMPILER_LAUNCHER-$(command -v ccache || true)}
-  quietly cmake -S "$root" --preset "$1" "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher"
+  quietly cmake -S "$root" --preset "$1" "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" "${@:2}"
 }
 
 # fetch_from_npm <folder> <consequence of doing without>: brings what the folder's package.json pins. A

@@ -31,8 +31,10 @@ constexpr double contrary = 0.1;
 constexpr double wide = 2.5;
 constexpr double far_off = 3.0;
 
-/// An offset of e below this is none, however small the step [-].
-constexpr double least_offset = 0.02;
+/// Below these an offset of e is none, and a standard deviation no scatter, however small the step
+/// [-]: an error in proportion to e spreads too, by a part of itself.
+constexpr double least_offset = 0.01;
+constexpr double least_scatter = 0.02;
 
 bool lost(const AuditedImpact& impact) { return impact.effective < lost_part * impact.requested; }
 bool bounced(const AuditedImpact& impact) { return !lost(impact); }
@@ -50,7 +52,7 @@ std::vector<double> values(const Impacts& impacts,
   return result;
 }
 
-/// `part` of the impacts, whole or as a part of 1.
+/// How many of the impacts are `wanted`, as a part of 1.
 double share(const Impacts& impacts, const std::function<bool(const AuditedImpact&)>& wanted) {
   return static_cast<double>(std::count_if(impacts.begin(), impacts.end(), wanted)) /
          static_cast<double>(impacts.size());
@@ -153,13 +155,20 @@ std::optional<AuditFinding> threshold(const AuditedModel& model, Impacts asked) 
       asked.size()};
 }
 
+/// True where an offset by `middle` is no chance: it is far larger than what a step does, or than
+/// what it varies by.
+bool sure(const Impacts& bounces, const std::vector<double>& deviations, double middle) {
+  return std::abs(quantile(values(bounces, floors_of), 0.5)) >= far_off ||
+         quantile(deviations, 0.95) - quantile(deviations, 0.05) < std::abs(middle);
+}
+
 /// Rebounds that are too fast or too slow, one like the other.
 std::optional<AuditFinding> offset(const AuditedModel& model, const Impacts& bounces) {
   const auto deviations = values(bounces, deviation_of);
   const double middle = quantile(deviations, 0.5);
   const double one_side = quantile(deviations, middle > 0.0 ? 0.25 : 0.75);
   if (std::abs(middle) < least_offset || middle * one_side <= 0.0 ||
-      std::abs(quantile(values(bounces, floors_of), 0.5)) < far_off) {
+      !sure(bounces, deviations, middle)) {
     return std::nullopt;
   }
   const double outer = quantile(deviations, middle > 0.0 ? 0.95 : 0.05);
@@ -175,13 +184,17 @@ std::optional<AuditFinding> offset(const AuditedModel& model, const Impacts& bou
       bounces.size()};
 }
 
-/// Restitution that spreads around the requested one by more than sampling explains.
+/// Restitution that spreads around its median error by more than sampling explains: what is one
+/// error at all speeds is an offset.
 std::optional<AuditFinding> spread(const AuditedModel& model, const Impacts& bounces) {
-  const auto floors = values(bounces, floors_of);
+  const auto deviations = values(bounces, deviation_of);
+  const double middle = quantile(deviations, 0.5);
+  const auto floors = values(bounces, [middle](const AuditedImpact& impact) {
+    return (impact.deviation() - middle) * impact.speed / impact.rate_floor;
+  });
   if (quantile(floors, 0.95) - quantile(floors, 0.05) < wide) {
     return std::nullopt;
   }
-  const auto deviations = values(bounces, deviation_of);
   double sum = 0.0;
   double squares = 0.0;
   for (const double deviation : deviations) {
@@ -190,6 +203,9 @@ std::optional<AuditFinding> spread(const AuditedModel& model, const Impacts& bou
   }
   const double mean = sum / static_cast<double>(deviations.size());
   const double sd = std::sqrt(squares / static_cast<double>(deviations.size()) - mean * mean);
+  if (sd < least_scatter) {
+    return std::nullopt;
+  }
   const auto [least, most] = std::minmax_element(deviations.begin(), deviations.end());
   return AuditFinding{
       "scatter",

@@ -57,7 +57,7 @@ double entry(const ordered_json& columns, const char* name, std::size_t index) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Whether another impact of the run is at the same time: they share a velocity jump.
+/// True where no other impact of the run is at the same time: those share one velocity jump.
 bool alone(const ordered_json& times, std::size_t index) {
   return (index == 0 || times.at(index - 1) != times.at(index)) &&
          (index + 1 == times.size() || times.at(index + 1) != times.at(index));

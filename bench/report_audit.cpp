@@ -38,6 +38,18 @@ struct Pool {
   }
 };
 
+/// "1 run", "2 runs".
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// "3 runs, 1 impact"; no impacts where a finding is not drawn from any.
+std::string evidence_text(const ordered_json& evidence) {
+  const std::size_t impacts = evidence.at("impacts");
+  return counted(evidence.at("runs"), "run") +
+         (impacts > 0 ? ", " + counted(impacts, "impact") : "");
+}
+
 }  // namespace
 
 Table scatter_table(const ordered_json& report) {
@@ -73,13 +85,11 @@ std::string findings_list(const ordered_json& report) {
   constexpr std::size_t longest = 1000;  // bytes of a sentence
   std::string out;
   for (const ordered_json& finding : report.at("findings")) {
-    const ordered_json& evidence = finding.at("evidence");
-    out += fmt::format("- **{} {}**: {} ({} runs, {} impacts).\n",
+    out += fmt::format("- **{} {}**: {} ({}).\n",
                        markdown_text(report_text(finding.at("engine"))),
                        markdown_text(report_text(finding.at("model"))),
                        markdown_text(printable(finding.at("sentence").get<std::string>(), longest)),
-                       evidence.at("runs").get<std::size_t>(),
-                       evidence.at("impacts").get<std::size_t>());
+                       evidence_text(finding.at("evidence")));
   }
   return out.empty() ? "No model was found to do anything else to an impact than its cable asks "
                        "for.\n"

@@ -1,6 +1,7 @@
-// The restitution audit: every impact in the report, by case, engine, model and step. Requested
+// The restitution audit: the impacts in the report, by case, engine, model and step. Requested
 // against effective restitution over impact speed and over the lever arm, the impulse errors, and
-// the ladder of bounce heights against e^(2n).
+// the ladder of bounce heights against e^(2n). A report of many runs has the fastest impacts of each
+// only; a note below a chart says how many it has not.
 (() => {
   'use strict';
   const { report, mark, axis, logAxis, chart, make, select, refill, short, number, modelsOf } = tautline;
@@ -28,13 +29,16 @@
     && (!choice.case || run.case === choice.case) && (!choice.model || run.model === choice.model)
     && (!choice.step || String(run.step) === choice.step));
 
-  /// The impacts of the chosen runs by model, thinned: {model, total, rows}.
+  /// The impacts of the chosen runs by model, thinned: {total, missing, models: [{model, rows}]}.
+  /// `missing` impacts of these runs are not in the report.
   function impacts() {
     const byModel = new Map();
     let total = 0;
+    let missing = 0;
     for (const run of chosen()) {
       const columns = run.impacts;
       total += columns.time.length;
+      missing += columns.left_out;
       const rows = byModel.get(run.model) || [];
       columns.time.forEach((time, i) => rows.push({ time, run, requested: columns.requested[i],
         speed: -columns.rate_before[i], effective: -columns.rate_after[i] / columns.rate_before[i],
@@ -43,7 +47,7 @@
       byModel.set(run.model, rows);
     }
     const stride = Math.ceil(total / most);
-    return { total, models: [...byModel].map(([model, rows]) => ({ model,
+    return { total, missing, models: [...byModel].map(([model, rows]) => ({ model,
       rows: rows.filter((row, i) => i % stride === 0) })) };
   }
 
@@ -69,7 +73,12 @@
       marker: { symbol: 'line-ew-open', size: 11, color: colours.ink, line: { width: 1.6 } } };
   }
 
-  const note = (total, drawn) => (total > drawn ? `${drawn} of ${total} impacts are drawn.` : '');
+  /// What a chart of `drawn` impacts does not show.
+  function note({ total, missing }, drawn) {
+    const thinned = total > drawn ? `${drawn} of ${total} impacts are drawn. ` : '';
+    const slower = missing === 1 ? '1 slower impact of these runs is' : `${missing} slower impacts of these runs are`;
+    return thinned + (missing > 0 ? `${slower} not in this report; events.csv of each run has all of them.` : '');
+  }
   const nothing = { empty: 'No impact in this choice.' };
 
   /// The thresholds that were found in what is chosen, as upright lines.
@@ -86,12 +95,13 @@
 
   function restitution(x, axisOf, extra) {
     return (colours) => {
-      const { total, models } = impacts();
+      const found = impacts();
+      const { models } = found;
       const rows = models.flatMap((one) => one.rows);
-      if (total === 0) {
+      if (found.total === 0) {
         return nothing;
       }
-      return { note: note(total, rows.length),
+      return { note: note(found, rows.length),
         data: [...models.map((one) => dots(one.model, one.rows, x, (row) => row.effective)),
           requested(models, x, colours)],
         layout: { ...extra(colours), xaxis: axisOf(colours),
@@ -103,8 +113,9 @@
   const spread = (range) => ({ range, dtick: Math.ceil((range[1] - range[0]) / 8) });
 
   function impulse(colours) {
-    const { total, models } = impacts();
-    if (total === 0) {
+    const found = impacts();
+    const { models } = found;
+    if (found.total === 0) {
       return nothing;
     }
     const size = (value) => Math.max(Math.abs(value), floor);
@@ -113,7 +124,7 @@
       const sizes = models.flatMap((one) => one.rows).map((row) => Math.log10(size(row[name])));
       return [Math.floor(Math.min(...sizes)) - 0.2, Math.ceil(Math.max(...sizes) + 1e-9) + 0.2];
     };
-    return { note: note(total, models.flatMap((one) => one.rows).length),
+    return { note: note(found, models.flatMap((one) => one.rows).length),
       data: [...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.tangential))),
         ...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.angular),
           { yaxis: 'y2', showlegend: false }))],

@@ -28,8 +28,9 @@ struct AuditedImpact {
 /// A run that freezes: the body stops in one go where the exact motion swings on.
 struct Freeze {
   std::string case_name;
-  double time;  // [s], from which on nothing moves
-  double lost;  // [J], of energy when it stopped
+  double moving;  // [s], of the last sample before
+  double time;    // [s], of the first sample from which on nothing moves
+  double lost;    // [J], of energy between the two
 };
 
 /// All runs of one model.

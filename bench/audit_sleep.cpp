@@ -1,4 +1,5 @@
 // A body that an engine puts to sleep stays where it is, in the air or in the middle of a swing.
+// One that has lost its energy and hangs at rest is not asleep.
 
 #include <fmt/format.h>
 
@@ -7,6 +8,7 @@
 
 #include "bench/audit_run.hpp"
 #include "bench/text.hpp"
+#include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -72,21 +74,60 @@ bool hits_at(const ordered_json& run, const ordered_json& time) {
   return std::find(times.begin(), times.end(), time) != times.end();
 }
 
-/// A body stands at the equilibrium if no more than this part of its first energy is left [-].
-constexpr double at_equilibrium = 1e-3;
+/// A cable with a gap up to this part of its length is taut [-]: a path has six digits.
+constexpr double taut_gap = 1e-4;
 
-/// True where a run ends with no energy above the equilibrium of the final set of cables: what has
-/// lost it all may stand still.
-bool ends_at_equilibrium(const ordered_json& path, const ordered_json& the_case) {
-  const ordered_json& lock = the_case.at("settling").at("lock");
-  if (lock.is_null()) {
-    return false;
+/// A weight is carried but for this part of it [-]: of a swing, the sine of its angle. What has
+/// come to rest by itself has none left; what is stopped in a swing has mostly more.
+constexpr double carried = 0.01;
+
+/// What a cable does to a body with its unit of tension, and what it has to do: a force [N], and a
+/// moment [N m] over the longest arm.
+using Wrench = Eigen::Vector3d;
+
+Vec2 vector(const ordered_json& pair) {
+  return {pair.at(0).get<double>(), pair.at(1).get<double>()};
+}
+
+/// The wrenches of the cables that are taut at `at`.
+std::vector<Wrench> pulls(const ordered_json& the_case, const Pose& at) {
+  std::vector<Wrench> result;
+  double longest = 0.0;  // [m]
+  for (const ordered_json& row : the_case.at("geometry")) {
+    Cable cable;
+    cable.anchor = vector(row.at("anchor"));
+    cable.attachment = vector(row.at("attachment"));
+    cable.length = row.at("length");
+    longest = std::max(longest, cable.attachment.norm());
+    const State state{{at.x, at.y}, at.angle, Vec2::Zero(), 0.0};
+    if (gap(cable, state) <= taut_gap * cable.length) {
+      result.emplace_back(gap_gradient(cable, state));
+    }
   }
-  const ordered_json& swing = lock.at("swing");
-  const double lowest = the_case.at("end_energy").get<double>() -
-                        (swing.is_null() ? 0.0 : swing.at("energy").get<double>());
-  return path.at("energy").back().get<double>() - lowest <=
-         at_equilibrium * (the_case.at("start_energy").get<double>() - lowest);
+  for (Wrench& pull : result) {
+    pull[2] = longest > 0.0 ? pull[2] / longest : 0.0;
+  }
+  return result;
+}
+
+/// True where taut cables carry the weight of a body at `at`: there it may hang at rest for good.
+/// The least squares of what is left of the weight, over tensions that are not negative, by one
+/// tension after the other.
+bool hangs(const ordered_json& the_case, const Pose& at) {
+  constexpr int sweeps = 1000;     // cables a few degrees apart have converged
+  Wrench weight = Wrench::Zero();  // of a mass of 1
+  weight.head<2>() = vector(the_case.at("gravity"));
+  const std::vector<Wrench> cables = pulls(the_case, at);
+  std::vector<double> tensions(cables.size(), 0.0);
+  Wrench left = weight;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (std::size_t i = 0; i < cables.size(); ++i) {
+      const double more = std::max(-tensions[i], -cables[i].dot(left) / cables[i].squaredNorm());
+      tensions[i] += more;
+      left += more * cables[i];
+    }
+  }
+  return weight.norm() > 0.0 && left.norm() <= carried * weight.norm();
 }
 
 }  // namespace
@@ -110,12 +151,12 @@ std::optional<Freeze> freeze_of(const ordered_json& run, const ordered_json& the
   }
   if (distance(pose(path, first - 1), pose(path, first), cable) < moved_before ||
       hits_at(run, times.at(first)) || !exact_moves(the_case, time, end, cable) ||
-      ends_at_equilibrium(path, the_case)) {
+      hangs(the_case, pose(path, first))) {
     return std::nullopt;
   }
   const double lost =
       path.at("energy").at(first - 1).get<double>() - path.at("energy").at(first).get<double>();
-  return Freeze{run.at("case"), time, lost};
+  return Freeze{run.at("case"), times.at(first - 1), time, lost};
 }
 
 std::vector<AuditFinding> sleep_findings(const AuditedModel& model) {
@@ -130,11 +171,12 @@ std::vector<AuditFinding> sleep_findings(const AuditedModel& model) {
                        [](const Freeze& a, const Freeze& b) { return a.lost < b.lost; });
   return {
       {"sleeping",
-       fmt::format("the body is put to sleep: it stands still to the end in {} of {} runs where "
-                   "the exact motion goes on, first at t = {:.3g} s in {}; up to {:.2g} J are "
-                   "lost at once (in {})",
-                   model.freezes.size(), model.runs, earliest->time, printable(earliest->case_name),
-                   costliest->lost, printable(costliest->case_name)),
+       fmt::format(
+           "the body is put to sleep: it stands still to the end in {} of {} runs where "
+           "the exact motion goes on, first in {}, from between t = {:.3g} and {:.3g} s on; up to "
+           "{:.2g} J are lost at once (in {})",
+           model.freezes.size(), model.runs, printable(earliest->case_name), earliest->moving,
+           earliest->time, costliest->lost, printable(costliest->case_name)),
        earliest->time, "s", model.freezes.size(), 0}};
 }
 

@@ -85,8 +85,7 @@ std::string findings_list(const ordered_json& report) {
   constexpr std::size_t longest = 1000;  // bytes of a sentence
   std::string out;
   for (const ordered_json& finding : report.at("findings")) {
-    out += fmt::format("- **{} {}**: {} ({}).\n",
-                       markdown_text(report_text(finding.at("engine"))),
+    out += fmt::format("- **{} {}**: {} ({}).\n", markdown_text(report_text(finding.at("engine"))),
                        markdown_text(report_text(finding.at("model"))),
                        markdown_text(printable(finding.at("sentence").get<std::string>(), longest)),
                        evidence_text(finding.at("evidence")));

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "bench/audit_run.hpp"
 #include "program.hpp"
 
 namespace tautline::test {
@@ -34,6 +35,24 @@ json found(const json& report, const std::string& model, const std::string& kind
   }
   return result;
 }
+
+/// The only run of a case in `report` with every `stride`-th sample of its path, and the ends.
+nlohmann::ordered_json thinned_run(const json& report, std::size_t stride) {
+  nlohmann::ordered_json run = report.at("runs").at(0);
+  for (auto& [name, column] : run.at("path").items()) {
+    nlohmann::ordered_json kept = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      if (i % stride == 0 || i + 1 == column.size()) {
+        kept.push_back(column.at(i));
+      }
+    }
+    column = kept;
+  }
+  return run;
+}
+
+/// Strides that leave 400, 200, 100, 67 and 45 samples of 400.
+constexpr std::size_t strides[] = {1, 2, 4, 6, 9};
 
 bool built(const std::string& engine) { return built_engines().contains(engine); }
 
@@ -67,6 +86,30 @@ TEST(AuditOfBullet, FindsItsDeactivation) {
   EXPECT_NEAR(asleep[0].at("value").get<double>(), 2.0, 0.1);
 }
 
+/// The report of one model on the point mass, whose exact motion goes on and on.
+json report_of_the_point_mass(const std::string& engine, const std::string& model,
+                              const std::string& step) {
+  const TemporaryFolder out;
+  static_cast<void>(program({"bench", "breakwater/1900461100", "--engines", engine, "--models",
+                             model, "--steps", step, "--out", (out.path() / "r").string()}));
+  return json::parse(content_of(out.path() / "r/report.json"));
+}
+
+TEST(AuditOfBullet, FindsItsDeactivationInAPathOfAnySampling) {
+  if (!built("bullet64")) {
+    GTEST_SKIP() << "bullet64 is not built";
+  }
+  const json report = report_of_the_point_mass("bullet64", "row-sleeping", "1e-2");
+  const auto finest = bench::freeze_of(report.at("runs").at(0), report.at("cases").at(0));
+  ASSERT_TRUE(finest);
+  for (const std::size_t stride : strides) {
+    const auto freeze = bench::freeze_of(thinned_run(report, stride), report.at("cases").at(0));
+    ASSERT_TRUE(freeze) << stride;
+    EXPECT_LE(freeze->moving, finest->moving) << stride;
+    EXPECT_GE(freeze->time, finest->time) << stride;
+  }
+}
+
 TEST(AuditOfMujoco, FindsThatSoftLimitsScatter) {
   if (!built("mujoco")) {
     GTEST_SKIP() << "mujoco is not built";
@@ -88,6 +131,20 @@ TEST(AuditOfBox2d, FindsThatTheJointIgnoresRestitution) {
   ASSERT_EQ(ignored.size(), 1U) << report.at("findings");
   EXPECT_NEAR(ignored[0].at("value").get<double>(), 0.0, 0.02);
   EXPECT_EQ(report.at("findings").size(), 1U) << report.at("findings");
+}
+
+TEST(AuditOfBox2d, ABodyThatHangsAtRestIsNotAsleepInAPathOfAnySampling) {
+  if (!built("box2d")) {
+    GTEST_SKIP() << "box2d is not built";
+  }
+  for (const char* step : {"1e-2", "1e-3"}) {
+    const json report = report_of_the_point_mass("box2d", "distance-joint", step);
+    EXPECT_TRUE(found(report, "distance-joint", "sleeping").empty()) << report.at("findings");
+    for (const std::size_t stride : strides) {
+      const auto freeze = bench::freeze_of(thinned_run(report, stride), report.at("cases").at(0));
+      EXPECT_FALSE(freeze) << step << ' ' << stride << " at " << freeze->time;
+    }
+  }
 }
 
 TEST(Audit, FindsNothingInTheControlAtAnyStep) {

@@ -162,6 +162,25 @@ TEST(Audit, FindsScatterAndItsSize) {
   EXPECT_NEAR(value_of(finding), 0.06, 1e-3);
 }
 
+TEST(Audit, AnErrorInProportionIsNoScatter) {
+  for (const double factor : {1.024, 0.9}) {
+    const double by = factor;
+    const auto finding = only(findings_of([&](auto, const Case& the_case, RecordedImpact& impact) {
+                                rebound(the_case, impact, by * requested(the_case, impact));
+                              }),
+                              factor > 1.0 ? "gain" : "offset");
+    EXPECT_NEAR(value_of(finding), (factor - 1.0) * 0.9, 0.5 * std::abs(factor - 1.0));
+  }
+}
+
+TEST(Audit, SaysNothingOfAnErrorThatIsSmall) {
+  EXPECT_EQ(findings_of([](std::size_t index, const Case& the_case, RecordedImpact& impact) {
+              const double off = index % 2 == 0 ? 0.01 : -0.005;
+              rebound(the_case, impact, requested(the_case, impact) + off);
+            }),
+            ordered_json::array());
+}
+
 TEST(Audit, FindsImpactsOfSeveralSteps) {
   const auto finding =
       only(findings_of([](auto, const auto&, RecordedImpact& impact) { impact.steps = 4; }),

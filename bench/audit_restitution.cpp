@@ -31,10 +31,9 @@ constexpr double contrary = 0.1;
 constexpr double wide = 2.5;
 constexpr double far_off = 3.0;
 
-/// Below these an offset of e is none, and a standard deviation no scatter, however small the step
-/// [-]: an error in proportion to e spreads too, by a part of itself.
+/// An offset of e below this is none, and so is a standard deviation, however small the step [-].
 constexpr double least_offset = 0.01;
-constexpr double least_scatter = 0.02;
+constexpr double least_scatter = 0.01;
 
 bool lost(const AuditedImpact& impact) { return impact.effective < lost_part * impact.requested; }
 bool bounced(const AuditedImpact& impact) { return !lost(impact); }
@@ -184,15 +183,19 @@ std::optional<AuditFinding> offset(const AuditedModel& model, const Impacts& bou
       bounces.size()};
 }
 
-/// Restitution that spreads around its median error by more than sampling explains: what is one
-/// error at all speeds is an offset.
+/// The width of the middle 90 % of errors of e less `offset`, in units of what a step does.
+double width(const Impacts& bounces, double offset) {
+  const auto floors = values(bounces, [offset](const AuditedImpact& impact) {
+    return (impact.deviation() - offset) * impact.speed / impact.rate_floor;
+  });
+  return quantile(floors, 0.95) - quantile(floors, 0.05);
+}
+
+/// Restitution that spreads by more than sampling explains, and not only as one error of e does
+/// that is the same at all speeds: in units of a step that grows with the speed.
 std::optional<AuditFinding> spread(const AuditedModel& model, const Impacts& bounces) {
   const auto deviations = values(bounces, deviation_of);
-  const double middle = quantile(deviations, 0.5);
-  const auto floors = values(bounces, [middle](const AuditedImpact& impact) {
-    return (impact.deviation() - middle) * impact.speed / impact.rate_floor;
-  });
-  if (quantile(floors, 0.95) - quantile(floors, 0.05) < wide) {
+  if (std::min(width(bounces, 0.0), width(bounces, quantile(deviations, 0.5))) < wide) {
     return std::nullopt;
   }
   double sum = 0.0;

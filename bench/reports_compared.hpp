@@ -41,8 +41,10 @@ struct ReportReading {
 [[nodiscard]] std::vector<std::string> incomparable(const nlohmann::ordered_json& before,
                                                     const nlohmann::ordered_json& after);
 
-/// What changed beyond noise: an object of bench/compare.schema.json. Beyond the horizon nothing is
-/// said. Throws nlohmann::json::exception where a row lacks what the report's schema asks for.
+/// What changed beyond noise: an object of bench/compare.schema.json. Of what lies beyond the
+/// horizon, only extremes of the whole run are compared: overstretch, restitution error and energy
+/// gain, by a factor (Noise::extremes). Throws nlohmann::json::exception where a row lacks what the
+/// report's schema asks for.
 [[nodiscard]] nlohmann::ordered_json compared_reports(const nlohmann::ordered_json& before,
                                                       const nlohmann::ordered_json& after,
                                                       const Noise& noise = {});

@@ -98,7 +98,7 @@ TEST(Compare, RoundingAndWhatChaosMakesOfItAreNoise) {
   };
   times(metrics.at("early").at("position_error"), 1.0 + 1e-9);
   times(metrics.at("overstretch"), 1.2);                   // an extreme beyond the horizon
-  times(metrics.at("whole").at("position_error"), 100.0);  // beyond it: nothing is said
+  times(metrics.at("whole").at("position_error"), 100.0);  // beyond it, and no extreme
   metrics.at("horizon").at("position_error") =
       metrics.at("horizon").at("position_error").get<double>() + 1e-5;
   const Compared noise = compared(sound().dump(), after.dump());
@@ -125,6 +125,42 @@ TEST(Compare, NewFailuresComeFirstAndRunsThatAreGoneAreNamed) {
   EXPECT_EQ(mended.changes.at("recovered").size(), 1U);
   EXPECT_EQ(mended.changes.at("only_after").size(), 1U);
   EXPECT_TRUE(keeps_the_schema(mended.changes));
+}
+
+TEST(Compare, ACaseThatHasChangedUnderItsNameIsNotCompared) {
+  const std::vector<std::pair<const char*, double>> changes = {
+      {"/body/inertia", 0.02},          {"/gravity/1", -1.1},
+      {"/geometry/0/length", 1.4},      {"/geometry/0/restitution", 0.8},
+      {"/geometry/0/attachment/1", .1}, {"/path/x/0", 0.3}};
+  for (const auto& [place, value] : changes) {
+    ordered_json after = sound();
+    for (ordered_json& the_case : after.at("cases")) {
+      if (the_case.at("name") == "breakwater/1910121100") {
+        the_case.at(ordered_json::json_pointer(place)) = value;
+      }
+    }
+    metrics_of(after).at("overstretch") = 1.0;
+    const Compared other = compared(sound().dump(), after.dump());
+    EXPECT_EQ(other.outcome.code, 0) << place << other.outcome.output;
+    EXPECT_EQ(other.changes.at("other_case").size(), sound().at("runs").size() / 2) << place;
+  }
+}
+
+TEST(Compare, ReportsWithoutARunInCommonAreRefused) {
+  ordered_json renamed = sound();
+  ordered_json changed = sound();
+  for (ordered_json& run : renamed.at("runs")) {
+    run.at("model") = run.at("model").get<std::string>() + "-2";
+  }
+  for (ordered_json& the_case : changed.at("cases")) {
+    the_case.at("gravity").at(0) = 0.5;
+  }
+  for (const ordered_json* after : {&renamed, &changed}) {
+    const Compared nothing = compared(sound().dump(), after->dump());
+    EXPECT_EQ(nothing.outcome.code, 2) << nothing.outcome.output;
+    EXPECT_NE(nothing.outcome.errors.find("no run is in both reports"), std::string::npos)
+        << nothing.outcome.errors;
+  }
 }
 
 TEST(Compare, CostsAreOnlySaidWhenFarApartAndJudgeNothing) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "bench/certify.hpp"
@@ -97,16 +98,32 @@ std::optional<std::string> certify_problem(const SolveCommand& command) {
              : fmt::format("--digits {}: is for --certify, which is not given", *command.digits);
 }
 
+/// What is wrong with --plot and --json together; none if nothing is.
+std::optional<std::string> output_problem(const SolveCommand& command) {
+  if (command.plot.empty() || command.json.empty()) {
+    return std::nullopt;
+  }
+  if (command.plot == "-" && command.json == "-") {
+    return "--plot - and --json -: standard output takes one of them; give the other a file";
+  }
+  const auto file = [](const std::string& name) {
+    return std::filesystem::absolute(name).lexically_normal();
+  };
+  if (command.plot != "-" && command.json != "-" && file(command.plot) == file(command.json)) {
+    return fmt::format("--plot and --json are both {}: one would overwrite the other",
+                       printable(command.plot));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 int solve_command(const SolveCommand& command) {
-  if (const auto broken = certify_problem(command)) {
-    complain({*broken});
-    return exit_usage;
-  }
-  if (command.plot == "-" && command.json == "-") {
-    complain({"--plot - and --json -: standard output takes one of them; give the other a file"});
-    return exit_usage;
+  for (const auto& broken : {certify_problem(command), output_problem(command)}) {
+    if (broken) {
+      complain({*broken});
+      return exit_usage;
+    }
   }
   const std::optional<Case> the_case = wanted_case(command);
   if (!the_case) {

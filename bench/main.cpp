@@ -55,6 +55,11 @@ void add_law(CLI::App& command, tautline::ImpactLaw& law, const std::string& hel
       ->default_str("simultaneous");
 }
 
+/// An empty name, as of an unset variable of a shell, would write nothing.
+std::string named_file(const std::string& name) {
+  return name.empty() ? "must be the name of a file, or -" : "";
+}
+
 constexpr const char* law_help =
     "the exact motion's law for impacts on several cables, and that of models that leave the "
     "choice";
@@ -86,10 +91,13 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
                     "solve with many digits as well, and say how far the doubles are right");
   command->add_option("--digits", solve.digits,
                       "decimal digits for --certify, 20 to 1000 (default: 50)");
-  command->add_option("--json", solve.json,
-                      "write everything as JSON to this file, or to stdout: -");
-  command->add_option("--plot", solve.plot,
-                      "write a picture of the motion (SVG) to this file, or to stdout: -");
+  command
+      ->add_option("--json", solve.json, "write everything as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command
+      ->add_option("--plot", solve.plot,
+                   "write a picture of the motion (SVG) to this file, or to stdout: -")
+      ->check(named_file);
   command->callback([&] { code = solve_command(solve); });
 
   command = app.add_subcommand("run", "One case on one engine, held against the exact motion");

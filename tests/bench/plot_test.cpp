@@ -116,5 +116,22 @@ TEST(Plot, GoesToAFileOrToStandardOutputAndSaysWhenItCannot) {
   EXPECT_EQ(program({"solve", "bouncing-ball", "--plot", "-", "--json", "-"}).code, 2);
 }
 
+TEST(Plot, ANameThatIsEmptyOrTakenIsRefused) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "p").string();
+  const std::string same = (folder.path() / "." / "p").string();
+  for (const auto& [option, name] : {std::pair{"--plot", ""}, {"--json", ""}}) {
+    const Outcome empty = program({"solve", "bouncing-ball", option, name});
+    EXPECT_EQ(empty.code, 2) << option;
+    EXPECT_NE(empty.errors.find("must be the name of a file, or -"), std::string::npos)
+        << empty.errors;
+    EXPECT_EQ(empty.output, "");
+  }
+  const Outcome both = program({"solve", "bouncing-ball", "--plot", file, "--json", same});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_NE(both.errors.find("would overwrite"), std::string::npos) << both.errors;
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 }  // namespace
 }  // namespace tautline::test

@@ -53,8 +53,16 @@ constexpr std::array metrics = {
     LimitedMetric{"energy_gain", "J", "Largest rise of the energy above the start.",
                   [](const ordered_json& run) { return number(run, "/energy/largest_gain"); }}};
 
+/// Patterns have * and ? alone: what else is special for fnmatch stands for itself.
 bool matches(const std::string& pattern, const std::string& name) {
-  return ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+  std::string escaped;
+  for (const char letter : pattern) {
+    if (letter == '[' || letter == ']' || letter == '\\') {
+      escaped += '\\';
+    }
+    escaped += letter;
+  }
+  return ::fnmatch(escaped.c_str(), name.c_str(), 0) == 0;
 }
 
 /// Steps this near are the same: 0.001 from a file and from a command line. [-]

@@ -31,8 +31,8 @@ struct BrokenRow {
 void add_verdicts(nlohmann::ordered_json& report, const Limits& limits);
 
 /// What breaks the gate, for a report with verdicts: limits that do not hold and are not known to,
-/// runs and engines that failed, and known deviations of which no run of the report shows any; and
-/// a gate that judges no run at all.
+/// runs and engines that failed, known deviations of which no run of the report shows any or which
+/// no limit is on; and a gate that judges no run at all.
 [[nodiscard]] std::vector<BrokenRow> broken_rows(const nlohmann::ordered_json& report,
                                                  const Limits& limits);
 

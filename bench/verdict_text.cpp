@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "bench/text.hpp"
@@ -64,15 +65,47 @@ void add_runs(const ordered_json& report, std::vector<BrokenRow>& rows) {
   }
 }
 
-/// A gate that judges nothing, because no limit is on any run: a name in the file is wrong.
-void add_idle(const ordered_json& report, std::vector<BrokenRow>& rows) {
-  const auto& runs = report.at("runs");
-  const bool idle = std::all_of(runs.begin(), runs.end(), [](const ordered_json& run) {
-    return run.at("verdict").at("checks").empty();
-  });
-  if (idle) {
+/// The precision of the engine of a run, as patterns ask for it.
+class Precisions {
+ public:
+  explicit Precisions(const ordered_json& report) {
+    for (const ordered_json& engine : report.at("engines")) {
+      by_name_[engine.at("name")] = engine.value("precision", "");
+    }
+  }
+  [[nodiscard]] std::string of(const ordered_json& run) const {
+    const auto found = by_name_.find(run.at("engine"));
+    return found != by_name_.end() ? found->second : "";
+  }
+
+ private:
+  std::map<std::string, std::string> by_name_;
+};
+
+/// Whether any of `entries` is about `run`.
+template <class Entry>
+bool any_on(const std::vector<Entry>& entries, const ordered_json& run,
+            const Precisions& precisions) {
+  return std::any_of(entries.begin(), entries.end(),
+                     [&](const Entry& entry) { return entry.runs.holds(run, precisions.of(run)); });
+}
+
+/// A gate that judges nothing: no limit is on any run, as a name in the file is wrong, or the file
+/// says of every run that it is not judged.
+void add_idle(const ordered_json& report, const Limits& limits, std::vector<BrokenRow>& rows) {
+  const Precisions precisions(report);
+  bool checked = false;
+  bool judged = false;
+  for (const ordered_json& run : report.at("runs")) {
+    const bool has_checks = !run.at("verdict").at("checks").empty();
+    checked = checked || has_checks;
+    judged = judged || (has_checks && !any_on(limits.unjudged, run, precisions));
+  }
+  if (!judged) {
     rows.push_back({"", "", "", "", "", "no checks", "",
-                    "no limit of the file is on any run: see its names of engines and models"});
+                    checked ? "every run is informative or unsupported: the file judges none"
+                            : "no limit of the file is on any run: see its names of engines and "
+                              "models"});
   }
 }
 
@@ -86,31 +119,52 @@ std::optional<bool> deviates(const ordered_json& run, const KnownDeviation& know
   return std::nullopt;
 }
 
-/// Known deviations that the report could show and that no run of it does.
-void add_passing(const ordered_json& report, const Limits& limits, std::vector<BrokenRow>& rows) {
-  std::map<std::string, std::string> precision;
-  for (const ordered_json& engine : report.at("engines")) {
-    precision[engine.at("name")] = engine.value("precision", "");
+/// What the runs of a report say of one known deviation.
+struct Evidence {
+  const ordered_json* run = nullptr;  // the last one that it is about; or null
+  bool limited = false;               // one of them has a limit on its metric
+  bool measured = false;              // and could be held against it
+  bool still = false;                 // and breaks it
+};
+
+Evidence evidence_on(const KnownDeviation& known, const ordered_json& report, const Limits& limits,
+                     const Precisions& precisions) {
+  std::vector<Limit> on_metric;
+  std::copy_if(limits.limits.begin(), limits.limits.end(), std::back_inserter(on_metric),
+               [&](const Limit& limit) { return limit.metric == known.metric; });
+  Evidence evidence;
+  for (const ordered_json& run : report.at("runs")) {
+    if (!known.runs.holds(run, precisions.of(run))) {
+      continue;
+    }
+    evidence.run = &run;
+    evidence.limited =
+        evidence.limited || known.metric == failure || any_on(on_metric, run, precisions);
+    if (const auto found = deviates(run, known)) {
+      evidence.measured = true;
+      evidence.still = evidence.still || *found;
+    }
   }
+  return evidence;
+}
+
+/// Known deviations that the report could show and that no run of it does, or that no limit tells.
+void add_passing(const ordered_json& report, const Limits& limits, std::vector<BrokenRow>& rows) {
+  const Precisions precisions(report);
   for (const KnownDeviation& known : limits.known) {
-    const ordered_json* passing = nullptr;
-    bool still = false;
-    for (const ordered_json& run : report.at("runs")) {
-      if (!known.runs.holds(run, precision[run.at("engine")])) {
-        continue;
-      }
-      if (const auto found = deviates(run, known)) {
-        passing = &run;
-        still = still || *found;
-      }
+    const Evidence evidence = evidence_on(known, report, limits, precisions);
+    const bool unlimited = evidence.run != nullptr && !evidence.limited;
+    if (!unlimited && (!evidence.measured || evidence.still)) {
+      continue;
     }
-    if (passing != nullptr && !still) {
-      rows.push_back(
-          {word(*passing, "engine"), word(*passing, "model"), printable(known.runs.the_case),
-           known.runs.step ? fmt::format("{:g}", *known.runs.step) : "", known.metric, "holds",
-           "known not to",
-           "has started to hold: take it out of the manifest; there: " + printable(known.reason)});
-    }
+    rows.push_back({word(*evidence.run, "engine"), word(*evidence.run, "model"),
+                    printable(known.runs.the_case),
+                    known.runs.step ? fmt::format("{:g}", *known.runs.step) : "", known.metric,
+                    unlimited ? "not checked" : "holds", unlimited ? "" : "known not to",
+                    (unlimited ? "no limit is on this metric of these runs, so that it cannot be "
+                                 "known to break one; there: "
+                               : "has started to hold: take it out of the manifest; there: ") +
+                        printable(known.reason)});
   }
 }
 
@@ -136,7 +190,7 @@ std::vector<BrokenRow> broken_rows(const ordered_json& report, const Limits& lim
   add_engines(report, rows);
   add_runs(report, rows);
   add_passing(report, limits, rows);
-  add_idle(report, rows);
+  add_idle(report, limits, rows);
   return rows;
 }
 

@@ -173,6 +173,65 @@ TEST(Gate, AKnownDeviationPassesAndOneThatHasStartedToHoldDoesNot) {
   EXPECT_EQ(gated(bad_engine("sound"), limits).outcome.code, 0);
 }
 
+TEST(Gate, AKnownDeviationThatNoLimitTellsBreaksIt) {
+  const Gated unchecked = gated(
+      bad_engine("sound"), limits_text(restitution_limit("1e-3") + known("sound", "overstretch")));
+  EXPECT_EQ(unchecked.outcome.code, 1) << unchecked.outcome.output;
+  EXPECT_NE(unchecked.outcome.output.find("no limit is on this metric of these runs"),
+            std::string::npos)
+      << unchecked.outcome.output;
+}
+
+TEST(Gate, OneWhoseRunsAreAllUnjudgedIsBroken) {
+  const Gated idle =
+      gated(bad_engine("sound"),
+            limits_text(restitution_limit("1e-3") +
+                        "[[informative]]\nengine = \"sound\"\nmodel = \"*\"\nreason = \"r\"\n"));
+  EXPECT_EQ(idle.outcome.code, 1) << idle.outcome.output;
+  EXPECT_NE(idle.outcome.output.find("the file judges none"), std::string::npos)
+      << idle.outcome.output;
+}
+
+TEST(Limits, OnlyStarsAndQuestionMarksAreSpecialInAPattern) {
+  const auto on = [](const std::string& pattern, const std::string& name) {
+    bench::RunPattern runs;
+    runs.model = pattern;
+    return runs.holds({{"engine", "e"}, {"model", name}, {"case", "c/d"}, {"step", 1e-3}},
+                      "float64");
+  };
+  EXPECT_TRUE(on("r?w*", "row-early"));
+  EXPECT_TRUE(on("row[2]", "row[2]"));
+  EXPECT_FALSE(on("row[2]", "row2"));
+  EXPECT_TRUE(on("a\\*", "a\\b"));
+  EXPECT_FALSE(on("a\\*", "a*"));
+}
+
+TEST(Gate, TheLimitsThatShipTellPlantedErrorsFromASoundEngine) {
+  std::string engines = bad_engine("sound");
+  const std::vector<std::string> flaws = {"no-restitution", "twice",     "threshold",   "bouncy",
+                                          "wrong-inertia",  "wrong-arm", "energy-gain", "drift"};
+  // steps of 1e-2 turn the body by as much as a wrong inertia, and few early bounces are slow
+  const std::set<std::string> too_small_at_long_steps = {"threshold", "wrong-inertia"};
+  for (const std::string& flaw : flaws) {
+    engines += "," + bad_engine(flaw);
+  }
+  const TemporaryFolder out;
+  const Outcome outcome =
+      program({"bench", "breakwater/1910121100", "--engines", engines, "--steps", "1e-2,1e-3",
+               "--gate", TAUTLINE_LIMITS, "--out", (out.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 1);
+  const json report = json::parse(content_of(out.path() / "r/report.json"));
+  ASSERT_EQ(report.at("runs").size(), 2 * (1 + flaws.size()));
+  for (const json& run : report.at("runs")) {
+    if (run.at("step") == 1e-2 && too_small_at_long_steps.contains(run.at("engine"))) {
+      continue;
+    }
+    EXPECT_EQ(run.at("verdict").at("word"),
+              run.at("engine") == "sound" ? "pass" : "deviation-flagged")
+        << run.at("engine") << run.at("step");
+  }
+}
+
 TEST(Gate, OneThatJudgesNoRunIsBroken) {
   const std::string limits = limits_text(
       "[[limits]]\nengine = \"nobody\"\nmodel = \"*\"\nmetric = \"overstretch\"\nlimit = 1.0\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
@@ -23,6 +24,13 @@ constexpr double clear_overstretch = 0.05;
 /// of it [-].
 constexpr double least_corrected = 0.01;
 constexpr double most_corrected = 1.5;
+
+/// Rebounds smaller than this part of what they should be are lost, not of a wrong size [-].
+constexpr double least_size = 0.01;
+
+constexpr std::array bounce_rules = {BounceRule::as_is,         BounceRule::with_gravity,
+                                     BounceRule::after_gravity, BounceRule::after_both,
+                                     BounceRule::end_of_step,   BounceRule::at_contact};
 
 /// Impacts on the wrong side of a threshold, at most [-].
 constexpr double wrong_side = 0.1;
@@ -93,8 +101,10 @@ std::vector<Witness> witnesses_of(const Case& the_case, std::vector<Jump>& jumps
 
 double misfit(const Case& the_case, const Scheme& scheme, const Witness& witness, bool bounces) {
   const Jump& jump = *witness.jump;
+  const double added = step_rate(the_case, scheme.bounce, jump, jump.before);
   const double bounced = bounced_rate(the_case, scheme.bounce, jump, jump.before, bounces);
-  const double rate = corrected_rate(the_case, scheme, jump, jump.before, bounced);
+  const double scaled = added + scheme.size * (bounced - added);
+  const double rate = corrected_rate(the_case, scheme, jump, jump.before, scaled);
   return std::abs(witness.left - rate) / -witness.rate;
 }
 
@@ -133,23 +143,47 @@ std::vector<double> corrections(const Case& the_case, BounceRule rule,
   return result;
 }
 
-/// The rules that fit best; a more complicated one must fit much better.
-Scheme best_rules(const Case& the_case, const std::vector<Witness>& witnesses) {
-  constexpr std::array rules = {BounceRule::as_is,         BounceRule::with_gravity,
-                                BounceRule::after_gravity, BounceRule::after_both,
-                                BounceRule::end_of_step,   BounceRule::at_contact};
-  Scheme plain;
-  double plain_misfit = misfit(the_case, plain, witnesses);
-  Scheme corrected;
-  double corrected_misfit = plain_misfit;
-  for (const BounceRule rule : rules) {
+/// The one factor of all rebounds [-]: the median over those that are not lost.
+double size_of_rebounds(const Case& the_case, BounceRule rule,
+                        const std::vector<Witness>& witnesses) {
+  std::vector<double> sizes;
+  for (const auto& [jump, rate, left] : witnesses) {
+    const double added = step_rate(the_case, rule, *jump, jump->before);
+    const double size =
+        (left - added) / (bounced_rate(the_case, rule, *jump, jump->before) - added);
+    if (std::isfinite(size) && size > least_size) {
+      sizes.push_back(size);
+    }
+  }
+  return sizes.empty() ? 1.0 : median(sizes);
+}
+
+struct Fit {
+  Scheme scheme;
+  double misfit;
+};
+
+/// The best rule of the bounce, without a correction; with `sized`, all rebounds may be too large
+/// or too small by one factor.
+Fit best_bounce(const Case& the_case, const std::vector<Witness>& witnesses, bool sized) {
+  std::optional<Fit> best;
+  for (const BounceRule rule : bounce_rules) {
     Scheme scheme;
     scheme.bounce = rule;
-    if (const double found = misfit(the_case, scheme, witnesses);
-        found < much_better * plain_misfit) {
-      plain = scheme;
-      plain_misfit = found;
+    scheme.size = sized ? size_of_rebounds(the_case, rule, witnesses) : 1.0;
+    const double found = misfit(the_case, scheme, witnesses);
+    if (!best || found < much_better * best->misfit) {
+      best = Fit{scheme, found};
     }
+  }
+  return *best;
+}
+
+Fit best_correction(const Case& the_case, const std::vector<Witness>& witnesses, double enough) {
+  Fit best{{}, enough};
+  for (const BounceRule rule : bounce_rules) {
+    Scheme scheme;
+    scheme.bounce = rule;
     for (const CorrectionRule kind : {CorrectionRule::added, CorrectionRule::at_least}) {
       scheme.correction = kind;
       std::vector<double> parts = corrections(the_case, rule, witnesses, kind);
@@ -157,23 +191,40 @@ Scheme best_rules(const Case& the_case, const std::vector<Witness>& witnesses) {
       parts.push_back(usual);
       for (const double part : parts) {
         scheme.corrected = part;
-        if (const double found = misfit(the_case, scheme, witnesses); found < corrected_misfit) {
-          corrected = scheme;
-          corrected_misfit = found;
+        if (const double found = misfit(the_case, scheme, witnesses); found < best.misfit) {
+          best = {scheme, found};
         }
       }
     }
   }
-  return corrected_misfit < much_better * plain_misfit ? corrected : plain;
+  return best;
 }
 
-/// The speed below which the run's impacts do not rebound [m/s], or 0; marks those.
+/// The rules that fit best; a more complicated one must fit much better. A correction must also
+/// beat one factor on all rebounds: an impulse of a wrong size raises them by a part of the speed,
+/// as the overstretch does on average; what tells them apart is whether the rise follows the
+/// overstretch from impact to impact.
+Scheme best_rules(const Case& the_case, const std::vector<Witness>& witnesses) {
+  Fit simple = best_bounce(the_case, witnesses, false);
+  if (const Fit sized = best_bounce(the_case, witnesses, true);
+      sized.misfit < much_better * simple.misfit) {
+    simple = sized;
+  }
+  const Fit corrected = best_correction(the_case, witnesses, simple.misfit);
+  return corrected.misfit < much_better * simple.misfit ? corrected.scheme : simple.scheme;
+}
+
+/// The speed up to which the run's impacts do not rebound [m/s], or 0; marks those. It is the
+/// fastest speed of all if none rebounds, and their loss is clear: no rebound of a wrong size.
 double find_threshold(const Case& the_case, const Scheme& scheme,
                       const std::vector<Witness>& witnesses) {
   std::vector<std::pair<double, bool>> rebounds;  // speed, and whether it is lost
+  std::ptrdiff_t clearly_lost = 0;
   for (const Witness& witness : witnesses) {
-    witness.jump->lost =
-        misfit(the_case, scheme, witness, false) < misfit(the_case, scheme, witness, true);
+    const double without = misfit(the_case, scheme, witness, false);
+    const double with = misfit(the_case, scheme, witness, true);
+    witness.jump->lost = without < with;
+    clearly_lost += without < much_better * with ? 1 : 0;
     rebounds.emplace_back(-witness.rate, witness.jump->lost);
   }
   std::sort(rebounds.begin(), rebounds.end());
@@ -189,9 +240,11 @@ double find_threshold(const Case& the_case, const Scheme& scheme,
     }
   }
   const bool any_faster = !rebounds.empty() && rebounds.back().first > threshold;
-  const bool clear =
-      static_cast<double>(least) <= wrong_side * static_cast<double>(rebounds.size());
-  threshold = any_faster && clear ? threshold : 0.0;
+  const auto all = static_cast<std::ptrdiff_t>(rebounds.size());
+  const double few = wrong_side * static_cast<double>(all);
+  const bool none_rebounds = static_cast<double>(all - clearly_lost) <= few;
+  const bool clear = static_cast<double>(least) <= few;
+  threshold = clear && (any_faster || none_rebounds) ? threshold : 0.0;
   for (const Witness& witness : witnesses) {
     witness.jump->lost = witness.jump->lost && -witness.rate <= threshold;
   }

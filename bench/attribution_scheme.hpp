@@ -23,7 +23,7 @@ struct Jump {
   double overstretch;      // [m], >= 0, before
   double dt;               // [s], the step
   bool located;            // the simulation named the instant
-  bool lost = false;       // it did not rebound, as all slow ones of the run
+  bool lost = false;       // it did not rebound, as all slow ones of the run, or all
 };
 
 /// Which gap rate the bounce is taken from and what it becomes. y is the state where the velocity
@@ -45,7 +45,8 @@ struct Scheme {
   BounceRule bounce = BounceRule::as_is;
   CorrectionRule correction = CorrectionRule::none;
   double corrected = 0.0;  // [-], k
-  double threshold = 0.0;  // [m/s], impacts slower than this do not rebound; 0: all do
+  double size = 1.0;       // [-], of all rebounds against what they should be: the solver's
+  double threshold = 0.0;  // [m/s], impacts up to this do not rebound; 0: all do
   double instant = 0.0;    // [-], 0 to 1: where in a step the velocity jumps
 };
 

@@ -149,6 +149,21 @@ class Builder {
     }
   }
 
+  /// `state` with impulses on `cables` that give them the gap rates `wanted` [m/s].
+  [[nodiscard]] State with_rates(const State& state, CableSet cables,
+                                 const std::array<double, max_cables>& wanted) const {
+    if (cables.empty()) {
+      return state;
+    }
+    CableVector change = -gap_rates(case_, state, cables);
+    Eigen::Index row = 0;
+    for (const std::size_t cable : cables) {
+      change[row++] += wanted[cable];
+    }
+    return with_impulses<double>(case_, state, cables,
+                                 multipliers<double>(case_, state, cables, change));
+  }
+
   /// The state at the end if each jump left its cable with the gap rate that `rate` says; a cable
   /// that opens faster is let be.
   template <class Rate>
@@ -168,14 +183,16 @@ class Builder {
           cables.insert(cable);
         }
       }
-      if (!cables.empty()) {
-        CableVector change = -gap_rates(case_, now, cables);
-        Eigen::Index row = 0;
-        for (const std::size_t cable : cables) {
-          change[row++] += wanted[cable];
+      const State free = now;
+      now = with_rates(free, cables, wanted);
+      const std::size_t before = cables.size();
+      for (const std::size_t cable : segment_.held) {  // a cable that is taut already stays so
+        if (!cables.contains(cable) && gap_rate(case_.cables[cable], now) < 0.0) {
+          cables.insert(cable);
         }
-        now = with_impulses<double>(case_, now, cables,
-                                    multipliers<double>(case_, now, cables, change));
+      }
+      if (cables.size() > before) {
+        now = with_rates(free, cables, wanted);
       }
     }
     return fly(now, case_.gravity, end_ - time);

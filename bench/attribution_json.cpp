@@ -129,14 +129,18 @@ Table attribution_table(const ordered_json& report) {
 const char* attribution_reading() {
   return "The exact motion is restarted from the run's own state at the start and the end of every "
          "flight, impact and stretch on taut cables, and what the run did wrong in between is "
-         "carried by the exact motion to one instant: the last up to the horizon at which "
-         "amplification is no more than half. There the parts, each along the deviation, add up to "
-         "it. Shares of the sum of their sizes, median over the cases. *Flight bias*: the "
+         "carried by the exact motion to one instant. Those tried are up to the horizon, after "
+         "impacts 1, 2, 4, 8 and 16 of the exact motion, and the end of a run with fewer; it is "
+         "the last of them at which amplification is no more than a tenth, or, if there is none, "
+         "the first at which it is no more than half. There the parts, each along the deviation, "
+         "add up to it. Shares of the sum of their sizes, median over the cases. *Flight bias*: "
+         "the "
          "integrator's path, for semi-implicit Euler g dt t / 2. *Event lag*: the impact before or "
          "after its instant. *Late rate*: restitution of a rate that is not the one at that "
          "instant. *Position correction*: overstretch pushed out, by velocity on top of the bounce "
-         "or as a shift. *Threshold*: slow impacts that do not rebound. *Solver residual*: what "
-         "else the impulse did. *Taut drift*: motion on taut cables. *Amplification*: what the "
+         "or as a shift. *Threshold*: slow impacts that do not rebound, or none that do. *Solver "
+         "residual*: what else the impulse did. *Taut drift*: motion on taut cables. "
+         "*Amplification*: what the "
          "exact motion makes of all this beyond first order, or of rounding.\n";
 }
 

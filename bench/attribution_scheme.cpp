@@ -217,7 +217,7 @@ Scheme best_rules(const Case& the_case, const std::vector<Witness>& witnesses) {
 /// The speed up to which the run's impacts do not rebound [m/s], or 0; marks those. It is the
 /// fastest speed of all if none rebounds, and their loss is clear: no rebound of a wrong size.
 double find_threshold(const Case& the_case, const Scheme& scheme,
-                      const std::vector<Witness>& witnesses) {
+                      const std::vector<Witness>& witnesses, std::vector<Jump>& jumps) {
   std::vector<std::pair<double, bool>> rebounds;  // speed, and whether it is lost
   std::ptrdiff_t clearly_lost = 0;
   for (const Witness& witness : witnesses) {
@@ -247,6 +247,11 @@ double find_threshold(const Case& the_case, const Scheme& scheme,
   threshold = clear && (any_faster || none_rebounds) ? threshold : 0.0;
   for (const Witness& witness : witnesses) {
     witness.jump->lost = witness.jump->lost && -witness.rate <= threshold;
+  }
+  if (threshold > 0.0 && !any_faster) {  // also those that share a step with another
+    for (Jump& jump : jumps) {
+      jump.lost = true;
+    }
   }
   return threshold;
 }
@@ -342,7 +347,7 @@ double corrected_rate(const Case& the_case, const Scheme& scheme, const Jump& ju
 Scheme find_scheme(const Case& the_case, std::vector<Jump>& jumps, const Trajectory& run) {
   const std::vector<Witness> witnesses = witnesses_of(the_case, jumps);
   Scheme scheme = best_rules(the_case, witnesses);
-  scheme.threshold = find_threshold(the_case, scheme, witnesses);
+  scheme.threshold = find_threshold(the_case, scheme, witnesses, jumps);
   scheme.instant = find_instant(the_case, witnesses, run);
   for (Jump& jump : jumps) {
     jump.time += jump.located ? 0.0 : scheme.instant * jump.dt;

@@ -22,6 +22,9 @@ constexpr std::size_t held_steps = 10;
 /// Zero rate of a held cable: gravity's change of velocity in this many steps [-].
 constexpr double held_rate = 4.0;
 
+/// An impact that ends a taut stretch is faster than gravity makes a body in this many steps [-].
+constexpr double clear_impact = 5.0;
+
 class Cutter {
  public:
   Cutter(const Case& the_case, const Trajectory& run, const std::vector<Jump>& jumps,
@@ -121,14 +124,37 @@ class Cutter {
     return all == held ? result : with_zero_gaps(case_, result, all);
   }
 
-  void add(Segment::Kind kind, std::size_t end, const State& at_end) {
+  void add(Segment::Kind kind, std::size_t end, const State& at_end, CableSet held = {}) {
     const bool first = segments_.empty();
     segments_.push_back({kind, first ? 0 : segments_.back().last, end,
-                         first ? state(0) : segments_.back().end, at_end});
+                         first ? state(0) : segments_.back().end, at_end, held});
   }
 
-  /// Steps [`step`, `end`), in which cables act.
-  void add_busy(std::size_t step, std::size_t end) {
+  /// Steps [`point`, `end`) on the cables `held`, up to the next impact on another one, and on.
+  void add_taut(std::size_t point, std::size_t end, CableSet held) {
+    for (const Jump& jump : jumps_) {
+      const double rate = gap_rate(case_.cables[jump.cable], jump.before);
+      const bool fast = -rate > clear_impact * case_.gravity.norm() * jump.dt;
+      if (held.contains(jump.cable) || !fast || jump.first_step >= end) {
+        continue;
+      }
+      // before the cable is taut; a step more, as the exact motion may be a little earlier
+      std::size_t before = jump.first_step;
+      while (before > point && gap(case_.cables[jump.cable], state(before)) <= 0.0) {
+        --before;
+      }
+      if (before <= point + 1) {
+        continue;
+      }
+      --before;
+      add(Segment::Kind::taut, before, on_cables(state(before), held));
+      return add_busy(before, end, held);
+    }
+    add(Segment::Kind::taut, end, state(end));
+  }
+
+  /// Steps [`step`, `end`), in which cables act; `taut_before` ones do from the start.
+  void add_busy(std::size_t step, std::size_t end, CableSet taut_before = {}) {
     std::size_t jumps = 0;
     std::size_t first_jump = end;
     for (const Jump& jump : jumps_) {
@@ -139,13 +165,13 @@ class Cutter {
     }
     for (std::size_t point = first_jump + 1; point + held_steps < end; ++point) {
       if (const CableSet held = held_from(point); !held.empty()) {
-        add(Segment::Kind::impact, point, on_cables(state(point), held));
-        return add(Segment::Kind::taut, end, state(end));
+        add(Segment::Kind::impact, point, on_cables(state(point), held), taut_before);
+        return add_taut(point, end, held);
       }
     }
     const bool chatters = end - step > held_steps && jumps > 2 * case_.cables.size();
     const bool taut = chatters || (jumps == 0 && end - step > held_steps);
-    add(taut ? Segment::Kind::taut : Segment::Kind::impact, end, state(end));
+    add(taut ? Segment::Kind::taut : Segment::Kind::impact, end, state(end), taut_before);
   }
 
   const Case& case_;

@@ -81,13 +81,14 @@ const std::vector<ReferenceCase>& references() {
 }
 
 /// A report of one model that ran every case, as `run_of` made it.
-ordered_json report_of(const std::function<Trajectory(const ReferenceCase&)>& run_of) {
+ordered_json report_of(const std::function<Trajectory(const ReferenceCase&)>& run_of,
+                       double at_step = step) {
   const EngineInfo engine{"planted", "1", "float64", {}};
   ordered_json report = {{"cases", ordered_json::array()}, {"runs", ordered_json::array()}};
   for (const ReferenceCase& reference : references()) {
     RunReply reply;
     reply.trajectory = run_of(reference);
-    const PlannedRun run{0, 0, {"model", "A model.", {}}, step, 400};
+    const PlannedRun run{0, 0, {"model", "A model.", {}}, at_step, 400};
     report["cases"].push_back(case_row(reference, {}));
     report["runs"].push_back(run_row(reference, engine, run, reply, {}));
   }
@@ -95,8 +96,9 @@ ordered_json report_of(const std::function<Trajectory(const ReferenceCase&)>& ru
   return report;
 }
 
-ordered_json findings_of(const Change& change) {
-  return report_of([&](const ReferenceCase& reference) { return exact_run(reference, change); })
+ordered_json findings_of(const Change& change, double at_step = step) {
+  return report_of([&](const ReferenceCase& reference) { return exact_run(reference, change); },
+                   at_step)
       .at("findings");
 }
 
@@ -162,22 +164,29 @@ TEST(Audit, FindsScatterAndItsSize) {
   EXPECT_NEAR(value_of(finding), 0.06, 1e-3);
 }
 
+/// At this step an error of e is far larger than what a step does [s].
+constexpr double fine_step = 1e-5;
+
 TEST(Audit, AnErrorInProportionIsNoScatter) {
   for (const double factor : {1.024, 0.9}) {
     const double by = factor;
-    const auto finding = only(findings_of([&](auto, const Case& the_case, RecordedImpact& impact) {
-                                rebound(the_case, impact, by * requested(the_case, impact));
-                              }),
+    const auto finding = only(findings_of(
+                                  [&](auto, const Case& the_case, RecordedImpact& impact) {
+                                    rebound(the_case, impact, by * requested(the_case, impact));
+                                  },
+                                  fine_step),
                               factor > 1.0 ? "gain" : "offset");
     EXPECT_NEAR(value_of(finding), (factor - 1.0) * 0.9, 0.5 * std::abs(factor - 1.0));
   }
 }
 
 TEST(Audit, SaysNothingOfAnErrorThatIsSmall) {
-  EXPECT_EQ(findings_of([](std::size_t index, const Case& the_case, RecordedImpact& impact) {
-              const double off = index % 2 == 0 ? 0.01 : -0.005;
-              rebound(the_case, impact, requested(the_case, impact) + off);
-            }),
+  EXPECT_EQ(findings_of(
+                [](std::size_t index, const Case& the_case, RecordedImpact& impact) {
+                  const double off = index % 2 == 0 ? 0.01 : -0.005;
+                  rebound(the_case, impact, requested(the_case, impact) + off);
+                },
+                fine_step),
             ordered_json::array());
 }
 

@@ -281,6 +281,30 @@ TEST_P(PlantedCause, OverstretchPushedOutOnTopOfTheBounce) {
       exact_flight());
 }
 
+TEST_P(PlantedCause, UsualPartOfTheOverstretchIsTheLargestBesideTheLag) {
+  const Trajectory run = planted_run(
+      the_case, GetParam().end,
+      {.delay = 0.5 * step,
+       .rate =
+           [](const Case& own, std::size_t cable, const State& at_contact, const State& at_jump) {
+             constexpr double usual = 0.2;
+             return exact_rate(own, cable, at_contact) -
+                    usual * gap(own.cables[cable], at_jump) / step;
+           }},
+      exact_flight());
+  const Outcome found = outcome(the_case, run, Cause::position_correction, GetParam().end);
+  ASSERT_TRUE(found.attribution.parts);
+  const auto size = [&found](Cause cause) {
+    return std::abs((*found.attribution.parts)[static_cast<std::size_t>(cause)]);
+  };
+  for (const Cause cause : causes) {
+    if (cause != Cause::event_lag && cause != Cause::position_correction) {
+      EXPECT_GT(size(Cause::position_correction), size(cause))
+          << to_string(cause) << described(found.attribution);
+    }
+  }
+}
+
 TEST_P(PlantedCause, ImpulseOfAWrongSize) {
   expect(Cause::solver_residual,
          {.rate =

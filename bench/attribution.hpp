@@ -41,7 +41,7 @@ namespace tautline::bench {
 //
 // What is not told apart: parts are what is left at T. Where the exact motion settles, it forgets
 // impacts; and a model without restitution that pushes overstretch out rebounds by that instead:
-// up to a third of its parts is position_correction. An impact that ends a taut stretch is
+// up to two fifths of its parts are position_correction. An impact that ends a taut stretch is
 // looked for from a step or two before the cable is overstretched; a taut stretch so far behind
 // that the exact motion has the impact before that counts it as its own, as taut_drift.
 //

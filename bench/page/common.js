@@ -3,10 +3,17 @@
 // are drawn when they come into view and again when the scheme changes.
 window.tautline = (() => {
   'use strict';
+  const report = JSON.parse(document.getElementById('report-data').textContent);
   // Plotly makes links of <a> in names
-  const shown = (key, value) => (['engine', 'model', 'case', 'name'].includes(key)
-    && typeof value === 'string' ? value.replaceAll('<', '‹').replaceAll('>', '›') : value);
-  const report = JSON.parse(document.getElementById('report-data').textContent, shown);
+  for (const row of [report.runs, report.cases, report.engines, report.summary, report.convergence,
+    report.findings || [], report.attribution_summary || [], report.context.timing,
+    report.context.costs || []].flat()) {
+    for (const key of ['case', 'engine', 'model', 'name']) {
+      if (typeof row[key] === 'string' && /[<>]/.test(row[key])) {
+        row[key] = row[key].replaceAll('<', '‹').replaceAll('>', '›');
+      }
+    }
+  }
 
   // Okabe and Ito's order, darkened on light paper and lightened on dark for 3:1 against either.
   const lightColours = ['#0b62a3', '#b34700', '#00795a', '#a03a7c', '#8a6400', '#1f7fb8', '#5b3fa0',

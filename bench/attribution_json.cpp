@@ -9,18 +9,13 @@
 #include <tuple>
 #include <vector>
 
+#include "bench/report.hpp"
 #include "bench/report_tables.hpp"
 
 namespace tautline::bench {
 namespace {
 
 using nlohmann::ordered_json;
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 /// The runs of one engine, model and step.
 struct Group {

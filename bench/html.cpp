@@ -41,29 +41,7 @@ void mark_up(std::string& text, std::string_view mark, const std::string& elemen
 }  // namespace
 
 std::string html_text(std::string_view text, std::size_t longest) {
-  std::string result;
-  for (const char letter : printable(text, longest)) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
+  return xml_text(printable(text, longest));
 }
 
 std::string html_prose(std::string_view text) {

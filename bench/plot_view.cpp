@@ -64,32 +64,6 @@ std::vector<double> ticks(double low, double size) {
   return result;
 }
 
-std::string xml_text(std::string_view text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
-}
-
 double sag(double length, double chord) {
   return chord < length ? std::sqrt(3.0 / 16.0) * std::sqrt((length - chord) * (length + chord))
                         : 0.0;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "tautline/case.hpp"
@@ -31,9 +29,6 @@ class Extent {
 
 /// The largest of 1, 2 or 5 times a power of ten that is at most `length` > 0.
 [[nodiscard]] double round_below(double length);
-
-/// `text` with what XML reads as its own made harmless.
-[[nodiscard]] std::string xml_text(std::string_view text);
 
 /// How far a slack line of `length` between points `chord` apart hangs below their middle: that of
 /// a parabola that is not deep, 8 sag^2 / (3 chord) longer than its chord.

@@ -11,6 +11,7 @@
 #include "bench/case_catalogue.hpp"
 #include "bench/chapter_report.hpp"
 #include "bench/process.hpp"
+#include "bench/replay_data.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -115,9 +116,6 @@ Curve thinned(const Curve& curve) {
   }
   return result;
 }
-
-/// Six digits: a plot needs four.
-double rounded(double value) { return std::stod(fmt::format("{:.6g}", value)); }
 
 ordered_json curve_json(const std::string& name, const Curve& curve) {
   ordered_json x = ordered_json::array();

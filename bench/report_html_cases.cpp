@@ -122,11 +122,6 @@ std::vector<std::string> metric_cells(const ordered_json& metrics, const ordered
           fixed_cell(cost, 1)};
 }
 
-std::string case_name(const ordered_json& run) {
-  constexpr std::size_t longest_name = 60;
-  return "<th scope=\"row\">" + html_text(run.at("case").get<std::string>(), longest_name);
-}
-
 }  // namespace
 
 std::string cases_section(const ordered_json& report) {
@@ -153,9 +148,10 @@ std::string cases_section(const ordered_json& report) {
       if ((run.at("engine") == control) != of_control) {
         continue;
       }
-      std::vector<std::string> cells = {
-          case_name(run), word_cell(run.at("engine").get<std::string>()),
-          word_cell(run.at("model").get<std::string>()), plain_cell(run.at("step"))};
+      std::vector<std::string> cells = {row_heading(run.at("case").get<std::string>()),
+                                        word_cell(run.at("engine").get<std::string>()),
+                                        word_cell(run.at("model").get<std::string>()),
+                                        plain_cell(run.at("step"))};
       if (judged) {
         cells.push_back(verdict_cell(member(run, "verdict")));
       }

@@ -9,8 +9,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string text_of(const ordered_json& row, const char* key) { return row.at(key); }
-
 std::string correction_item(const ordered_json& one) {
   const bool holds = one.at("holds");
   return fmt::format(

@@ -11,6 +11,8 @@ const ordered_json& member(const ordered_json& object, const char* key) {
   return object.is_object() && object.contains(key) ? object.at(key) : none;
 }
 
+std::string text_of(const ordered_json& object, const char* key) { return object.at(key); }
+
 std::string key_of(const ordered_json& row, std::initializer_list<const char*> keys) {
   std::string result;
   for (const char* key : keys) {

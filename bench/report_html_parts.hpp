@@ -19,6 +19,9 @@ inline constexpr std::string_view control = "exact";
 [[nodiscard]] const nlohmann::ordered_json& member(const nlohmann::ordered_json& object,
                                                    const char* key);
 
+/// The string of `key`, which `object` has.
+[[nodiscard]] std::string text_of(const nlohmann::ordered_json& object, const char* key);
+
 /// The same text for rows that agree in `keys`.
 [[nodiscard]] std::string key_of(const nlohmann::ordered_json& row,
                                  std::initializer_list<const char*> keys);

@@ -12,8 +12,6 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t longest_sentence = 1000;
 
-std::string text_of(const ordered_json& row, const char* key) { return row.at(key); }
-
 std::string model_html(const ordered_json& model, const std::string& id) {
   std::string out = fmt::format("<h4>{}</h4>\n<p>{}</p>\n", html_text(text_of(model, "name")),
                                 html_text(text_of(model, "sentence"), longest_sentence));

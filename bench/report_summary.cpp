@@ -15,12 +15,6 @@ using nlohmann::ordered_json;
 /// An error this small is rounding: it does not shrink with the step [m].
 constexpr double rounding_error = 1e-9;
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
 /// Rows with one engine, model and step, in the order of their first.
 using Group = std::vector<const ordered_json*>;
 
@@ -191,6 +185,12 @@ ordered_json convergence_of(const Group& rows) {
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
 
 double slope(const std::vector<double>& steps, const std::vector<double>& errors) {
   double mean_x = 0.0;

@@ -32,6 +32,9 @@ inline constexpr std::size_t quotable_length = 160;
 /// than `longest` bytes is cut and ends in "...".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = quotable_length);
 
+/// `text` with what XML and HTML read as their own made harmless.
+[[nodiscard]] std::string xml_text(std::string_view text);
+
 /// A number for a text that is the same on every machine and in every release (FNV-1a). Not for
 /// secrets.
 [[nodiscard]] std::uint64_t stable_hash(std::string_view text);

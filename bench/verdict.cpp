@@ -3,22 +3,12 @@
 #include "bench/verdict.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace tautline::bench {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// The precision of each engine of a report, by name.
-std::map<std::string, std::string> precisions(const ordered_json& report) {
-  std::map<std::string, std::string> result;
-  for (const ordered_json& engine : report.at("engines")) {
-    result[engine.at("name")] = engine.value("precision", "");
-  }
-  return result;
-}
 
 /// The last entry on a run that `fits`, or null: the special stands behind the general.
 template <class Entry, class Fits>
@@ -113,10 +103,21 @@ ordered_json limits_json(const Limits& limits) {
 
 }  // namespace
 
+Precisions::Precisions(const ordered_json& report) {
+  for (const ordered_json& engine : report.at("engines")) {
+    by_name_[engine.at("name")] = engine.value("precision", "");
+  }
+}
+
+std::string Precisions::of(const ordered_json& run) const {
+  const auto found = by_name_.find(run.at("engine"));
+  return found != by_name_.end() ? found->second : "";
+}
+
 void add_verdicts(ordered_json& report, const Limits& limits) {
-  const auto precision = precisions(report);
+  const Precisions precisions(report);
   for (ordered_json& run : report.at("runs")) {
-    run["verdict"] = verdict_on(limits, run, precision.at(run.at("engine")));
+    run["verdict"] = verdict_on(limits, run, precisions.of(run));
   }
   // "context" stays the last key: everything that differs from run to run is under it
   ordered_json context = std::move(report.at("context"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -8,6 +9,17 @@
 #include "bench/table.hpp"
 
 namespace tautline::bench {
+
+/// The precision of the engine of a run, as the patterns of a manifest ask for it.
+class Precisions {
+ public:
+  explicit Precisions(const nlohmann::ordered_json& report);
+  /// "" of an engine the report does not list.
+  [[nodiscard]] std::string of(const nlohmann::ordered_json& run) const;
+
+ private:
+  std::map<std::string, std::string> by_name_;
+};
 
 /// A row that breaks the gate.
 struct BrokenRow {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 
 #include "bench/text.hpp"
 #include "bench/verdict.hpp"
@@ -64,23 +63,6 @@ void add_runs(const ordered_json& report, std::vector<BrokenRow>& rows) {
     }
   }
 }
-
-/// The precision of the engine of a run, as patterns ask for it.
-class Precisions {
- public:
-  explicit Precisions(const ordered_json& report) {
-    for (const ordered_json& engine : report.at("engines")) {
-      by_name_[engine.at("name")] = engine.value("precision", "");
-    }
-  }
-  [[nodiscard]] std::string of(const ordered_json& run) const {
-    const auto found = by_name_.find(run.at("engine"));
-    return found != by_name_.end() ? found->second : "";
-  }
-
- private:
-  std::map<std::string, std::string> by_name_;
-};
 
 /// Whether any of `entries` is about `run`.
 template <class Entry>

@@ -141,7 +141,7 @@ void limit_this_process(std::size_t memory) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a killed program leaves no workers behind
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
-#ifndef __SANITIZE_ADDRESS__  // whose shadow memory is terabytes of address space
+#ifndef TAUTLINE_SANITIZED  // whose shadow memory is terabytes of address space
   const rlimit space{memory, memory};
   ::setrlimit(RLIMIT_AS, &space);
 #else

@@ -24,6 +24,8 @@ function(tautline_target target)
       -Wno-maybe-uninitialized
       $<$<NOT:$<BOOL:$<TARGET_PROPERTY:TAUTLINE_UNSANITIZED>>>:-fsanitize=address,undefined$<SEMICOLON>-fno-sanitize-recover=all$<SEMICOLON>-fno-omit-frame-pointer>)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+    # for tests that must be shorter, or cannot be, where what they call is sanitized
+    target_compile_definitions(${target} PRIVATE TAUTLINE_SANITIZED=1)
     # Eigen would take another malloc under ASan, and free what an engine built without it allocated
     target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()

@@ -14,7 +14,7 @@
 namespace tautline::test {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TAUTLINE_SANITIZED
 constexpr int arcs = 20'000;  // sanitizers slow this down twentyfold
 #else
 constexpr int arcs = 1'000'000;

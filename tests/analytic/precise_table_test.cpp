@@ -61,7 +61,7 @@ TEST_P(PreciseTable, EveryPrintedDigitIsRight) {
   }
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TAUTLINE_SANITIZED
 constexpr std::ptrdiff_t rows_tested = 3;  // sanitizers slow this down tenfold
 #else
 constexpr std::ptrdiff_t rows_tested = std::ssize(swing_table);

@@ -16,7 +16,7 @@ namespace tautline::test {
 namespace {
 
 constexpr std::uint64_t seed = 20240607;
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TAUTLINE_SANITIZED
 constexpr int systems_per_count = 100;  // sanitizers slow this down tenfold
 #else
 constexpr int systems_per_count = 1250;  // 10,000 over the eight numbers of cables

@@ -75,7 +75,7 @@ std::vector<BadEngine> every_way() {
       {"own-exception", "failed", "an error of the module's own"},
       {"mute", "", "crashed: SIGSEGV"},
       {"wrong-interface", "", "tautline-engine 0, from long ago"}};
-#ifndef __SANITIZE_ADDRESS__  // which leaves no limit on address space in place
+#ifndef TAUTLINE_SANITIZED  // which leaves no limit on address space in place
   ways.push_back({"memory", "failed", "ran out of memory"});
 #endif
   return ways;

@@ -110,7 +110,7 @@ int compare_all(const Errors& found, const std::vector<std::string>& steps) {
 }
 
 TEST(EngineErrors, AreThoseMeasuredWithoutTheBench) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TAUTLINE_SANITIZED
   GTEST_SKIP() << "a million steps of code that other tests run under sanitizers";
 #endif
   const std::vector<std::string> steps = {"0.01", "0.001", "0.0001"};
@@ -118,7 +118,7 @@ TEST(EngineErrors, AreThoseMeasuredWithoutTheBench) {
 }
 
 TEST(EngineErrors, AreThoseMeasuredWithoutTheBenchAtTheSmallestStep) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef TAUTLINE_SANITIZED
   GTEST_SKIP() << "a million steps of code that other tests run under sanitizers";
 #endif
   EXPECT_GT(compare_all(errors({"1e-05"}), {"1e-05"}), 0) << "no engine was there";

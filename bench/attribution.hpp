@@ -36,8 +36,8 @@ namespace tautline::bench {
 //
 // So does all of a segment whose defect is no larger than the noise of the engine's numbers.
 //
-// As the larger derivative counts, amplification is the least that it can be: a single impulse that
-// is wrong by much (0.8 m/s at the first impact of a breakwater case) is mostly its cause's.
+// The larger of the two derivatives counts, as neither is the one: amplification is what not even
+// that explains.
 //
 // What is not told apart: parts are what is left at T. Where the exact motion settles, it forgets
 // impacts; and a model without restitution that pushes overstretch out rebounds by that instead:

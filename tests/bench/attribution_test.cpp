@@ -337,6 +337,34 @@ INSTANTIATE_TEST_SUITE_P(Cases, PlantedCause,
                                          Named{"breakwater/1110121100", 5.0},
                                          Named{"breakwater/2921121100", 3.0}));
 
+/// What one wrong impulse becomes by `until` [s], found by hand: the exact motion restarted from
+/// either state behind the impact at `start` [s].
+struct ByHand {
+  Vec2 carried;        // [m], e
+  double first_order;  // [m], the larger of |A d| and |B d|
+};
+
+ByHand by_hand(Case the_case, double start, double until, const State& exact, const State& wrong) {
+  the_case.duration = until - start;
+  const auto place = [&](const State& from) {
+    the_case.initial = from;
+    return solve(the_case).at(the_case.duration).position;
+  };
+  // d moves the velocity and the spin alone; central differences along it
+  const auto derivative = [&](const State& at) {
+    constexpr double near = 1e-6;
+    const auto moved = [&](double scale) {
+      State state = at;
+      state.velocity += scale * (wrong.velocity - exact.velocity);
+      state.spin += scale * (wrong.spin - exact.spin);
+      return state;
+    };
+    return Vec2((place(moved(near)) - place(moved(-near))) / (2.0 * near));
+  };
+  return {place(wrong) - place(exact),
+          std::max(derivative(exact).norm(), derivative(wrong).norm())};
+}
+
 /// The exact motion of a case that locks, sampled, its clock fast by `drift` [-] on taut cables.
 Trajectory sampled_run(const Case& the_case, double drift) {
   const Solution solution = solve(the_case);
@@ -377,6 +405,46 @@ TEST(Attribution, TautStretchesThatDrift) {
     EXPECT_GE(found.share, 0.9) << described(found.attribution);
     EXPECT_GT(found.attribution.until, 2.0) << "the lock is at 1.53";
     EXPECT_GT(found.attribution.deviation, 1e-6);
+  }
+}
+
+/// One wrong impulse: `change` [m/s] at the first impact of a case, so large that `weight` of what
+/// it becomes is explained by a derivative.
+struct WrongImpulse {
+  const char* name;
+  double end;  // [s]
+  Vec2 change;
+  double weight;  // [-]
+};
+
+TEST(Attribution, OfAWrongImpulseIsItsCauseToFirstOrderAndAmplificationBeyond) {
+  for (const auto& [name, end, change, known] :
+       {WrongImpulse{"breakwater/1910121100", 3.0, {0.42, 0.56}, 1.0},
+        WrongImpulse{"breakwater/1110121100", 5.0, {0.42, 0.56}, 0.960},
+        WrongImpulse{"breakwater/2921121100", 3.0, {-0.129, 0.077}, 0.910}}) {
+    Case the_case = shipped(name);
+    the_case.duration = end;
+    const auto spoil = [&wrong = change](State& after, std::size_t count) {
+      if (count == 0) {
+        after.velocity += wrong;
+      }
+    };
+    const Trajectory run = planted_run(the_case, end, {.spoil = spoil}, {the_case.gravity});
+    const Attribution found = outcome(the_case, run, Cause::solver_residual, end).attribution;
+    ASSERT_TRUE(found.parts);
+    const RecordedImpact& first = run.impacts.front();
+    State exact = first.after;
+    exact.velocity -= change;
+    const ByHand hand = by_hand(the_case, first.time, found.until, exact, first.after);
+    ASSERT_NEAR(hand.carried.norm(), found.deviation, 1e-9);
+    const double weight = std::min(1.0, hand.first_order / hand.carried.norm());
+    EXPECT_NEAR(weight, known, 2e-3) << name;
+    const auto share = [&found](Cause cause) {
+      return (*found.parts)[static_cast<std::size_t>(cause)] / found.deviation;
+    };
+    constexpr double differences = 1e-3;  // one-sided and central differences are so far apart
+    EXPECT_NEAR(share(Cause::solver_residual), weight, differences) << described(found);
+    EXPECT_NEAR(share(Cause::amplification), 1.0 - weight, differences) << described(found);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "bench/report_html.hpp"
 #include "bench/report_html_parts.hpp"
+#include "bench/report_tables.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -52,8 +53,7 @@ std::vector<HtmlColumn> columns_of(const ordered_json& report, bool judged) {
   return columns;
 }
 
-/// The word, and each limit that matters beside its value: those that do not hold, or else the one
-/// that is nearest to not holding.
+/// The word, and each limit that matters beside its value.
 std::string verdict_cell(const ordered_json& verdict) {
   if (!verdict.is_object()) {
     return "<td>–";
@@ -76,21 +76,10 @@ std::string verdict_cell(const ordered_json& verdict) {
                            ? ": " + html_text(reason.get<std::string>())
                            : "");
   };
-  const ordered_json* tightest = nullptr;
-  double highest = -1.0;  // value over limit
-  bool broken = false;
-  for (const ordered_json& check : member(verdict, "checks")) {
-    if (check.at("holds") == false) {
-      broken = true;
-      out += line(check);
-    } else if (check.at("value").is_number() && check.at("limit").is_number() &&
-               check.at("limit").get<double>() > 0.0 &&
-               check.at("value").get<double>() / check.at("limit").get<double>() > highest) {
-      highest = check.at("value").get<double>() / check.at("limit").get<double>();
-      tightest = &check;
-    }
+  for (const ordered_json* check : telling_checks(verdict)) {
+    out += line(*check);
   }
-  return broken || tightest == nullptr ? out : out + line(*tightest);
+  return out;
 }
 
 /// "finished", or the word and why.

@@ -69,12 +69,7 @@ std::string reading_section(const ordered_json& report) {
     out += fmt::format("<li>{}</li>\n", html_prose(item));
     at = end + 1;
   }
-  return out +
-         "<li>A <strong>verdict</strong> holds one run against a file of limits; the limit that "
-         "decides it stands beside the value. No engine is ranked: an error depends on the model, "
-         "the step and what it is "
-         "for.</li>\n"
-         "</ul>\n</section>\n";
+  return out + "</ul>\n</section>\n";
 }
 
 std::string context_section(const ordered_json& report) {

@@ -106,7 +106,10 @@ std::string how_to_read(const ordered_json& report) {
       "- A run that *stopped* was ended by its own simulation, which says why: an engine that does "
       "not follow the motion on taut cables, or one that can go no further. Such a run is compared "
       "up to its stop, and is a failure only if it stopped well before the exact motion has a taut "
-      "cable or reaches its horizon.\n",
+      "cable or reaches its horizon.\n"
+      "- A **verdict** holds one run against a file of limits; the limit that decides it stands "
+      "beside the value. No engine is ranked: an error depends on the model, the step and what it "
+      "is for.\n",
       options.at("early_impacts").get<int>(), options.at("count_speed").get<double>());
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "bench/report.hpp"
 
@@ -212,14 +213,17 @@ double slope(const std::vector<double>& steps, const std::vector<double>& errors
 ordered_json costs_json(const ordered_json& timing) {
   ordered_json costs = ordered_json::array();
   for (const Group& group : grouped(timing, by_setup)) {
-    std::vector<double> ratios;
-    for (const ordered_json* row : group) {
-      ratios.push_back(row->at("cost_ratio"));
-    }
+    const auto median_of = [&group](const char* key) {
+      std::vector<double> values;
+      std::transform(group.begin(), group.end(), std::back_inserter(values),
+                     [key](const ordered_json* row) { return row->at(key).get<double>(); });
+      return median(std::move(values));
+    };
     costs.push_back({{"engine", group.front()->at("engine")},
                      {"model", group.front()->at("model")},
                      {"step", group.front()->at("step")},
-                     {"cost_ratio", median(ratios)}});
+                     {"cost_ratio", median_of("cost_ratio")},
+                     {"second_cost", median_of("second_cost")}});
   }
   return costs;
 }

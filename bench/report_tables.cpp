@@ -95,7 +95,45 @@ std::string cost_text(const ordered_json& row, const std::map<std::string, doubl
   return found == ratios.end() ? dash : fmt::format("{:.1f}", found->second);
 }
 
+/// The word, and the limits that matter.
+std::string verdict_text(const ordered_json& run) {
+  const ordered_json verdict = run.value("verdict", ordered_json(nullptr));
+  if (verdict.is_null()) {
+    return dash;
+  }
+  std::string out = report_text(verdict.at("word"));
+  const char* separator = ": ";
+  for (const ordered_json* check : telling_checks(verdict)) {
+    out += fmt::format("{}{} {}, limit {}{}", separator, report_text(check->at("metric")),
+                       error_text(check->at("value")), error_text(check->at("limit")),
+                       check->at("known").get<bool>() ? " (known)" : "");
+    separator = "; ";
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<const ordered_json*> telling_checks(const ordered_json& verdict) {
+  std::vector<const ordered_json*> broken;
+  const ordered_json* tightest = nullptr;
+  double highest = -1.0;  // value over limit
+  for (const ordered_json& check : verdict.at("checks")) {
+    const ordered_json& value = check.at("value");
+    const ordered_json& limit = check.at("limit");
+    if (check.at("holds") == false) {
+      broken.push_back(&check);
+    } else if (value.is_number() && limit.is_number() && limit.get<double>() > 0.0 &&
+               value.get<double>() / limit.get<double>() > highest) {
+      highest = value.get<double>() / limit.get<double>();
+      tightest = &check;
+    }
+  }
+  if (broken.empty() && tightest != nullptr) {
+    return {tightest};
+  }
+  return broken;
+}
 
 std::string report_text(const ordered_json& value) { return printable(value.get<std::string>()); }
 
@@ -173,7 +211,11 @@ Table case_table(const ordered_json& report, const ordered_json& name) {
                               "overstretch", "energy gain", "cost"}) {
     headings.emplace_back(heading);
   }
-  Table table(headings, 2);
+  const bool judged = report.contains("limits") && report.at("limits").is_object();
+  if (judged) {
+    headings.emplace_back("verdict, limits");
+  }
+  Table table(headings, 2, judged ? 1 : 0);
   for (const ordered_json& row : report.at("runs")) {
     const ordered_json& metrics = row.at("metrics");
     if (row.at("case") != name || metrics.is_null()) {
@@ -204,6 +246,9 @@ Table case_table(const ordered_json& report, const ordered_json& name) {
          beside_exact(member(swing, "amplitude"), 5), measured(metrics),
          error_text(metrics.at("overstretch")), error_text(metrics.at("energy").at("largest_gain")),
          cost_text(row, ratios)});
+    if (judged) {
+      cells.push_back(verdict_text(row));
+    }
     table.add(cells);
   }
   return table;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "bench/table.hpp"
 
@@ -30,11 +31,17 @@ namespace tautline::bench {
 /// Says which models stopped before their end, each with its first reason, and that this is no
 /// failure; "" without one.
 [[nodiscard]] std::string stopped_sentence(const nlohmann::ordered_json& report);
+
 /// Effective less requested restitution over all cases, by engine, model and step.
 [[nodiscard]] Table scatter_table(const nlohmann::ordered_json& report);
 
 /// What the models do to impacts, as a Markdown list.
 [[nodiscard]] std::string findings_list(const nlohmann::ordered_json& report);
+
+/// The checks of a verdict that matter: those that do not hold, or else the one that is nearest to
+/// not holding. They are `verdict`'s own.
+[[nodiscard]] std::vector<const nlohmann::ordered_json*> telling_checks(
+    const nlohmann::ordered_json& verdict);
 
 /// A string of the report, safe to print.
 [[nodiscard]] std::string report_text(const nlohmann::ordered_json& value);

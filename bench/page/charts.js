@@ -11,38 +11,32 @@
   const key = (row) => `${row.engine}/${row.model}`;
   const models = [...new Map(report.runs.map((run) => [key(run), run])).values()]
     .map(({ engine, model }) => ({ engine, model }));
-  const costs = new Map(report.context.timing.map((row) =>
-    [`${row.case}\n${key(row)}\n${row.step}`, row.step_cost / row.step]));
+  const costOf = (list, of) => new Map(list.map((row) => [of(row), row.second_cost]));
+  const costs = costOf(report.context.timing, (row) => `${row.case}\n${key(row)}\n${row.step}`);
+  const medianCosts = costOf(report.context.costs, (row) => `${key(row)}\n${row.step}`);
   const slopes = Object.fromEntries(report.convergence.filter((row) => row.slope)
     .map((row) => [key(row), `slope ${number(Number(row.slope.median.toFixed(2)))}`]));
 
-  const byModel = new Map();
-  report.runs.forEach((run) => {
-    byModel.set(key(run), [...(byModel.get(key(run)) || []), run]);
-  });
+  const grouped = (rows) => {
+    const groups = new Map();
+    rows.forEach((row) => groups.set(key(row), [...(groups.get(key(row)) || []), row]));
+    return groups;
+  };
+  const runsOf = grouped(report.runs);
+  const summaryOf = grouped(report.summary);
+  const worked = (run) => run.status === 'finished' || run.status === 'stopped';
 
-  function median(values) {
-    const sorted = [...values].sort((a, b) => a - b);
-    const half = sorted.length >> 1;
-    return sorted.length % 2 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
-  }
-
-  /// The points of one model, in falling step: {step, error, cost, cases}.
+  /// The points of one model, in falling step: {step, error, cost, cases}. Over all cases they are
+  /// the report's medians.
   function points(model, choice) {
-    const steps = new Map();
-    for (const run of byModel.get(model)) {
-      const error = run.metrics && run.metrics[choice.window].position_error;
-      const working = run.status === 'finished' || run.status === 'stopped';
-      if (working && typeof error === 'number' && (!choice.case || run.case === choice.case)) {
-        const at = steps.get(run.step) || { errors: [], costs: [] };
-        at.errors.push(error);
-        at.costs.push(costs.get(`${run.case}\n${model}\n${run.step}`));
-        steps.set(run.step, at);
-      }
-    }
-    return [...steps].sort((a, b) => b[0] - a[0]).map(([step, at]) => ({ step,
-      error: median(at.errors), cases: at.errors.length,
-      cost: at.costs.every((cost) => cost > 0) ? median(at.costs) : null }));
+    const found = choice.case
+      ? runsOf.get(model).filter((run) => run.case === choice.case && worked(run) && run.metrics).map((run) => ({
+        step: run.step, error: run.metrics[choice.window].position_error, cases: 1,
+        cost: costs.get(`${run.case}\n${model}\n${run.step}`) }))
+      : (summaryOf.get(model) || []).map((row) => ({ step: row.step,
+        error: row[`${choice.window}_position_error`]?.median, cases: row.cases - row.failed,
+        cost: medianCosts.get(`${model}\n${row.step}`) }));
+    return found.filter(({ error }) => typeof error === 'number').sort((a, b) => b.step - a.step);
   }
 
   function curve({ engine, model }, choice, abscissa, colours, hidden) {

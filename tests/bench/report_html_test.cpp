@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <regex>
 #include <set>
 
 #include "bench/html.hpp"
+#include "bench/report.hpp"
 #include "program.hpp"
 
 namespace tautline::test {
@@ -338,6 +340,24 @@ TEST(Html, MarksUpPairsAndNothingElse) {
   EXPECT_EQ(bench::html_prose("2 * 3 * 4"), "2 * 3 * 4");
   EXPECT_EQ(bench::html_prose("one * alone, *open"), "one * alone, *open");
   EXPECT_EQ(bench::html_text("a & <b> \"c\" 'd'"), "a &amp; &lt;b&gt; &quot;c&quot; &#39;d&#39;");
+}
+
+TEST(ReportMarkdown, SaysTheVerdictOfEveryRunAndTheLimitsThatDecideIt) {
+  ordered_json report = full_report();
+  const std::string said = "deviation-flagged: position error 2.5e-01, limit 1.2e-01 (known) |";
+  EXPECT_EQ(bench::report_markdown(report).find(said), std::string::npos) << "without limits";
+  report["limits"] = {
+      {"file", "limits.toml"}, {"version", "1"}, {"metrics", ordered_json::array()}};
+  const std::string markdown = bench::report_markdown(report);
+  std::ptrdiff_t count = 0;
+  for (std::size_t at = markdown.find(said); at != std::string::npos;
+       at = markdown.find(said, at + 1)) {
+    ++count;
+  }
+  const auto& runs = report.at("runs");
+  EXPECT_EQ(count, std::count_if(runs.begin(), runs.end(), [](const ordered_json& run) {
+              return !run.at("metrics").is_null();
+            }));
 }
 
 }  // namespace

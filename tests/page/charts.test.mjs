@@ -54,6 +54,25 @@ test('the points of error against step are the numbers of the report', async () 
   });
 });
 
+test('the points of error against cost over all cases are the medians of the report', async () => {
+  await withPage(benchPage(), async ({ page }) => {
+    await drawAll(page);
+    const { wrong, compared } = await page.evaluate(() => {
+      const { report } = tautline;
+      const { body } = tautline.charts['chart-cost'];
+      const rows = report.summary.filter((row) => row.early_position_error?.median > 1e-9); // the rest is at the foot
+      return { compared: rows.length, wrong: rows.filter((row) => {
+        const same = (one) => one.engine === row.engine && one.model === row.model && one.step === row.step;
+        const trace = body._fullData.find((one) => one.name === `${row.engine} ${row.model}`);
+        const at = [...trace.x].indexOf(report.context.costs.find(same).second_cost);
+        return trace.y[at] !== row.early_position_error.median;
+      }).map((row) => `${row.engine} ${row.model} ${row.step}`) };
+    });
+    assert.ok(compared > 2);
+    assert.deepEqual(wrong, []);
+  });
+});
+
 test('a button of the legend takes its model off the chart and puts it back', async () => {
   await withPage(benchPage(), async ({ page }) => {
     await drawAll(page);

@@ -133,7 +133,13 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
       models: modelNames[name].map((model) => ({ name: model, sentence: 'Synthetic.', settings: [] })) })),
     { name: 'absent', problem: 'its library was not found', missing: true }],
     cases: made.map((the) => the.row), runs,
-    summary: groups.map(({ engine, model, step }) => ({ engine, model, step, cases: cases.length, failed: 0 })),
+    summary: groups.map(({ engine, model, step }) => {
+      const errors = runs.filter((run) => run.engine === engine && run.model === model && run.step === step);
+      const over = (window) => ({ median: errors[0].metrics[window].position_error,
+        worst: errors[0].metrics[window].position_error });
+      return { engine, model, step, cases: cases.length, failed: 0, early_position_error: over('early'),
+        horizon_position_error: over('horizon') };
+    }),
     convergence: models.map(({ engine, model }, which) => ({ engine, model, cases: cases.length, cases_at_rounding: 0,
       slope: engine === 'exact' ? null : { smallest: 0.9, median: 1 + (which % 2), largest: 2.1 } })),
     findings: [{ engine: 'bullet64', model: 'row', kind: 'threshold', sentence: 'bounces slower than 0.2 m/s are lost',
@@ -146,6 +152,9 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
       boundary: null, marks: [{ time: 4, meaning: 'the cables stay taut' }], chapter: 'It rests.', truth: 'It swings.' }] },
     context: { command: 'synthetic', started: '2026-01-01T00:00:00Z', elapsed: 1, program_memory: 1, worker_memory: 1,
       kept_runs: 0, processor: 'none', cores: 1, compiler: 'none', build_type: 'none', flags: '', commit: 'unknown',
+      costs: groups.map(({ engine, model, step }) => ({ engine, model, step, cost_ratio: 100,
+        second_cost: 1e-6 * (1 + engine.length) / step })),
       timing: runs.map(({ case: name, engine, model, step }) => ({ case: name, engine, model, step, memory: 1e7,
-        step_cost: 1e-6 * (1 + engine.length), reference_cost: 1e-8, cost_ratio: 100 })) } };
+        step_cost: 1e-6 * (1 + engine.length), reference_cost: 1e-8, cost_ratio: 100,
+        second_cost: 1e-6 * (1 + engine.length) / step })) } };
 }

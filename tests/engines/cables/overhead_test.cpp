@@ -55,7 +55,8 @@ double ratio(double restitution, double above, double speed) {
   const auto cables = many_loads(Held::by_cable, restitution, above, speed);
   double of_joints = std::numeric_limits<double>::infinity();
   double of_cables = of_joints;
-  for (int turn = 0; turn < 150; ++turn) {
+  constexpr int turns = 1000;  // some a second: long enough to have quiet moments among other tests
+  for (int turn = 0; turn < turns; ++turn) {
     of_joints = std::min(of_joints, time_of(*joints));
     of_cables = std::min(of_cables, time_of(*cables));
   }

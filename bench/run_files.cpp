@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <sstream>
+#include <utility>
 
 #include "bench/atomic_file.hpp"
 #include "bench/case_catalogue.hpp"
@@ -32,7 +32,9 @@ std::string state_columns(const State& state) {
 
 std::string file_content(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream content;  // whole buffers at a time: a program is tens of megabytes
+  content << file.rdbuf();
+  return std::move(content).str();
 }
 
 /// Of the program itself: what it compares, and how, may change without its version.

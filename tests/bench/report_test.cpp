@@ -46,7 +46,7 @@ json mixed_report(const TemporaryFolder& out) {
                               "," + bad_engine("mute") + "," + bad_engine("no-taut-motion");
   static_cast<void>(
       program({"bench", "bouncing-ball", "breakwater/1510121100", "--engines", engines, "--steps",
-               "1e-2,1e-3", "--out", (out.path() / "r").string()}));
+               "1e-2,1e-3", "--until", "4", "--out", (out.path() / "r").string()}));
   return json::parse(content_of(out.path() / "r/report.json"), nullptr, false);
 }
 

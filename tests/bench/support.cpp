@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace tautline::bench::test {
 
@@ -69,7 +70,9 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 std::string content_of(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::ostringstream content;
+  content << stream.rdbuf();
+  return std::move(content).str();
 }
 
 }  // namespace tautline::bench::test

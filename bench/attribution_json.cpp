@@ -9,8 +9,8 @@
 #include <tuple>
 #include <vector>
 
-#include "bench/report.hpp"
 #include "bench/report_tables.hpp"
+#include "bench/statistics.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -40,13 +40,6 @@ struct ReportContext {
 /// How fast errors shrink with the step: by engine and model, the slope of log error over log step.
 [[nodiscard]] nlohmann::ordered_json convergence_json(const nlohmann::ordered_json& runs);
 
-/// Of `values`, at least one; the mean of the middle two where they are even in number.
-[[nodiscard]] double median(std::vector<double> values);
-
-/// The slope of log10 `errors` over log10 `steps` by least squares; sizes equal, at least 2, all >
-/// 0.
-[[nodiscard]] double slope(const std::vector<double>& steps, const std::vector<double>& errors);
-
 /// The report as Markdown, readable as it stands. Drawn from `report` alone.
 [[nodiscard]] std::string report_markdown(const nlohmann::ordered_json& report);
 

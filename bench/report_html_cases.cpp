@@ -53,7 +53,7 @@ std::vector<HtmlColumn> columns_of(const ordered_json& report, bool judged) {
   return columns;
 }
 
-/// The word, and each limit that matters beside its value.
+/// The word, and each limit that matters beside its value; why, where it does not hold.
 std::string verdict_cell(const ordered_json& verdict) {
   if (!verdict.is_object()) {
     return "<td>–";
@@ -69,12 +69,13 @@ std::string verdict_cell(const ordered_json& verdict) {
                                : std::string("–");
     };
     const ordered_json& reason = member(check, "reason");
-    return fmt::format("<br>{} {}, limit {}{}{}", html_text(check.at("metric").get<std::string>()),
-                       number(check.at("value")), number(check.at("limit")),
-                       check.value("known", false) ? " (known)" : "",
-                       reason.is_string() && !reason.get<std::string>().empty()
-                           ? ": " + html_text(reason.get<std::string>())
-                           : "");
+    return fmt::format(
+        "<br>{} {}, limit {}{}{}", html_text(check.at("metric").get<std::string>()),
+        number(check.at("value")), number(check.at("limit")),
+        check.value("known", false) ? " (known)" : "",
+        check.at("holds") == false && reason.is_string() && !reason.get<std::string>().empty()
+            ? ": " + html_text(reason.get<std::string>())
+            : "");
   };
   for (const ordered_json* check : telling_checks(verdict)) {
     out += line(*check);

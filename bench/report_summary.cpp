@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/report.hpp"
+#include "bench/statistics.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -186,29 +187,6 @@ ordered_json convergence_of(const Group& rows) {
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
-double slope(const std::vector<double>& steps, const std::vector<double>& errors) {
-  double mean_x = 0.0;
-  double mean_y = 0.0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    mean_x += std::log10(steps[i]) / static_cast<double>(steps.size());
-    mean_y += std::log10(errors[i]) / static_cast<double>(steps.size());
-  }
-  double xy = 0.0;
-  double xx = 0.0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const double x = std::log10(steps[i]) - mean_x;
-    xy += x * (std::log10(errors[i]) - mean_y);
-    xx += x * x;
-  }
-  return xy / xx;
-}
 
 ordered_json costs_json(const ordered_json& timing) {
   ordered_json costs = ordered_json::array();

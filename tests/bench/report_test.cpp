@@ -10,6 +10,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "bench/statistics.hpp"
 #include "bench/table.hpp"
 #include "program.hpp"
 

@@ -29,7 +29,7 @@ Line line_of(const CableData& cable, const std::vector<BodyState>& bodies) {
   const std::array ends = {cable.first.body, cable.second.body};
   for (std::size_t side = 0; side < ends.size(); ++side) {
     line.inverse[side] = 0.0;
-    if (ends[side] >= 0) {
+    if (ends[side] >= 0 && !bodies[static_cast<std::size_t>(ends[side])].is_hook()) {
       const BodyState& body = bodies[static_cast<std::size_t>(ends[side])];
       const Vec3& moment = line.moments[side];
       line.inverse[side] = 1.0 / body.mass + moment.dot(body.inertia().inverse() * moment);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -25,8 +26,10 @@ struct BodyState {
   Mat3 axes;      // from the body's frame to the world's
   Vec3 velocity;  // [m/s]
   Vec3 spin;      // [rad/s]
-  double mass;    // [kg]
+  double mass;    // [kg]; infinite for a hook
   Vec3 moments;   // [kg m^2], about the body's axes
+
+  [[nodiscard]] bool is_hook() const { return std::isinf(mass); }
 
   [[nodiscard]] Mat3 inertia() const { return axes * moments.asDiagonal() * axes.transpose(); }
 };
@@ -40,10 +43,10 @@ struct CableData {
 
 class Scene {
  public:
-  static constexpr double step_length = 1.0 / 60.0;  // [s]
+  static constexpr double step_length = 1.0 / 60.0;  // [s], unless another rate is asked for
 
-  /// Gravity acts along -y [m/s^2].
-  explicit Scene(double gravity);
+  /// Gravity acts along -y [m/s^2]; `rate` steps make a second.
+  explicit Scene(double gravity, double rate = 60.0);
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
   ~Scene();
@@ -51,23 +54,34 @@ class Scene {
   /// A body that touches nothing, or a box of 0.2 m that touches all.
   int add_body(double mass, const Vec3& moments, const Vec3& position, const Vec3& velocity);
   int add_box(double mass, const Vec3& position);
+  /// A body of no size that goes where it is moved to and that no force moves: the engine's
+  /// kinematic body. It does not turn.
+  int add_hook(const Vec3& position);
   int add_cable(const CableData& cable);
-  /// The engine's own ball joint between a point of a body, in its frame, and the world.
-  void add_ball_joint(int body, const Vec3& point);
+  /// The engine's own ball joint between a point of a body, in its frame, and the world or `other`.
+  void add_ball_joint(int body, const Vec3& point, int other = -1);
+  void add_ground();
   /// Ground, and boxes that lie and fall on it.
   void add_scenery();
 
   void set_velocity(int body, const Vec3& velocity, const Vec3& spin);
+  /// Where a hook is after the next step [m]; it goes there evenly.
+  void move_hook(int hook, const Vec3& position);
+  void keep_awake(int body);
   void let_sleep();
   void rebound_by_energy(int cable);
+  /// Steps by ODE's iterative solver from now on; false if the engine has no such choice.
+  bool use_quick_step();
 
   void step();
   /// One step by events; returns its parts.
   int step_by_events();
 
+  [[nodiscard]] double dt() const;  // [s]
   [[nodiscard]] int count() const;  // bodies that move
   [[nodiscard]] BodyState body(int index) const;
   [[nodiscard]] bool sleeps(int body) const;
+  [[nodiscard]] bool touched(int body) const;  // by another body, in the last step or part of one
   [[nodiscard]] double impulse(int cable) const;  // of the last step [N s]
   [[nodiscard]] bool taut(int cable) const;
   [[nodiscard]] double reported_gap(int cable) const;       // [m]
@@ -76,6 +90,8 @@ class Scene {
   /// The engine, and the rounding of its numbers.
   static const std::string engine;
   static const double rounding;
+  /// By what angle the engine turns a body that spins at `spin` [rad/s] in one step of `dt` [s].
+  [[nodiscard]] static double turn(double spin, double dt);
 
  private:
   struct Engine;

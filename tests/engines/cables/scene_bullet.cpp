@@ -1,5 +1,6 @@
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -15,10 +16,23 @@ btVector3 bullet(const Vec3& v) {
 
 Vec3 eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
+/// Where the scene has a hook.
+struct HookPose : btMotionState {
+  btTransform pose = btTransform::getIdentity();
+
+  void getWorldTransform(btTransform& now) const override { now = pose; }
+  void setWorldTransform(const btTransform& /*now*/) override {}
+};
+
 }  // namespace
 
 const std::string Scene::engine = sizeof(btScalar) == sizeof(double) ? "bullet64" : "bullet32";
 const double Scene::rounding = std::numeric_limits<btScalar>::epsilon();
+
+/// btTransformUtil::integrateTransform turns by the whole angle, but not beyond a limit.
+double Scene::turn(double spin, double dt) {
+  return std::min(spin * dt, static_cast<double>(ANGULAR_MOTION_THRESHOLD));
+}
 
 /// Every setting is Bullet's own, but that loads stay awake until `let_sleep`.
 struct Scene::Engine {
@@ -30,10 +44,14 @@ struct Scene::Engine {
   btEmptyShape nothing;
   btBoxShape box{btVector3(btScalar(0.1), btScalar(0.1), btScalar(0.1))};
   btStaticPlaneShape plane{btVector3(0, 1, 0), 0};
+  btScalar dt;
+  std::vector<std::unique_ptr<HookPose>> poses;
   std::vector<std::unique_ptr<btRigidBody>> bodies;
   std::vector<std::unique_ptr<btRigidBody>> ground;
   std::vector<btCableConstraint*> cables;
   std::vector<std::unique_ptr<btTypedConstraint>> constraints;
+
+  explicit Engine(double rate) : dt(static_cast<btScalar>(1.0 / rate)) {}
 
   std::unique_ptr<btRigidBody> make(double mass, btCollisionShape& shape, const btVector3& inertia,
                                     const Vec3& position) {
@@ -47,15 +65,15 @@ struct Scene::Engine {
     bodies.push_back(std::move(body));
     return static_cast<int>(bodies.size()) - 1;
   }
-  btRigidBody& body(int index) { return *bodies[static_cast<std::size_t>(index)]; }
-  btCableConstraint& cable(int index) { return *cables[static_cast<std::size_t>(index)]; }
+  btRigidBody& body(int index) const { return *bodies[static_cast<std::size_t>(index)]; }
+  btCableConstraint& cable(int index) const { return *cables[static_cast<std::size_t>(index)]; }
   void add(std::unique_ptr<btTypedConstraint> constraint) {
     world.addConstraint(constraint.get());
     constraints.push_back(std::move(constraint));
   }
 };
 
-Scene::Scene(double gravity) : engine_(std::make_unique<Engine>()) {
+Scene::Scene(double gravity, double rate) : engine_(std::make_unique<Engine>(rate)) {
   engine_->world.setGravity(btVector3(0, static_cast<btScalar>(-gravity), 0));
 }
 
@@ -86,6 +104,18 @@ int Scene::add_box(double mass, const Vec3& position) {
   return engine_->add(std::move(body));
 }
 
+int Scene::add_hook(const Vec3& position) {
+  auto pose = std::make_unique<HookPose>();
+  pose->pose.setOrigin(bullet(position));
+  auto body = std::make_unique<btRigidBody>(
+      btRigidBody::btRigidBodyConstructionInfo(0, pose.get(), &engine_->nothing));
+  body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  body->setActivationState(DISABLE_DEACTIVATION);
+  engine_->world.addRigidBody(body.get(), 0, 0);
+  engine_->poses.push_back(std::move(pose));
+  return engine_->add(std::move(body));
+}
+
 int Scene::add_cable(const CableData& data) {
   const CableEnd& first = data.first;
   const CableEnd& second = data.second;
@@ -102,13 +132,25 @@ int Scene::add_cable(const CableData& data) {
   return static_cast<int>(engine_->cables.size()) - 1;
 }
 
-void Scene::add_ball_joint(int body, const Vec3& point) {
-  engine_->add(std::make_unique<btPoint2PointConstraint>(engine_->body(body), bullet(point)));
+void Scene::add_ball_joint(int body, const Vec3& point, int other) {
+  btRigidBody& first = engine_->body(body);
+  if (other < 0) {
+    engine_->add(std::make_unique<btPoint2PointConstraint>(first, bullet(point)));
+    return;
+  }
+  btRigidBody& second = engine_->body(other);
+  const btVector3 at = first.getCenterOfMassTransform() * bullet(point);
+  engine_->add(std::make_unique<btPoint2PointConstraint>(
+      first, second, bullet(point), second.getCenterOfMassTransform().inverse() * at));
+}
+
+void Scene::add_ground() {
+  engine_->ground.push_back(engine_->make(0, engine_->plane, btVector3(0, 0, 0), Vec3::Zero()));
+  engine_->world.addRigidBody(engine_->ground.back().get());
 }
 
 void Scene::add_scenery() {
-  engine_->ground.push_back(engine_->make(0, engine_->plane, btVector3(0, 0, 0), Vec3::Zero()));
-  engine_->world.addRigidBody(engine_->ground.back().get());
+  add_ground();
   for (int level = 0; level < 3; ++level) {
     add_box(1.0, Vec3(5.0, 0.1 + 0.21 * level, 0.0));
     add_box(1.0, Vec3(-5.0, 1.0 + level, 0.0));
@@ -120,6 +162,12 @@ void Scene::set_velocity(int body, const Vec3& velocity, const Vec3& spin) {
   engine_->body(body).setAngularVelocity(bullet(spin));
 }
 
+void Scene::move_hook(int hook, const Vec3& position) {
+  static_cast<HookPose*>(engine_->body(hook).getMotionState())->pose.setOrigin(bullet(position));
+}
+
+void Scene::keep_awake(int body) { engine_->body(body).setActivationState(DISABLE_DEACTIVATION); }
+
 void Scene::let_sleep() {
   for (const auto& body : engine_->bodies) {
     body->forceActivationState(ACTIVE_TAG);
@@ -128,13 +176,18 @@ void Scene::let_sleep() {
 
 void Scene::rebound_by_energy(int cable) { engine_->cable(cable).setReboundByEnergy(true); }
 
-void Scene::step() { engine_->world.stepSimulation(btScalar(1) / 60); }
+bool Scene::use_quick_step() { return false; }
+
+void Scene::step() {
+  engine_->world.stepSimulation(engine_->dt, 0);  // one step of this length
+}
 
 int Scene::step_by_events() {
   return btStepWithCables(&engine_->world, engine_->cables.data(),
-                          static_cast<int>(engine_->cables.size()), btScalar(1) / 60);
+                          static_cast<int>(engine_->cables.size()), engine_->dt);
 }
 
+double Scene::dt() const { return engine_->dt; }
 int Scene::count() const { return static_cast<int>(engine_->bodies.size()); }
 
 BodyState Scene::body(int index) const {
@@ -147,13 +200,26 @@ BodyState Scene::body(int index) const {
   result.axes.col(2) = eigen(axes.getColumn(2));
   result.velocity = eigen(body.getLinearVelocity());
   result.spin = eigen(body.getAngularVelocity());
-  result.mass = 1.0 / body.getInvMass();
+  result.mass = 1.0 / static_cast<double>(body.getInvMass());
   result.moments = eigen(body.getInvInertiaDiagLocal()).cwiseInverse();
   return result;
 }
 
 bool Scene::sleeps(int body) const {
   return engine_->body(body).getActivationState() == ISLAND_SLEEPING;
+}
+
+bool Scene::touched(int body) const {
+  btDispatcher& dispatcher = engine_->dispatcher;
+  for (int index = 0; index < dispatcher.getNumManifolds(); ++index) {
+    const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(index);
+    const btCollisionObject* one = &engine_->body(body);
+    if (manifold.getNumContacts() > 0 &&
+        (manifold.getBody0() == one || manifold.getBody1() == one)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 double Scene::impulse(int cable) const { return engine_->cable(cable).getAppliedImpulse(); }

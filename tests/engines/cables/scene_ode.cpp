@@ -1,6 +1,8 @@
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -43,14 +45,22 @@ dWorldID create_world() {
 const std::string Scene::engine = "ode";
 const double Scene::rounding = std::numeric_limits<dReal>::epsilon();
 
+/// ODE adds spin times quaternion and normalises.
+double Scene::turn(double spin, double dt) { return 2.0 * std::atan(0.5 * spin * dt); }
+
 /// Every setting is ODE's own.
 struct Scene::Engine {
   dWorldID world = create_world();
   dSpaceID space = dHashSpaceCreate(nullptr);
   dJointGroupID contacts = dJointGroupCreate(0);
   dJointGroupID of_cables = dJointGroupCreate(0);
+  dReal dt;
+  bool quick = false;
   std::vector<dBodyID> bodies;
+  std::vector<bool> touched;  // by body
   std::vector<dCableID> cables;
+
+  explicit Engine(double rate) : dt(1.0 / rate) {}
 
   dBodyID body(int index) const {
     return index < 0 ? nullptr : bodies[static_cast<std::size_t>(index)];
@@ -59,13 +69,20 @@ struct Scene::Engine {
 
   int add(const dMass& mass, const Vec3& position) {
     bodies.push_back(dBodyCreate(world));
+    dBodySetData(bodies.back(), reinterpret_cast<void*>(touched.size()));
+    touched.push_back(false);
     dBodySetMass(bodies.back(), &mass);
     dBodySetPosition(bodies.back(), position.x(), position.y(), position.z());
     return static_cast<int>(bodies.size()) - 1;
   }
 
+  void touch(dBodyID body) {
+    if (body != nullptr) {
+      touched[reinterpret_cast<std::size_t>(dBodyGetData(body))] = true;
+    }
+  }
   static void collide(void* data, dGeomID first, dGeomID second) {
-    const Engine& here = *static_cast<Engine*>(data);
+    Engine& here = *static_cast<Engine*>(data);
     std::array<dContact, 8> found{};
     const int count =
         dCollide(first, second, static_cast<int>(found.size()), &found[0].geom, sizeof(dContact));
@@ -74,17 +91,22 @@ struct Scene::Engine {
       found[index].surface.mu = 0.5;
       dJointAttach(dJointCreateContact(here.world, here.contacts, &found[index]),
                    dGeomGetBody(first), dGeomGetBody(second));
+      here.touch(dGeomGetBody(first));
+      here.touch(dGeomGetBody(second));
     }
   }
+  void solve(dReal stepsize) const {
+    quick ? dWorldQuickStep(world, stepsize) : dWorldStep(world, stepsize);
+    dJointGroupEmpty(contacts);
+  }
+  /// A part of a step by events.
   static void step(void* data, dReal stepsize) {
-    const Engine& here = *static_cast<Engine*>(data);
-    dSpaceCollide(here.space, data, &collide);
-    dWorldStep(here.world, stepsize);
-    dJointGroupEmpty(here.contacts);
+    dSpaceCollide(static_cast<Engine*>(data)->space, data, &collide);
+    static_cast<Engine*>(data)->solve(stepsize);
   }
 };
 
-Scene::Scene(double gravity) : engine_(std::make_unique<Engine>()) {
+Scene::Scene(double gravity, double rate) : engine_(std::make_unique<Engine>(rate)) {
   dWorldSetGravity(engine_->world, 0, -gravity, 0);
 }
 
@@ -114,6 +136,14 @@ int Scene::add_box(double mass, const Vec3& position) {
   return index;
 }
 
+int Scene::add_hook(const Vec3& position) {
+  dMass data;
+  dMassSetSphereTotal(&data, 1.0, 0.1);  // which ODE wants and does not use
+  const int index = engine_->add(data, position);
+  dBodySetKinematic(engine_->body(index));
+  return index;
+}
+
 int Scene::add_cable(const CableData& data) {
   const dCableID cable = dCableCreate();
   dCableAttach(cable, engine_->body(data.first.body), engine_->body(data.second.body));
@@ -135,16 +165,19 @@ int Scene::add_cable(const CableData& data) {
   return static_cast<int>(engine_->cables.size()) - 1;
 }
 
-void Scene::add_ball_joint(int body, const Vec3& point) {
+void Scene::add_ball_joint(int body, const Vec3& point, int other) {
   const dJointID joint = dJointCreateBall(engine_->world, nullptr);
+  dJointAttach(joint, engine_->body(body), engine_->body(other));
   dJointAttach(joint, engine_->body(body), nullptr);
   dVector3 at;
   dBodyGetRelPointPos(engine_->body(body), point.x(), point.y(), point.z(), at);
   dJointSetBallAnchor(joint, at[0], at[1], at[2]);
 }
 
+void Scene::add_ground() { dCreatePlane(engine_->space, 0, 1, 0, 0); }
+
 void Scene::add_scenery() {
-  dCreatePlane(engine_->space, 0, 1, 0, 0);
+  add_ground();
   for (int level = 0; level < 3; ++level) {
     add_box(1.0, Vec3(5.0, 0.1 + 0.21 * level, 0.0));
     add_box(1.0, Vec3(-5.0, 1.0 + level, 0.0));
@@ -156,6 +189,13 @@ void Scene::set_velocity(int body, const Vec3& velocity, const Vec3& spin) {
   dBodySetAngularVel(engine_->body(body), spin.x(), spin.y(), spin.z());
 }
 
+void Scene::move_hook(int hook, const Vec3& position) {
+  const Vec3 velocity = (position - eigen(dBodyGetPosition(engine_->body(hook)))) / engine_->dt;
+  dBodySetLinearVel(engine_->body(hook), velocity.x(), velocity.y(), velocity.z());
+}
+
+void Scene::keep_awake(int body) { dBodySetAutoDisableFlag(engine_->body(body), 0); }
+
 void Scene::let_sleep() {
   for (const dBodyID body : engine_->bodies) {
     dBodySetAutoDisableFlag(body, 1);
@@ -164,19 +204,28 @@ void Scene::let_sleep() {
 
 void Scene::rebound_by_energy(int cable) { dCableSetBounceByEnergy(engine_->cable(cable), 1); }
 
+bool Scene::use_quick_step() {
+  engine_->quick = true;
+  return true;
+}
+
 void Scene::step() {
+  std::fill(engine_->touched.begin(), engine_->touched.end(), false);
+  dSpaceCollide(engine_->space, engine_.get(), &Engine::collide);
   dCableAddContacts(engine_->world, engine_->of_cables, engine_->cables.data(),
-                    static_cast<int>(engine_->cables.size()), step_length);
-  Engine::step(engine_.get(), step_length);
+                    static_cast<int>(engine_->cables.size()), engine_->dt);
+  engine_->solve(engine_->dt);
   dJointGroupEmpty(engine_->of_cables);
 }
 
 int Scene::step_by_events() {
+  std::fill(engine_->touched.begin(), engine_->touched.end(), false);
   return dStepWithCables(engine_->world, engine_->of_cables, engine_->cables.data(),
-                         static_cast<int>(engine_->cables.size()), step_length, &Engine::step,
+                         static_cast<int>(engine_->cables.size()), engine_->dt, &Engine::step,
                          engine_.get());
 }
 
+double Scene::dt() const { return engine_->dt; }
 int Scene::count() const { return static_cast<int>(engine_->bodies.size()); }
 
 BodyState Scene::body(int index) const {
@@ -192,12 +241,16 @@ BodyState Scene::body(int index) const {
   result.axes.row(2) = eigen(&rotation[8]);
   result.velocity = eigen(dBodyGetLinearVel(body));
   result.spin = eigen(dBodyGetAngularVel(body));
-  result.mass = mass.mass;
-  result.moments = Vec3(mass.I[0], mass.I[5], mass.I[10]);
+  const bool hook = dBodyIsKinematic(body) != 0;
+  const double infinite = std::numeric_limits<double>::infinity();
+  result.mass = hook ? infinite : mass.mass;
+  result.moments = hook ? Vec3::Constant(infinite) : Vec3(mass.I[0], mass.I[5], mass.I[10]);
   return result;
 }
 
 bool Scene::sleeps(int body) const { return dBodyIsEnabled(engine_->body(body)) == 0; }
+bool Scene::touched(int body) const { return engine_->touched[static_cast<std::size_t>(body)]; }
+
 double Scene::impulse(int cable) const { return dCableGetImpulse(engine_->cable(cable)); }
 bool Scene::taut(int cable) const { return dCableIsTaut(engine_->cable(cable)) != 0; }
 double Scene::reported_gap(int cable) const { return dCableGetGap(engine_->cable(cable)); }

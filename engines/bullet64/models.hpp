@@ -18,6 +18,9 @@ namespace tautline::bullet {
 /// `bounce-limit`: a limit of Bullet's six-axis joint (bounce_limit.cpp).
 [[nodiscard]] std::vector<ModelEntry> bounce_limit_models();
 
+/// `cable` and `cable-events`: the drop-in cable of this project (cable.cpp).
+[[nodiscard]] std::vector<ModelEntry> cable_models();
+
 /// `event`: the event driver over Bullet's integrator and solver (event.cpp).
 [[nodiscard]] std::vector<ModelEntry> event_models();
 

@@ -22,7 +22,7 @@ class BulletEngine final : public TableEngine {
       : TableEngine(in_double_precision ? "bullet64" : "bullet32", version(),
                     precision_of<btScalar>,
                     {row_models(), two_phase_models(), contact_models(), bounce_limit_models(),
-                     event_models()}) {}
+                     cable_models(), event_models()}) {}
 };
 
 }  // namespace

@@ -61,6 +61,10 @@ State World::state() const {
 void World::advance(double dt) {
   const int as_one_substep = 0;
   dynamics_.stepSimulation(static_cast<btScalar>(dt), as_one_substep);
+  follow_turn(dt);
+}
+
+void World::follow_turn(double dt) {
   angle_ += dt * body_->getAngularVelocity().z();  // the new spin turns the body in Bullet
   angle_ = state().angle;
 }

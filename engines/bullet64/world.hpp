@@ -36,6 +36,9 @@ class World {
   /// One `stepSimulation` of `dt` [s] as one substep.
   void advance(double dt);
 
+  /// After a step of `dt` [s] that another made: the angle goes on from there.
+  void follow_turn(double dt);
+
   /// Adds `change` to the body's velocity [m/s].
   void kick(const Vec2& change);
 
@@ -55,6 +58,7 @@ class World {
   [[nodiscard]] bool asleep() const { return !body_->isActive(); }
 
   [[nodiscard]] btRigidBody& body() { return *body_; }
+  [[nodiscard]] btDiscreteDynamicsWorld& dynamics() { return dynamics_; }
   [[nodiscard]] btContactSolverInfo& solver_info() { return dynamics_.getSolverInfo(); }
   [[nodiscard]] btConstraintSolver& solver() { return solver_; }
   [[nodiscard]] btDispatcher& dispatcher() { return dispatcher_; }

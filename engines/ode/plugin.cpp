@@ -12,7 +12,7 @@ class OdeEngine final : public TableEngine {
  public:
   OdeEngine()
       : TableEngine("ode", TAUTLINE_ODE_VERSION, precision(),
-                    {fixed_step_models(), event_models()}) {}
+                    {fixed_step_models(), cable_models(), event_models()}) {}
 };
 
 }  // namespace

@@ -24,6 +24,10 @@ class World {
   [[nodiscard]] State state() const;
 
   [[nodiscard]] dWorldID id() const { return world_; }
+  [[nodiscard]] dBodyID body() const { return body_; }
+
+  /// Emptied after every step.
+  [[nodiscard]] dJointGroupID contacts() const { return contacts_; }
 
   /// Puts the body there.
   void place(const State& state);

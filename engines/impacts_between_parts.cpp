@@ -1,0 +1,99 @@
+#include "tautline/impacts_between_parts.hpp"
+
+#include <algorithm>
+
+#include "tautline/geometry.hpp"
+#include "tautline/impulses_by_hand.hpp"
+
+namespace tautline {
+namespace {
+
+/// A cable may have been hit where its gap is at most so many roundings of its length [-]: drop-in
+/// cables take 100 for zero, and the engine's pose adds its own.
+constexpr double touching = 1000.0;
+
+/// Rates jump to so many roundings of the speed [-].
+constexpr double jumping = 1000.0;
+
+/// The cables that `state` leaves no room.
+CableSet touched(const Case& the_case, const State& state, double rounding) {
+  CableSet result;
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    const Cable& cable = the_case.cables[index];
+    if (gap(cable, state) <= touching * rounding * cable.length) {
+      result.insert(index);
+    }
+  }
+  return result;
+}
+
+/// The impulses of `cables` that change the velocity of `before` to that of `after`.
+CableVector impulses_of_jump(const Case& the_case, const State& before, const State& after,
+                             CableSet cables, double rounding) {
+  CableVector jumps(static_cast<Eigen::Index>(cables.size()));
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    const Cable& cable = the_case.cables[index];
+    jumps[row++] = gap_rate(cable, after) - gap_rate(cable, before);
+  }
+  const double speed = std::max(speed_scale(the_case, before), speed_scale(the_case, after));
+  return impulses_by_hand(delassus(the_case, before, cables), -jumps, jumping * rounding * speed);
+}
+
+}  // namespace
+
+ImpactsBetweenParts::ImpactsBetweenParts(const Case& the_case, double rounding)
+    : case_(the_case), rounding_(rounding), impulses_(the_case.cables.size()) {}
+
+void ImpactsBetweenParts::begin_step(const State& now) {
+  last_ = now;
+  parts_ = 0.0;
+  events_.clear();
+  std::fill(impulses_.begin(), impulses_.end(), 0.0);
+}
+
+void ImpactsBetweenParts::end_part(double dt, const State& now) {
+  parts_ += dt;
+  last_ = now;
+}
+
+void ImpactsBetweenParts::end_step(double dt, const State& now) {
+  parts_ = dt;  // in float, the sum is off by rounding
+  look(now);
+  start_.advance(dt);
+}
+
+void ImpactsBetweenParts::look(const State& now) {
+  // exactly: nothing else changes the velocity between two parts
+  if (now.velocity == last_.velocity && now.spin == last_.spin) {
+    return;
+  }
+  State before = now;  // the pose may have been corrected at the end of a part
+  before.velocity = last_.velocity;
+  before.spin = last_.spin;
+  last_ = now;
+  const CableSet candidates = touched(case_, now, rounding_);
+  if (candidates.empty()) {
+    return;
+  }
+  const CableVector all = impulses_of_jump(case_, before, now, candidates, rounding_);
+  Event event{start_.now() + parts_, EventKind::impact, {}, {}, before, now};
+  std::vector<double> impulses;
+  Eigen::Index row = 0;
+  for (const std::size_t index : candidates) {
+    const double impulse = all[row++];
+    if (impulse > jumping * rounding_ * all.maxCoeff()) {
+      event.cables.insert(index);
+      impulses.push_back(impulse);
+      impulses_[index] += impulse;
+    }
+  }
+  if (impulses.empty()) {
+    return;
+  }
+  event.impulses = Eigen::Map<const Eigen::VectorXd>(impulses.data(),
+                                                     static_cast<Eigen::Index>(impulses.size()));
+  events_.push_back(std::move(event));
+}
+
+}  // namespace tautline

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tautline/clock.hpp"
+#include "tautline/engine.hpp"
+
+namespace tautline {
+
+/// The impacts in the steps of an engine that splits a step into parts and solves impacts between
+/// two of them, in no time: each is seen from outside, as the jump from the velocity with which a
+/// part ended to that with which the next one begins.
+class ImpactsBetweenParts {
+ public:
+  /// `rounding` is that of the engine's numbers [-].
+  ImpactsBetweenParts(const Case& the_case, double rounding);
+
+  /// To be called in this order, with the state at each: a step, its parts of `dt` [s], its end.
+  void begin_step(const State& now);
+  void begin_part(const State& now) { look(now); }
+  void end_part(double dt, const State& now);
+  void end_step(double dt, const State& now);
+
+  /// What `Simulation` tells of the latest step.
+  [[nodiscard]] std::span<const Event> events() const { return events_; }
+  [[nodiscard]] std::span<const double> impulses() const { return impulses_; }
+
+ private:
+  /// Notes an impact if the velocity of `now` is not the one seen last.
+  void look(const State& now);
+
+  const Case case_;
+  double rounding_;
+  Clock start_;         // of the step
+  double parts_ = 0.0;  // [s], of the step, so far
+  State last_;          // seen
+  std::vector<Event> events_;
+  std::vector<double> impulses_;
+};
+
+}  // namespace tautline

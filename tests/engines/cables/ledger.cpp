@@ -15,10 +15,11 @@ double kinetic(const BodyState& body, const Vec3& velocity, const Vec3& spin) {
 
 double potential(const BodyState& body) { return body.mass * world_gravity * body.position.y(); }
 
-/// Of the cables' impulses on lines between `bodies`, as hooks go from where to where [J].
-double work(const World& world, const std::vector<BodyState>& bodies,
-            const std::vector<double>& impulses, const std::vector<BodyState>& from,
-            const std::vector<BodyState>& to) {
+/// Of the cables' impulses on lines between `bodies`, times how far their hooks go from where to
+/// where [N s m].
+double reach(const World& world, const std::vector<BodyState>& bodies,
+             const std::vector<double>& impulses, const std::vector<BodyState>& from,
+             const std::vector<BodyState>& to) {
   double result = 0.0;
   for (std::size_t index = 0; index < world.cables.size(); ++index) {
     const CableData& cable = world.cables[index];
@@ -91,18 +92,25 @@ void Ledger::add(const Moment& before, const Moment& after) {
   }
   std::array<double, 3> later{};  // work that is done after this pose
   if (!world_.hooks.empty()) {
+    // an impact's impulse, and that of a cable that pulled before
+    std::vector<double> fresh = after.impulses;
+    std::vector<double> held = after.impulses;
+    for (std::size_t cable = 0; cable < fresh.size(); ++cable) {
+      (before.impulses[cable] > 0.0 ? fresh : held)[cable] = 0.0;
+    }
     const auto arrived = with_hooks_of(before.bodies, after.bodies);
     const std::array lines = {&before.bodies, &arrived};
     for (std::size_t way = 0; way < lines.size(); ++way) {
-      const auto pull = [&](const std::vector<BodyState>& from, const std::vector<BodyState>& to) {
-        return work(world_, *lines[way], after.impulses, from, to);
+      const auto now = [&](const std::vector<double>& impulses) {
+        return 0.5 / dt_ * reach(world_, *lines[way], impulses, before.bodies, after.bodies);
       };
-      work_[way] += 0.5 * pull(previous_, before.bodies);
-      later[way] = 0.5 * pull(before.bodies, after.bodies);
+      work_[way] +=
+          now(fresh) + 0.5 / dt_ * reach(world_, *lines[way], held, previous_, before.bodies);
+      later[way] = now(fresh) + now(held);
     }
     if (stepping_ == Stepping::by_events) {
       const auto pull = [&](const std::vector<BodyState>& line) {
-        return work(world_, line, after.impulses, before.bodies, after.bodies);
+        return reach(world_, line, after.impulses, before.bodies, after.bodies) / dt_;
       };
       later[2] = 0.5 * (pull(before.bodies) + pull(after.bodies));
     }

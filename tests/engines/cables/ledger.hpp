@@ -64,10 +64,11 @@ class Ledger {
   Stepping stepping_;
   double dt_;           // [s]
   double start_ = 0.0;  // [J]
-  // The work of the hooks [J] in up to three counts; the highest is allowed. A step's impulse acts
-  // halfway between the hook's displacements before and after it. What differs is the line: with
-  // the hook where it was or, as Bullet has it while it solves, where it is going. By events the
-  // impulse acts somewhere in the step's own displacement.
+  // The work of the hooks [J] in up to three counts; the highest is allowed. What a taut cable's
+  // impulse does is halfway between the hook's displacements before and after it; an impact is
+  // solved with the hook's velocity in its step. What differs is the line: with the hook where it
+  // was or, as Bullet has it while it solves, where it is going. By events an impulse acts
+  // somewhere in the step's own displacement.
   std::array<double, 3> work_{};
   double gain_ = 0.0;
   double highest_kinetic_ = 0.0;

@@ -12,8 +12,17 @@ namespace {
 /// cables take 100 for zero, and the engine's pose adds its own.
 constexpr double touching = 1000.0;
 
-/// Rates jump to so many roundings of the speed [-].
-constexpr double jumping = 1000.0;
+/// The rates of a jump may contradict each other by so many roundings of the speed [-].
+constexpr double contradicting = 1000.0;
+
+/// An impulse below so many roundings of the momentum is one [-]: that of a cable that is near zero
+/// gap while another is hit.
+constexpr double pulling = 20.0;
+
+/// The largest speed of a point of the body around a jump [m/s].
+double speed_around(const Case& the_case, const State& before, const State& after) {
+  return std::max(speed_scale(the_case, before), speed_scale(the_case, after));
+}
 
 /// The cables that `state` leaves no room.
 CableSet touched(const Case& the_case, const State& state, double rounding) {
@@ -36,8 +45,8 @@ CableVector impulses_of_jump(const Case& the_case, const State& before, const St
     const Cable& cable = the_case.cables[index];
     jumps[row++] = gap_rate(cable, after) - gap_rate(cable, before);
   }
-  const double speed = std::max(speed_scale(the_case, before), speed_scale(the_case, after));
-  return impulses_by_hand(delassus(the_case, before, cables), -jumps, jumping * rounding * speed);
+  return impulses_by_hand(delassus(the_case, before, cables), -jumps,
+                          contradicting * rounding * speed_around(the_case, before, after));
 }
 
 }  // namespace
@@ -52,9 +61,10 @@ void ImpactsBetweenParts::begin_step(const State& now) {
   std::fill(impulses_.begin(), impulses_.end(), 0.0);
 }
 
-void ImpactsBetweenParts::end_part(double dt, const State& now) {
+void ImpactsBetweenParts::end_part(double dt, const State& now, CableSet pulled) {
   parts_ += dt;
   last_ = now;
+  taut_ = pulled;
 }
 
 void ImpactsBetweenParts::end_step(double dt, const State& now) {
@@ -73,26 +83,31 @@ void ImpactsBetweenParts::look(const State& now) {
   before.spin = last_.spin;
   last_ = now;
   const CableSet candidates = touched(case_, now, rounding_);
-  if (candidates.empty()) {
+  if ((candidates - taut_).empty()) {
     return;
   }
   const CableVector all = impulses_of_jump(case_, before, now, candidates, rounding_);
+  const double least =
+      pulling * rounding_ * case_.body.mass * speed_around(case_, before, now);  // [N s]
   Event event{start_.now() + parts_, EventKind::impact, {}, {}, before, now};
   std::vector<double> impulses;
   Eigen::Index row = 0;
   for (const std::size_t index : candidates) {
     const double impulse = all[row++];
-    if (impulse > jumping * rounding_ * all.maxCoeff()) {
+    if (impulse > least) {
       event.cables.insert(index);
       impulses.push_back(impulse);
-      impulses_[index] += impulse;
     }
   }
-  if (impulses.empty()) {
+  if ((event.cables - taut_).empty()) {
     return;
   }
   event.impulses = Eigen::Map<const Eigen::VectorXd>(impulses.data(),
                                                      static_cast<Eigen::Index>(impulses.size()));
+  row = 0;
+  for (const std::size_t index : event.cables) {
+    impulses_[index] += event.impulses[row++];
+  }
   events_.push_back(std::move(event));
 }
 

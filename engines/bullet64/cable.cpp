@@ -82,8 +82,15 @@ class CableEventsSimulation final : public Simulation {
     of(world).impacts_.begin_part(of(world).world_.state());
   }
   static void after_part(btDynamicsWorld* world, btScalar dt) {
-    of(world).world_.follow_turn(dt);
-    of(world).impacts_.end_part(dt, of(world).world_.state());
+    CableEventsSimulation& self = of(world);
+    self.world_.follow_turn(dt);
+    CableSet pulled;
+    for (std::size_t index = 0; index < self.cables_.size(); ++index) {
+      if (self.cables_[index]->isTaut()) {
+        pulled.insert(index);
+      }
+    }
+    self.impacts_.end_part(dt, self.world_.state(), pulled);
   }
 
   World world_;

@@ -97,7 +97,13 @@ class CableEventsSimulation final : public Simulation {
     auto& self = *static_cast<CableEventsSimulation*>(data);
     self.impacts_.begin_part(self.world_.state());
     self.world_.advance(dt);
-    self.impacts_.end_part(dt, self.world_.state());
+    CableSet pulled;
+    for (std::size_t index = 0; index < self.impulses().size(); ++index) {
+      if (dCableIsTaut(self.cables_[index]) != 0) {
+        pulled.insert(index);
+      }
+    }
+    self.impacts_.end_part(dt, self.world_.state(), pulled);
   }
 
   World world_;

@@ -10,16 +10,18 @@ namespace tautline {
 
 /// The impacts in the steps of an engine that splits a step into parts and solves impacts between
 /// two of them, in no time: each is seen from outside, as the jump from the velocity with which a
-/// part ended to that with which the next one begins.
+/// part ended to that with which the next one begins. A cable that pulled in that part rested taut,
+/// and its jump is none by itself.
 class ImpactsBetweenParts {
  public:
   /// `rounding` is that of the engine's numbers [-].
   ImpactsBetweenParts(const Case& the_case, double rounding);
 
-  /// To be called in this order, with the state at each: a step, its parts of `dt` [s], its end.
+  /// To be called in this order, with the state at each: a step, its parts of `dt` [s], in which
+  /// the cables `pulled` pulled, its end.
   void begin_step(const State& now);
   void begin_part(const State& now) { look(now); }
-  void end_part(double dt, const State& now);
+  void end_part(double dt, const State& now, CableSet pulled);
   void end_step(double dt, const State& now);
 
   /// What `Simulation` tells of the latest step.
@@ -35,6 +37,7 @@ class ImpactsBetweenParts {
   Clock start_;         // of the step
   double parts_ = 0.0;  // [s], of the step, so far
   State last_;          // seen
+  CableSet taut_;       // in the latest part
   std::vector<Event> events_;
   std::vector<double> impulses_;
 };

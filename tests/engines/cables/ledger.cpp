@@ -15,21 +15,9 @@ double kinetic(const BodyState& body, const Vec3& velocity, const Vec3& spin) {
 
 double potential(const BodyState& body) { return body.mass * world_gravity * body.position.y(); }
 
-/// Of the cables' impulses on lines between `bodies`, times how far their hooks go from where to
-/// where [N s m].
-double reach(const World& world, const std::vector<BodyState>& bodies,
-             const std::vector<double>& impulses, const std::vector<BodyState>& from,
-             const std::vector<BodyState>& to) {
-  double result = 0.0;
-  for (std::size_t index = 0; index < world.cables.size(); ++index) {
-    const CableData& cable = world.cables[index];
-    if (cable.second.body >= world.load_count() && impulses[index] > 0.0) {
-      const auto hook = static_cast<std::size_t>(cable.second.body);
-      result += impulses[index] *
-                line_of(cable, bodies).towards.dot(to[hook].position - from[hook].position);
-    }
-  }
-  return result;
+double distance_along(const CableData& cable, const std::vector<BodyState>& bodies,
+                      const Vec3& displacement) {
+  return line_of(cable, bodies).towards.dot(displacement);
 }
 
 }  // namespace
@@ -86,45 +74,45 @@ void Ledger::start(const Moment& before, const Moment& after) {
   }
 }
 
+void Ledger::add_work(const Moment& before, const Moment& after) {
+  const std::vector<BodyState> pose =
+      Scene::hook_arrives_first ? with_hooks_of(before.bodies, after.bodies) : before.bodies;
+  for (std::size_t index = 0; index < world_.cables.size(); ++index) {
+    const CableData& cable = world_.cables[index];
+    if (cable.second.body < world_.load_count() || !(after.impulses[index] > 0.0)) {
+      continue;
+    }
+    const double half = 0.5 * after.impulses[index] / dt_;  // of the tension [N]
+    const auto hook = static_cast<std::size_t>(cable.second.body);
+    const Vec3 here = before.bodies[hook].position;
+    const Vec3 way = after.bodies[hook].position - here;
+    if (before.impulses[index] > 0.0) {
+      work_ += half * distance_along(cable, pose, here - previous_[hook].position);
+      work_to_come_ += half * distance_along(cable, pose, way);
+      continue;
+    }
+    // by events, the impact is at some pose between the two
+    const double along = stepping_ == Stepping::fixed
+                             ? distance_along(cable, pose, way)
+                             : 0.5 * (distance_along(cable, before.bodies, way) +
+                                      distance_along(cable, after.bodies, way));
+    work_ += half * along;
+    work_to_come_ += half * along;
+  }
+}
+
 void Ledger::add(const Moment& before, const Moment& after) {
   if (previous_.empty()) {
     start(before, after);
   }
-  std::array<double, 3> later{};  // work that is done after this pose
-  if (!world_.hooks.empty()) {
-    // an impact's impulse, and that of a cable that pulled before
-    std::vector<double> fresh = after.impulses;
-    std::vector<double> held = after.impulses;
-    for (std::size_t cable = 0; cable < fresh.size(); ++cable) {
-      (before.impulses[cable] > 0.0 ? fresh : held)[cable] = 0.0;
-    }
-    const auto arrived = with_hooks_of(before.bodies, after.bodies);
-    const std::array lines = {&before.bodies, &arrived};
-    for (std::size_t way = 0; way < lines.size(); ++way) {
-      const auto now = [&](const std::vector<double>& impulses) {
-        return 0.5 / dt_ * reach(world_, *lines[way], impulses, before.bodies, after.bodies);
-      };
-      work_[way] +=
-          now(fresh) + 0.5 / dt_ * reach(world_, *lines[way], held, previous_, before.bodies);
-      later[way] = now(fresh) + now(held);
-    }
-    if (stepping_ == Stepping::by_events) {
-      const auto pull = [&](const std::vector<BodyState>& line) {
-        return reach(world_, line, after.impulses, before.bodies, after.bodies) / dt_;
-      };
-      later[2] = 0.5 * (pull(before.bodies) + pull(after.bodies));
-    }
-  }
+  work_ += work_to_come_;
+  work_to_come_ = 0.0;
+  add_work(before, after);
   const Energy energy = energy_between(before.bodies, after.bodies, world_.load_count(), stepping_);
   highest_kinetic_ = std::max(highest_kinetic_, energy.kinetic);
   highest_ = std::max(highest_, energy.potential);
   lowest_ = std::min(lowest_, energy.potential);
-  const std::size_t ways = stepping_ == Stepping::fixed ? 2 : 3;
-  gain_ = energy.kinetic + energy.potential - start_ -
-          *std::max_element(work_.begin(), work_.begin() + ways);
-  for (std::size_t way = 0; way < work_.size(); ++way) {
-    work_[way] += later[way];
-  }
+  gain_ = energy.kinetic + energy.potential - start_ - work_;
   previous_ = before.bodies;
 }
 

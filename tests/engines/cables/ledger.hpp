@@ -2,7 +2,6 @@
 
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "world.hpp"
@@ -59,17 +58,17 @@ class Ledger {
 
  private:
   void start(const Moment& before, const Moment& after);
+  void add_work(const Moment& before, const Moment& after);
 
   World world_;
   Stepping stepping_;
   double dt_;           // [s]
   double start_ = 0.0;  // [J]
-  // The work of the hooks [J] in up to three counts; the highest is allowed. What a taut cable's
-  // impulse does is halfway between the hook's displacements before and after it; an impact is
-  // solved with the hook's velocity in its step. What differs is the line: with the hook where it
-  // was or, as Bullet has it while it solves, where it is going. By events an impulse acts
-  // somewhere in the step's own displacement.
-  std::array<double, 3> work_{};
+  // Of the hooks [J]. Half of a step's impulse acts before its pose and half after it. A taut cable
+  // takes its load from the hook's velocity before to that in the step; an impact is solved with
+  // the hook's velocity in the step.
+  double work_ = 0.0;
+  double work_to_come_ = 0.0;
   double gain_ = 0.0;
   double highest_kinetic_ = 0.0;
   double highest_ = 0.0;

@@ -5,11 +5,20 @@
 //   bool flies()                   slack, so that its next impact is an event
 //   Real gap(), rate()             now [m], [m/s]
 //   Real gap_after(dt)             if nothing but the forces acts, <= one step ahead [m]
+//   bool touches()                 it has run out of gap
 //   Real tolerance()               the gap that counts as zero [m]
-//   Real inverse_mass()            J M^-1 J^T, now [1/kg]
-//   void apply(impulse)            changes the velocities of its ends now, impulse [N s]
-//   bool is_impact(closing), Real rebound(closing)   see CableRule; [m/s]
-//   void struck(impulse), hold(), release()
+//   Real rate_rounding()           the closing rate that counts as none [m/s]
+//   bool slack()                   it was, so that closing is an impact
+//   bool is_tugged()               it rests, and closes by more than a step explains
+//   Real rebound()                 of its closing now, see CableRule; [m/s]
+//   Real explained()               the closing rate that a whole step's forces and swinging add
+//   [m/s] void fill(CableBlock::Row&)    its ends, as the impacts are solved void apply(impulse)
+//   changes the velocities of its ends now, impulse [N s] void struck(impulse), hold(), rebounds(),
+//   after the solve void ran_out()                 the step ran out of parts
+//
+// Energy: an impact's rows ask for no more than the rate they closed with, as in CableRule, so none
+// gains any. A load on a taut cable moves by half of the forces' change of a part before, half
+// after, and the cable's pull in between (RATTLE), which keeps the energy to second order.
 
 #pragma once
 
@@ -17,6 +26,8 @@
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "tautline/cable_block.h"
 
 namespace tautline {
 
@@ -38,63 +49,94 @@ Real time_to_taut(Cable& cable, Real dt) {
   return taut;
 }
 
-/// Solves the impacts of all `cables` at this pose at once, by Gauss-Seidel over their rows:
-/// 0 <= impulse, rate >= wanted, one of the two with equality.
+/// The impacts of `cables` at one pose.
 template <typename Real, typename Cable>
-void solve_impacts(std::vector<Cable>& cables) {
-  struct Row {
-    Cable* cable;
-    Real wanted;        // [m/s]
-    Real inverse_mass;  // [1/kg]
-    Real impulse;       // [N s]
-    bool struck;
-  };
-  std::vector<Row> rows;
-  Real fastest = 0;  // [m/s]
-  for (Cable& cable : cables) {
-    if (cable.gap() > cable.tolerance()) {
-      continue;
+class CableImpacts {
+ public:
+  /// Solves those of all cables that have run out of gap, together; and again where one impact
+  /// makes other cables close, until none does. A heavy load on a light one takes some dozens. What
+  /// is taut closes in every part, which is no impact; between two steps it may be.
+  void solve(std::vector<Cable>& cables, bool between_steps) {
+    touching_.clear();
+    for (Cable& cable : cables) {
+      if (cable.touches()) {
+        touching_.push_back(&cable);
+      }
     }
-    const Real rate = cable.rate();
-    const bool struck = cable.is_impact(-rate);
-    // one that rests, or opens, is not to close faster than it does
-    const Real wanted = struck ? cable.rebound(-rate) : std::min(rate, Real(0));
-    rows.push_back(Row{&cable, wanted, cable.inverse_mass(), Real(0), struck});
-    fastest = std::max(fastest, struck ? -rate : Real(0));
-  }
-  if (!(fastest > 0)) {
-    return;
-  }
-  const int passes = 1000;  // one row takes two; nearly dependent ones, some hundreds
-  Real change = fastest;
-  for (int pass = 0; pass < passes && change > std::numeric_limits<Real>::epsilon() * fastest;
-       ++pass) {
-    change = 0;
-    for (Row& row : rows) {
-      const Real missing = row.wanted - row.cable->rate();
-      const Real impulse = std::max(Real(0), row.impulse + missing / row.inverse_mass);
-      change = std::max(change, std::abs(impulse - row.impulse) * row.inverse_mass);
-      row.cable->apply(impulse - row.impulse);
-      row.impulse = impulse;
+    if (!any_closes()) {
+      return;
+    }
+    block_.begin(touching_.size());
+    for (std::size_t index = 0; index < touching_.size(); ++index) {
+      touching_[index]->fill(block_.row(index));
+    }
+    block_.assemble();
+    const int most = 200;  // then they no longer rebound, and nothing is left to close
+    for (int done = 0; done < most && any_closes(); ++done) {
+      strike(done + 1 == most, between_steps);
     }
   }
-  for (const Row& row : rows) {
-    row.cable->struck(row.impulse);
-    if (row.struck) {
-      row.wanted > 0 ? row.cable->release() : row.cable->hold();
+
+ private:
+  /// A resting cable closes by rounding of what its ends move at; that is none.
+  bool any_closes() const {
+    for (Cable* cable : touching_) {
+      if (-cable->rate() > cable->rate_rounding()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// One solve. A row asks for the rebound of what is an impact, for rest of what is held, and lets
+  /// what opens turn around, no faster than it opened.
+  void strike(bool plastic, bool between_steps) {
+    rebounds_.clear();
+    for (std::size_t index = 0; index < touching_.size(); ++index) {
+      const Cable& cable = *touching_[index];
+      const Real rate = cable.rate();
+      const bool closes = -rate > cable.rate_rounding();
+      Real wanted = std::min(-rate, Real(0));
+      if (plastic) {
+        wanted = 0;
+      } else if (closes && (cable.slack() || (between_steps && cable.is_tugged()))) {
+        wanted = cable.rebound();
+      }
+      rebounds_.push_back(closes ? wanted : Real(-1));
+      block_.lacking(index) = wanted - rate;
+    }
+    block_.solve(CableBlock::velocities);
+    for (std::size_t index = 0; index < touching_.size(); ++index) {
+      Cable& cable = *touching_[index];
+      const Real impulse = static_cast<Real>(block_.impulse(index));
+      if (impulse > 0) {
+        cable.apply(impulse);
+        cable.struck(impulse);
+      }
+      if (rebounds_[index] > 0) {
+        cable.rebounds();
+      } else if (rebounds_[index] == 0) {  // exactly: it closed, and was to stop
+        cable.hold();
+      }
     }
   }
-}
+
+  CableBlock block_;
+  std::vector<Cable*> touching_;
+  std::vector<Real> rebounds_;  // asked for [m/s]; negative: it did not close
+};
 
 /// Steps the world by `dt` [s] in at most `most` + 1 parts, each ending where a slack cable goes
-/// taut; impacts are solved there, in no time. What is left after `most` parts is one part, before
-/// which a cable that has no more than rounding left to rebound is held taut. Returns the number
-/// of parts.
+/// taut; impacts are solved there, in no time. What is left after `most` parts is one part, in
+/// which no more impacts are looked for: before it, a cable that rebounds no faster than the forces
+/// of a step turn around is held taut; after it, what closes is struck where it is. Returns the
+/// number of parts.
 template <typename Real, typename Host, typename Cable>
 int step_by_events(Host& host, std::vector<Cable>& cables, Real dt, int most) {
   // in a step of rounding, engines do nothing or worse; an instant that close to a part's end is it
   const Real shortest = dt * Real(1e-4);
-  solve_impacts<Real>(cables);  // of cables that were pulled taut between two steps
+  CableImpacts<Real, Cable> impacts;
+  impacts.solve(cables, true);  // of cables that were pulled taut between two steps
   Real left = dt;
   int parts = 0;
   while (left > 0) {
@@ -105,17 +147,23 @@ int step_by_events(Host& host, std::vector<Cable>& cables, Real dt, int most) {
       }
       if (parts < most) {
         part = std::min(part, std::max(shortest, time_to_taut(cable, part)));
-      } else if (cable.gap() <= cable.tolerance() && cable.gap_after(part) < 0) {
+      } else if (cable.touches() && cable.rate() <= cable.explained() &&
+                 cable.gap_after(part) < 0) {
         cable.hold();
       }
     }
     if (left - part <= shortest) {
       part = left;
     }
+    if (parts == most) {
+      for (Cable& cable : cables) {
+        cable.ran_out();
+      }
+    }
     host.fly(part);
     left -= part;
     ++parts;
-    solve_impacts<Real>(cables);
+    impacts.solve(cables, false);
   }
   return parts;
 }

@@ -1,22 +1,35 @@
 // What a cable asks of a host engine's solver in one fixed step. Bullet's and ODE's drop-in cables
 // share it; it knows neither, and needs C++11 alone.
 //
-// A host steps v' = v + h (forces + cable), x' = x + h v'. Its positions then lie on the true
-// parabola, but v is the velocity of half a step ago: at the pose x it is v - fall / 2, with `fall`
-// the closing rate that the forces add in a step. A row that asks for v' = -e v, as the contacts of
-// both engines do, therefore reflects the true velocity at e = 1, and retraces the way it came:
-//   kinetic energy gained = 1/2 impulse (asked rate + rate before),
-// which is zero for v' = -v. Whatever asks for more than the rate of arrival feeds energy; so a
-// correction of the overstretch is never added to a bounce, and not made in the step of one.
+// The rule, for a cable that begins a step with the gap g and closes at c = -(its gap rate):
+//   1. A slack cable has no row. If it closes once it has run out of gap, that is an impact: the
+//      row asks for the gap rate e c.
+//   2. Once it has rebounded, or rests, closing that the forces, the swinging and the other cables'
+//      pulls of one step explain is no impact; until it has been slack again, or closes faster.
+//   3. A cable that rests taut is held: its row asks for as much as keeps it at its length while
+//      it swings, and never for more than c.
+//   4. While it is held, a part of its overstretch is taken out per step by moving its ends, at no
+//      more than a given speed. That changes no velocity.
+//   5. So no row asks for more than c, and no step ends with more energy than it began with.
+//
+// Why 5: a host steps v' = v + h (forces + cables), x' = x + h v'. Its velocities are half a step
+// older than its positions; with the velocity at the pose, v + h forces / 2, a step under constant
+// forces changes kinetic and potential energy by exactly
+//   sum of 1/2 impulse (gap rate after + gap rate before),
+// and a row that pulls ends with the rate r it asked for, r <= c = -(rate before). That holds for
+// one cable and for any number that are solved together. What 4 lifts out had sunk too deep before:
+// a load that has come to rest at zero gap has the least energy of all that hang there.
 
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 namespace tautline {
 
-/// One cable from step to step. Rates are gap rates [m/s]: negative while the ends move apart.
+/// One cable from step to step. Rates are gap rates [m/s]: negative while the ends move apart
+/// faster than the cable is paid out.
 template <typename Real>
 class CableRule {
  public:
@@ -28,81 +41,129 @@ class CableRule {
 
   /// A cable as it stands when a step begins.
   struct Start {
-    Real gap;   // [m]
-    Real rate;  // [m/s]
-    Real fall;  // closing rate that forces add in the step [m/s]
-    Real dt;    // [s]
+    Real gap;    // [m]
+    Real rate;   // [m/s]
+    Real fall;   // closing rate that forces add in the step [m/s]
+    Real turn;   // closing rate that swinging and turning add in the step, see `cable_turn` [m/s]
+    Real most;   // the most that this can be, at any angle [m/s]
+    Real speed;  // of the ends relative to each other [m/s]
+    Real dt;     // [s]
   };
 
-  Real length = 0;         // [m], >= 0
-  Real restitution = 0;    // e [-], in [0, 1]
-  Real threshold = 0;      // slower closing does not rebound [m/s]
-  Real erp = Real(0.2);    // part of the overstretch that a step takes out [-], in [0, 1]
-  bool by_energy = false;  // rebound with e^2 of the energy instead of e times the rate
+  Real length = 0;            // [m], >= 0
+  Real length_rate = 0;       // at which it is paid out, negative: hauled in [m/s]
+  Real restitution = 0;       // e [-], in [0, 1]
+  Real threshold = 0;         // slower closing does not rebound [m/s], >= 0
+  Real erp = Real(0.2);       // part of the overstretch that a step takes out [-], in [0, 1]
+  Real correction_speed = 1;  // at which it does so at most, unless the ends are faster [m/s], >= 0
+  bool by_energy = false;     // rebound with e^2 of the energy instead of e times the rate
 
   /// Rounding lets the gap of a resting load go to and fro by less than this part of the length
   /// [-]: a hundred times the rounding of float, in coordinates of a hundred lengths.
   static Real slack_rounding() { return Real(1e-5); }
 
-  /// True if a gap of `gap` [m] may need a row.
-  bool touches(Real gap) const { return gap <= (held_ ? slack_rounding() * length : Real(0)); }
-
-  /// True while the cable rests taut, rather than being slack or bouncing.
-  bool held() const { return held_; }
-  void hold() {
-    held_ = true;
-    taken_ = 0;
+  /// True if a gap of `gap` [m] may need a row: it has run out, or the cable rests and is off its
+  /// length by no more than a step's fall.
+  bool touches(Real gap) const {
+    return gap <= (held() ? std::max(reach_, slack_rounding() * length) : Real(0));
   }
-  void release() { held_ = false; }
 
-  /// The impulse of the last step [N s] is in: without one the cable has gone slack.
-  void pulled(Real impulse) { held_ = held_ && impulse > 0; }
+  /// True while the cable rests taut, rather than being slack or rebounding.
+  bool held() const { return state_ == State::held; }
+  /// True once it has been out of any overstretch since it last pulled.
+  bool slack() const { return state_ == State::slack; }
+  void hold() { state_ = State::held; }
+  void rebounds() { state_ = State::rebounding; }
+  void release() {
+    state_ = State::slack;
+    taken_ = reach_ = over_ = 0;
+  }
 
-  /// True if closing at `closing` [m/s] is an impact, not what a load that rests or swings taut
-  /// does between two steps: that is no more than the row of the last step took out.
-  bool is_impact(Real closing) const { return closing > 0 && !(held_ && closing <= taken_); }
+  /// The closing rate that forces and other cables added in the last step in which it pulled [m/s].
+  Real taken() const { return taken_; }
+
+  /// What one step explains of a closing rate [m/s].
+  Real explained(const Start& at) const {
+    return std::max(std::max(taken_, at.fall), Real(0)) + at.most;
+  }
+
+  /// True if closing as `at` says is an impact, not what one step explains.
+  bool is_impact(const Start& at) const {
+    return -at.rate > (state_ == State::slack ? Real(0) : explained(at));
+  }
 
   /// The rebound of an impact [m/s].
   Real rebound(Real closing) const { return closing > threshold ? restitution * closing : Real(0); }
 
-  /// True if the row of a step that begins with the gap rate `rate` [m/s] may ask for a rebound.
-  bool may_bounce(Real rate) const { return restitution > 0 && (!held_ || is_impact(-rate)); }
-
   /// The row of the step that begins with `at`.
   Row step(const Start& at) {
     if (!touches(at.gap)) {
-      held_ = false;
+      release();
       return Row{false, 0};
     }
-    if (is_impact(-at.rate)) {
+    if (is_impact(at)) {
       const Real rate = by_energy ? rebound_by_energy(at) : rebound(-at.rate);
-      held_ = !(rate > 0);
+      tugged_ = state_ != State::slack;
+      state_ = rate > 0 ? State::rebounding : State::held;
       return pull(at, rate);
     }
-    if (held_) {
-      return rest(at);
+    if (state_ != State::held && (at.rate >= 0 || restitution >= 1)) {
+      // on its way out of the overstretch: what turns it around in there, turns it around and no
+      // more; an elastic cable turns it back
+      state_ = State::rebounding;
+      return pull(at, -at.rate);
     }
-    // opening, but not yet out of the overstretch
-    if (at.rate >= at.fall / 2) {
-      return Row{false, 0};
-    }
-    // the forces turn it around in there: an elastic cable turns it back, without a gain, any other
-    // keeps it
-    if (restitution >= 1) {
-      return Row{true, -at.rate};
-    }
-    held_ = true;
+    state_ = State::held;
     return rest(at);
   }
 
-  /// The row of a cable that rests taut: some of the overstretch out, or no more than the gap in.
+  /// The row of a cable that rests taut: at the end of the step it is at its length, if that takes
+  /// no energy.
   Row rest(const Start& at) {
-    return pull(at, at.gap > 0 ? -at.gap / at.dt : -at.gap * erp / at.dt);
+    return pull(
+        at, std::min(std::max(at.turn, Real(0)) / 2, -at.rate) - std::max(at.gap, Real(0)) / at.dt);
+  }
+
+  /// The row of a part of a step that is split at the impacts, of a cable that rests taut: the load
+  /// is where the forces take it in a parabola, and what closing is left is taken out afterwards.
+  Row step_by_events(const Start& at) {
+    return pull(at, (std::max(at.turn, Real(0)) - at.fall) / 2 - std::max(at.gap, Real(0)) / at.dt);
+  }
+
+  /// A step of `dt` [s] of the winch.
+  void pay_out(Real dt) {
+    length = std::max(length + length_rate * dt, Real(0));
+    length_rate = length > 0 ? length_rate : Real(0);
+  }
+
+  /// The overstretch that a step takes out by moving the ends [m]: not of a load that bounces, for
+  /// that brings it out by itself. What has come in the last step on top of a step's way, because
+  /// that step could not follow how the bodies turned, goes out at once.
+  Real correction(const Start& at) {
+    const Real over = std::max(-at.gap, Real(0));
+    const Real come = over - over_;
+    over_ = over;
+    if (state_ == State::slack || (state_ == State::rebounding && !tugged_)) {
+      return 0;
+    }
+    const Real way = at.speed * at.dt;
+    const Real share = std::min(over * erp, std::max(correction_speed * at.dt, way));
+    return std::max(share, std::min(come, over - way));
+  }
+
+  /// The impulse of the step is in [N s]; `inverse_mass` is J M^-1 J^T [1/kg].
+  void pulled(Real impulse, Real inverse_mass) {
+    // what the forces and the other cables closed in the step, and the gap that this is
+    taken_ = impulse > 0 ? std::max(impulse * inverse_mass - asked_, Real(0)) : Real(0);
+    reach_ = taken_ * dt_;
   }
 
  private:
+  enum class State { slack, rebounding, held };
+
   Row pull(const Start& at, Real rate) {
-    taken_ = rate - at.rate + at.fall;
+    asked_ = rate - at.rate;
+    dt_ = at.dt;
     return Row{true, rate};
   }
 
@@ -115,12 +176,37 @@ class CableRule {
       return 0;
     }
     const Real rate = std::sqrt(restitution * restitution * passing + climb) - at.fall / 2;
-    return rate > 0 ? rate : Real(0);
+    return std::min(std::max(rate, Real(0)), -at.rate);
   }
 
-  bool held_ = true;  // a load that starts at its cable's end hangs there
-  Real taken_ = 0;    // closing rate that the last row took out [m/s]
+  State state_ = State::held;  // a load that starts at its cable's end hangs there
+  bool tugged_ = false;        // the last impact was one of a taut cable
+  Real asked_ = 0;             // change of the rate that the last row asked for [m/s]
+  Real taken_ = 0;             // closing rate of forces and other cables in the last step [m/s]
+  Real reach_ = 0;             // [m]
+  Real over_ = 0;              // overstretch when the last step began [m]
+  Real dt_ = 0;                // of the last row [s]
 };
+
+/// How the ends of a cable move at the beginning of a step.
+template <typename Real>
+struct CableSwing {
+  Real across;  // square of their relative velocity across the cable [m^2/s^2]
+  Real along;   // square of that along it [m^2/s^2]
+  Real inward;  // what the turning of the bodies accelerates the gap's closing by [m/s^2]
+  Real reach;   // spin^2 times arm, of both bodies: the most that this can be [m/s^2]
+};
+
+/// Completes `at` for a cable between ends that are `distance` [m] apart. The closing rate that
+/// swinging adds in a step is twice that by which a straight step changes the distance: half of it
+/// has been added when the step is half done.
+template <typename Real>
+void cable_turn(typename CableRule<Real>::Start& at, const CableSwing<Real>& swing, Real distance) {
+  const Real around = distance > 0 ? swing.across / distance : Real(0);
+  at.turn = at.dt * (around + swing.inward);
+  at.most = at.dt * (around + swing.reach);
+  at.speed = std::sqrt(swing.across + swing.along);
+}
 
 }  // namespace tautline
 // NOLINTEND(modernize-use-nodiscard)

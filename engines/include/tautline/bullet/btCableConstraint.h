@@ -1,7 +1,7 @@
 // A cable for Bullet: massless and inextensible, with restitution, between two bodies or a body and
-// the world. It only ever pulls, through one constraint row with limits [0, infinity), and bounces
-// as Bullet's contacts do: gap rate after the step = -restitution * gap rate before it, measured at
-// the pivots, not at the centres. Header only; for either precision of Bullet.
+// the world. It only ever pulls, and bounces as Bullet's contacts do: gap rate after the step =
+// -restitution * gap rate before it, measured at the pivots, not at the centres. Header only; for
+// either precision of Bullet. docs/cables.md says what it guarantees.
 //
 //   btCableConstraint* cable = new btCableConstraint(*load, pivotInLoad, pointInWorld, length);
 //   cable->setRestitution(btScalar(0.7));
@@ -10,13 +10,19 @@
 #ifndef TAUTLINE_BT_CABLE_CONSTRAINT_H
 #define TAUTLINE_BT_CABLE_CONSTRAINT_H
 
+#include <BulletDynamics/ConstraintSolver/btSolverBody.h>
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 
+#include <vector>
+
 #include "tautline/bullet/btCableLine.h"
-#include "tautline/bullet/btCablesInStep.h"
+#include "tautline/bullet/btCablesOnBody.h"
+#include "tautline/cable_block.h"
 #include "tautline/cable_rule.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
+class btMultiBodyLinkCollider;
 
 class btCableConstraint : public btTypedConstraint {
  public:
@@ -28,8 +34,10 @@ class btCableConstraint : public btTypedConstraint {
       // no type of Bullet's own: its debug drawer casts those to its own classes
       : btTypedConstraint(MAX_CONSTRAINT_TYPE, rbA, rbB),
         m_pivotInA(pivotInA),
-        m_pivotInB(pivotInB) {
-    m_rule.length = maxLength;
+        m_pivotInB(pivotInB),
+        m_onA(btCablesOnBody::enter(rbA, this)),
+        m_onB(btCablesOnBody::enter(rbB, this)) {
+    m_rule.length = positive(maxLength);
     enableFeedback(true);  // or getAppliedImpulse asserts
   }
 
@@ -38,16 +46,47 @@ class btCableConstraint : public btTypedConstraint {
                     btScalar maxLength)
       : btCableConstraint(rbA, getFixedBody(), pivotInA, pivotInWorld, maxLength) {}
 
-  /// Longest distance of the pivots [m], >= 0.
-  void setMaxLength(btScalar maxLength) { m_rule.length = maxLength; }
+  /// A link of a btMultiBody cannot be an end: constraints of this kind know rigid bodies alone.
+  /// Hold a small body to the link with a btMultiBodyPoint2Point, and hang the cable there.
+  btCableConstraint(btMultiBodyLinkCollider& link, const btVector3& pivotInLink,
+                    const btVector3& pivotInWorld, btScalar maxLength) = delete;
+  btCableConstraint(btMultiBodyLinkCollider& link, btRigidBody& rbB, const btVector3& pivotInLink,
+                    const btVector3& pivotInB, btScalar maxLength) = delete;
+  btCableConstraint(btRigidBody& rbA, btMultiBodyLinkCollider& link, const btVector3& pivotInA,
+                    const btVector3& pivotInLink, btScalar maxLength) = delete;
+
+  ~btCableConstraint() override {
+    btCablesOnBody::leave(m_rbA, m_onA, this);
+    btCablesOnBody::leave(m_rbB, m_onB, this);
+  }
+  btCableConstraint(const btCableConstraint&) = delete;
+  btCableConstraint& operator=(const btCableConstraint&) = delete;
+
+  /// Longest distance of the pivots [m], >= 0. Another length wakes the bodies.
+  void setMaxLength(btScalar maxLength) {
+    if (maxLength != m_rule.length) {
+      m_rule.length = positive(maxLength);
+      wake();
+    }
+  }
   btScalar getMaxLength() const { return m_rule.length; }
 
-  /// Newton's coefficient e [-], in [0, 1]; 0 unless set.
-  void setRestitution(btScalar restitution) { m_rule.restitution = restitution; }
+  /// A winch: the rate at which steps from now on pay the cable out, or, if negative, haul it in,
+  /// down to a length of 0 [m/s]; 0 unless set. An impact counts the speed relative to the length.
+  /// While it runs its bodies do not fall asleep.
+  void setMaxLengthRate(btScalar rate) {
+    m_rule.length_rate = finite(rate);
+    wake();
+  }
+  btScalar getMaxLengthRate() const { return m_rule.length_rate; }
+
+  /// Newton's coefficient e [-]; 0 unless set. What is outside [0, 1] asserts, and is clamped.
+  void setRestitution(btScalar restitution) { m_rule.restitution = part(restitution); }
   btScalar getRestitution() const { return m_rule.restitution; }
 
-  /// Impacts slower than this do not rebound [m/s]; 0 unless set, where Bullet's contacts have 0.2.
-  void setRestitutionThreshold(btScalar threshold) { m_rule.threshold = threshold; }
+  /// Impacts slower than this do not rebound [m/s], >= 0; 0 unless set, where Bullet's contacts
+  /// have 0.2.
+  void setRestitutionThreshold(btScalar threshold) { m_rule.threshold = positive(threshold); }
   btScalar getRestitutionThreshold() const { return m_rule.threshold; }
 
   /// Rebound with e^2 of the energy of the arrival at zero gap, so that a falling load rises to e^2
@@ -56,25 +95,25 @@ class btCableConstraint : public btTypedConstraint {
   void setReboundByEnergy(bool byEnergy) { m_rule.by_energy = byEnergy; }
   bool getReboundByEnergy() const { return m_rule.by_energy; }
 
-  /// Most iterations of the solver in a step in which another cable of one of its bodies may pull
-  /// too, if more than the world's: while all of them rest, and if one bounces. The world's 10
-  /// leave elastic cables with more energy than they took, and close ones without rest. Joints and
-  /// contacts keep the world's.
-  void setSharedIterations(int atRest, int ifBouncing) {
-    m_iterationsAtRest = atRest;
-    m_iterationsIfBouncing = ifBouncing;
-  }
+  /// The speed at which overstretch is taken out, at most [m/s], >= 0; 1 unless set.
+  void setMaxCorrectionSpeed(btScalar speed) { m_rule.correction_speed = positive(speed); }
+  btScalar getMaxCorrectionSpeed() const { return m_rule.correction_speed; }
 
   void setPivotA(const btVector3& pivotA) { m_pivotInA = pivotA; }
   void setPivotB(const btVector3& pivotB) { m_pivotInB = pivotB; }
   const btVector3& getPivotInA() const { return m_pivotInA; }
   const btVector3& getPivotInB() const { return m_pivotInB; }
 
+  /// The pivots in the world, now [m].
+  btVector3 getPivotAInWorld() const { return m_rbA.getCenterOfMassTransform() * m_pivotInA; }
+  btVector3 getPivotBInWorld() const { return m_rbB.getCenterOfMassTransform() * m_pivotInB; }
+
   /// The maximum length minus the distance of the pivots, now [m]; negative is overstretch.
   btScalar getGap() const { return m_rule.length - getLine().m_distance; }
 
-  /// The gap's rate, now [m/s]; negative while the pivots move apart.
-  btScalar getGapRate() const { return getLine().rate(m_rbA, m_rbB); }
+  /// The gap's rate, now [m/s]; negative while the pivots move apart faster than the cable is paid
+  /// out.
+  btScalar getGapRate() const { return getLine().rate(m_rbA, m_rbB) + m_rule.length_rate; }
 
   /// True if the cable pulled in the last step; else it was slack.
   bool isTaut() const { return m_appliedImpulse > 0; }
@@ -82,14 +121,20 @@ class btCableConstraint : public btTypedConstraint {
   /// Tension of the last step [N]; its mean if there was an impact. `timeStep` is that step's [s].
   btScalar getTension(btScalar timeStep) const { return m_appliedImpulse / timeStep; }
 
+  /// False as well once the impulse of a step has reached setBreakingImpulseThreshold [N s].
+  bool isEnabled() const { return btTypedConstraint::isEnabled() && !hasBroken(); }
+
+  /// How many steps by events (btStepWithCables) ran out of parts and ended as a fixed step.
+  int getStepsOutOfParts() const { return m_stepsOutOfParts; }
+
   /// BT_CONSTRAINT_ERP: part of the overstretch that a step takes out while the cable rests taut
-  /// [-], 0.2 unless set. BT_CONSTRAINT_CFM: as in Bullet's joints, the world's unless set. A cable
-  /// has one axis, and one of each: the parameters of limits (STOP) are the same.
+  /// [-], in [0, 1], 0.2 unless set. BT_CONSTRAINT_CFM: as in Bullet's joints, 0 unless set. A
+  /// cable has one axis, and one of each: the parameters of limits (STOP) are the same.
   void setParam(int num, btScalar value, int /*axis*/ = -1) override {
     if (num == BT_CONSTRAINT_ERP || num == BT_CONSTRAINT_STOP_ERP) {
-      m_rule.erp = value;
+      m_rule.erp = part(value);
     } else if (num == BT_CONSTRAINT_CFM || num == BT_CONSTRAINT_STOP_CFM) {
-      m_cfm = value;
+      m_cfm = positive(value);
     } else {
       btAssertConstrParams(false);
     }
@@ -99,92 +144,95 @@ class btCableConstraint : public btTypedConstraint {
       return m_rule.erp;
     }
     btAssertConstrParams(num == BT_CONSTRAINT_CFM || num == BT_CONSTRAINT_STOP_CFM);
-    return btMax(m_cfm, btScalar(0));
+    return m_cfm;
   }
 
-  /// The next three are the solver's. It calls the first of all constraints, then the second of
-  /// all, then the third.
-  void buildJacobian() override {
-    if (m_rows > 0) {
-      m_rule.pulled(m_appliedImpulse);  // the impulse of the last step, which is lost after this
-    }
-    const btScalar gap = getGap();
-    const bool near = m_byEvents ? m_rule.held() : m_rule.touches(gap);
-    if (!near) {
-      m_rule.release();
-    }
-    // pivots that coincide have no direction to be pulled in
-    m_rows = near && gap < m_rule.length ? 1 : 0;
-    if (m_rows > 0 && isEnabled()) {
-      const bool bounces = !m_byEvents && m_rule.may_bounce(getGapRate());
-      btCablesInStep::ofThisThread().add(m_rbA, m_rbB, bounces);
-    }
-  }
-  void getInfo1(btConstraintInfo1* info) override {
-    int iterations = -1;  // the world's
-    if (m_rows > 0 && btCablesInStep::ofThisThread().share(m_rbA, m_rbB)) {
-      const bool bounces = btCablesInStep::ofThisThread().bounces(m_rbA, m_rbB);
-      iterations = bounces ? m_iterationsIfBouncing : m_iterationsAtRest;
-    }
-    setOverrideNumSolverIterations(iterations);
-    info->m_numConstraintRows = m_rows;
-    info->nub = 0;
-  }
-  void getInfo2(btConstraintInfo2* info) override {
-    const btCableLine line = getLine();
-    for (int axis = 0; axis < 3; ++axis) {
-      info->m_J1linearAxis[axis] = line.m_towards[axis];
-      info->m_J1angularAxis[axis] = line.m_momentA[axis];
-      info->m_J2linearAxis[axis] = -line.m_towards[axis];
-      info->m_J2angularAxis[axis] = -line.m_momentB[axis];
-    }
-    const tautline::CableRule<btScalar>::Row row = askedRow(line, 1 / info->fps);
-    info->m_constraintError[0] = row.rate;
-    info->m_lowerLimit[0] = 0;
-    info->m_upperLimit[0] = row.acts ? SIMD_INFINITY : btScalar(0);
-    if (m_cfm >= 0) {
-      info->cfm[0] = m_cfm;
-    }
-  }
+  /// The next four are the solver's: it calls the first of all constraints, then the second of all,
+  /// then the third of those with rows, and the last of all in each iteration.
+  void buildJacobian() override;
+  void getInfo1(btConstraintInfo1* info) override;
+  void getInfo2(btConstraintInfo2* info) override;
+  void solveConstraintObsolete(btSolverBody& bodyA, btSolverBody& bodyB,
+                               btScalar timeStep) override;
 
  private:
   friend class btCableStepper;
+  typedef tautline::CableRule<btScalar> Rule;
 
+  static btScalar finite(btScalar value) {
+    btAssert(btFabs(value) < SIMD_INFINITY);  // neither is NaN
+    return btFabs(value) < SIMD_INFINITY ? value : btScalar(0);
+  }
+  static btScalar positive(btScalar value) {
+    btAssert(value >= 0);
+    return value >= 0 ? value : btScalar(0);
+  }
+  static btScalar part(btScalar value) {
+    btAssert(value >= 0 && value <= 1);
+    return value >= 0 ? btMin(value, btScalar(1)) : btScalar(0);
+  }
+
+  void wake() {
+    m_rbA.activate(true);
+    m_rbB.activate(true);
+  }
+  bool hasBroken() const { return btFabs(m_appliedImpulse) >= getBreakingImpulseThreshold(); }
   btCableLine getLine() const {
     return btCableLine(m_rbA.getCenterOfMassTransform(), m_pivotInA,
                        m_rbB.getCenterOfMassTransform(), m_pivotInB);
   }
 
-  tautline::CableRule<btScalar>::Row askedRow(const btCableLine& line, btScalar timeStep) {
-    tautline::CableRule<btScalar>::Start start;
-    start.gap = m_rule.length - line.m_distance;
-    start.rate = line.rate(m_rbA, m_rbB);
-    start.fall = -timeStep * line.acceleration(m_rbA, m_rbB);
-    start.dt = timeStep;
-    if (m_byEvents) {
-      start.dt = btMax(timeStep, m_eventStep);  // no faster in a short part
-      return m_rule.rest(start);
-    }
-    const tautline::CableRule<btScalar>::Row row = m_rule.step(start);
-    if (row.acts && !m_rule.held()) {
-      // a load that bounces slower than Bullet's sleeping threshold does not sleep
-      m_rbA.activate();
-      m_rbB.activate();
-    }
-    return row;
-  }
+  // of the leader: the cables that pull at each other's bodies, and their solve
+  void gather();
+  void gatherFrom(const btCablesOnBody& list);
+  void begin(btSolverBody* pool, btScalar timeStep);
+  void fillBlock(btSolverBody* pool);
+  void moveOutOfOverstretch(btSolverBody* pool);
+  void find(btSolverBody* pool, btScalar timeStep, bool first);
+
+  // of one cable
+  Rule::Start startOf(btSolverBody* pool, btScalar timeStep) const;
+  void ask(const Rule::Start& at);
+  void fill(tautline::CableBlock::Row& row) const;
+  void move(btSolverBody* pool, const tautline::CableBlock::Row& row, double push);
+  btScalar rateNow(btSolverBody* pool) const;
+  void apply(btSolverBody* pool, const tautline::CableBlock::Row& row, double impulse,
+             btScalar timeStep);
 
   btVector3 m_pivotInA;
   btVector3 m_pivotInB;
-  tautline::CableRule<btScalar> m_rule;
-  btScalar m_cfm = -1;  // negative: the world's
-  int m_iterationsAtRest = 50;
-  int m_iterationsIfBouncing = 1000;
-  int m_rows = 0;            // of the last step
-  bool m_byEvents = false;   // while btCableStepper steps, which sees to the impacts itself
+  std::shared_ptr<btCablesOnBody> m_onA;
+  std::shared_ptr<btCablesOnBody> m_onB;
+  Rule m_rule;
+  btScalar m_cfm = 0;
+
+  // of the step
+  btCableLine m_line = getLine();
+  Rule::Row m_row = {false, 0};
+  btScalar m_correction = 0;     // [m]
+  btScalar m_aimedDistance = 0;  // of the pivots, by it [m]
+  btScalar m_inverseMass = 0;    // [1/kg]
+  double m_change = 0;           // of its impulse, in an iteration [N s]
+  bool m_near = false;           // its gap may need a row, or its length changes
+  bool m_fresh = false;          // near, and not gathered yet
+  bool m_solved = false;         // its leader was called
+  bool m_asRow = false;          // for a solver that knows rows alone
+  btCableConstraint* m_leader = nullptr;
+
+  // of the leader
+  std::vector<btCableConstraint*> m_together;
+  std::vector<btCableConstraint*> m_pulling;  // those of them that have a row
+  tautline::CableBlock m_block;
+  bool m_begun = false;
+
+  // while btCableStepper steps, which sees to the impacts itself
+  bool m_byEvents = false;
   btScalar m_eventStep = 0;  // its whole step [s]
+  int m_stepsOutOfParts = 0;
 };
 
 // NOLINTEND(modernize-use-nodiscard)
+
+#include "tautline/bullet/btCableSolve.h"
 
 #endif

@@ -7,10 +7,10 @@
 // its own is corrected faster there. The whole world takes the shorter steps, collision detection,
 // tick callbacks and all; a step in which no cable goes taut costs a prediction per slack cable. In
 // an impact the cables' own bodies alone change their velocities; contacts and other joints of
-// theirs answer in the part after it. A body at a cable's end that nothing touched in a part is put
-// where its forces take it, half of a h^2 from where Bullet does: else every bounce would lose
-// energy to the split. A kinematic body at a cable's end goes its way evenly over the parts; one
-// that is at no cable's end jumps in the first, as Bullet has it.
+// theirs answer in the part after it. A body at a cable's end that nothing but cables touched in a
+// part is put where its forces take it, half of a h^2 from where Bullet does: else every bounce
+// would lose energy to the split. A kinematic body at a cable's end goes its way evenly over the
+// parts; one that is at no cable's end jumps in the first, as Bullet has it.
 
 #ifndef TAUTLINE_BT_STEP_WITH_CABLES_H
 #define TAUTLINE_BT_STEP_WITH_CABLES_H
@@ -81,24 +81,57 @@ class btCableStepper::Cable {
     m_movingB = end->body() == &m_cable->m_rbB ? end : m_movingB;
   }
 
-  bool flies() const { return m_cable->isEnabled() && !m_cable->m_rule.held(); }
+  bool held() const { return m_cable->m_rule.held(); }
+  bool flies() const { return m_cable->isEnabled() && !held() && gap() >= -tolerance(); }
   btScalar gap() const { return m_cable->getGap(); }
   btScalar rate() const { return m_cable->getGapRate(); }
   btScalar gap_after(btScalar timeStep) const {
     const btCableLine line(poseAfter(m_cable->m_rbA, m_movingA, timeStep), m_cable->m_pivotInA,
                            poseAfter(m_cable->m_rbB, m_movingB, timeStep), m_cable->m_pivotInB);
-    return m_cable->getMaxLength() - line.m_distance;
+    return m_cable->getMaxLength() + timeStep * m_cable->getMaxLengthRate() - line.m_distance;
   }
   btScalar tolerance() const { return 100 * SIMD_EPSILON * m_cable->getMaxLength(); }
-  btScalar inverse_mass() const {
-    return m_cable->getLine().inverseMass(m_cable->m_rbA, m_cable->m_rbB);
+  btScalar rate_rounding() const {
+    return 100 * SIMD_EPSILON *
+           (m_cable->m_rbA.getLinearVelocity().length() +
+            m_cable->m_rbB.getLinearVelocity().length() +
+            (m_cable->m_rbA.getAngularVelocity().length() +
+             m_cable->m_rbB.getAngularVelocity().length()) *
+                m_cable->getMaxLength());
   }
-  bool is_impact(btScalar closing) const {
-    return m_cable->isEnabled() && m_cable->m_rule.is_impact(closing);
+  bool touches() const { return m_cable->isEnabled() && gap() <= tolerance(); }
+  /// What a whole step explains of the closing rate [m/s].
+  btScalar explained() const {
+    const btCableLine line = m_cable->getLine();
+    const btVector3 relative = acceleration(m_cable->m_rbA) - acceleration(m_cable->m_rbB);
+    btCableConstraint::Rule::Start start;
+    start.dt = m_cable->m_eventStep;
+    start.fall = -start.dt * line.m_towards.dot(relative);
+    tautline::cable_turn(start,
+                         line.swing(btCableMotion(m_cable->m_rbA), btCableMotion(m_cable->m_rbB)),
+                         line.m_distance);
+    return m_cable->m_rule.explained(start);
   }
-  btScalar rebound(btScalar closing) const { return m_cable->m_rule.rebound(closing); }
+  bool slack() const { return m_cable->m_rule.slack(); }
+  /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
+  bool is_tugged() const { return held() && -rate() > btMax(explained(), m_cable->m_rule.taken()); }
+  btScalar rebound() const { return m_cable->m_rule.rebound(-rate()); }
+  void fill(tautline::CableBlock::Row& row) {
+    m_cable->m_line = m_cable->getLine();
+    m_cable->fill(row);
+    row.softness = 0;
+  }
   void hold() { m_cable->m_rule.hold(); }
-  void release() { m_cable->m_rule.release(); }
+  void rebounds() {
+    m_cable->m_rule.rebounds();
+    leaves();
+  }
+  /// Out of its overstretch, it is slack.
+  void leaves() {
+    if (!held() && gap() >= -tolerance()) {
+      m_cable->m_rule.release();
+    }
+  }
 
   void apply(btScalar impulse) {
     const btCableLine line = m_cable->getLine();
@@ -110,34 +143,55 @@ class btCableStepper::Cable {
     b.applyTorqueImpulse(-impulse * line.m_momentB);
   }
   void struck(btScalar impulse) {
-    m_impulse += impulse;
+    add(impulse);
     m_cable->m_rbA.activate();
     m_cable->m_rbB.activate();
   }
+  void ran_out() { ++m_cable->m_stepsOutOfParts; }
 
   /// Between these two, the cable has a row while it rests taut, and none in flight.
   void begin(btScalar timeStep) {
     m_cable->m_byEvents = true;
     m_cable->m_eventStep = timeStep;
-    if (m_cable->getGap() >
-        tautline::CableRule<btScalar>::slack_rounding() * m_cable->getMaxLength()) {
-      release();
+    if (!m_cable->m_rule.touches(gap())) {
+      m_cable->m_rule.release();
     }
+    leaves();
   }
   void end() {
     m_cable->m_byEvents = false;
     m_cable->m_appliedImpulse = m_impulse;
   }
+  /// What the cable changed the velocity of `body` by in the part that is over [m/s].
+  btVector3 pullAt(const btRigidBody& body) const {
+    const btVector3 pull = m_cable->m_row.acts
+                               ? m_cable->m_appliedImpulse * m_cable->m_line.m_towards
+                               : btVector3(0, 0, 0);
+    const btScalar side =
+        btScalar(&body == &m_cable->m_rbA ? 1 : 0) - btScalar(&body == &m_cable->m_rbB ? 1 : 0);
+    return side * body.getInvMass() * pull * body.getLinearFactor();
+  }
   /// After a part: its impulse is in.
   void flew() {
-    if (m_cable->m_rows > 0) {
-      m_cable->m_rule.pulled(m_cable->m_appliedImpulse);
-      m_impulse += m_cable->m_appliedImpulse;
-      m_cable->m_rows = 0;  // taken
+    if (m_cable->m_row.acts) {
+      m_cable->m_row.acts = false;
+      m_cable->m_rule.pulled(m_cable->m_appliedImpulse, m_cable->m_inverseMass);
+      add(m_cable->m_appliedImpulse);
+      if (!(m_cable->m_appliedImpulse > 0) && gap() > tolerance()) {
+        m_cable->m_rule.release();
+      }
     }
+    leaves();
   }
 
  private:
+  void add(btScalar impulse) {
+    m_impulse += impulse;
+    if (m_impulse >= m_cable->getBreakingImpulseThreshold()) {
+      m_cable->setEnabled(false);
+    }
+  }
+
   btCableConstraint* m_cable;
   const btMovingEnd* m_movingA = nullptr;
   const btMovingEnd* m_movingB = nullptr;
@@ -189,7 +243,7 @@ inline int btCableStepper::step(int maxParts) {
 inline void btCableStepper::fly(btScalar timeStep) {
   struct Arrival {
     btRigidBody* m_body;
-    btVector3 m_velocity;
+    btVector3 m_velocity;  // if nothing but forces and cables touches it
     btVector3 m_acceleration;
   };
   std::vector<Arrival> arrivals;
@@ -203,10 +257,16 @@ inline void btCableStepper::fly(btScalar timeStep) {
   }
   stepPart(timeStep);
   for (const Arrival& arrival : arrivals) {
-    const btVector3 touch = arrival.m_body->getLinearVelocity() - arrival.m_velocity;
+    btVector3 touch = arrival.m_body->getLinearVelocity() - arrival.m_velocity;
+    btScalar pulled = 0;
+    for (const Cable& cable : m_cables) {
+      const btVector3 pull = cable.pullAt(*arrival.m_body);
+      touch -= pull;
+      pulled += pull.length();
+    }
     const btScalar rounding =
         10 * SIMD_EPSILON *
-        (arrival.m_velocity.length() + timeStep * arrival.m_acceleration.length());
+        (arrival.m_velocity.length() + timeStep * arrival.m_acceleration.length() + pulled);
     if (touch.length() <= rounding) {
       btTransform pose = arrival.m_body->getCenterOfMassTransform();
       pose.setOrigin(pose.getOrigin() - timeStep * timeStep / 2 * arrival.m_acceleration);

@@ -1,8 +1,9 @@
 // A cable for ODE: massless and inextensible, with restitution, between two bodies or a body and
-// the world. ODE has no joint types of a user's own, so a cable is a contact joint without friction
-// in each step that it may pull in: it only pulls, and bounces as ODE's contacts do with bounce_vel
-// 0: gap rate after the step = -bounce * gap rate before it, measured at the anchors. Header only,
-// for C++; double or single precision, as ODE is.
+// the world. ODE has no joint types of a user's own, so a cable acts by forces, or by a contact
+// joint without friction, in each step that it may pull in: it only pulls, and bounces as ODE's
+// contacts do with bounce_vel 0: gap rate after the step = -bounce * gap rate before it, measured
+// at the anchors. Header only, for C++; double or single precision, as ODE is. docs/cables.md says
+// what it guarantees.
 //
 //   dCableID cable = dCableCreate();
 //   dCableAttach(cable, load, 0);
@@ -21,25 +22,119 @@
 
 #include <ode/ode.h>
 
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <memory>
+
+#include "tautline/cable_block.h"
 #include "tautline/cable_rule.h"
 #include "tautline/ode/dCableLine.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
+class dxCableSolve;
+
 /// Use the functions below. Destroy a cable before its bodies, and not between dCableAddContacts
 /// and the end of the step: ODE writes to it there.
 struct dxCable {
+  typedef tautline::CableRule<dReal> Rule;
+
   dxCableEnd end[2];
-  tautline::CableRule<dReal> rule;
-  dReal cfm = -1;            // negative: the world's
+  Rule rule;
+  dReal cfm = -1;              // negative: the world's
+  dReal breaking = dInfinity;  // impulse [N s]
+  bool broken = false;
+  bool as_contact = false;  // never by force
+  int out_of_parts = 0;     // steps
+
+  // of the step
+  dxCableLine line;  // before it
+  Rule::Row row = {false, 0};
+  dReal length_rate = 0;     // [m/s]
+  dReal aimed_distance = 0;  // of the anchors, by the correction [m]
+  dReal correction = 0;      // [m]
+  dReal inverse_mass = 0;    // [1/kg]
+  dReal impulse = 0;         // [N s]
+  dReal stepsize = 0;        // [s] of a step whose contact is not read yet; 0: none
   dJointFeedback feedback;   // ODE writes to it in a step
-  dxCableLine line;          // when its contact was made
-  dReal stepsize = 0;        // [s] of a step whose impulse is not read yet; 0: none
-  dReal impulse = 0;         // of the last step [N s]
   bool by_events = false;    // while dStepWithCables steps, which sees to the impacts itself
   dReal event_stepsize = 0;  // its whole step [s]
+  std::shared_ptr<dxCableSolve> solve;  // of the calls in which it is the first
+
+  void wake() const {
+    for (const dxCableEnd& one : end) {
+      if (one.is_moved()) {
+        dBodyEnable(one.body);
+      }
+    }
+  }
+  void wake_if_wound() const {
+    if (rule.length_rate != 0) {
+      wake();
+    }
+  }
+
+  /// Sets the row of the step that begins as `at` says, and winds the winch on.
+  void ask(const Rule::Start& at) {
+    length_rate = rule.length_rate;
+    // anchors that coincide have no direction to be pulled in
+    if (broken || !(line.distance > 0)) {
+      row = Rule::Row{false, 0};
+    } else if (by_events) {
+      if (!rule.touches(at.gap)) {
+        rule.release();
+      }
+      row = rule.held() ? rule.step_by_events(at) : Rule::Row{false, 0};
+    } else {
+      row = rule.step(at);
+    }
+    // a short part takes out no more than its share
+    const dReal share = by_events ? std::min(at.dt / event_stepsize, dReal(1)) : dReal(1);
+    correction = share * rule.correction(at);
+    rule.pay_out(at.dt);
+  }
+
+  void fill(tautline::CableBlock::Row& to) const {
+    for (int side = 0; side < 2; ++side) {
+      tautline::CableBlockEnd& one = to.end[side];
+      one.body = end[side].is_moved() ? end[side].body : nullptr;
+      if (one.body != nullptr) {
+        dMass mass;
+        dBodyGetMass(end[side].body, &mass);
+        one.arm = dCalcVectorLength3(line.arm[side]);
+        dVector3 turn;
+        dxBodySolveInertia(end[side].body, line.moment[side], turn);
+        const dReal sign = side == 0 ? dReal(1) : dReal(-1);
+        for (int axis = 0; axis < 3; ++axis) {
+          one.pull[axis] = sign * line.towards[axis];
+          one.moment[axis] = sign * line.moment[side][axis];
+          one.move[axis] = sign * line.towards[axis] / mass.mass;
+          one.turn[axis] = sign * turn[axis];
+        }
+      }
+    }
+    to.softness = 0;
+    to.compliance = 0;
+  }
+
+  void pulled(dReal by) {
+    impulse = by;
+    rule.pulled(by, inverse_mass);
+    broken = broken || by >= breaking;
+  }
 };
 typedef dxCable* dCableID;
+
+/// What a setter does with a value that makes no sense: the debug build of a program stops.
+inline dReal dxCableAtLeast0(dReal value) {
+  assert(value >= 0);  // nor NaN
+  return value >= 0 ? value : dReal(0);
+}
+inline dReal dxCablePart(dReal value) {
+  assert(value >= 0 && value <= 1);
+  return value >= 0 ? std::min(value, dReal(1)) : dReal(0);
+}
 
 /// A cable of length 0 between nothing and nothing, without bounce.
 inline dCableID dCableCreate() { return new dxCable(); }
@@ -64,19 +159,58 @@ inline void dCableSetAnchor2(dCableID cable, dReal x, dReal y, dReal z) {
 inline void dCableGetAnchor1(dCableID cable, dVector3 result) { cable->end[0].position(result); }
 inline void dCableGetAnchor2(dCableID cable, dVector3 result) { cable->end[1].position(result); }
 
-/// Longest distance of the anchors [m], >= 0.
-inline void dCableSetLength(dCableID cable, dReal length) { cable->rule.length = length; }
+/// Longest distance of the anchors [m], >= 0. Another length wakes the bodies.
+inline void dCableSetLength(dCableID cable, dReal length) {
+  cable->rule.length = dxCableAtLeast0(length);
+  cable->wake();
+}
 inline dReal dCableGetLength(dCableID cable) { return cable->rule.length; }
 
-/// Newton's coefficient of restitution [-], in [0, 1]; 0 unless set.
-inline void dCableSetBounce(dCableID cable, dReal bounce) { cable->rule.restitution = bounce; }
+/// A winch: the rate at which steps from now on pay the cable out, or, if negative, haul it in,
+/// down to a length of 0 [m/s]; 0 unless set. An impact counts the speed relative to the length.
+/// While it runs its bodies do not fall asleep.
+inline void dCableSetLengthRate(dCableID cable, dReal rate) {
+  assert(rate - rate == 0);  // finite
+  cable->rule.length_rate = rate - rate == 0 ? rate : dReal(0);
+  cable->wake();
+}
+inline dReal dCableGetLengthRate(dCableID cable) { return cable->rule.length_rate; }
+
+/// Newton's coefficient of restitution [-]; 0 unless set. What is outside [0, 1] asserts, and is
+/// clamped.
+inline void dCableSetBounce(dCableID cable, dReal bounce) {
+  cable->rule.restitution = dxCablePart(bounce);
+}
 inline dReal dCableGetBounce(dCableID cable) { return cable->rule.restitution; }
 
-/// Impacts slower than this do not bounce [m/s]; 0 unless set.
+/// Impacts slower than this do not bounce [m/s], >= 0; 0 unless set.
 inline void dCableSetBounceVel(dCableID cable, dReal bounce_vel) {
-  cable->rule.threshold = bounce_vel;
+  cable->rule.threshold = dxCableAtLeast0(bounce_vel);
 }
 inline dReal dCableGetBounceVel(dCableID cable) { return cable->rule.threshold; }
+
+/// An impulse of a step as large as this breaks the cable [N s], >= 0; none unless set. It then
+/// pulls no more, until dCableMend.
+inline void dCableSetBreakingImpulse(dCableID cable, dReal impulse) {
+  cable->breaking = dxCableAtLeast0(impulse);
+}
+inline dReal dCableGetBreakingImpulse(dCableID cable) { return cable->breaking; }
+inline void dCableMend(dCableID cable) { cable->broken = false; }
+
+/// The speed at which overstretch is taken out, at most [m/s], >= 0; 1 unless set.
+inline void dCableSetMaxCorrectionSpeed(dCableID cable, dReal speed) {
+  cable->rule.correction_speed = dxCableAtLeast0(speed);
+}
+inline dReal dCableGetMaxCorrectionSpeed(dCableID cable) { return cable->rule.correction_speed; }
+
+/// 1: a contact joint in every step in which it may pull, never forces; see dCableSolve.h. For
+/// programs that make contacts after dCableAddContacts. 0 unless set.
+inline void dCableSetAsContact(dCableID cable, int as_contact) {
+  cable->as_contact = as_contact != 0;
+}
+
+/// How many steps by events (dStepWithCables) ran out of parts and ended as a fixed step.
+inline int dCableGetStepsOutOfParts(dCableID cable) { return cable->out_of_parts; }
 
 /// 1: bounce with bounce^2 of the energy of the arrival at zero gap, so that a falling load rises
 /// to bounce^2 of its height; the rates before and after the step then differ from `bounce` by
@@ -86,27 +220,31 @@ inline void dCableSetBounceByEnergy(dCableID cable, int by_energy) {
 }
 
 /// Part of the overstretch that a step takes out while the cable rests taut [-]; 0.2 unless set.
-inline void dCableSetERP(dCableID cable, dReal erp) { cable->rule.erp = erp; }
+inline void dCableSetERP(dCableID cable, dReal erp) { cable->rule.erp = dxCablePart(erp); }
 inline dReal dCableGetERP(dCableID cable) { return cable->rule.erp; }
 
-/// CFM of the contact joint; the world's unless set.
-inline void dCableSetCFM(dCableID cable, dReal cfm) { cable->cfm = cfm; }
+/// ODE's CFM of the cable [1/kg s], >= 0; unless set the world's where it is a contact joint, and
+/// none where it pulls by force.
+inline void dCableSetCFM(dCableID cable, dReal cfm) { cable->cfm = dxCableAtLeast0(cfm); }
 
 /// The length minus the distance of the anchors, now [m]; negative is overstretch.
 inline dReal dCableGetGap(dCableID cable) {
   return cable->rule.length - dxCableLine(cable->end).distance;
 }
-/// The gap's rate, now [m/s]; negative while the anchors move apart.
-inline dReal dCableGetGapRate(dCableID cable) { return dxCableLine(cable->end).rate(cable->end); }
+/// The gap's rate, now [m/s]; negative while the anchors move apart faster than the cable is paid
+/// out.
+inline dReal dCableGetGapRate(dCableID cable) {
+  return dxCableLine(cable->end).rate(cable->end) + cable->rule.length_rate;
+}
 
-/// Takes over the impulse of a step that is done. The functions below do it by themselves.
+/// Takes over the impulse of a contact in a step that is done. The functions below do it by
+/// themselves.
 inline void dxCableReadImpulse(dCableID cable) {
   // ODE does not step a body that sleeps: its cable pulls as it did
   if (cable->stepsize > 0 && (cable->end[0].is_awake() || cable->end[1].is_awake())) {
     const dReal pull = dCalcVectorDot3(cable->feedback.f1, cable->line.towards);
     const dReal impulse = cable->stepsize * (cable->end[0].body != nullptr ? pull : -pull);
-    cable->impulse = impulse > 0 ? impulse : 0;  // the projection may round below zero
-    cable->rule.pulled(cable->impulse);
+    cable->pulled(impulse > 0 ? impulse : 0);  // the projection may round below zero
   }
   cable->stepsize = 0;
 }
@@ -119,68 +257,14 @@ inline dReal dCableGetImpulse(dCableID cable) {
 /// 1 if the cable pulled in the last step; else it was slack.
 inline int dCableIsTaut(dCableID cable) { return dCableGetImpulse(cable) > 0 ? 1 : 0; }
 
-/// What the cable asks of the step to come, from where its ends are now.
-inline tautline::CableRule<dReal>::Row dxCableRow(dCableID cable, const dReal* gravity,
-                                                  dReal stepsize) {
-  const dxCableLine& line = cable->line;
-  if (!(line.distance > 0) || (cable->by_events && !cable->rule.held())) {
-    return {false, 0};  // anchors that coincide have no direction to be pulled in
-  }
-  tautline::CableRule<dReal>::Start start;
-  start.gap = cable->rule.length - line.distance;
-  start.rate = line.rate(cable->end);
-  start.fall = -stepsize * line.acceleration(cable->end, gravity);
-  start.dt = stepsize;
-  if (cable->by_events) {
-    start.dt = stepsize > cable->event_stepsize ? stepsize : cable->event_stepsize;
-    return cable->rule.rest(start);  // no faster in a short part
-  }
-  return cable->rule.step(start);
-}
-
-/// Adds a contact joint to `group` for each of `count` cables that may pull in the next step of
-/// `stepsize` [s]. Call it once before that step; empty the group after it.
-inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableID* cables,
-                              int count, dReal stepsize) {
-  dVector3 gravity;
-  dWorldGetGravity(world, gravity);
-  dContact contact = dContact();
-  for (int index = 0; index < count; ++index) {
-    const dCableID cable = cables[index];
-    dxCableReadImpulse(cable);
-    cable->line.find(cable->end);
-    const tautline::CableRule<dReal>::Row row = dxCableRow(cable, gravity, stepsize);
-    if (!row.acts) {
-      cable->impulse = 0;
-      continue;
-    }
-    // the row is asked for the rate and nothing else; ODE adds its ERP to nothing. A rebound asks
-    // as a bounce, which dWorldSetContactMaxCorrectingVel does not limit
-    const dReal closing = -cable->line.rate(cable->end);
-    const bool rebounds = row.rate > 0 && closing > 0 && !cable->rule.held();
-    contact.surface.mode = dContactSoftERP | (rebounds ? dContactBounce : dContactMotionN);
-    contact.surface.bounce = rebounds ? row.rate / closing : 0;
-    contact.surface.bounce_vel = 0;
-    contact.surface.motionN = rebounds ? 0 : row.rate;
-    if (cable->cfm >= 0) {
-      contact.surface.mode |= dContactSoftCFM;
-      contact.surface.soft_cfm = cable->cfm;
-    }
-    // the normal pushes the joint's first body, which must be one; any point of the line gives
-    // both the right torque
-    const int first = cable->end[0].body != nullptr ? 0 : 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      contact.geom.pos[axis] = cable->line.point[first][axis];
-      contact.geom.normal[axis] =
-          first == 0 ? cable->line.towards[axis] : -cable->line.towards[axis];
-    }
-    const dJointID joint = dJointCreateContact(world, group, &contact);
-    dJointAttach(joint, cable->end[first].body, cable->end[1 - first].body);
-    dJointSetFeedback(joint, &cable->feedback);
-    cable->stepsize = stepsize;
-  }
+/// 1 if an impulse has broken it.
+inline int dCableIsBroken(dCableID cable) {
+  dxCableReadImpulse(cable);
+  return cable->broken ? 1 : 0;
 }
 
 // NOLINTEND(modernize-use-nodiscard)
+
+#include "tautline/ode/dCableSolve.h"
 
 #endif

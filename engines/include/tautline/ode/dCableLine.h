@@ -5,6 +5,8 @@
 
 #include <ode/ode.h>
 
+#include "tautline/cable_rule.h"
+
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
 /// One end of a cable: a point of a body, or of the world.
@@ -28,8 +30,12 @@ struct dxCableEnd {
       result[0] = anchor[0], result[1] = anchor[1], result[2] = anchor[2];
     }
   }
-  /// True if ODE steps it.
-  bool is_awake() const { return body != nullptr && dBodyIsEnabled(body) != 0; }
+  /// True if ODE steps it; of a hook, if it goes anywhere.
+  bool is_awake() const {
+    return body != nullptr && dBodyIsEnabled(body) != 0 &&
+           (is_moved() || dCalcVectorLengthSquare3(dBodyGetLinearVel(body)) > 0 ||
+            dCalcVectorLengthSquare3(dBodyGetAngularVel(body)) > 0);
+  }
   /// True if forces move it.
   bool is_moved() const { return body != nullptr && dBodyIsKinematic(body) == 0; }
 };
@@ -58,20 +64,71 @@ inline void dxBodySolveInertia(dBodyID body, const dReal* vector, dReal* result)
   dMultiply0_331(result, dBodyGetRotation(body), turned);
 }
 
+/// The spin of a body after `stepsize` of ODE's gyroscopic torque, which it takes implicitly: it
+/// solves (I - h L x) w = L for it, with the angular momentum L of the spin now [rad/s].
+inline void dxBodyGyroscopicSpin(dBodyID body, dReal stepsize, dReal* result) {
+  dCopyVector3(result, dBodyGetAngularVel(body));
+  if (dBodyGetGyroscopicMode(body) == 0 || dCalcVectorLengthSquare3(result) == 0) {
+    return;
+  }
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  dMatrix3 turned = {0}, inertia = {0}, inverse = {0};
+  dMultiply2_333(turned, mass.I, dBodyGetRotation(body));
+  dMultiply0_333(inertia, dBodyGetRotation(body), turned);
+  dVector3 momentum;
+  dMultiply0_331(momentum, inertia, result);
+  dMatrix3 cross = {0};
+  dSetCrossMatrixMinus(cross, momentum, 4);
+  for (int index = 0; index < 12; ++index) {
+    inertia[index] += stepsize * cross[index];
+  }
+  if (dInvertMatrix3(inverse, inertia) != 0) {
+    dMultiply0_331(result, inverse, momentum);
+  }
+}
+
+/// How a body moves, for a line's rates; the world does not.
+struct dxMotion {
+  dVector3 velocity;  // [m/s]
+  dVector3 spin;      // [rad/s]
+
+  explicit dxMotion(dBodyID body) : velocity(), spin() {
+    if (body != nullptr) {
+      dCopyVector3(velocity, dBodyGetLinearVel(body));
+      dCopyVector3(spin, dBodyGetAngularVel(body));
+    }
+  }
+  /// After `stepsize` in which only gravity and the user's forces act.
+  dxMotion(dBodyID body, const dReal* gravity, dReal stepsize) : dxMotion(body) {
+    if (body != nullptr && dBodyIsKinematic(body) == 0) {
+      dVector3 acceleration;
+      dxBodyAcceleration(body, gravity, acceleration);
+      dAddScaledVectors3(velocity, velocity, acceleration, 1, stepsize);
+      dxBodyGyroscopicSpin(body, stepsize, spin);
+      const dReal* torque = dBodyGetTorque(body);
+      if (dCalcVectorLengthSquare3(torque) > 0) {
+        dxBodySolveInertia(body, torque, acceleration);
+        dAddScaledVectors3(spin, spin, acceleration, 1, stepsize);
+      }
+    }
+  }
+};
+
 /// The gap's rate is towards * (v1 - v2) + moment1 * w1 - moment2 * w2.
 struct dxCableLine {
   dReal distance;      // of the anchors [m]
   dVector3 towards;    // from 1 to 2, of length 1; zero if the distance is
   dVector3 point[2];   // the anchors [m]
+  dVector3 arm[2];     // from a body's centre to its anchor [m]
   dVector3 moment[2];  // arm x towards [m]; zero for the world
 
-  dxCableLine() : distance(0), towards(), point(), moment() {}
+  dxCableLine() : distance(0), towards(), point(), arm(), moment() {}
 
   explicit dxCableLine(const dxCableEnd* end) : dxCableLine() { find(end); }
 
   /// The line between the ends now.
   void find(const dxCableEnd* end) {
-    dVector3 arm[2];
     for (int index = 0; index < 2; ++index) {
       const dBodyID body = end[index].body;
       if (body != nullptr) {
@@ -94,35 +151,29 @@ struct dxCableLine {
   }
 
   /// The rate of the gap [m/s].
+  dReal rate(const dxMotion& one, const dxMotion& two) const {
+    return dCalcVectorDot3(towards, one.velocity) - dCalcVectorDot3(towards, two.velocity) +
+           dCalcVectorDot3(moment[0], one.spin) - dCalcVectorDot3(moment[1], two.spin);
+  }
   dReal rate(const dxCableEnd* end) const {
-    dReal result = 0;
-    for (int index = 0; index < 2; ++index) {
-      if (end[index].body != nullptr) {
-        const dReal one = dCalcVectorDot3(towards, dBodyGetLinearVel(end[index].body)) +
-                          dCalcVectorDot3(moment[index], dBodyGetAngularVel(end[index].body));
-        result += index == 0 ? one : -one;
-      }
-    }
-    return result;
+    return rate(dxMotion(end[0].body), dxMotion(end[1].body));
   }
 
-  /// What gravity [m/s^2] and the bodies' forces and torques add to that rate in a second [m/s^2].
-  dReal acceleration(const dxCableEnd* end, const dReal* gravity) const {
-    dReal result = 0;
-    for (int index = 0; index < 2; ++index) {
-      if (end[index].is_moved()) {
-        dVector3 linear;
-        dxBodyAcceleration(end[index].body, gravity, linear);
-        dReal one = dCalcVectorDot3(towards, linear);
-        const dReal* torque = dBodyGetTorque(end[index].body);
-        if (dCalcVectorLengthSquare3(torque) > 0) {
-          dVector3 angular;
-          dxBodySolveInertia(end[index].body, torque, angular);
-          one += dCalcVectorDot3(moment[index], angular);
-        }
-        result += index == 0 ? one : -one;
-      }
-    }
+  tautline::CableSwing<dReal> swing(const dxMotion& one, const dxMotion& two) const {
+    dVector3 relative, turning;
+    dSubtractVectors3(relative, two.velocity, one.velocity);
+    dCalcVectorCross3(turning, two.spin, arm[1]);
+    dAddVectors3(relative, relative, turning);
+    dCalcVectorCross3(turning, one.spin, arm[0]);
+    dSubtractVectors3(relative, relative, turning);
+    const dReal along = dCalcVectorDot3(towards, relative);
+    const dReal rest = dCalcVectorLengthSquare3(relative) - along * along;
+    tautline::CableSwing<dReal> result;
+    result.along = along * along;
+    result.across = rest > 0 ? rest : 0;
+    result.inward = centripetal(two, 1) - centripetal(one, 0);
+    result.reach = dCalcVectorLengthSquare3(two.spin) * dCalcVectorLength3(arm[1]) +
+                   dCalcVectorLengthSquare3(one.spin) * dCalcVectorLength3(arm[0]);
     return result;
   }
 
@@ -139,6 +190,14 @@ struct dxCableLine {
       }
     }
     return result;
+  }
+
+ private:
+  dReal centripetal(const dxMotion& motion, int index) const {
+    dVector3 turning, twice;
+    dCalcVectorCross3(turning, motion.spin, arm[index]);
+    dCalcVectorCross3(twice, motion.spin, turning);
+    return dCalcVectorDot3(towards, twice);
   }
 };
 

@@ -11,10 +11,10 @@
 //
 // The whole world takes the shorter steps; a step in which no cable goes taut costs a prediction
 // per slack cable. In an impact the cables' own bodies alone change their velocities; contacts and
-// other joints of theirs answer in the part after it. A body at a cable's end that nothing touched
-// in a part is put where its forces take it, half of a h^2 from where ODE does: else every bounce
-// would lose energy to the split. ODE forgets the forces on a body after each part; add lasting
-// ones in `step`.
+// other joints of theirs answer in the part after it. A body at a cable's end that nothing but
+// cables touched in a part is put where its forces take it, half of a h^2 from where ODE does: else
+// every bounce would lose energy to the split. ODE forgets the forces on a body after each part;
+// add lasting ones in `step`.
 
 #ifndef TAUTLINE_ODE_STEP_WITH_CABLES_H
 #define TAUTLINE_ODE_STEP_WITH_CABLES_H
@@ -27,47 +27,127 @@
 /// Steps the user's world by `stepsize` [s].
 typedef void dStepFunction(void* data, dReal stepsize);
 
+/// Of gravity and the user's forces on a body, a hook or the world [m/s^2].
+inline void dxEndAcceleration(const dxCableEnd& end, dReal* result) {
+  dVector3 gravity = {0, 0, 0, 0};
+  dCopyVector3(result, gravity);
+  if (end.is_moved()) {
+    dWorldGetGravity(dBodyGetWorld(end.body), gravity);
+    dxBodyAcceleration(end.body, gravity, result);
+  }
+}
+
 /// A cable as `tautline::step_by_events` needs it. Use `dStepWithCables`.
 class dxEventCable {
  public:
   explicit dxEventCable(dCableID cable) : m_cable(cable) {}
 
   dCableID id() const { return m_cable; }
-  bool flies() const { return !m_cable->rule.held(); }
+  bool held() const { return m_cable->rule.held(); }
+  bool slack() const { return m_cable->rule.slack(); }
+  bool flies() const { return !m_cable->broken && !held() && gap() >= -tolerance(); }
+  bool touches() const { return !m_cable->broken && gap() <= tolerance(); }
   dReal gap() const { return dCableGetGap(m_cable); }
   dReal rate() const { return dCableGetGapRate(m_cable); }
   dReal tolerance() const {
     return 100 * std::numeric_limits<dReal>::epsilon() * m_cable->rule.length;
   }
-  dReal inverse_mass() const { return dxCableLine(m_cable->end).inverse_mass(m_cable->end); }
-  bool is_impact(dReal closing) const { return m_cable->rule.is_impact(closing); }
-  dReal rebound(dReal closing) const { return m_cable->rule.rebound(closing); }
+  dReal rate_rounding() const;
+  dReal explained() const;
+  /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
+  bool is_tugged() const { return held() && -rate() > explained(); }
+  dReal rebound() const { return m_cable->rule.rebound(-rate()); }
+  void fill(tautline::CableBlock::Row& row) {
+    m_cable->line.find(m_cable->end);
+    m_cable->fill(row);
+  }
   void hold() { m_cable->rule.hold(); }
-  void release() { m_cable->rule.release(); }
+  void rebounds() {
+    m_cable->rule.rebounds();
+    leaves();
+  }
+  /// Out of its overstretch, it is slack.
+  void leaves() {
+    if (!held() && gap() >= -tolerance()) {
+      m_cable->rule.release();
+    }
+  }
   void apply(dReal impulse);
   void struck(dReal impulse);
+  void ran_out() { ++m_cable->out_of_parts; }
   dReal gap_after(dReal stepsize) const;
 
-  /// Between these two, the cable has a contact while it rests taut, and none in flight.
+  /// Between these two, the cable acts while it rests taut, and not in flight.
   void begin(dReal stepsize) {
     dxCableReadImpulse(m_cable);
     m_cable->by_events = true;
     m_cable->event_stepsize = stepsize;
-    if (gap() > tautline::CableRule<dReal>::slack_rounding() * m_cable->rule.length) {
-      release();
+    if (!m_cable->rule.touches(gap())) {
+      m_cable->rule.release();
     }
+    leaves();
   }
   void end() {
     m_cable->by_events = false;
     m_cable->impulse = m_impulse;
   }
+  /// What the cable changed the velocity of `body` by in the part that is over [m/s].
+  void pull_at(dBodyID body, dReal* result) const {
+    const dReal side =
+        dReal(m_cable->end[0].body == body ? 1 : 0) - dReal(m_cable->end[1].body == body ? 1 : 0);
+    dMass mass;
+    dBodyGetMass(body, &mass);
+    const dReal impulse = m_cable->row.acts ? m_cable->impulse : dReal(0);
+    dCopyScaledVector3(result, m_cable->line.towards, side * impulse / mass.mass);
+  }
   /// After a part: its impulse is in.
-  void flew() { m_impulse += dCableGetImpulse(m_cable); }
+  void flew() {
+    if (m_cable->row.acts) {
+      m_cable->row.acts = false;
+      add(m_cable->impulse);
+      if (!(m_cable->impulse > 0) && gap() > tolerance()) {
+        m_cable->rule.release();
+      }
+    }
+    leaves();
+  }
 
  private:
+  void add(dReal impulse) {
+    m_impulse += impulse;
+    m_cable->broken = m_cable->broken || m_impulse >= m_cable->breaking;
+  }
+
   dCableID m_cable;
   dReal m_impulse = 0;  // of the step so far [N s]
 };
+
+inline dReal dxEventCable::rate_rounding() const {
+  dReal fastest = 0;
+  for (const dxCableEnd& end : m_cable->end) {
+    if (end.body != nullptr) {
+      fastest += dCalcVectorLength3(dBodyGetLinearVel(end.body)) +
+                 dCalcVectorLength3(dBodyGetAngularVel(end.body)) * m_cable->rule.length;
+    }
+  }
+  return 100 * std::numeric_limits<dReal>::epsilon() * fastest;
+}
+
+/// What a whole step explains of the closing rate [m/s].
+inline dReal dxEventCable::explained() const {
+  const dxCableLine line(m_cable->end);
+  dVector3 one, two;
+  dxEndAcceleration(m_cable->end[0], one);
+  dxEndAcceleration(m_cable->end[1], two);
+  dSubtractVectors3(one, one, two);
+  dxCable::Rule::Start start;
+  start.dt = m_cable->event_stepsize;
+  start.fall = -start.dt * dCalcVectorDot3(line.towards, one);
+  tautline::cable_turn(start,
+                       line.swing(dxMotion(m_cable->end[0].body), dxMotion(m_cable->end[1].body)),
+                       line.distance);
+  return m_cable->rule.explained(start);
+}
 
 inline void dxEventCable::apply(dReal impulse) {
   const dxCableLine line(m_cable->end);
@@ -90,7 +170,7 @@ inline void dxEventCable::apply(dReal impulse) {
 }
 
 inline void dxEventCable::struck(dReal impulse) {
-  m_impulse += impulse;
+  add(impulse);
   for (const dxCableEnd& end : m_cable->end) {
     if (end.is_moved()) {
       dBodyEnable(end.body);
@@ -140,7 +220,7 @@ inline dReal dxEventCable::gap_after(dReal stepsize) const {
   dxEndAfter(m_cable->end[0], stepsize, at[0]);
   dxEndAfter(m_cable->end[1], stepsize, at[1]);
   dSubtractVectors3(between, at[1], at[0]);
-  return m_cable->rule.length - dCalcVectorLength3(between);
+  return m_cable->rule.length + stepsize * m_cable->rule.length_rate - dCalcVectorLength3(between);
 }
 
 /// The user's world as `tautline::step_by_events` needs it. Use `dStepWithCables`.
@@ -156,6 +236,7 @@ class dxEventHost {
         m_step(step),
         m_data(data) {
     for (const dxEventCable& cable : cables) {
+      m_ids.push_back(cable.id());
       for (const dxCableEnd& end : cable.id()->end) {
         if (end.is_moved() && std::find(m_ends.begin(), m_ends.end(), end.body) == m_ends.end()) {
           m_ends.push_back(end.body);
@@ -169,17 +250,17 @@ class dxEventHost {
     for (const dBodyID body : m_ends) {
       arrivals.push_back(Arrival(body, stepsize));
     }
-    for (const dxEventCable& cable : m_cables) {
-      const dCableID id = cable.id();
-      dCableAddContacts(m_world, m_group, &id, 1, stepsize);
-    }
+    dCableAddContacts(m_world, m_group, m_ids.data(), static_cast<int>(m_ids.size()), stepsize);
     // a depth is pushed out at the same speed in a short part
     dWorldSetERP(m_world, m_erp * stepsize / m_stepsize);
     m_step(m_data, stepsize);
     dWorldSetERP(m_world, m_erp);
     dJointGroupEmpty(m_group);
+    for (dxEventCable& cable : m_cables) {
+      dxCableReadImpulse(cable.id());
+    }
     for (const Arrival& arrival : arrivals) {
-      arrival.correct(stepsize);
+      arrival.correct(stepsize, m_cables);
     }
     for (dxEventCable& cable : m_cables) {
       cable.flew();
@@ -191,7 +272,7 @@ class dxEventHost {
   struct Arrival {
     dBodyID body;
     dVector3 acceleration;
-    dVector3 velocity;  // if nothing touches it
+    dVector3 velocity;  // if nothing but forces and cables touches it
 
     Arrival(dBodyID the_body, dReal stepsize) : body(the_body) {
       dVector3 gravity;
@@ -199,12 +280,19 @@ class dxEventHost {
       dxBodyAcceleration(body, gravity, acceleration);
       dAddScaledVectors3(velocity, dBodyGetLinearVel(body), acceleration, 1, stepsize);
     }
-    void correct(dReal stepsize) const {
+    void correct(dReal stepsize, const std::vector<dxEventCable>& cables) const {
       dVector3 touch;
       dSubtractVectors3(touch, dBodyGetLinearVel(body), velocity);
+      dReal pulled = 0;
+      for (const dxEventCable& cable : cables) {
+        dVector3 pull;
+        cable.pull_at(body, pull);
+        dSubtractVectors3(touch, touch, pull);
+        pulled += dCalcVectorLength3(pull);
+      }
       const dReal rounding =
           10 * std::numeric_limits<dReal>::epsilon() *
-          (dCalcVectorLength3(velocity) + stepsize * dCalcVectorLength3(acceleration));
+          (dCalcVectorLength3(velocity) + stepsize * dCalcVectorLength3(acceleration) + pulled);
       if (dCalcVectorLength3(touch) <= rounding) {
         dVector3 position;
         dAddScaledVectors3(position, dBodyGetPosition(body), acceleration, 1,
@@ -217,6 +305,7 @@ class dxEventHost {
   dWorldID m_world;
   dJointGroupID m_group;
   std::vector<dxEventCable>& m_cables;
+  std::vector<dCableID> m_ids;
   std::vector<dBodyID> m_ends;  // each body once
   dReal m_stepsize;             // [s], the whole step
   dReal m_erp;                  // the world's

@@ -50,7 +50,7 @@ class Ledger {
   /// A step from `before` to `after`. The energy is that of `before`.
   void add(const Moment& before, const Moment& after);
 
-  /// By how much the energy is above that of the start and the hooks' work [J].
+  /// By how much the energy is above that of the start and the hooks' work, rounding aside [J].
   [[nodiscard]] double gain() const { return gain_; }
   /// Highest kinetic energy and the range of the potential energy so far [J]: what is exchanged in
   /// this world. (The range of their sum would be nothing in a world that keeps it.)

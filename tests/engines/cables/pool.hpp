@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -82,10 +83,8 @@ std::vector<int> work_off(const std::vector<int>& left, int workers, const Funct
 template <typename Result, typename Function>
 std::vector<std::optional<Result>> in_processes(int count, int workers, const Function& function) {
   std::vector<std::optional<Result>> results(static_cast<std::size_t>(count));
-  std::vector<int> left;
-  for (int number = 0; number < count; ++number) {
-    left.push_back(number);
-  }
+  std::vector<int> left(results.size());
+  std::iota(left.begin(), left.end(), 0);
   while (!left.empty()) {
     const std::vector<int> aborted = detail::work_off(left, workers, function, results);
     std::erase_if(left, [&](int number) {

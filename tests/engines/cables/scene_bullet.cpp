@@ -29,7 +29,7 @@ struct HookPose : btMotionState {
 const std::string Scene::engine = sizeof(btScalar) == sizeof(double) ? "bullet64" : "bullet32";
 const double Scene::rounding = std::numeric_limits<btScalar>::epsilon();
 
-const bool Scene::hook_arrives_first = true;
+const bool Scene::hook_arrives_first = false;
 
 /// btTransformUtil::integrateTransform turns by the whole angle, but not beyond a limit.
 double Scene::turn(double spin, double dt) {
@@ -67,8 +67,12 @@ struct Scene::Engine {
     bodies.push_back(std::move(body));
     return static_cast<int>(bodies.size()) - 1;
   }
-  btRigidBody& body(int index) const { return *bodies[static_cast<std::size_t>(index)]; }
-  btCableConstraint& cable(int index) const { return *cables[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] btRigidBody& body(int index) const {
+    return *bodies[static_cast<std::size_t>(index)];
+  }
+  [[nodiscard]] btCableConstraint& cable(int index) const {
+    return *cables[static_cast<std::size_t>(index)];
+  }
   void add(std::unique_ptr<btTypedConstraint> constraint) {
     world.addConstraint(constraint.get());
     constraints.push_back(std::move(constraint));

@@ -64,14 +64,13 @@ struct Scene::Engine {
 
   explicit Engine(double rate) : dt(1.0 / rate) {}
 
-  dBodyID body(int index) const {
+  [[nodiscard]] dBodyID body(int index) const {
     return index < 0 ? nullptr : bodies[static_cast<std::size_t>(index)];
   }
-  dCableID cable(int index) const { return cables[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] dCableID cable(int index) const { return cables[static_cast<std::size_t>(index)]; }
 
   int add(const dMass& mass, const Vec3& position) {
     bodies.push_back(dBodyCreate(world));
-    dBodySetData(bodies.back(), reinterpret_cast<void*>(touched.size()));
     touched.push_back(false);
     dBodySetMass(bodies.back(), &mass);
     dBodySetPosition(bodies.back(), position.x(), position.y(), position.z());
@@ -79,8 +78,9 @@ struct Scene::Engine {
   }
 
   void touch(dBodyID body) {
-    if (body != nullptr) {
-      touched[reinterpret_cast<std::size_t>(dBodyGetData(body))] = true;
+    const auto found = std::find(bodies.begin(), bodies.end(), body);
+    if (found != bodies.end()) {
+      touched[static_cast<std::size_t>(found - bodies.begin())] = true;
     }
   }
   static void collide(void* data, dGeomID first, dGeomID second) {

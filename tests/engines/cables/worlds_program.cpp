@@ -24,7 +24,7 @@ using nlohmann::ordered_json;
 
 struct Options {
   int worlds = 100;
-  int first = 1;
+  std::uint64_t first = 1;
   double seconds = 0.0;  // 0: 60 for worlds, 600 for cases
   double rate = 60.0;
   bool events = false;
@@ -131,7 +131,7 @@ int run_worlds(const Options& options) {
   const double seconds = options.seconds > 0.0 ? options.seconds : 60.0;
   const Playing playing = options.playing();
   const auto world = [&options](int number) {
-    return random_world(static_cast<std::uint64_t>(options.first + number));
+    return random_world(options.first + static_cast<std::uint64_t>(number));
   };
   const auto start = std::chrono::steady_clock::now();
   const auto results = in_processes<Findings>(options.worlds, options.workers, [&](int number) {
@@ -142,13 +142,13 @@ int run_worlds(const Options& options) {
 
   ordered_json json{{"title", options.title()}, {"seconds", seconds}, {"took", took}};
   std::vector<Seen> seen;
-  std::vector<int> aborted;
+  std::vector<std::uint64_t> aborted;
   long impacts = 0;
   int breaking = 0;
   for (int number = 0; number < options.worlds; ++number) {
     const auto& result = results[static_cast<std::size_t>(number)];
     if (!result) {
-      aborted.push_back(options.first + number);
+      aborted.push_back(options.first + static_cast<std::uint64_t>(number));
       continue;
     }
     seen.push_back({world(number), *result});
@@ -164,6 +164,7 @@ int run_worlds(const Options& options) {
     fmt::print("{:<36} {:>8} {:>9} {:>7} {:>7} {:>6} {:>7}\n", "measure", "allowed", "worst",
                "seed", "at [s]", "cable", "worlds");
     std::vector<const Seen*> all;
+    all.reserve(seen.size());
     for (const Seen& one : seen) {
       all.push_back(&one);
     }
@@ -174,7 +175,7 @@ int run_worlds(const Options& options) {
   }
   fmt::print("{} isolated impacts; {} worlds break a claim, {} abort", impacts, breaking,
              aborted.size());
-  for (const int seed : aborted) {
+  for (const std::uint64_t seed : aborted) {
     fmt::print(" {}", seed);
   }
   fmt::print("\n\n");

@@ -46,6 +46,7 @@ class CableRule {
     Real fall;   // closing rate that forces add in the step [m/s]
     Real turn;   // closing rate that swinging and turning add in the step, see `cable_turn` [m/s]
     Real most;   // the most that this can be, at any angle [m/s]
+    Real angle;  // by which the cable or a body turns in the step [rad]
     Real speed;  // of the ends relative to each other [m/s]
     Real dt;     // [s]
   };
@@ -61,6 +62,9 @@ class CableRule {
   /// Rounding lets the gap of a resting load go to and fro by less than this part of the length
   /// [-]: a hundred times the rounding of float, in coordinates of a hundred lengths.
   static Real slack_rounding() { return Real(1e-5); }
+
+  /// A step follows what turns by less than this in it [rad].
+  static Real followed() { return Real(0.3); }
 
   /// True if a gap of `gap` [m] may need a row: it has run out, or the cable rests and is off its
   /// length by no more than a step's fall.
@@ -126,8 +130,12 @@ class CableRule {
 
   /// The row of a part of a step that is split at the impacts, of a cable that rests taut: the load
   /// is where the forces take it in a parabola, and what closing is left is taken out afterwards.
+  /// That keeps the energy while a part turns nothing by much; if it does, the row asks for no more
+  /// than the closing rate, as in a fixed step.
   Row step_by_events(const Start& at) {
-    return pull(at, (std::max(at.turn, Real(0)) - at.fall) / 2 - std::max(at.gap, Real(0)) / at.dt);
+    const Real straight = (std::max(at.turn, Real(0)) - at.fall) / 2;
+    const Real rate = at.angle < followed() ? straight : std::min(straight, -at.rate);
+    return pull(at, rate - std::max(at.gap, Real(0)) / at.dt);
   }
 
   /// A step of `dt` [s] of the winch.
@@ -141,7 +149,7 @@ class CableRule {
   /// that step could not follow how the bodies turned, goes out at once.
   Real correction(const Start& at) {
     const Real over = std::max(-at.gap, Real(0));
-    const Real come = over - over_;
+    const Real come = std::min(over - over_, (at.most + at.speed) * at.dt);  // or the user did it
     over_ = over;
     if (state_ == State::slack || (state_ == State::rebounding && !tugged_)) {
       return 0;
@@ -195,6 +203,7 @@ struct CableSwing {
   Real along;   // square of that along it [m^2/s^2]
   Real inward;  // what the turning of the bodies accelerates the gap's closing by [m/s^2]
   Real reach;   // spin^2 times arm, of both bodies: the most that this can be [m/s^2]
+  Real spin;    // the faster of the bodies' [rad/s]
 };
 
 /// Completes `at` for a cable between ends that are `distance` [m] apart. The closing rate that
@@ -206,6 +215,8 @@ void cable_turn(typename CableRule<Real>::Start& at, const CableSwing<Real>& swi
   at.turn = at.dt * (around + swing.inward);
   at.most = at.dt * (around + swing.reach);
   at.speed = std::sqrt(swing.across + swing.along);
+  at.angle =
+      at.dt * std::max(swing.spin, distance > 0 ? std::sqrt(swing.across) / distance : Real(0));
 }
 
 }  // namespace tautline

@@ -182,12 +182,14 @@ class btCableConstraint : public btTypedConstraint {
                        m_rbB.getCenterOfMassTransform(), m_pivotInB);
   }
 
+  btCableLine getLineBefore(btScalar timeStep) const;
+
   // of the leader: the cables that pull at each other's bodies, and their solve
   void gather();
   void gatherFrom(const btCablesOnBody& list);
   void begin(btSolverBody* pool, btScalar timeStep);
   void fillBlock(btSolverBody* pool);
-  void moveOutOfOverstretch(btSolverBody* pool);
+  void moveOutOfOverstretch(btSolverBody* pool, btScalar timeStep);
   void find(btSolverBody* pool, btScalar timeStep, bool first);
 
   // of one cable

@@ -58,6 +58,7 @@ struct btCableLine {
     result.inward = m_towards.dot(b.m_spin.cross(b.m_spin.cross(m_armB)) -
                                   a.m_spin.cross(a.m_spin.cross(m_armA)));
     result.reach = b.m_spin.length2() * m_armB.length() + a.m_spin.length2() * m_armA.length();
+    result.spin = btSqrt(btMax(a.m_spin.length2(), b.m_spin.length2()));
     return result;
   }
 

@@ -44,6 +44,22 @@ inline btVector3 btVector3Of(const double* of) {
                    static_cast<btScalar>(of[2]));
 }
 
+/// Where a body is when a step begins. Bullet moves hooks (kinematic bodies) before it solves.
+inline btTransform btPoseBefore(const btRigidBody& body, btScalar timeStep) {
+  btTransform pose = body.getCenterOfMassTransform();
+  if (body.isKinematicObject()) {
+    const btTransform after = pose;
+    btTransformUtil::integrateTransform(after, -body.getLinearVelocity(),
+                                        -body.getAngularVelocity(), timeStep, pose);
+  }
+  return pose;
+}
+
+inline btCableLine btCableConstraint::getLineBefore(btScalar timeStep) const {
+  return btCableLine(btPoseBefore(m_rbA, timeStep), m_pivotInA, btPoseBefore(m_rbB, timeStep),
+                     m_pivotInB);
+}
+
 inline void btCableConstraint::buildJacobian() {
   if (m_near && !m_solved && !m_asRow) {
     m_asRow = true;  // this solver calls no constraint by itself
@@ -57,12 +73,12 @@ inline void btCableConstraint::buildJacobian() {
   }
   m_line = getLine();
   const btScalar gap = m_rule.length - m_line.m_distance;
-  if (!m_rule.touches(gap)) {
+  // a hook is where it is to be after the step already: how far it has come is seen in `begin`
+  const bool hook = m_rbA.isKinematicObject() || m_rbB.isKinematicObject();
+  if (!hook && !m_rule.touches(gap)) {
     m_rule.release();
   }
-  // pivots that coincide have no direction to be pulled in
-  const bool pulls =
-      m_line.m_distance > SIMD_EPSILON && m_rule.touches(gap) && (!m_byEvents || m_rule.held());
+  const bool pulls = hook || (m_rule.touches(gap) && (!m_byEvents || m_rule.held()));
   const bool moves = m_rbA.getInvMass() > 0 || m_rbB.getInvMass() > 0;
   m_near = btTypedConstraint::isEnabled() && moves && (pulls || m_rule.length_rate != 0);
   m_fresh = m_near;
@@ -125,14 +141,16 @@ inline void btCableConstraint::solveConstraintObsolete(btSolverBody& bodyA, btSo
 inline void btCableConstraint::begin(btSolverBody* pool, btScalar timeStep) {
   m_pulling.clear();
   for (btCableConstraint* cable : m_together) {
+    cable->m_line = cable->getLineBefore(timeStep);
     cable->ask(cable->startOf(pool, timeStep));
     cable->m_solved = true;
     if (cable->m_row.acts) {
       m_pulling.push_back(cable);
     }
   }
-  moveOutOfOverstretch(pool);
   fillBlock(pool);
+  moveOutOfOverstretch(pool, timeStep);
+  m_block.forget();
   for (std::size_t index = 0; index < m_pulling.size(); ++index) {
     m_pulling[index]->m_inverseMass = static_cast<btScalar>(m_block.inverse_mass(index));
   }
@@ -152,12 +170,11 @@ inline void btCableConstraint::fillBlock(btSolverBody* pool) {
     }
   }
   m_block.assemble();
-  m_block.forget();
 }
 
 /// Newton's method for the gaps that the corrections ask for. One round does, unless bodies turn by
 /// much; then the step goes on from the lines where they are now.
-inline void btCableConstraint::moveOutOfOverstretch(btSolverBody* pool) {
+inline void btCableConstraint::moveOutOfOverstretch(btSolverBody* pool, btScalar timeStep) {
   btScalar most = 0;
   for (btCableConstraint* cable : m_pulling) {
     cable->m_aimedDistance = cable->m_line.m_distance - cable->m_correction;
@@ -167,7 +184,6 @@ inline void btCableConstraint::moveOutOfOverstretch(btSolverBody* pool) {
   }
   const int rounds = most > 0 ? 10 : 0;
   for (int done = 0; done < rounds; ++done) {
-    fillBlock(pool);
     for (std::size_t index = 0; index < m_pulling.size(); ++index) {
       const btCableConstraint& cable = *m_pulling[index];
       m_block.lacking(index) = cable.m_line.m_distance - cable.m_aimedDistance;
@@ -178,16 +194,18 @@ inline void btCableConstraint::moveOutOfOverstretch(btSolverBody* pool) {
     }
     btScalar left = 0;
     for (btCableConstraint* cable : m_pulling) {
-      left = btMax(left, cable->getLine().m_distance - cable->m_aimedDistance);
+      left = btMax(left, cable->getLineBefore(timeStep).m_distance - cable->m_aimedDistance);
     }
     const btScalar enough = btScalar(0.1);  // of the correction: the rest comes in the next steps
     if (left <= enough * most) {
       break;
     }
     for (btCableConstraint* cable : m_pulling) {
-      cable->m_line = cable->getLine();
-      cable->m_row.rate = btMin(cable->m_row.rate, -cable->getGapRate());
+      cable->m_line = cable->getLineBefore(timeStep);
+      const btScalar rate = cable->m_line.rate(cable->m_rbA, cable->m_rbB);
+      cable->m_row.rate = btMin(cable->m_row.rate, -rate - cable->m_rule.length_rate);
     }
+    fillBlock(pool);
   }
 }
 
@@ -239,7 +257,12 @@ inline void btCableConstraint::find(btSolverBody* pool, btScalar timeStep, bool 
 }
 
 inline void btCableConstraint::ask(const Rule::Start& at) {
-  if (m_byEvents) {
+  if (!(m_line.m_distance > SIMD_EPSILON)) {
+    m_row = Rule::Row{false, 0};  // pivots that coincide have no direction to be pulled in
+  } else if (m_byEvents) {
+    if (!m_rule.touches(at.gap)) {
+      m_rule.release();
+    }
     m_row = m_rule.held() ? m_rule.step_by_events(at) : Rule::Row{false, 0};
   } else {
     m_row = m_rule.step(at);
@@ -324,13 +347,14 @@ inline void btCableConstraint::apply(btSolverBody* pool, const tautline::CableBl
 
 /// For a solver that knows rows alone; overstretch is taken out by velocity there.
 inline void btCableConstraint::getInfo2(btConstraintInfo2* info) {
+  const btScalar timeStep = 1 / info->fps;
+  m_line = getLineBefore(timeStep);
   for (int axis = 0; axis < 3; ++axis) {
     info->m_J1linearAxis[axis] = m_line.m_towards[axis];
     info->m_J1angularAxis[axis] = m_line.m_momentA[axis];
     info->m_J2linearAxis[axis] = -m_line.m_towards[axis];
     info->m_J2angularAxis[axis] = -m_line.m_momentB[axis];
   }
-  const btScalar timeStep = 1 / info->fps;
   const btCableMotion a(m_rbA);
   const btCableMotion b(m_rbB);
   Rule::Start start;

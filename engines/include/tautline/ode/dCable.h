@@ -50,6 +50,7 @@ struct dxCable {
 
   // of the step
   dxCableLine line;  // before it
+  dxMotion free[2];  // of its ends, if no cable pulls
   Rule::Row row = {false, 0};
   dReal length_rate = 0;     // [m/s]
   dReal aimed_distance = 0;  // of the anchors, by the correction [m]

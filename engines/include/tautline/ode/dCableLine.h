@@ -73,6 +73,11 @@ inline void dxBodyGyroscopicSpin(dBodyID body, dReal stepsize, dReal* result) {
   }
   dMass mass;
   dBodyGetMass(body, &mass);
+  const dReal* moments = mass.I;
+  if (moments[0] == moments[5] && moments[5] == moments[10] && moments[1] == 0 && moments[2] == 0 &&
+      moments[6] == 0) {
+    return;  // exactly: a ball's, or made so
+  }
   dMatrix3 turned = {0}, inertia = {0}, inverse = {0};
   dMultiply2_333(turned, mass.I, dBodyGetRotation(body));
   dMultiply0_333(inertia, dBodyGetRotation(body), turned);
@@ -93,14 +98,17 @@ struct dxMotion {
   dVector3 velocity;  // [m/s]
   dVector3 spin;      // [rad/s]
 
-  explicit dxMotion(dBodyID body) : velocity(), spin() {
+  explicit dxMotion(dBodyID body = nullptr) : velocity(), spin() { find(body); }
+
+  void find(dBodyID body) {
     if (body != nullptr) {
       dCopyVector3(velocity, dBodyGetLinearVel(body));
       dCopyVector3(spin, dBodyGetAngularVel(body));
     }
   }
   /// After `stepsize` in which only gravity and the user's forces act.
-  dxMotion(dBodyID body, const dReal* gravity, dReal stepsize) : dxMotion(body) {
+  void find(dBodyID body, const dReal* gravity, dReal stepsize) {
+    find(body);
     if (body != nullptr && dBodyIsKinematic(body) == 0) {
       dVector3 acceleration;
       dxBodyAcceleration(body, gravity, acceleration);
@@ -174,6 +182,7 @@ struct dxCableLine {
     result.inward = centripetal(two, 1) - centripetal(one, 0);
     result.reach = dCalcVectorLengthSquare3(two.spin) * dCalcVectorLength3(arm[1]) +
                    dCalcVectorLengthSquare3(one.spin) * dCalcVectorLength3(arm[0]);
+    result.spin = std::max(dCalcVectorLength3(one.spin), dCalcVectorLength3(two.spin));
     return result;
   }
 

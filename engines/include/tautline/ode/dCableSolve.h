@@ -58,8 +58,10 @@ class dxCableSolve {
       cable->line.find(cable->end);
       const dxMotion one(cable->end[0].body);
       const dxMotion two(cable->end[1].body);
-      const dxMotion free_one(cable->end[0].body, m_gravity, m_stepsize);
-      const dxMotion free_two(cable->end[1].body, m_gravity, m_stepsize);
+      cable->free[0].find(cable->end[0].body, m_gravity, m_stepsize);
+      cable->free[1].find(cable->end[1].body, m_gravity, m_stepsize);
+      const dxMotion& free_one = cable->free[0];
+      const dxMotion& free_two = cable->free[1];
       const dxCableLine& line = cable->line;
       const dReal free_rate = line.rate(free_one, free_two);
       dxCable::Rule::Start start;
@@ -122,8 +124,9 @@ class dxCableSolve {
         }
       }
     }
-    move_out_of_overstretch(acting, count);
     fill(acting, count);
+    move_out_of_overstretch(acting, count);
+    m_block.forget();
     for (std::size_t index = 0; index < count; ++index) {
       acting[index].cable->inverse_mass = static_cast<dReal>(m_block.inverse_mass(index));
     }
@@ -138,12 +141,11 @@ class dxCableSolve {
       cable->fill(row);
       row.compliance = std::max(cable->cfm, dReal(0)) / m_stepsize;
       for (int side = 0; side < 2; ++side) {
-        const dxMotion motion(cable->end[side].body, m_gravity, m_stepsize);
-        std::copy(motion.spin, motion.spin + 3, row.end[side].spin);
+        const dReal* spin = cable->free[side].spin;
+        std::copy(spin, spin + 3, row.end[side].spin);
       }
     }
     m_block.assemble();
-    m_block.forget();
   }
 
   /// In a step by events the user's contacts are not there yet.
@@ -165,7 +167,6 @@ class dxCableSolve {
     }
     const int rounds = most > 0 ? 10 : 0;
     for (int done = 0; done < rounds; ++done) {
-      fill(acting, count);
       for (std::size_t index = 0; index < count; ++index) {
         const dxCable& cable = *acting[index].cable;
         m_block.lacking(index) = cable.line.distance - cable.aimed_distance;
@@ -193,6 +194,7 @@ class dxCableSolve {
         cable.line.find(cable.end);
         cable.row.rate = std::min(cable.row.rate, -cable.line.rate(cable.end) - cable.length_rate);
       }
+      fill(acting, count);
     }
   }
   static void move(dBodyID body, const tautline::CableBlockEnd& end, double push) {
@@ -216,8 +218,7 @@ class dxCableSolve {
   void pull(const Acting* acting, std::size_t count) {
     for (std::size_t index = 0; index < count; ++index) {
       const dxCable& cable = *acting[index].cable;
-      const dReal free_rate = cable.line.rate(dxMotion(cable.end[0].body, m_gravity, m_stepsize),
-                                              dxMotion(cable.end[1].body, m_gravity, m_stepsize));
+      const dReal free_rate = cable.line.rate(cable.free[0], cable.free[1]);
       m_block.lacking(index) = cable.row.rate - cable.length_rate - free_rate;
     }
     m_block.solve_stiffly(m_stepsize);
@@ -249,7 +250,7 @@ class dxCableSolve {
     // as a bounce, which dWorldSetContactMaxCorrectingVel does not limit
     const dReal rate = cable.row.rate - cable.length_rate;
     const dReal closing = -cable.line.rate(cable.end);
-    const bool rebounds = rate > 0 && closing > 0;
+    const bool rebounds = rate > 0 && rate <= closing;
     dContact contact = dContact();
     contact.surface.mode = dContactSoftERP | (rebounds ? dContactBounce : dContactMotionN);
     contact.surface.bounce = rebounds ? rate / closing : 0;

@@ -151,12 +151,12 @@ class CableRule {
     const Real over = std::max(-at.gap, Real(0));
     const Real come = std::min(over - over_, (at.most + at.speed) * at.dt);  // or the user did it
     over_ = over;
-    if (state_ == State::slack || (state_ == State::rebounding && !tugged_)) {
-      return 0;
-    }
     const Real way = at.speed * at.dt;
-    const Real share = std::min(over * erp, std::max(correction_speed * at.dt, way));
-    return std::max(share, std::min(come, over - way));
+    const Real beyond = std::max(std::min(come, over - way), Real(0));
+    if (state_ == State::slack || (state_ == State::rebounding && !tugged_)) {
+      return beyond;
+    }
+    return std::max(beyond, std::min(over * erp, std::max(correction_speed * at.dt, way)));
   }
 
   /// The impulse of the step is in [N s]; `inverse_mass` is J M^-1 J^T [1/kg].

@@ -290,10 +290,11 @@ inline void btCableStepper::stepPart(btScalar timeStep) {
   const btScalar erp2 = info.m_erp2;
   const btScalar warmstartingFactor = info.m_warmstartingFactor;
   // a penetration is pushed out at the same speed in a short part, and impulses are guessed in
-  // proportion to the time
+  // proportion to the time; those of a very short part are of an impact, and tell nothing of a
+  // longer
   info.m_erp *= timeStep / m_timeStep;
   info.m_erp2 *= timeStep / m_timeStep;
-  info.m_warmstartingFactor *= timeStep / m_lastPart;
+  info.m_warmstartingFactor *= btMin(timeStep / m_lastPart, btScalar(1));
   m_world->stepSimulation(timeStep, 0);
   info.m_erp = erp;
   info.m_erp2 = erp2;

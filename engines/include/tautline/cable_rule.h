@@ -107,7 +107,6 @@ class CableRule {
     }
     if (is_impact(at)) {
       const Real rate = by_energy ? rebound_by_energy(at) : rebound(-at.rate);
-      tugged_ = state_ != State::slack;
       state_ = rate > 0 ? State::rebounding : State::held;
       return pull(at, rate);
     }
@@ -152,17 +151,25 @@ class CableRule {
     const Real come = std::min(over - over_, (at.most + at.speed) * at.dt);  // or the user did it
     over_ = over;
     const Real way = at.speed * at.dt;
-    const Real beyond = std::max(std::min(come, over - way), Real(0));
-    if (state_ == State::slack || (state_ == State::rebounding && !tugged_)) {
-      return beyond;
+    if (state_ == State::held) {
+      const Real share = std::min(over * erp, std::max(correction_speed * at.dt, way));
+      return std::max(share, std::min(come, over - way));
     }
-    return std::max(beyond, std::min(over * erp, std::max(correction_speed * at.dt, way)));
+    const Real twice = 2 * way;  // what a bounce leaves it with is less
+    return restitution < 1 ? std::max(std::min(come, over - twice), Real(0)) : Real(0);
   }
 
   /// The impulse of the step is in [N s]; `inverse_mass` is J M^-1 J^T [1/kg].
   void pulled(Real impulse, Real inverse_mass) {
+    if (!(impulse > 0)) {
+      taken_ = reach_ = 0;
+      if (gap_ > 0) {
+        release();
+      }
+      return;
+    }
     // what the forces and the other cables closed in the step, and the gap that this is
-    taken_ = impulse > 0 ? std::max(impulse * inverse_mass - asked_, Real(0)) : Real(0);
+    taken_ = std::max(impulse * inverse_mass - asked_, Real(0));
     reach_ = taken_ * dt_;
   }
 
@@ -171,6 +178,7 @@ class CableRule {
 
   Row pull(const Start& at, Real rate) {
     asked_ = rate - at.rate;
+    gap_ = at.gap;
     dt_ = at.dt;
     return Row{true, rate};
   }
@@ -188,11 +196,11 @@ class CableRule {
   }
 
   State state_ = State::held;  // a load that starts at its cable's end hangs there
-  bool tugged_ = false;        // the last impact was one of a taut cable
   Real asked_ = 0;             // change of the rate that the last row asked for [m/s]
   Real taken_ = 0;             // closing rate of forces and other cables in the last step [m/s]
   Real reach_ = 0;             // [m]
   Real over_ = 0;              // overstretch when the last step began [m]
+  Real gap_ = 0;               // when the last row was asked for [m]
   Real dt_ = 0;                // of the last row [s]
 };
 

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <utility>
 #include <vector>
@@ -34,7 +35,15 @@ struct Findings {
   int most_parts = 1;  // of one step by events
   Worst not_a_number;  // value 1 if there was one
 
-  [[nodiscard]] double gain_part() const { return range > 0.0 ? gain.value / range : 0.0; }
+  double weight = 0.0;  // of the loads [N]
+
+  /// Of the range, or of what the loads weigh times the overstretch that is allowed at rest: in a
+  /// world in which next to nothing moves, that is more than the range.
+  [[nodiscard]] double gain_part() const {
+    const double sag = 1e-3;  // [m]
+    const double whole = std::max(range, 1e3 * weight * sag);
+    return whole > 0.0 ? gain.value / whole : 0.0;
+  }
 };
 
 /// What is allowed.
@@ -46,7 +55,7 @@ struct Claims {
   double gain_part;    // of the range of energy [-]
   double restitution;  // of the closing rate [-]
 };
-[[nodiscard]] Claims claims(const World& world, Stepping stepping);
+[[nodiscard]] Claims claims(Stepping stepping);
 
 /// Which claims are broken.
 struct Broken {

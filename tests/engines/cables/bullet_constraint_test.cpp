@@ -1,9 +1,13 @@
 // What Bullet's users expect of a constraint of its world.
 
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <btBulletDynamicsCommon.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <type_traits>
 
 #include "tautline/bullet/btCableConstraint.h"
 #include "tautline/bullet/btStepWithCables.h"
@@ -59,9 +63,94 @@ TEST(BtCableConstraint, KeepsItsParameters) {
 TEST(BtCableConstraint, TakesItsErpOutOfTheOverstretch) {
   Hanging hanging;
   hanging.cable.setParam(BT_CONSTRAINT_ERP, btScalar(0.5));
+  hanging.cable.setMaxCorrectionSpeed(100);
   const double before = hanging.cable.getGap();
   hanging.world.stepSimulation(time_step);
   EXPECT_NEAR(hanging.cable.getGap(), 0.5 * before, 1e-6);
+}
+
+TEST(BtCableConstraint, TakesItsOverstretchOutNoFasterThanAllowedAndWithoutVelocity) {
+  Hanging hanging;
+  hanging.cable.setMaxCorrectionSpeed(btScalar(0.3));
+  for (int step = 1; step <= 5; ++step) {
+    hanging.world.stepSimulation(time_step);
+    EXPECT_NEAR(hanging.cable.getGap(), -0.1 + 0.3 * step / 60.0, 1e-5);
+    EXPECT_NEAR(hanging.load.getLinearVelocity().length(), 0.0, 1e-5);
+    EXPECT_NEAR(hanging.cable.getTension(time_step), weight, 1e-3);
+  }
+}
+
+TEST(BtCableConstraint, ThrowsNothingThatStartsFarTooLow) {
+  Hanging hanging;
+  hanging.load.setWorldTransform(
+      btTransform(btQuaternion::getIdentity(), btVector3(0, -6, 0)));  // 5 m
+  for (int step = 0; step < 600; ++step) {
+    hanging.world.stepSimulation(time_step);
+    EXPECT_LE(hanging.load.getLinearVelocity().length(), 1e-4) << "step " << step;
+  }
+  EXPECT_NEAR(hanging.cable.getGap(), 0.0, 1e-4);
+}
+
+TEST(BtCableConstraint, ClampsWhatMakesNoSense) {
+  Hanging hanging;
+  btCableConstraint& cable = hanging.cable;
+  cable.setRestitution(btScalar(1.5));
+  EXPECT_EQ(cable.getRestitution(), 1);
+  cable.setRestitution(btScalar(-0.5));
+  EXPECT_EQ(cable.getRestitution(), 0);
+  cable.setRestitution(std::numeric_limits<btScalar>::quiet_NaN());
+  EXPECT_EQ(cable.getRestitution(), 0);
+  cable.setMaxLength(-1);
+  EXPECT_EQ(cable.getMaxLength(), 0);
+  cable.setMaxLengthRate(std::numeric_limits<btScalar>::infinity());
+  EXPECT_EQ(cable.getMaxLengthRate(), 0);
+}
+
+TEST(BtCableConstraint, HaulsAndWakesItsLoadAsAWinch) {
+  Hanging hanging;
+  hanging.load.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, -1, 0)));
+  hanging.load.setActivationState(ISLAND_SLEEPING);
+  hanging.cable.setMaxLengthRate(btScalar(-0.5));
+  for (int step = 0; step < 60; ++step) {
+    hanging.world.stepSimulation(time_step);
+  }
+  EXPECT_NEAR(hanging.cable.getMaxLength(), 0.5, 1e-5);
+  EXPECT_NEAR(hanging.load.getCenterOfMassPosition().y(), -0.5, 1e-3);
+  EXPECT_NEAR(hanging.load.getLinearVelocity().y(), 0.5, 1e-4);
+  EXPECT_NEAR(hanging.cable.getTension(time_step), weight, 1e-2);
+  hanging.cable.setMaxLengthRate(0);
+  hanging.load.setActivationState(ISLAND_SLEEPING);
+  hanging.cable.setMaxLength(btScalar(0.75));
+  EXPECT_TRUE(hanging.load.isActive());
+}
+
+/// The speed of an impact is that relative to the length.
+TEST(BtCableConstraint, ReboundsFromAMovingLength) {
+  Hanging hanging;
+  hanging.world.setGravity(btVector3(0, 0, 0));
+  hanging.load.setGravity(btVector3(0, 0, 0));
+  hanging.load.setWorldTransform(
+      btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(-0.995), 0)));
+  hanging.cable.setRestitution(btScalar(0.5));
+  hanging.cable.setMaxLengthRate(-1);
+  for (int step = 0; step < 3; ++step) {
+    hanging.world.stepSimulation(time_step);
+  }
+  EXPECT_NEAR(hanging.load.getLinearVelocity().y(), 1.5, 1e-5);  // (1 + e) of the winch's
+}
+
+TEST(BtCableConstraint, WorksWithASolverThatKnowsRowsAlone) {
+  btDantzigSolver dantzig;
+  btMLCPSolver solver(&dantzig);
+  Hanging hanging;
+  hanging.world.setConstraintSolver(&solver);
+  hanging.load.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, -1, 0)));
+  for (int step = 0; step < 120; ++step) {
+    hanging.world.stepSimulation(time_step);
+  }
+  EXPECT_NEAR(hanging.cable.getGap(), 0.0, 1e-3);
+  EXPECT_NEAR(hanging.cable.getTension(time_step), weight, 1e-2);
+  hanging.world.setConstraintSolver(&hanging.solver);
 }
 
 TEST(BtCableConstraint, GivesWithItsCfm) {
@@ -95,6 +184,20 @@ TEST(BtCableConstraint, BreaksAtItsThreshold) {
   }
   EXPECT_FALSE(hanging.cable.isEnabled());
   EXPECT_LT(hanging.cable.getGap(), btScalar(-0.1));
+}
+
+TEST(BtStepWithCables, BreaksAtItsThreshold) {
+  Hanging hanging;
+  hanging.load.setWorldTransform(
+      btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(-0.99), 0)));
+  hanging.load.setLinearVelocity(btVector3(0, -2, 0));
+  hanging.cable.setBreakingImpulseThreshold(1);  // the impact's is 4 N s
+  btCableConstraint* cables[] = {&hanging.cable};
+  for (int step = 0; step < 5; ++step) {
+    btStepWithCables(&hanging.world, cables, 1, time_step);
+  }
+  EXPECT_FALSE(hanging.cable.isEnabled());
+  EXPECT_LT(hanging.cable.getGap(), btScalar(-0.01));
 }
 
 TEST(BtCableConstraint, DoesNotReboundBelowItsThreshold) {

@@ -36,7 +36,7 @@ class CableCases : public testing::TestWithParam<Stepping> {
 
  private:
   static void expect_kept(const Case& the_case, const CaseFindings& found) {
-    const Claims allowed = claims(the_case.world, GetParam());
+    const Claims allowed = claims(GetParam());
     EXPECT_FALSE(broken(found.findings, allowed).number);
     EXPECT_LE(found.findings.beyond.value, allowed.way_allowance);
     EXPECT_LE(found.findings.gain_part(), allowed.gain_part);

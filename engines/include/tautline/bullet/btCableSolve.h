@@ -270,8 +270,8 @@ inline void btCableConstraint::ask(const Rule::Start& at) {
   // a short part takes out no more than its share
   const btScalar share = m_byEvents ? btMin(at.dt / m_eventStep, btScalar(1)) : btScalar(1);
   m_correction = share * m_rule.correction(at);
-  if (m_row.acts && !m_rule.held()) {
-    // a load that bounces slower than Bullet's sleeping threshold does not sleep
+  if (m_row.acts && (!m_rule.held() || m_correction > Rule::slack_rounding() * m_rule.length)) {
+    // a load that bounces, or is moved, slower than Bullet's sleeping threshold does not sleep
     m_rbA.activate();
     m_rbB.activate();
   }

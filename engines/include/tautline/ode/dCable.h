@@ -94,6 +94,9 @@ struct dxCable {
     const dReal share = by_events ? std::min(at.dt / event_stepsize, dReal(1)) : dReal(1);
     correction = share * rule.correction(at);
     rule.pay_out(at.dt);
+    if (correction > Rule::slack_rounding() * rule.length) {
+      wake();  // it is moved without velocity
+    }
   }
 
   void fill(tautline::CableBlock::Row& to) const {

@@ -2,8 +2,8 @@
 //
 // Cables that hang together are solved as one, exactly, and pull by forces, wherever nothing else
 // is jointed to their bodies: ODE's iterative dWorldQuickStep would leave them wrong, and its exact
-// dWorldStep takes longer. Where contacts or joints act on one of the bodies too, each cable is a
-// contact joint without friction, and ODE solves it with them.
+// dWorldStep takes longer. Where contacts or joints act on one of the bodies too, or one may fall
+// asleep, each cable is a contact joint without friction, and ODE solves it with them.
 
 #ifndef TAUTLINE_ODE_CABLE_SOLVE_H
 #define TAUTLINE_ODE_CABLE_SOLVE_H
@@ -148,10 +148,18 @@ class dxCableSolve {
     m_block.assemble();
   }
 
-  /// In a step by events the user's contacts are not there yet.
+  /// In a step by events the user's contacts are not there yet. ODE puts no body to sleep that has
+  /// no joint: one that is slow enough for it gets one.
   static bool may_be_alone(const dxCable& cable, dBodyID body) {
-    return !cable.as_contact && dBodyGetNumJoints(body) == 0 &&
+    return !cable.as_contact && dBodyGetNumJoints(body) == 0 && !may_sleep(body) &&
            (!cable.by_events || dBodyGetFirstGeom(body) == nullptr);
+  }
+  static bool may_sleep(dBodyID body) {
+    const dReal slow = dBodyGetAutoDisableLinearThreshold(body);
+    const dReal still = dBodyGetAutoDisableAngularThreshold(body);
+    return dBodyGetAutoDisableFlag(body) != 0 &&
+           dCalcVectorLengthSquare3(dBodyGetLinearVel(body)) <= slow * slow &&
+           dCalcVectorLengthSquare3(dBodyGetAngularVel(body)) <= still * still;
   }
 
   /// Newton's method for the gaps that the corrections ask for. One round does, unless bodies turn

@@ -9,7 +9,7 @@
 //   3. A cable that rests taut is held: its row asks for as much as keeps it at its length while
 //      it swings, and never for more than c.
 //   4. While it is held, a part of its overstretch is taken out per step by moving its ends, at no
-//      more than a given speed. That changes no velocity.
+//      more than a given speed. What a step could not follow goes out at once. No velocity changes.
 //   5. So no row asks for more than c, and no step ends with more energy than it began with.
 //
 // Why 5: a host steps v' = v + h (forces + cables), x' = x + h v'. Its velocities are half a step

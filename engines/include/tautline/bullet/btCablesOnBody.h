@@ -12,6 +12,8 @@
 #include <unordered_map>
 #include <vector>
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
 class btCableConstraint;
 
 /// The cables of one body, in the order they were made. Cables enter when they are made and leave
@@ -54,5 +56,7 @@ class btCablesOnBody {
 
   std::vector<btCableConstraint*> m_cables;
 };
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

@@ -108,7 +108,7 @@ struct dxCable {
         dBodyGetMass(end[side].body, &mass);
         one.arm = dCalcVectorLength3(line.arm[side]);
         dVector3 turn;
-        dxBodySolveInertia(end[side].body, line.moment[side], turn);
+        dxBodySolveInertia(end[side].body, mass, line.moment[side], turn);
         const dReal sign = side == 0 ? dReal(1) : dReal(-1);
         for (int axis = 0; axis < 3; ++axis) {
           one.pull[axis] = sign * line.towards[axis];

@@ -52,16 +52,32 @@ inline void dxBodyAcceleration(dBodyID body, const dReal* gravity, dReal* result
   }
 }
 
+/// True if a body has the same moment about any axis: a ball's.
+inline bool dxMassIsRound(const dMass& mass) {
+  const dReal* moments = mass.I;
+  return moments[0] == moments[5] && moments[5] == moments[10] && moments[1] == 0 &&
+         moments[2] == 0 && moments[6] == 0;  // exactly, or it is not
+}
+
 /// result = I^-1 vector, both in the world.
-inline void dxBodySolveInertia(dBodyID body, const dReal* vector, dReal* result) {
-  dMass mass;
-  dBodyGetMass(body, &mass);
+inline void dxBodySolveInertia(dBodyID body, const dMass& mass, const dReal* vector,
+                               dReal* result) {
+  const dReal* moments = mass.I;
+  if (dxMassIsRound(mass)) {
+    dCopyScaledVector3(result, vector, moments[0] > 0 ? 1 / moments[0] : 0);
+    return;
+  }
   dMatrix3 inverse = {0};  // stays so if a user has given no inertia
-  dInvertMatrix3(inverse, mass.I);
+  dInvertMatrix3(inverse, moments);
   dVector3 local, turned;
   dMultiply1_331(local, dBodyGetRotation(body), vector);
   dMultiply0_331(turned, inverse, local);
   dMultiply0_331(result, dBodyGetRotation(body), turned);
+}
+inline void dxBodySolveInertia(dBodyID body, const dReal* vector, dReal* result) {
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  dxBodySolveInertia(body, mass, vector, result);
 }
 
 /// The spin of a body after `stepsize` of ODE's gyroscopic torque, which it takes implicitly: it
@@ -73,10 +89,8 @@ inline void dxBodyGyroscopicSpin(dBodyID body, dReal stepsize, dReal* result) {
   }
   dMass mass;
   dBodyGetMass(body, &mass);
-  const dReal* moments = mass.I;
-  if (moments[0] == moments[5] && moments[5] == moments[10] && moments[1] == 0 && moments[2] == 0 &&
-      moments[6] == 0) {
-    return;  // exactly: a ball's, or made so
+  if (dxMassIsRound(mass)) {
+    return;
   }
   dMatrix3 turned = {0}, inertia = {0}, inverse = {0};
   dMultiply2_333(turned, mass.I, dBodyGetRotation(body));

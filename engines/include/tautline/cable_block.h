@@ -45,6 +45,9 @@ struct CableBlockEnd {
 
 class CableBlock {
  public:
+  /// For a host whose numbers round to `rounding` of themselves [-].
+  explicit CableBlock(double rounding) : rounding_(rounding) {}
+
   struct Row {
     CableBlockEnd end[2];
     double softness;    // gives by this part of what its own impulse changes [-], and
@@ -228,10 +231,12 @@ class CableBlock {
   }
 
   /// Cables that pull alike leave K singular. With this part more on its diagonal it can be
-  /// factored, and a refinement takes the part's effect out again [-].
-  static double regularisation() { return 1e-10; }
+  /// factored; a refinement takes the part's effect out again, unless the host's numbers are so
+  /// coarse that there is nothing to refine [-].
+  double regularisation() const { return std::max(1e-10, 8.0 * rounding_); }
+  int refinements() const { return rounding_ < 1e-10 ? 1 : 0; }
   /// Rates and impulses as small as this part of the largest are zero [-].
-  static double rounding() { return 1e-13; }
+  double nothing() const { return std::max(1e-13, rounding_); }
 
   double k(std::size_t one, std::size_t two) const { return k_[one * count_ + two]; }
   double give_of(std::size_t index) const {
@@ -239,8 +244,8 @@ class CableBlock {
   }
 
   bool is_wrong(std::size_t index) const {
-    return pulls_[index] != 0 ? impulse_[index] < -rounding() * largest_impulse_
-                              : excess_[index] < -rounding() * largest_rate_;
+    return pulls_[index] != 0 ? impulse_[index] < -nothing() * largest_impulse_
+                              : excess_[index] < -nothing() * largest_rate_;
   }
   void exchange(std::size_t from, std::size_t to) {
     for (std::size_t index = from; index <= to; ++index) {
@@ -256,8 +261,7 @@ class CableBlock {
       factor();
     }
     std::fill(impulse_.begin(), impulse_.end(), 0.0);
-    const int refinements = 2;  // the first solve, and once more for what it left
-    for (int done = 0; done < refinements; ++done) {
+    for (int done = 0; done <= refinements(); ++done) {
       find_excess();
       right_.resize(active_.size());
       for (std::size_t i = 0; i < active_.size(); ++i) {
@@ -334,6 +338,7 @@ class CableBlock {
     }
   }
 
+  double rounding_;
   std::size_t count_ = 0;
   std::vector<Row> rows_;
   std::vector<double> k_;          // K, count x count

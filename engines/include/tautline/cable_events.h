@@ -121,7 +121,7 @@ class CableImpacts {
     }
   }
 
-  CableBlock block_;
+  CableBlock block_{std::numeric_limits<Real>::epsilon()};
   std::vector<Cable*> touching_;
   std::vector<Real> rebounds_;  // asked for [m/s]; negative: it did not close
 };

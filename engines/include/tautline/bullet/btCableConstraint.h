@@ -224,7 +224,7 @@ class btCableConstraint : public btTypedConstraint {
   // of the leader
   std::vector<btCableConstraint*> m_together;
   std::vector<btCableConstraint*> m_pulling;  // those of them that have a row
-  tautline::CableBlock m_block;
+  tautline::CableBlock m_block{SIMD_EPSILON};
   bool m_begun = false;
 
   // while btCableStepper steps, which sees to the impacts itself

@@ -287,7 +287,7 @@ class dxCableSolve {
   dVector3 m_gravity;
   std::vector<Acting> m_acting;
   std::vector<std::pair<dBodyID, std::size_t>> m_hung;
-  tautline::CableBlock m_block;
+  tautline::CableBlock m_block{std::numeric_limits<dReal>::epsilon()};
 };
 
 /// Lets each of `count` cables that may pull in the next step of `stepsize` [s] do so: by forces,

@@ -38,7 +38,7 @@ Vec3 velocity_of(const CableEnd& end, const std::vector<BodyState>& bodies) {
 
 }  // namespace
 
-Claims claims(Stepping stepping) {
+Claims claims(Stepping stepping, bool hooks) {
   Claims result{1e-3, 1e-3, 1e-2};
   if (stepping == Stepping::by_events) {
     // Float's rounding of 1e-7, in coordinates of some metres and over a minute, is more than the
@@ -46,6 +46,9 @@ Claims claims(Stepping stepping) {
     result.restitution = std::max(1e-6, 1e4 * Scene::rounding);
     // a taut swing by events keeps its energy to second order in the step: 2e-4 of it at 60 Hz
     result.gain_part = 1e-3;
+    if (hooks) {
+      result.gain_part = 1e-2;  // their work is known to the turn of the line in a step alone
+    }
   }
   return result;
 }
@@ -149,7 +152,7 @@ void Audit::look_at_impact(const Scene& scene, std::size_t cable, int parts) {
   }
   const CableData& data = world_.cables[cable];
   const std::optional<SeenImpact> impact =
-      stepping_ == Stepping::fixed ? fixed_impact(data, before_, now_, data.restitution)
+      stepping_ == Stepping::fixed ? fixed_impact(data, before_, now_)
                                    : event_impact(data, before_, now_, now_.impulses[cable], dt_);
   const double slowest = std::max(0.05, world_gravity * dt_);
   if (!impact || impact->closing < slowest) {

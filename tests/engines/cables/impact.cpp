@@ -18,14 +18,6 @@ std::vector<BodyState> with_hook_velocities_of(std::vector<BodyState> bodies,
   return bodies;
 }
 
-SeenImpact seen(const CableData& cable, const std::vector<BodyState>& pose,
-                const std::vector<BodyState>& before, const std::vector<BodyState>& after) {
-  const Line line = line_of(cable, pose);
-  // the moments of the line are those of the pose: only velocities are taken from the others
-  const double closing = -gap_rate(line, cable, before);
-  return {closing, gap_rate(line, cable, after) / closing};
-}
-
 BodyState flown(BodyState body, double time) {
   body.position += time * body.velocity;
   if (body.is_hook()) {
@@ -52,14 +44,11 @@ std::vector<BodyState> flown(const std::vector<BodyState>& bodies, double time) 
 
 }  // namespace
 
-SeenImpact fixed_impact(const CableData& cable, const Moment& before, const Moment& after,
-                        double restitution) {
-  const auto moving = with_hook_velocities_of(before.bodies, after.bodies);
-  const SeenImpact here = seen(cable, before.bodies, moving, after.bodies);
-  const SeenImpact there =
-      seen(cable, with_hooks_of(before.bodies, after.bodies), moving, after.bodies);
-  const bool nearer = std::abs(here.ratio - restitution) <= std::abs(there.ratio - restitution);
-  return nearer ? here : there;
+SeenImpact fixed_impact(const CableData& cable, const Moment& before, const Moment& after) {
+  const Line line = line_of(cable, before.bodies);
+  const double closing =
+      -gap_rate(line, cable, with_hook_velocities_of(before.bodies, after.bodies));
+  return {closing, gap_rate(line, cable, after.bodies) / closing};
 }
 
 std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& before,

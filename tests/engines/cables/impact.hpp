@@ -13,13 +13,10 @@ struct SeenImpact {
   double ratio;    // rate after / closing: the restitution that was seen [-]
 };
 
-/// In a fixed step: the rates before and after the step, on the line before it.
-///
-/// The hook's velocity is that of the step itself. Bullet has a hook at its new place while it
-/// solves, ODE at its old one: either line is a line before, and the one that is nearer to
-/// `restitution` counts.
+/// In a fixed step: the rates before and after the step, on the line before it. The hook's velocity
+/// is that of the step itself.
 [[nodiscard]] SeenImpact fixed_impact(const CableData& cable, const Moment& before,
-                                      const Moment& after, double restitution);
+                                      const Moment& after);
 
 /// By events: the ends' flight from `before` to the instant at which the cable is taut, computed
 /// here, and the impulse of the step. None if the flight does not make the cable taut.

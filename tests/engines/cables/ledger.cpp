@@ -27,16 +27,6 @@ double distance_along(const CableData& cable, const std::vector<BodyState>& bodi
 
 }  // namespace
 
-std::vector<BodyState> with_hooks_of(std::vector<BodyState> bodies,
-                                     const std::vector<BodyState>& hooks) {
-  for (std::size_t index = 0; index < bodies.size(); ++index) {
-    if (bodies[index].is_hook()) {
-      bodies[index] = hooks[index];
-    }
-  }
-  return bodies;
-}
-
 Energy energy_between(const std::vector<BodyState>& at, const std::vector<BodyState>& next,
                       int loads, Stepping stepping) {
   Energy result{0.0, 0.0};
@@ -80,8 +70,6 @@ void Ledger::start(const Moment& before, const Moment& after) {
 }
 
 void Ledger::add_work(const Moment& before, const Moment& after) {
-  const std::vector<BodyState> pose =
-      Scene::hook_arrives_first ? with_hooks_of(before.bodies, after.bodies) : before.bodies;
   for (std::size_t index = 0; index < world_.cables.size(); ++index) {
     const CableData& cable = world_.cables[index];
     if (cable.second.body < world_.load_count() || !(after.impulses[index] > 0.0)) {
@@ -92,13 +80,13 @@ void Ledger::add_work(const Moment& before, const Moment& after) {
     const Vec3 here = before.bodies[hook].position;
     const Vec3 way = after.bodies[hook].position - here;
     if (before.impulses[index] > 0.0) {
-      work_ += half * distance_along(cable, pose, here - previous_[hook].position);
-      work_to_come_ += half * distance_along(cable, pose, way);
+      work_ += half * distance_along(cable, before.bodies, here - previous_[hook].position);
+      work_to_come_ += half * distance_along(cable, before.bodies, way);
       continue;
     }
     // by events, the impact is at some pose between the two
     const double along = stepping_ == Stepping::fixed
-                             ? distance_along(cable, pose, way)
+                             ? distance_along(cable, before.bodies, way)
                              : 0.5 * (distance_along(cable, before.bodies, way) +
                                       distance_along(cable, after.bodies, way));
     work_ += half * along;

@@ -17,10 +17,6 @@ struct Moment {
   std::vector<double> impulses;  // [N s]
 };
 
-/// `bodies`, with the hooks as they are in `hooks`.
-[[nodiscard]] std::vector<BodyState> with_hooks_of(std::vector<BodyState> bodies,
-                                                   const std::vector<BodyState>& hooks);
-
 /// The energy of loads at a pose, from the velocities before and after the step that begins there.
 ///
 /// Fixed steps are semi-implicit Euler, v' = v + h a and x' = x + h v': the velocity at the pose x
@@ -66,7 +62,7 @@ class Ledger {
   double start_ = 0.0;  // [J]
   // Of the hooks [J]. Half of a step's impulse acts before its pose and half after it. A taut cable
   // takes its load from the hook's velocity before to that in the step; an impact is solved with
-  // the hook's velocity in the step.
+  // the hook's velocity in the step. Both pull on the line that there is when the step begins.
   double work_ = 0.0;
   double work_to_come_ = 0.0;
   double gain_ = 0.0;

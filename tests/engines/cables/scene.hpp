@@ -90,8 +90,6 @@ class Scene {
   /// The engine, and the rounding of its numbers.
   static const std::string engine;
   static const double rounding;
-  /// True if a hook is at its new place already while the engine solves a step: Bullet's is.
-  static const bool hook_arrives_first;
   /// By what angle the engine turns a body that spins at `spin` [rad/s] in one step of `dt` [s].
   [[nodiscard]] static double turn(double spin, double dt);
 

@@ -29,8 +29,6 @@ struct HookPose : btMotionState {
 const std::string Scene::engine = sizeof(btScalar) == sizeof(double) ? "bullet64" : "bullet32";
 const double Scene::rounding = std::numeric_limits<btScalar>::epsilon();
 
-const bool Scene::hook_arrives_first = false;
-
 /// btTransformUtil::integrateTransform turns by the whole angle, but not beyond a limit.
 double Scene::turn(double spin, double dt) {
   return std::min(spin * dt, static_cast<double>(ANGULAR_MOTION_THRESHOLD));

@@ -45,8 +45,6 @@ dWorldID create_world() {
 const std::string Scene::engine = "ode";
 const double Scene::rounding = std::numeric_limits<dReal>::epsilon();
 
-const bool Scene::hook_arrives_first = false;
-
 /// ODE adds spin times quaternion and normalises.
 double Scene::turn(double spin, double dt) { return 2.0 * std::atan(0.5 * spin * dt); }
 

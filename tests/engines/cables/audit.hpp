@@ -55,7 +55,8 @@ struct Claims {
   double gain_part;    // of the range of energy [-]
   double restitution;  // of the closing rate [-]
 };
-[[nodiscard]] Claims claims(Stepping stepping);
+/// `hooks`: there are some that move.
+[[nodiscard]] Claims claims(Stepping stepping, bool hooks);
 
 /// Which claims are broken.
 struct Broken {

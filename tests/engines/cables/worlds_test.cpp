@@ -34,7 +34,7 @@ class CableWorlds : public testing::TestWithParam<Slice> {
     for (int number = 1; number <= GetParam().worlds; ++number) {
       const auto seed = static_cast<std::uint64_t>(number);
       const World world = random_world(seed);
-      const Claims allowed = claims(GetParam().playing.stepping);
+      const Claims allowed = claims(GetParam().playing.stepping, !world.hooks.empty());
       const Findings found = findings_of(world, GetParam().playing, part * GetParam().seconds);
       const testing::ScopedTrace trace(__FILE__, __LINE__,
                                        "seed " + std::to_string(seed) + ", " + world.kind);

@@ -294,7 +294,7 @@ inline void btCableStepper::stepPart(btScalar timeStep) {
   // longer
   info.m_erp *= timeStep / m_timeStep;
   info.m_erp2 *= timeStep / m_timeStep;
-  info.m_warmstartingFactor *= btMin(timeStep / m_lastPart, btScalar(1));
+  info.m_warmstartingFactor *= btMin(timeStep / m_lastPart, btScalar(20));
   m_world->stepSimulation(timeStep, 0);
   info.m_erp = erp;
   info.m_erp2 = erp2;

@@ -155,10 +155,12 @@ class dxCableSolve {
            (!cable.by_events || dBodyGetFirstGeom(body) == nullptr);
   }
   static bool may_sleep(dBodyID body) {
+    if (dBodyGetAutoDisableFlag(body) == 0) {
+      return false;
+    }
     const dReal slow = dBodyGetAutoDisableLinearThreshold(body);
     const dReal still = dBodyGetAutoDisableAngularThreshold(body);
-    return dBodyGetAutoDisableFlag(body) != 0 &&
-           dCalcVectorLengthSquare3(dBodyGetLinearVel(body)) <= slow * slow &&
+    return dCalcVectorLengthSquare3(dBodyGetLinearVel(body)) <= slow * slow &&
            dCalcVectorLengthSquare3(dBodyGetAngularVel(body)) <= still * still;
   }
 

@@ -18,6 +18,10 @@ std::vector<BodyState> with_hook_velocities_of(std::vector<BodyState> bodies,
   return bodies;
 }
 
+/// Of a load in a step [rad]. With more, a cable may go taut and slack several times in a step, and
+/// Bullet does not turn a body any further.
+constexpr double most_turn = 0.78;
+
 BodyState flown(BodyState body, double time) {
   body.position += time * body.velocity;
   if (body.is_hook()) {
@@ -54,6 +58,11 @@ SeenImpact fixed_impact(const CableData& cable, const Moment& before, const Mome
 std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& before,
                                        const Moment& after, double impulse, double dt) {
   const auto start = with_hook_velocities_of(before.bodies, after.bodies);
+  for (const int body : {cable.first.body, cable.second.body}) {
+    if (body >= 0 && start[static_cast<std::size_t>(body)].spin.norm() * dt > most_turn) {
+      return std::nullopt;
+    }
+  }
   const auto gap_at = [&](double time) {
     return cable.length - line_of(cable, flown(start, time)).distance;
   };
@@ -70,6 +79,10 @@ std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& bef
   const auto then = flown(start, taut);
   const Line line = line_of(cable, then);
   const double closing = -gap_rate(line, cable, then);
+  // what opens so slowly closes again before the step is over
+  if (cable.restitution * closing < 2.0 * world_gravity * dt) {
+    return std::nullopt;
+  }
   const double rebound = impulse * (line.inverse[0] + line.inverse[1]) - closing;
   return SeenImpact{closing, rebound / closing};
 }

@@ -19,7 +19,9 @@ struct SeenImpact {
                                       const Moment& after);
 
 /// By events: the ends' flight from `before` to the instant at which the cable is taut, computed
-/// here, and the impulse of the step. None if the flight does not make the cable taut.
+/// here, and the impulse of the step. None if the flight does not make the cable taut, or
+/// if a load turns so far in the step that the first instant is not to be told, or if the rebound
+/// is so slow that the cable may be taut, and pull, again in the same step.
 [[nodiscard]] std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& before,
                                                      const Moment& after, double impulse,
                                                      double dt);

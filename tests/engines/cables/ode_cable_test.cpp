@@ -68,6 +68,7 @@ TEST(DCable, TakesItsErpOutOfTheOverstretchWithoutVelocity) {
   EXPECT_NEAR(dBodyGetLinearVel(hanging.load)[1], 0.0, 1e-9);
 }
 
+#ifdef NDEBUG
 TEST(DCable, ClampsWhatMakesNoSense) {
   const Hanging hanging;
   dCableSetBounce(hanging.cable, 1.5);
@@ -77,6 +78,13 @@ TEST(DCable, ClampsWhatMakesNoSense) {
   dCableSetLength(hanging.cable, -1.0);
   EXPECT_EQ(dCableGetLength(hanging.cable), 0.0);
 }
+#else
+TEST(DCableDeathTest, AssertsOnWhatMakesNoSense) {
+  const Hanging hanging;
+  EXPECT_DEATH(dCableSetBounce(hanging.cable, 1.5), "value <= 1");
+  EXPECT_DEATH(dCableSetLength(hanging.cable, -1.0), "value >= 0");
+}
+#endif
 
 TEST(DCable, HaulsAsAWinch) {
   const Hanging hanging;

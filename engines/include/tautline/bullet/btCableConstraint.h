@@ -190,6 +190,7 @@ class btCableConstraint : public btTypedConstraint {
   void begin(btSolverBody* pool, btScalar timeStep);
   void fillBlock(btSolverBody* pool);
   void moveOutOfOverstretch(btSolverBody* pool, btScalar timeStep);
+  void slowTurning(btSolverBody* pool, btScalar timeStep);
   void find(btSolverBody* pool, btScalar timeStep, bool first);
 
   // of one cable

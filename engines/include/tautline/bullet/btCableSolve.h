@@ -206,6 +206,21 @@ inline void btCableConstraint::moveOutOfOverstretch(btSolverBody* pool, btScalar
       cable->m_row.rate = btMin(cable->m_row.rate, -rate - cable->m_rule.length_rate);
     }
     fillBlock(pool);
+    slowTurning(pool, timeStep);
+  }
+}
+
+/// Takes half of the spin of what turns too far in a step for it to follow.
+inline void btCableConstraint::slowTurning(btSolverBody* pool, btScalar timeStep) {
+  for (const btCableConstraint* cable : m_pulling) {
+    const btRigidBody* bodies[] = {&cable->m_rbA, &cable->m_rbB};
+    for (const btRigidBody* one : bodies) {
+      btSolverBody* body = btSolverBodyOf(pool, *one);
+      const btVector3 spin = btMotionInSolver(pool, *one, true).m_spin;
+      if (body != nullptr && spin.length() * timeStep > Rule::followed()) {
+        body->internalGetDeltaAngularVelocity() -= spin / 2;
+      }
+    }
   }
 }
 

@@ -204,7 +204,26 @@ class dxCableSolve {
         cable.line.find(cable.end);
         cable.row.rate = std::min(cable.row.rate, -cable.line.rate(cable.end) - cable.length_rate);
       }
+      slow_turning(acting, count);
       fill(acting, count);
+    }
+  }
+
+  /// Takes half of the spin of what turns too far in a step for it to follow.
+  void slow_turning(const Acting* acting, std::size_t count) const {
+    for (std::size_t index = 0; index < count; ++index) {
+      for (const dxCableEnd& end : acting[index].cable->end) {
+        const dReal* spin = end.is_moved() ? dBodyGetAngularVel(end.body) : nullptr;
+        if (spin != nullptr && dCalcVectorLength3(spin) * m_stepsize > dxCable::Rule::followed()) {
+          dBodySetAngularVel(end.body, spin[0] / 2, spin[1] / 2, spin[2] / 2);
+        }
+      }
+    }
+    for (std::size_t index = 0; index < count; ++index) {
+      dxCable& cable = *acting[index].cable;
+      for (int side = 0; side < 2; ++side) {
+        cable.free[side].find(cable.end[side].body, m_gravity, m_stepsize);
+      }
     }
   }
   static void move(dBodyID body, const tautline::CableBlockEnd& end, double push) {

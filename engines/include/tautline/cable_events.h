@@ -2,19 +2,24 @@
 // cables share it; it knows neither, and needs C++11 alone.
 //
 // A Host flies its whole world: `host.fly(dt)`. A Cable is one of its cables:
+//
+// clang-format off
 //   bool flies()                   slack, so that its next impact is an event
-//   Real gap(), rate()             now [m], [m/s]
-//   Real gap_after(dt)             if nothing but the forces acts, <= one step ahead [m]
 //   bool touches()                 it has run out of gap
-//   Real tolerance()               the gap that counts as zero [m]
-//   Real rate_rounding()           the closing rate that counts as none [m/s]
 //   bool slack()                   it was, so that closing is an impact
 //   bool is_tugged()               it rests, and closes by more than a step explains
-//   Real rebound()                 of its closing now, see CableRule; [m/s]
-//   Real explained()               the closing rate that a whole step's forces and swinging add
-//   [m/s] void fill(CableBlock::Row&)    its ends, as the impacts are solved void apply(impulse)
-//   changes the velocities of its ends now, impulse [N s] void struck(impulse), hold(), rebounds(),
-//   after the solve void ran_out()                 the step ran out of parts
+//   Real gap(), rate()             now [m], [m/s]
+//   Real gap_after(dt)             if nothing but the forces acts, <= one step ahead [m]
+//   Real tolerance()               the gap that counts as zero [m]
+//   Real rate_rounding()           the closing rate that counts as none [m/s]
+//   Real explained()               the closing rate that a whole step explains [m/s]
+//   Real rebound()                 of its closing now, see CableRule [m/s]
+//   void fill(CableBlock::Row&)    its ends, as the impacts are solved
+//   void apply(impulse)            changes the velocities of its ends now, impulse in [N s]
+//   void struck(impulse)           it was: impulse > 0
+//   void hold(), rebounds()        how it goes on after the solve
+//   void ran_out()                 the step ran out of parts
+// clang-format on
 //
 // Energy: an impact's rows ask for no more than the rate they closed with, as in CableRule, so none
 // gains any. A load on a taut cable moves by half of the forces' change of a part before, half

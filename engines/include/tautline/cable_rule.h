@@ -9,16 +9,18 @@
 //   3. A cable that rests taut is held: its row asks for as much as keeps it at its length while
 //      it swings, and never for more than c.
 //   4. While it is held, a part of its overstretch is taken out per step by moving its ends, at no
-//      more than a given speed. What a step could not follow goes out at once. No velocity changes.
-//   5. So no row asks for more than c, and no step ends with more energy than it began with.
+//      more than a given speed, or that of the ends themselves. What a step could not follow goes
+//      out at once, and what turns too far for it is slowed.
+//   5. So no row asks for more than c, and no step's impulses add energy.
 //
 // Why 5: a host steps v' = v + h (forces + cables), x' = x + h v'. Its velocities are half a step
 // older than its positions; with the velocity at the pose, v + h forces / 2, a step under constant
-// forces changes kinetic and potential energy by exactly
+// forces, on lines that it does not turn, changes kinetic and potential energy by exactly
 //   sum of 1/2 impulse (gap rate after + gap rate before),
 // and a row that pulls ends with the rate r it asked for, r <= c = -(rate before). That holds for
-// one cable and for any number that are solved together. What 4 lifts out had sunk too deep before:
-// a load that has come to rest at zero gap has the least energy of all that hang there.
+// one cable and for any number that are solved together; beside contacts and joints as far as the
+// host's solver converges. What 4 lifts out had sunk too deep before: a load that has come to rest
+// at zero gap has the least energy of all that hang there.
 
 #pragma once
 
@@ -82,9 +84,6 @@ class CableRule {
     state_ = State::slack;
     taken_ = reach_ = over_ = 0;
   }
-
-  /// The closing rate that forces and other cables added in the last step in which it pulled [m/s].
-  Real taken() const { return taken_; }
 
   /// What one step explains of a closing rate [m/s].
   Real explained(const Start& at) const {

@@ -1,5 +1,6 @@
 // What Bullet's users expect of a constraint of its world.
 
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <btBulletDynamicsCommon.h>
@@ -209,6 +210,59 @@ TEST(BtCableConstraint, DoesNotReboundBelowItsThreshold) {
     hanging.world.stepSimulation(time_step);
     EXPECT_NEAR(hanging.cable.getGapRate(), threshold < 2 ? 1.0 : 0.0, 1e-5);
   }
+}
+
+TEST(BtCableConstraint, IsMendedByEnablingIt) {
+  Hanging hanging;
+  hanging.cable.setBreakingImpulseThreshold(btScalar(0.1));
+  hanging.world.stepSimulation(time_step);
+  EXPECT_FALSE(hanging.cable.isEnabled());
+  hanging.cable.setBreakingImpulseThreshold(SIMD_INFINITY);
+  hanging.cable.setEnabled(true);
+  hanging.world.stepSimulation(time_step);
+  EXPECT_TRUE(hanging.cable.isEnabled());
+  EXPECT_TRUE(hanging.cable.isTaut());
+}
+
+/// A hook with a mass, and a body that is static with one: cables move neither.
+TEST(BtCableConstraint, HangsOnWhatHasAMassAndDoesNotMove) {
+  for (const bool islands : {true, false}) {
+    for (const int flag :
+         {btCollisionObject::CF_KINEMATIC_OBJECT, btCollisionObject::CF_STATIC_OBJECT}) {
+      Hanging hanging;
+      hanging.world.getSimulationIslandManager()->setSplitIslands(islands);
+      btEmptyShape nothing;
+      btRigidBody hook(
+          btRigidBody::btRigidBodyConstructionInfo(1, nullptr, &nothing, btVector3(1, 1, 1)));
+      hook.setCollisionFlags(flag);
+      hanging.world.addRigidBody(&hook, 0, 0);
+      btCableConstraint toWorld(hook, btVector3(0, 0, 0), btVector3(0, 0, 0), btScalar(0.5));
+      btCableConstraint toLoad(hook, hanging.load, btVector3(0, 0, 0), btVector3(0, 0, 0),
+                               btScalar(1.1));
+      hanging.world.addConstraint(&toWorld);
+      hanging.world.addConstraint(&toLoad);
+      for (int step = 0; step < 60; ++step) {
+        hanging.world.stepSimulation(time_step);
+      }
+      EXPECT_GE(hanging.cable.getGap(), -1e-3);
+      EXPECT_NEAR(hook.getCenterOfMassPosition().length(), 0.0, 1e-6);
+      hanging.world.removeConstraint(&toLoad);
+      hanging.world.removeConstraint(&toWorld);
+      hanging.world.removeRigidBody(&hook);
+    }
+  }
+}
+
+TEST(BtStepWithCables, LeavesASleepingLoadTaut) {
+  Hanging hanging;
+  hanging.load.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, -1, 0)));
+  hanging.world.stepSimulation(time_step);
+  EXPECT_TRUE(hanging.cable.isTaut());
+  hanging.load.setActivationState(ISLAND_SLEEPING);
+  btCableConstraint* cables[] = {&hanging.cable};
+  btStepWithCables(&hanging.world, cables, 1, time_step);
+  EXPECT_FALSE(hanging.load.isActive());
+  EXPECT_TRUE(hanging.cable.isTaut());
 }
 
 /// Where the user has the hook.

@@ -114,6 +114,25 @@ TEST(DCable, BreaksAtItsImpulse) {
   EXPECT_EQ(dCableGetImpulse(hanging.cable), 0.0);
 }
 
+TEST(DCable, ReboundsAgainOnceItIsMended) {
+  const Hanging hanging;
+  dCableAttach(hanging.cable, hanging.load, nullptr);
+  dCableSetLength(hanging.cable, 1);
+  dCableSetBreakingImpulse(hanging.cable, 0.1);
+  hanging.step();
+  hanging.step();
+  EXPECT_EQ(dCableIsBroken(hanging.cable), 1);
+  dWorldSetGravity(hanging.world, 0, 0, 0);
+  dBodySetPosition(hanging.load, 0, -0.999, 0);
+  dBodySetLinearVel(hanging.load, 0, -0.15, 0);
+  dCableSetBounce(hanging.cable, 1);
+  hanging.step();  // broken, it learns that it is slack
+  dCableSetBreakingImpulse(hanging.cable, 10);
+  dCableMend(hanging.cable);
+  hanging.step();
+  EXPECT_NEAR(dBodyGetLinearVel(hanging.load)[1], 0.15, 1e-9);
+}
+
 /// Forces and contact joints are two ways to the same step, of a tumbling load on four cables.
 TEST(DCable, PullsAlikeByForceAndByContact) {
   std::array<std::array<dReal, 6>, 2> after{};

@@ -13,6 +13,8 @@
 #include <BulletDynamics/ConstraintSolver/btSolverBody.h>
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "tautline/bullet/btCableLine.h"
@@ -95,7 +97,8 @@ class btCableConstraint : public btTypedConstraint {
   void setReboundByEnergy(bool byEnergy) { m_rule.by_energy = byEnergy; }
   bool getReboundByEnergy() const { return m_rule.by_energy; }
 
-  /// The speed at which overstretch is taken out, at most [m/s], >= 0; 1 unless set.
+  /// The speed at which overstretch is taken out, at most, unless the ends themselves are faster
+  /// [m/s], >= 0; 1 unless set.
   void setMaxCorrectionSpeed(btScalar speed) { m_rule.correction_speed = positive(speed); }
   btScalar getMaxCorrectionSpeed() const { return m_rule.correction_speed; }
 
@@ -121,8 +124,14 @@ class btCableConstraint : public btTypedConstraint {
   /// Tension of the last step [N]; its mean if there was an impact. `timeStep` is that step's [s].
   btScalar getTension(btScalar timeStep) const { return m_appliedImpulse / timeStep; }
 
-  /// False as well once the impulse of a step has reached setBreakingImpulseThreshold [N s].
+  /// False as well once the impulse of a step has reached setBreakingImpulseThreshold [N s]; asked
+  /// as a btTypedConstraint, from the next step on.
   bool isEnabled() const { return btTypedConstraint::isEnabled() && !hasBroken(); }
+  /// True mends it, if an impulse has broken it.
+  void setEnabled(bool enabled) {
+    m_appliedImpulse = enabled && hasBroken() ? btScalar(0) : m_appliedImpulse;
+    btTypedConstraint::setEnabled(enabled);
+  }
 
   /// How many steps by events (btStepWithCables) ran out of parts and ended as a fixed step.
   int getStepsOutOfParts() const { return m_stepsOutOfParts; }
@@ -225,6 +234,7 @@ class btCableConstraint : public btTypedConstraint {
   // of the leader
   std::vector<btCableConstraint*> m_together;
   std::vector<btCableConstraint*> m_pulling;  // those of them that have a row
+  std::vector<const btRigidBody*> m_slowed;   // by slowTurning
   tautline::CableBlock m_block{SIMD_EPSILON};
   bool m_begun = false;
 

@@ -7,6 +7,7 @@
 // taut, a catenary of its length if it is slack. The drawer's mode needs DBG_DrawConstraints, and
 // one of DBG_DrawWireframe, DBG_DrawAabb and DBG_DrawNormals, without which Bullet 3.24 draws no
 // actions; with DBG_DrawConstraints alone, call drawing.debugDraw(drawer) after debugDrawWorld.
+// It takes RTTI.
 
 #ifndef TAUTLINE_BT_CABLE_DRAWING_H
 #define TAUTLINE_BT_CABLE_DRAWING_H

@@ -9,6 +9,11 @@
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
+/// True if a cable moves it. The solver has a place for no other.
+inline bool btCableMoves(const btRigidBody& body) {
+  return body.getInvMass() > 0 && !body.isStaticOrKinematicObject();
+}
+
 /// How a body moves, for a line's rates.
 struct btCableMotion {
   btVector3 m_velocity;  // [m/s]

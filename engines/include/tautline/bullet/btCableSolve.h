@@ -14,14 +14,16 @@
 
 #include <LinearMath/btTransformUtil.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tautline/bullet/btCableConstraint.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
 /// A body's place in the solver's pool; null if the solver does not move it.
 inline btSolverBody* btSolverBodyOf(btSolverBody* pool, const btRigidBody& body) {
-  const bool moves = body.getInvMass() > 0 && !body.isKinematicObject();
-  return moves ? pool + body.getCompanionId() : nullptr;
+  return btCableMoves(body) ? pool + body.getCompanionId() : nullptr;
 }
 
 /// With the forces of the step, and with what rows have changed so far, or without.
@@ -79,7 +81,7 @@ inline void btCableConstraint::buildJacobian() {
     m_rule.release();
   }
   const bool pulls = hook || (m_rule.touches(gap) && (!m_byEvents || m_rule.held()));
-  const bool moves = m_rbA.getInvMass() > 0 || m_rbB.getInvMass() > 0;
+  const bool moves = btCableMoves(m_rbA) || btCableMoves(m_rbB);
   m_near = btTypedConstraint::isEnabled() && moves && (pulls || m_rule.length_rate != 0);
   m_fresh = m_near;
   m_solved = false;
@@ -100,10 +102,10 @@ inline void btCableConstraint::gather() {
   for (std::size_t next = 0; next < m_together.size(); ++next) {
     const btCableConstraint& one = *m_together[next];
     // what does not move couples nothing
-    if (one.m_rbA.getInvMass() > 0) {
+    if (btCableMoves(one.m_rbA)) {
       gatherFrom(*one.m_onA);
     }
-    if (one.m_rbB.getInvMass() > 0) {
+    if (btCableMoves(one.m_rbB)) {
       gatherFrom(*one.m_onB);
     }
   }
@@ -126,7 +128,7 @@ inline void btCableConstraint::solveConstraintObsolete(btSolverBody& bodyA, btSo
                                                        btScalar timeStep) {
   if (m_near && !m_asRow && m_leader == this) {
     // one of them moves, and says where the solver has its bodies
-    const bool byA = m_rbA.getInvMass() > 0 && !m_rbA.isKinematicObject();
+    const bool byA = btCableMoves(m_rbA);
     btSolverBody* pool = byA ? &bodyA - m_rbA.getCompanionId() : &bodyB - m_rbB.getCompanionId();
     const bool first = !m_begun;
     if (first) {
@@ -137,7 +139,7 @@ inline void btCableConstraint::solveConstraintObsolete(btSolverBody& bodyA, btSo
   }
 }
 
-/// What every cable asks for, and K.
+/// What every cable asks for, and their Delassus matrix.
 inline void btCableConstraint::begin(btSolverBody* pool, btScalar timeStep) {
   m_pulling.clear();
   for (btCableConstraint* cable : m_together) {
@@ -206,19 +208,23 @@ inline void btCableConstraint::moveOutOfOverstretch(btSolverBody* pool, btScalar
       cable->m_row.rate = btMin(cable->m_row.rate, -rate - cable->m_rule.length_rate);
     }
     fillBlock(pool);
-    slowTurning(pool, timeStep);
+    if (done == 0) {
+      slowTurning(pool, timeStep);
+    }
   }
 }
 
-/// Takes half of the spin of what turns too far in a step for it to follow.
+/// Takes half of the spin of a body that turns too far in a step for it to follow.
 inline void btCableConstraint::slowTurning(btSolverBody* pool, btScalar timeStep) {
+  m_slowed.clear();
   for (const btCableConstraint* cable : m_pulling) {
-    const btRigidBody* bodies[] = {&cable->m_rbA, &cable->m_rbB};
-    for (const btRigidBody* one : bodies) {
+    for (const btRigidBody* one : {&cable->m_rbA, &cable->m_rbB}) {
       btSolverBody* body = btSolverBodyOf(pool, *one);
       const btVector3 spin = btMotionInSolver(pool, *one, true).m_spin;
-      if (body != nullptr && spin.length() * timeStep > Rule::followed()) {
+      if (body != nullptr && spin.length() * timeStep > Rule::followed() &&
+          std::find(m_slowed.begin(), m_slowed.end(), one) == m_slowed.end()) {
         body->internalGetDeltaAngularVelocity() -= spin / 2;
+        m_slowed.push_back(one);
       }
     }
   }
@@ -316,7 +322,7 @@ inline btScalar btCableConstraint::rateNow(btSolverBody* pool) const {
 
 inline void btFillCableEnd(tautline::CableBlockEnd& end, const btRigidBody& body,
                            const btVector3& pull, const btVector3& moment) {
-  const bool moves = body.getInvMass() > 0 && !body.isKinematicObject();
+  const bool moves = btCableMoves(body);
   end.body = moves ? &body : nullptr;
   if (moves) {
     const btVector3 move = pull * body.getInvMass() * body.getLinearFactor();

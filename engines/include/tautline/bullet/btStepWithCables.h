@@ -10,7 +10,9 @@
 // theirs answer in the part after it. A body at a cable's end that nothing but cables touched in a
 // part is put where its forces take it, half of a h^2 from where Bullet does: else every bounce
 // would lose energy to the split. A kinematic body at a cable's end goes its way evenly over the
-// parts; one that is at no cable's end jumps in the first, as Bullet has it.
+// parts; one that is at no cable's end jumps in the first, as Bullet has it. A callback must not
+// remove a cable or a body at its ends. A linear or angular factor that is neither 0 nor 1 is
+// applied to the user's forces once in each part.
 
 #ifndef TAUTLINE_BT_STEP_WITH_CABLES_H
 #define TAUTLINE_BT_STEP_WITH_CABLES_H
@@ -114,7 +116,7 @@ class btCableStepper::Cable {
   }
   bool slack() const { return m_cable->m_rule.slack(); }
   /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
-  bool is_tugged() const { return held() && -rate() > btMax(explained(), m_cable->m_rule.taken()); }
+  bool is_tugged() const { return held() && -rate() > explained(); }
   btScalar rebound() const { return m_cable->m_rule.rebound(-rate()); }
   void fill(tautline::CableBlock::Row& row) {
     m_cable->m_line = m_cable->getLine();
@@ -151,6 +153,8 @@ class btCableStepper::Cable {
 
   /// Between these two, the cable has a row while it rests taut, and none in flight.
   void begin(btScalar timeStep) {
+    m_sleeps = !isMoved(m_cable->m_rbA) && !isMoved(m_cable->m_rbB) && m_movingA == nullptr &&
+               m_movingB == nullptr;
     m_cable->m_byEvents = true;
     m_cable->m_eventStep = timeStep;
     if (!m_cable->m_rule.touches(gap())) {
@@ -160,7 +164,9 @@ class btCableStepper::Cable {
   }
   void end() {
     m_cable->m_byEvents = false;
-    m_cable->m_appliedImpulse = m_impulse;
+    if (!m_sleeps || m_impulse > 0) {  // else it pulls as it did
+      m_cable->m_appliedImpulse = m_impulse;
+    }
   }
   /// What the cable changed the velocity of `body` by in the part that is over [m/s].
   btVector3 pullAt(const btRigidBody& body) const {
@@ -196,6 +202,7 @@ class btCableStepper::Cable {
   const btMovingEnd* m_movingA = nullptr;
   const btMovingEnd* m_movingB = nullptr;
   btScalar m_impulse = 0;  // of the step so far [N s]
+  bool m_sleeps = false;
 };
 
 inline btCableStepper::btCableStepper(btDiscreteDynamicsWorld* world,
@@ -224,8 +231,10 @@ inline btCableStepper::btCableStepper(btDiscreteDynamicsWorld* world,
       m_ends.end());
   const btAlignedObjectArray<btRigidBody*>& bodies = world->getNonStaticRigidBodies();
   for (int index = 0; index < bodies.size(); ++index) {
-    m_forced.push_back(
-        Forced{bodies[index], bodies[index]->getTotalForce(), bodies[index]->getTotalTorque()});
+    btRigidBody* body = bodies[index];
+    if (!body->getTotalForce().isZero() || !body->getTotalTorque().isZero()) {
+      m_forced.push_back(Forced{body, body->getTotalForce(), body->getTotalTorque()});
+    }
   }
 }
 
@@ -278,9 +287,13 @@ inline void btCableStepper::fly(btScalar timeStep) {
     cable.flew();
   }
   // for the next part, if there is one; btStepWithCables clears them at the end
+  const btAlignedObjectArray<btRigidBody*>& bodies = m_world->getNonStaticRigidBodies();
   for (const Forced& forced : m_forced) {
-    forced.m_body->applyCentralForce(forced.m_force);
-    forced.m_body->applyTorque(forced.m_torque);
+    // a tick callback may have taken it out of the world
+    if (bodies.findLinearSearch(forced.m_body) < bodies.size()) {
+      forced.m_body->applyCentralForce(forced.m_force);
+      forced.m_body->applyTorque(forced.m_torque);
+    }
   }
 }
 

@@ -80,7 +80,10 @@ struct dxCable {
   void ask(const Rule::Start& at) {
     length_rate = rule.length_rate;
     // anchors that coincide have no direction to be pulled in
-    if (broken || !(line.distance > 0)) {
+    if (broken) {
+      rule.release();
+      row = Rule::Row{false, 0};
+    } else if (!(line.distance > 0) || end[0].body == end[1].body) {
       row = Rule::Row{false, 0};
     } else if (by_events) {
       if (!rule.touches(at.gap)) {
@@ -147,6 +150,7 @@ inline void dCableDestroy(dCableID cable) { delete cable; }
 /// From `body1` to `body2`; 0 is the world. Sets both anchors to the bodies' centres, or the
 /// origin.
 inline void dCableAttach(dCableID cable, dBodyID body1, dBodyID body2) {
+  assert(body1 == nullptr || body1 != body2);
   cable->end[0] = dxCableEnd{body1, {0, 0, 0, 0}};
   cable->end[1] = dxCableEnd{body2, {0, 0, 0, 0}};
 }
@@ -201,7 +205,8 @@ inline void dCableSetBreakingImpulse(dCableID cable, dReal impulse) {
 inline dReal dCableGetBreakingImpulse(dCableID cable) { return cable->breaking; }
 inline void dCableMend(dCableID cable) { cable->broken = false; }
 
-/// The speed at which overstretch is taken out, at most [m/s], >= 0; 1 unless set.
+/// The speed at which overstretch is taken out, at most, unless the ends themselves are faster
+/// [m/s], >= 0; 1 unless set.
 inline void dCableSetMaxCorrectionSpeed(dCableID cable, dReal speed) {
   cable->rule.correction_speed = dxCableAtLeast0(speed);
 }

@@ -199,22 +199,27 @@ class dxCableSolve {
       if (left <= enough * most) {
         break;
       }
+      if (done == 0) {
+        slow_turning(acting, count);
+      }
       for (std::size_t index = 0; index < count; ++index) {
         dxCable& cable = *acting[index].cable;
         cable.line.find(cable.end);
         cable.row.rate = std::min(cable.row.rate, -cable.line.rate(cable.end) - cable.length_rate);
       }
-      slow_turning(acting, count);
       fill(acting, count);
     }
   }
 
-  /// Takes half of the spin of what turns too far in a step for it to follow.
-  void slow_turning(const Acting* acting, std::size_t count) const {
+  /// Takes half of the spin of a body that turns too far in a step for it to follow.
+  void slow_turning(const Acting* acting, std::size_t count) {
+    m_slowed.clear();
     for (std::size_t index = 0; index < count; ++index) {
       for (const dxCableEnd& end : acting[index].cable->end) {
         const dReal* spin = end.is_moved() ? dBodyGetAngularVel(end.body) : nullptr;
-        if (spin != nullptr && dCalcVectorLength3(spin) * m_stepsize > dxCable::Rule::followed()) {
+        if (spin != nullptr && dCalcVectorLength3(spin) * m_stepsize > dxCable::Rule::followed() &&
+            std::find(m_slowed.begin(), m_slowed.end(), end.body) == m_slowed.end()) {
+          m_slowed.push_back(end.body);
           dBodySetAngularVel(end.body, spin[0] / 2, spin[1] / 2, spin[2] / 2);
         }
       }
@@ -307,13 +312,14 @@ class dxCableSolve {
   dReal m_stepsize = 0;
   dVector3 m_gravity;
   std::vector<Acting> m_acting;
+  std::vector<dBodyID> m_slowed;
   std::vector<std::pair<dBodyID, std::size_t>> m_hung;
   tautline::CableBlock m_block{std::numeric_limits<dReal>::epsilon()};
 };
 
 /// Lets each of `count` cables that may pull in the next step of `stepsize` [s] do so: by forces,
-/// or by a contact joint in `group`. Call it once before that step, with all cables and after the
-/// collisions; empty the group after the step.
+/// or by a contact joint in `group`. Call it once before that step, with all cables, after the
+/// collisions and after the user's forces; empty the group after the step.
 inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableID* cables,
                               int count, dReal stepsize) {
   if (count > 0) {

@@ -80,6 +80,7 @@ class dxEventCable {
   /// Between these two, the cable acts while it rests taut, and not in flight.
   void begin(dReal stepsize) {
     dxCableReadImpulse(m_cable);
+    m_sleeps = !m_cable->end[0].is_awake() && !m_cable->end[1].is_awake();
     m_cable->by_events = true;
     m_cable->event_stepsize = stepsize;
     if (!m_cable->rule.touches(gap())) {
@@ -89,7 +90,9 @@ class dxEventCable {
   }
   void end() {
     m_cable->by_events = false;
-    m_cable->impulse = m_impulse;
+    if (!m_sleeps || m_impulse > 0) {  // else it pulls as it did
+      m_cable->impulse = m_impulse;
+    }
   }
   /// What the cable changed the velocity of `body` by in the part that is over [m/s].
   void pull_at(dBodyID body, dReal* result) const {
@@ -120,6 +123,7 @@ class dxEventCable {
 
   dCableID m_cable;
   dReal m_impulse = 0;  // of the step so far [N s]
+  bool m_sleeps = false;
 };
 
 inline dReal dxEventCable::rate_rounding() const {

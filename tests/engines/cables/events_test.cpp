@@ -146,6 +146,30 @@ TEST(CableByEvents, LeavesOtherBodiesInPeace) {
   }
 }
 
+/// Where a pendulum is after 5 s of steps, of which there are `rate` a second.
+Vec3 swung(double rate) {
+  Scene scene(gravity, rate);
+  const Vec3 start(2, 4, 0);
+  const Vec3 anchor(0, 5, 0);
+  scene.add_body(load_mass, load_moment * Vec3::Ones(), start, Vec3::Zero());
+  scene.add_cable({{0, Vec3::Zero()}, {-1, anchor}, (start - anchor).norm(), 0.5});
+  for (int step = 0; step < 5 * static_cast<int>(rate); ++step) {
+    scene.step_by_events();
+  }
+  return scene.body(0).position;
+}
+
+TEST(CableByEvents, SwingsToSecondOrderInTheStep) {
+  if (Scene::rounding > 1e-10) {
+    GTEST_SKIP() << "float's rounding hides it";
+  }
+  const Vec3 reference = swung(7680);
+  const double coarse = (swung(60) - reference).norm();
+  const double fine = (swung(120) - reference).norm();
+  EXPECT_LT(coarse, 5e-3);  // [m]
+  EXPECT_NEAR(coarse / fine, 4.0, 0.5);
+}
+
 TEST(CableByEvents, TakesOnePartWhereNothingHappens) {
   OneCable setup = about_to_close(arrangements()[2], 0.7, 1.0);
   EXPECT_EQ(setup.scene->step_by_events(), 2);  // it closes in this step

@@ -72,7 +72,6 @@ class CableBlock {
     factored_ = false;
   }
   Row& row(std::size_t index) { return rows_[index]; }
-  std::size_t size() const { return count_; }
 
   void assemble() {
     k_.resize(count_ * count_);

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <vector>
 
+#include "cost.hpp"
 #include "ledger.hpp"
 #include "measure.hpp"
 
@@ -18,8 +17,6 @@ namespace {
 constexpr double mass = 2.0;    // [kg]
 constexpr double length = 1.0;  // [m] of a cable
 constexpr double top = 6.0;     // [m]
-
-enum class Held { by_joint, by_cable };
 
 /// Loads below each other, from rest: on cables, or on ball joints at the place of each cable's
 /// upper end.
@@ -108,33 +105,11 @@ std::unique_ptr<Scene> loads_on(int count, Held held, double rate) {
   return scene;
 }
 
-double time_of(Scene& scene) {
-  const int steps = 20;  // so short that most are not interrupted
-  const auto start = std::chrono::steady_clock::now();
-  for (int step = 0; step < steps; ++step) {
-    scene.step();
-  }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
-}
-
-struct Costs {
-  double cable;  // of a step [s]
-  double joint;
-};
-
-/// The least of many times, taken in turns: another's load on the machine only ever adds.
-Costs costs(const std::function<std::unique_ptr<Scene>(Held)>& make) {
+Costs costs_of(const std::function<std::unique_ptr<Scene>(Held)>& make) {
+  const double seconds = 2.0;
   const auto cables = make(Held::by_cable);
   const auto joints = make(Held::by_joint);
-  const double infinite = std::numeric_limits<double>::infinity();
-  Costs result{infinite, infinite};
-  const auto start = std::chrono::steady_clock::now();
-  const auto enough = std::chrono::seconds(2);
-  while (std::chrono::steady_clock::now() - start < enough) {
-    result.cable = std::min(result.cable, time_of(*cables));
-    result.joint = std::min(result.joint, time_of(*joints));
-  }
-  return result;
+  return costs(*cables, *joints, seconds);
 }
 
 void print_costs(double rate) {
@@ -147,10 +122,10 @@ void print_costs(double rate) {
   };
   for (const int count : {1, 2, 4}) {
     print(fmt::format("40 loads on {} each", count),
-          costs([&](Held held) { return loads_on(count, held, rate); }));
+          costs_of([&](Held held) { return loads_on(count, held, rate); }));
   }
   const std::vector<double> ten(10, 1.0);
-  print("a chain of 10", costs([&](Held held) { return series(ten, held, rate, 0.3); }));
+  print("a chain of 10", costs_of([&](Held held) { return series(ten, held, rate, 0.3); }));
 }
 
 }  // namespace

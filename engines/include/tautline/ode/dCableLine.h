@@ -200,21 +200,6 @@ struct dxCableLine {
     return result;
   }
 
-  /// J M^-1 J^T [1/kg]: what an impulse of 1 N s adds to that rate.
-  dReal inverse_mass(const dxCableEnd* end) const {
-    dReal result = 0;
-    for (int index = 0; index < 2; ++index) {
-      if (end[index].is_moved()) {
-        dMass mass;
-        dBodyGetMass(end[index].body, &mass);
-        dVector3 turn;
-        dxBodySolveInertia(end[index].body, moment[index], turn);
-        result += 1 / mass.mass + dCalcVectorDot3(moment[index], turn);
-      }
-    }
-    return result;
-  }
-
  private:
   dReal centripetal(const dxMotion& motion, int index) const {
     dVector3 turning, twice;

@@ -34,6 +34,7 @@
 
 #include "tautline/cable_block.h"
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 namespace tautline {
 
 /// The first time in (0, dt] at which `cable` runs out of gap, located to rounding; `dt` if it does
@@ -174,3 +175,4 @@ int step_by_events(Host& host, std::vector<Cable>& cables, Real dt, int most) {
 }
 
 }  // namespace tautline
+// NOLINTEND(modernize-use-nodiscard)

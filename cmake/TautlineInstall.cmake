@@ -15,7 +15,7 @@ install(DIRECTORY analytic/include/ engines/include/
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(FILES bench/limits.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
+  install(FILES bench/gate/limits.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
 endif()
 install(FILES LICENSE THIRD_PARTY.md docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # projects of their own, to copy: each finds this tree with find_package(tautline)

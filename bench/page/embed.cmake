@@ -36,7 +36,7 @@ foreach(part IN ITEMS style scripts plotly licence)
 endforeach()
 
 file(WRITE "${OUTPUT}" "// Written by bench/page/embed.cmake.
-#include \"bench/page_assets.hpp\"
+#include \"bench/page/page_assets.hpp\"
 
 namespace tautline::bench {
 

@@ -1,4 +1,4 @@
-#include "program.hpp"
+#include "tests/bench/program.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>

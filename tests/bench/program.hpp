@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "support.hpp"
+#include "tests/bench/support.hpp"
 
 namespace tautline::test {
 

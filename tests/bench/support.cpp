@@ -1,4 +1,4 @@
-#include "support.hpp"
+#include "tests/bench/support.hpp"
 
 #include <stdlib.h>  // mkdtemp is POSIX, not in <cstdlib>
 

@@ -6,11 +6,11 @@
 #include <iostream>
 #include <optional>
 
-#include "bench/conformance.hpp"
-#include "bench/input_file.hpp"
-#include "bench/strict_table.hpp"
-#include "bench/text.hpp"
-#include "bench/toml_value.hpp"
+#include "bench/base/input_file.hpp"
+#include "bench/base/text.hpp"
+#include "bench/base/toml/strict_table.hpp"
+#include "bench/base/toml/value.hpp"
+#include "bench/check/claims.hpp"
 
 namespace tautline::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "analytic/support.hpp"
-#include "bench/conformance.hpp"
+#include "bench/check/claims.hpp"
 #include "claims.hpp"
 #include "engine_support.hpp"
 #include "tautline/geometry.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "bench/wire.hpp"
+#include "bench/run/wire.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 

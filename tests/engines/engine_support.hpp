@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/conformance_run.hpp"
-#include "bench/engine_registry.hpp"
-#include "bench/plugin.hpp"
+#include "bench/check/subject.hpp"
+#include "bench/run/plugin.hpp"
+#include "bench/run/registry.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 

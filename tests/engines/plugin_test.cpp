@@ -6,7 +6,7 @@
 #include <iostream>
 #include <type_traits>
 
-#include "bench/plugin.hpp"
+#include "bench/run/plugin.hpp"
 #include "tautline/plugin.hpp"
 
 namespace tautline::bench {

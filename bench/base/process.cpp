@@ -1,0 +1,236 @@
+#include "bench/base/process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
+
+namespace tautline::bench {
+namespace {
+
+constexpr std::size_t tail_length = 2000;  // [bytes] of a child's output that are kept
+
+[[noreturn]] void fail(const std::string& what, int error) {
+  throw std::system_error(error, std::generic_category(), what);
+}
+
+/// What a spawned process is given; released with it.
+class SpawnSetup {
+ public:
+  SpawnSetup(int input, int output, int result) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, input, 0);
+    posix_spawn_file_actions_adddup2(&actions_, output, 1);
+    posix_spawn_file_actions_adddup2(&actions_, output, 2);
+    posix_spawn_file_actions_adddup2(&actions_, result, 3);
+    posix_spawnattr_init(&attributes_);
+    // a group of its own: Ctrl-C reaches this program alone, and a kill reaches all it started
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    sigset_t defaults;
+    sigemptyset(&defaults);
+    sigaddset(&defaults, SIGINT);
+    sigaddset(&defaults, SIGTERM);
+    sigaddset(&defaults, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes_, &defaults);
+    posix_spawnattr_setflags(&attributes_,
+                             static_cast<short>(POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF));
+  }
+  ~SpawnSetup() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  SpawnSetup(const SpawnSetup&) = delete;
+  SpawnSetup& operator=(const SpawnSetup&) = delete;
+
+  [[nodiscard]] pid_t spawn(const std::vector<std::string>& arguments) {
+    std::vector<char*> raw;
+    raw.reserve(arguments.size() + 1);
+    for (const std::string& argument : arguments) {
+      raw.push_back(const_cast<char*>(argument.c_str()));  // POSIX takes char* but does not write
+    }
+    raw.push_back(nullptr);
+    pid_t child = -1;
+    const int error =
+        posix_spawn(&child, raw.front(), &actions_, &attributes_, raw.data(), environ);
+    if (error != 0) {
+      fail("cannot start " + arguments.front(), error);
+    }
+    return child;
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
+};
+
+/// Keeps the last of what is appended.
+void append_tail(ProcessEnd& end, const char* data, std::size_t size) {
+  end.printed += size;
+  end.output_tail.append(data, size);
+  if (end.output_tail.size() > 2 * tail_length) {
+    end.output_tail.erase(0, end.output_tail.size() - tail_length);
+  }
+}
+
+/// Reads what is there now; false at the end of the stream.
+bool drain(int pipe, ProcessEnd& end) {
+  std::array<char, 1 << 16> buffer{};
+  while (true) {
+    const ssize_t size = ::read(pipe, buffer.data(), buffer.size());
+    if (size > 0) {
+      append_tail(end, buffer.data(), static_cast<std::size_t>(size));
+      return true;
+    }
+    if (size == 0) {
+      return false;
+    }
+    if (errno != EINTR) {
+      return errno == EAGAIN;
+    }
+  }
+}
+
+/// Captures output until the child is gone, its time is up or the program is interrupted.
+void watch(pid_t child, int pipe, double time_limit, ProcessEnd& end, int& status) {
+  using Clock = std::chrono::steady_clock;
+  const auto deadline = Clock::now() + std::chrono::duration<double>(time_limit);
+  bool open = true;
+  constexpr int look_again = 20;  // [ms]: notices a limit, an interruption, or a closed pipe
+  while (true) {
+    if (open) {
+      pollfd watched{pipe, POLLIN, 0};
+      if (::poll(&watched, 1, look_again) > 0) {
+        open = drain(pipe, end);
+      }
+    } else {
+      ::poll(nullptr, 0, 1);
+    }
+    if (::waitpid(child, &status, WNOHANG) == child) {
+      break;
+    }
+    const bool late = Clock::now() > deadline;
+    if (late || interruption()) {
+      end.kind = late ? ProcessEnd::Kind::timed_out : ProcessEnd::Kind::interrupted;
+      ::kill(-child, SIGKILL);
+      ::waitpid(child, &status, 0);
+      break;
+    }
+  }
+  // what is left in the pipe; a grandchild that holds it open is not waited for
+  for (pollfd rest{pipe, POLLIN, 0}; open && ::poll(&rest, 1, 0) > 0;) {
+    open = drain(pipe, end);
+  }
+  ::kill(-child, SIGKILL);  // the group outlives its leader if the child started others
+}
+
+}  // namespace
+
+Descriptor memory_file(std::string_view content) {
+  Descriptor file(::memfd_create("tautline", MFD_CLOEXEC));
+  if (file.get() < 0) {
+    fail("cannot make a file in memory", errno);
+  }
+  while (!content.empty()) {
+    const ssize_t size = ::write(file.get(), content.data(), content.size());
+    if (size < 0) {
+      fail("cannot write a file in memory", errno);
+    }
+    content.remove_prefix(static_cast<std::size_t>(size));
+  }
+  ::lseek(file.get(), 0, SEEK_SET);
+  return file;
+}
+
+std::string content_of(const Descriptor& file) {
+  struct stat info {};
+  if (::fstat(file.get(), &info) != 0) {
+    fail("cannot read a file in memory", errno);
+  }
+  std::string content(static_cast<std::size_t>(info.st_size), '\0');
+  std::size_t done = 0;
+  while (done < content.size()) {
+    const ssize_t size =
+        ::pread(file.get(), content.data() + done, content.size() - done, static_cast<off_t>(done));
+    if (size <= 0) {
+      fail("cannot read a file in memory", errno);
+    }
+    done += static_cast<std::size_t>(size);
+  }
+  return content;
+}
+
+std::atomic<bool>& interruption() {
+  static std::atomic<bool> flag{false};
+  return flag;
+}
+
+void catch_interruption() {
+  const auto handler = [](int signal) {
+    if (interruption().exchange(true)) {
+      std::signal(signal, SIG_DFL);
+      std::raise(signal);
+    }
+  };
+  static_cast<void>(interruption().load());  // made before a handler could be the first to ask
+  std::signal(SIGINT, handler);
+  std::signal(SIGTERM, handler);
+}
+
+ProcessEnd run_process(const std::vector<std::string>& arguments, const Descriptor& input,
+                       const Descriptor& result, double time_limit) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    fail("cannot make a pipe", errno);
+  }
+  const Descriptor reading(ends[0]);
+  Descriptor writing(ends[1]);
+  ::fcntl(reading.get(), F_SETFL, O_NONBLOCK);
+  const pid_t child = SpawnSetup(input.get(), writing.get(), result.get()).spawn(arguments);
+  writing.close();
+  ProcessEnd end;
+  int status = 0;
+  watch(child, reading.get(), time_limit, end, status);
+  if (end.kind == ProcessEnd::Kind::exited) {
+    end.kind = WIFSIGNALED(status) ? ProcessEnd::Kind::signalled : ProcessEnd::Kind::exited;
+    end.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+  }
+  if (end.output_tail.size() > tail_length) {
+    end.output_tail.erase(0, end.output_tail.size() - tail_length);
+  }
+  return end;
+}
+
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) {
+      return 1024.0 * std::strtod(line.c_str() + std::strlen("VmHWM:"), nullptr);  // in kB
+    }
+  }
+  return 0.0;
+}
+
+std::string signal_name(int signal) {
+  const char* abbreviation = ::sigabbrev_np(signal);
+  return abbreviation != nullptr ? "SIG" + std::string(abbreviation)
+                                 : "signal " + std::to_string(signal);
+}
+
+}  // namespace tautline::bench

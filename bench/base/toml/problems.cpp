@@ -1,0 +1,36 @@
+#include "bench/base/toml/problems.hpp"
+
+#include <algorithm>
+
+#include "bench/base/text.hpp"
+
+namespace tautline::bench {
+
+Findings::Findings(const std::string& source_name) {
+  constexpr std::size_t longest_path = 1024;
+  source_ = source_name.empty() ? "\"\"" : printable(source_name, longest_path);
+}
+
+void Findings::add(std::size_t line, const std::string& sentence) {
+  found_.emplace_back(line,
+                      source_ + (line > 0 ? ":" + std::to_string(line) : "") + ": " + sentence);
+}
+
+std::vector<std::string> Findings::sentences() const {
+  constexpr std::size_t enough = 100;
+  auto sorted = found_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& one, const auto& two) { return one.first < two.first; });
+  std::vector<std::string> result;
+  for (const auto& [line, sentence] : sorted) {
+    if (result.size() == enough) {
+      result.push_back(source_ + ": and " + std::to_string(sorted.size() - enough) +
+                       " more problems");
+      break;
+    }
+    result.push_back(sentence);
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

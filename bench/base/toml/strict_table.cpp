@@ -1,0 +1,242 @@
+#include "bench/base/toml/strict_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/base/text.hpp"
+#include "bench/base/toml/value.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string with_unit(std::string_view right, std::string_view unit) {
+  return "must be " + std::string(right) + (unit.empty() ? "" : " ") + std::string(unit);
+}
+
+}  // namespace
+
+const Range any_number = {"a finite number", [](double x) { return std::isfinite(x); }};
+const Range above_zero = {"a finite number above 0",
+                          [](double x) { return std::isfinite(x) && x > 0.0; }};
+const Range zero_or_above = {"a finite number, 0 or above",
+                             [](double x) { return std::isfinite(x) && x >= 0.0; }};
+const Range zero_to_one = {"in [0, 1]", [](double x) { return x >= 0.0 && x <= 1.0; }};
+
+StrictTable::StrictTable(const toml::table* table, std::string path, Findings& findings)
+    : table_(table), path_(std::move(path)), findings_(&findings) {}
+
+std::string StrictTable::text(std::string_view key) {
+  const std::string right = "must be a string that is not empty";
+  const toml::node* node = find_required(key, right);
+  if (node == nullptr) {
+    return "";
+  }
+  const auto* value = node->as_string();
+  if (value == nullptr) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
+    return "";
+  }
+  if (value->get().empty()) {
+    refuse(*node, full_name(key), right);
+  }
+  return value->get();
+}
+
+std::optional<std::string> StrictTable::optional_text(std::string_view key) {
+  return find(key) != nullptr ? std::optional(text(key)) : std::nullopt;
+}
+
+std::string StrictTable::one_of(std::string_view key, const std::vector<std::string>& words) {
+  const toml::node* node = find_required(key, "must be " + joined(words, "or"));
+  if (node == nullptr) {
+    return "";
+  }
+  const auto* value = node->as_string();
+  const std::string word = value != nullptr ? value->get() : "";
+  if (std::find(words.begin(), words.end(), word) == words.end()) {
+    refuse(*node, full_name(key),
+           "must be " + joined(words, "or") + suggestion(printable(word), words));
+    return "";
+  }
+  return word;
+}
+
+std::optional<std::string> StrictTable::optional_one_of(std::string_view key,
+                                                        const std::vector<std::string>& words) {
+  return find(key) != nullptr ? std::optional(one_of(key, words)) : std::nullopt;
+}
+
+std::vector<std::string> StrictTable::texts(std::string_view key, const std::string& right) {
+  std::vector<std::string> result;
+  const toml::node* node = find_required(key, right);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node != nullptr && (array == nullptr || array->empty())) {
+    refuse(*node, full_name(key), right);
+  }
+  for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
+    const toml::node& entry = *array->get(index);
+    if (const auto* value = entry.as_string(); value != nullptr && !value->get().empty()) {
+      result.push_back(value->get());
+    } else {
+      refuse(entry, full_name(key) + "[" + std::to_string(index) + "]",
+             "must be a string that is not empty");
+    }
+  }
+  return result;
+}
+
+double StrictTable::number(std::string_view key, const Range& range, std::string_view unit) {
+  const toml::node* node = find_required(key, with_unit(range.right, unit));
+  return node != nullptr ? checked(*node, full_name(key), range, unit) : 0.0;
+}
+
+std::optional<double> StrictTable::optional_number(std::string_view key, const Range& range,
+                                                   std::string_view unit) {
+  const toml::node* node = find(key);
+  return node != nullptr ? std::optional(checked(*node, full_name(key), range, unit))
+                         : std::nullopt;
+}
+
+Vec2 StrictTable::pair(std::string_view key, std::string_view unit) {
+  const toml::node* node = find_required(key, with_unit("two numbers [x, y]", unit));
+  return node != nullptr ? checked_pair(*node, full_name(key), "[x, y]", unit) : Vec2(Vec2::Zero());
+}
+
+std::optional<Vec2> StrictTable::optional_pair(std::string_view key, std::string_view unit) {
+  const toml::node* node = find(key);
+  return node != nullptr ? std::optional(checked_pair(*node, full_name(key), "[x, y]", unit))
+                         : std::nullopt;
+}
+
+std::vector<Vec2> StrictTable::pairs(std::string_view key, std::string_view form,
+                                     std::string_view unit) {
+  std::vector<Vec2> result;
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    return result;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty()) {
+    refuse(*node, full_name(key),
+           (array == nullptr ? "is " + type_name(*node) : std::string("none given")) + ", " +
+               with_unit("an array of pairs " + std::string(form), unit));
+    return result;
+  }
+  for (std::size_t index = 0; index < array->size(); ++index) {
+    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    result.push_back(checked_pair(*array->get(index), name, form, unit));
+  }
+  return result;
+}
+
+StrictTable StrictTable::table(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node != nullptr && !node->is_table()) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", must be a table");
+  }
+  return {node != nullptr ? node->as_table() : nullptr, full_name(key), *findings_};
+}
+
+std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t most,
+                                             const std::string& right) {
+  std::vector<StrictTable> result;
+  const toml::node* node = find_required(key, right);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node != nullptr && array == nullptr) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
+  }
+  if (array == nullptr) {
+    return result;
+  }
+  if (array->empty()) {
+    refuse(*node, full_name(key), "none given, " + right);
+  }
+  if (array->size() > most) {
+    refuse(*array->get(most), full_name(key), std::to_string(array->size()) + " given, " + right);
+  }
+  for (std::size_t index = 0; index < std::min(most, array->size()); ++index) {
+    const toml::node& entry = *array->get(index);
+    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    if (const toml::table* table = entry.as_table()) {
+      result.emplace_back(table, name, *findings_);
+    } else {
+      refuse(entry, name, "is " + type_name(entry) + ", must be a table");
+    }
+  }
+  return result;
+}
+
+std::vector<StrictTable> StrictTable::optional_tables(std::string_view key, std::size_t most,
+                                                      const std::string& right) {
+  return find(key) != nullptr ? tables(key, most, right) : std::vector<StrictTable>();
+}
+
+void StrictTable::refuse_unknown_keys() {
+  if (table_ == nullptr) {
+    return;
+  }
+  for (const auto& [key, node] : *table_) {
+    if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) {
+      continue;
+    }
+    const std::string near = suggestion(key.str(), known_);
+    findings_->add(key.source().begin.line,
+                   full_name(printable(key.str())) + quoted_value(node) + ": unknown key" +
+                       (near.empty() ? ", must be " + joined(known_, "or") : near));
+  }
+}
+
+const toml::node* StrictTable::find(std::string_view key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+    known_.emplace_back(key);
+  }
+  return table_ != nullptr ? table_->get(key) : nullptr;
+}
+
+const toml::node* StrictTable::find_required(std::string_view key, const std::string& right) {
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    // the file itself has no line to point at
+    findings_->add(path_.empty() ? 0 : line_of(table_), full_name(key) + ": is missing, " + right);
+  }
+  return node;
+}
+
+double StrictTable::checked(const toml::node& node, const std::string& name, const Range& range,
+                            std::string_view unit) {
+  const std::optional<double> value = as_number(node);
+  if (!value) {
+    refuse(node, name, "is " + type_name(node) + ", " + with_unit(range.right, unit));
+    return 0.0;
+  }
+  if (!range.holds(*value)) {
+    refuse(node, name, with_unit(range.right, unit));
+  }
+  return *value;
+}
+
+Vec2 StrictTable::checked_pair(const toml::node& node, const std::string& name,
+                               std::string_view form, std::string_view unit) {
+  const toml::array* array = node.as_array();
+  const std::string right = with_unit("two numbers " + std::string(form), unit);
+  if (array == nullptr) {
+    refuse(node, name, "is " + type_name(node) + ", " + right);
+    return Vec2::Zero();
+  }
+  if (array->size() != 2) {
+    refuse(node, name, "is an array of length " + std::to_string(array->size()) + ", " + right);
+    return Vec2::Zero();
+  }
+  return {checked(*array->get(0), name + "[0]", any_number, unit),
+          checked(*array->get(1), name + "[1]", any_number, unit)};
+}
+
+void StrictTable::refuse(const toml::node& node, const std::string& name, const std::string& why) {
+  findings_->add(line_of(&node), name + quoted_value(node) + ": " + why);
+}
+
+std::string StrictTable::full_name(std::string_view key) const {
+  return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,81 @@
+#include <string>
+
+#include "bench/base/text.hpp"
+#include "bench/cases/case_file.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A TOML float. `shortest` may look like an integer, which has no -0 and ends at 2^63.
+std::string number(double value) {
+  const std::string text = shortest(value);
+  return text.find_first_not_of("+-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
+std::string pair(const Vec2& value) {
+  return "[" + number(value.x()) + ", " + number(value.y()) + "]";
+}
+
+std::string pairs(const std::vector<RestitutionPoint>& table) {
+  std::string result;
+  for (const RestitutionPoint& point : table) {
+    result += (result.empty() ? "[" : ", ") + pair({point.speed, point.restitution});
+  }
+  return result + "]";
+}
+
+std::string quoted(const std::string& text) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      result += "\\u00";
+      result += {digits[byte >> 4U], digits[byte & 0xFU]};
+    } else {
+      result += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    }
+  }
+  return result + "\"";
+}
+
+}  // namespace
+
+std::string write_case(const Case& the_case) {
+  std::string text = "name = " + quoted(the_case.name) + "\n";
+  const auto line = [&text](const std::string& key, const std::string& value) {
+    text += key + " = " + value + "\n";
+  };
+  line("duration", number(the_case.duration));
+  line("gravity", pair(the_case.gravity));
+  if (the_case.angle_limit) {
+    line("angle_limit", number(*the_case.angle_limit));
+  }
+  if (the_case.ceiling) {
+    line("ceiling", number(*the_case.ceiling));
+  }
+  text += "\n[body]\n";
+  line("mass", number(the_case.body.mass));
+  line("inertia", number(the_case.body.inertia));
+  for (const Cable& cable : the_case.cables) {
+    text += "\n[[cables]]\n";
+    line("anchor", pair(cable.anchor));
+    line("attachment", pair(cable.attachment));
+    line("length", number(cable.length));
+    line("restitution", number(cable.restitution));
+    if (cable.capture_speed != 0.0) {  // exactly: the default
+      line("capture_speed", number(cable.capture_speed));
+    }
+    if (!cable.restitution_table.empty()) {
+      line("restitution_table", pairs(cable.restitution_table));
+    }
+  }
+  text += "\n[initial]\n";
+  line("position", pair(the_case.initial.position));
+  line("angle", number(the_case.initial.angle));
+  line("velocity", pair(the_case.initial.velocity));
+  line("spin", number(the_case.initial.spin));
+  return text;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "bench/measure/attribution/attribution.hpp"
+#include "bench/measure/attribution/scheme.hpp"
+#include "bench/measure/attribution/segments.hpp"
+
+namespace tautline::bench {
+
+// One segment's way from the exact motion to the run's own state. Every state belongs to the
+// segment's end, and all are flown there by the exact parabola, through the cable or back in time
+// where need be: at an impact that is late by a little, equal times are on different sides of the
+// jump, and only the continued flights are near each other.
+//
+//     exact                the exact impact, restarted from the segment's start
+//   + event_lag            the exact rebound rate, but at the instant and pose of the run's jump
+//   + late_rate            the rebound of the run's rule (BounceRule) at that pose
+//   + position_correction  raised by the run's correction (CorrectionRule)
+//   + threshold            the rebound lost
+//   + solver_residual      the run's own jump of velocity
+//   + position_correction  the pose shifted out along the cable
+//   + flight_bias          the run's own state
+//   + event_lag            put back onto the cable, if a taut stretch follows overstretched
+
+/// A hypothetical state at the end of a segment, and the cause that it has beyond the one before.
+struct Link {
+  Cause cause;
+  State state;
+};
+
+struct Chain {
+  State exact;              // without any of the causes
+  std::vector<Link> links;  // the last is Segment::end
+};
+
+/// The chain of `segment`; `exact` is the motion restarted from its start, with times from there.
+[[nodiscard]] Chain chain_of(const Case& the_case, const Trajectory& run, const Segment& segment,
+                             const std::vector<Jump>& jumps, const Scheme& scheme,
+                             const Solution& exact);
+
+}  // namespace tautline::bench

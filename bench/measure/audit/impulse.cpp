@@ -1,0 +1,58 @@
+// A cable pulls along itself and turns the body by its lever arm. What else an impact changes is
+// the engine's own.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "bench/measure/audit/impacts.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Fewer impacts say nothing of a model.
+constexpr std::size_t least_impacts = 8;
+
+/// A model is told of where more than half of its impacts have more of this in them [-].
+constexpr double notable = 0.05;
+
+std::optional<AuditFinding> finding(const AuditedModel& model, const std::string& kind,
+                                    const std::string& sentence,
+                                    const std::function<double(const AuditedImpact&)>& part) {
+  std::vector<double> parts;
+  for (const AuditedImpact& impact : model.impacts) {
+    parts.push_back(part(impact));
+  }
+  if (parts.size() < least_impacts || quantile(parts, 0.5) < notable) {
+    return std::nullopt;
+  }
+  const double middle = quantile(parts, 0.5);
+  return AuditFinding{kind,
+                      fmt::format("{} {:.2g} of the impulse (median; {:.2g} in 5 % of the impacts)",
+                                  sentence, middle, quantile(parts, 0.95)),
+                      middle,
+                      "",
+                      model.runs,
+                      parts.size()};
+}
+
+}  // namespace
+
+std::vector<AuditFinding> impulse_findings(const AuditedModel& model) {
+  std::vector<AuditFinding> findings;
+  if (auto across =
+          finding(model, "tangential-impulse", "impacts push the body across the cable, by",
+                  [](const AuditedImpact& impact) { return impact.across; })) {
+    findings.push_back(std::move(*across));
+  }
+  if (auto turning = finding(model, "angular-impulse",
+                             "impacts turn the body by other than impulse times lever arm, at its "
+                             "radius of gyration by",
+                             [](const AuditedImpact& impact) { return impact.turning; })) {
+    findings.push_back(std::move(*turning));
+  }
+  return findings;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,276 @@
+// What a model makes of restitution, from the impacts of all its runs. Each question leaves aside
+// what the one before has explained: what is cut off does not spread.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "bench/measure/audit/impacts.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using Impacts = std::vector<AuditedImpact>;
+
+/// Fewer impacts say nothing of a model: of those that speak for a finding, and of all.
+constexpr std::size_t least_on_a_side = 3;
+constexpr std::size_t least_impacts = 8;
+
+/// An impact asks for a rebound from this restitution on, and is lost below this part of it [-]: a
+/// correction of the overstretch may push a lost one a little.
+constexpr double asking = 0.2;
+constexpr double lost_part = 0.5;
+
+/// So many impacts of a group may say otherwise [-].
+constexpr double contrary = 0.1;
+
+/// In units of what a step does to a rate: the spread of the middle 90 % that no sampling explains
+/// (of exact motions that are only sampled: at most 1.5), and the median of an offset.
+constexpr double wide = 2.5;
+constexpr double far_off = 3.0;
+
+/// An offset of e below this is none, and so is a standard deviation, however small the step [-].
+constexpr double least_offset = 0.01;
+constexpr double least_scatter = 0.01;
+
+bool lost(const AuditedImpact& impact) { return impact.effective < lost_part * impact.requested; }
+bool bounced(const AuditedImpact& impact) { return !lost(impact); }
+
+Impacts those(const Impacts& impacts, const std::function<bool(const AuditedImpact&)>& wanted) {
+  Impacts result;
+  std::copy_if(impacts.begin(), impacts.end(), std::back_inserter(result), wanted);
+  return result;
+}
+
+std::vector<double> values(const Impacts& impacts,
+                           const std::function<double(const AuditedImpact&)>& value) {
+  std::vector<double> result;
+  std::transform(impacts.begin(), impacts.end(), std::back_inserter(result), value);
+  return result;
+}
+
+/// How many of the impacts are `wanted`, as a part of 1.
+double share(const Impacts& impacts, const std::function<bool(const AuditedImpact&)>& wanted) {
+  return static_cast<double>(std::count_if(impacts.begin(), impacts.end(), wanted)) /
+         static_cast<double>(impacts.size());
+}
+
+double deviation_of(const AuditedImpact& impact) { return impact.deviation(); }
+double effective_of(const AuditedImpact& impact) { return impact.effective; }
+double requested_of(const AuditedImpact& impact) { return impact.requested; }
+double floors_of(const AuditedImpact& impact) { return impact.floors(); }
+
+/// "0.9" or "0.5 to 1".
+std::string range_text(const std::vector<double>& numbers) {
+  const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+  return *least == *most ? fmt::format("{:.3g}", *least)
+                         : fmt::format("{:.3g} to {:.3g}", *least, *most);
+}
+
+AuditFinding ignored(const AuditedModel& model, const Impacts& asked, double e) {
+  return {"restitution-ignored",
+          fmt::format("restitution is ignored: e is {:.2g} (median) where {} is requested", e,
+                      range_text(values(asked, requested_of))),
+          e,
+          "",
+          model.runs,
+          asked.size()};
+}
+
+/// Effective restitutions this near are the same, and requested ones this far apart are not [-].
+constexpr double alike = 0.05;
+constexpr double different = 0.2;
+
+/// Everything comes back with one restitution, whatever is requested.
+std::optional<AuditFinding> constant(const AuditedModel& model, const Impacts& asked) {
+  if (asked.size() < least_impacts) {
+    return std::nullopt;
+  }
+  const double middle = quantile(values(asked, effective_of), 0.5);
+  const auto requested = values(asked, requested_of);
+  const auto [least, most] = std::minmax_element(requested.begin(), requested.end());
+  const double same = share(asked, [&](const AuditedImpact& impact) {
+    return std::abs(impact.effective - middle) < alike;
+  });
+  const double wrong = share(
+      asked, [](const AuditedImpact& impact) { return std::abs(impact.deviation()) > alike; });
+  if (*most - *least < different || middle < alike || same < 1.0 - contrary || wrong < contrary) {
+    return std::nullopt;
+  }
+  return ignored(model, asked, middle);
+}
+
+/// Nothing rebounds.
+std::optional<AuditFinding> nothing(const AuditedModel& model, const Impacts& asked) {
+  if (asked.size() < least_on_a_side || share(asked, lost) < 1.0 - contrary) {
+    return std::nullopt;
+  }
+  const double middle = quantile(values(asked, effective_of), 0.5);
+  return ignored(model, asked, std::abs(middle) < 0.5 * alike ? 0.0 : middle);
+}
+
+/// The place in `sorted`, in rising speed, that best parts lost impacts below from kept ones above.
+std::size_t best_cut(const Impacts& sorted) {
+  auto wrong = static_cast<std::ptrdiff_t>(std::count_if(sorted.begin(), sorted.end(), lost));
+  std::ptrdiff_t fewest = wrong;
+  std::size_t best = 0;
+  for (std::size_t index = 0; index < sorted.size(); ++index) {
+    wrong += lost(sorted[index]) ? -1 : 1;
+    if (wrong < fewest) {
+      fewest = wrong;
+      best = index + 1;
+    }
+  }
+  return best;
+}
+
+/// A speed below which nothing rebounds.
+std::optional<AuditFinding> threshold(const AuditedModel& model, Impacts asked) {
+  std::sort(asked.begin(), asked.end(),
+            [](const AuditedImpact& a, const AuditedImpact& b) { return a.speed < b.speed; });
+  const std::size_t cut = best_cut(asked);
+  const auto place = asked.begin() + static_cast<std::ptrdiff_t>(cut);
+  const Impacts below(asked.begin(), place);
+  const Impacts above(place, asked.end());
+  if (below.size() < least_on_a_side || above.size() < least_on_a_side ||
+      share(below, lost) < 1.0 - contrary || share(above, lost) > contrary) {
+    return std::nullopt;
+  }
+  const double slower = below.back().speed;
+  const double faster = above.front().speed;
+  const double value = 0.5 * (slower + faster);
+  return AuditFinding{
+      "threshold",
+      fmt::format("bounces slower than {:.2g} m/s are lost: {} of {} impacts up to "
+                  "{:.3g} m/s do not rebound, {} of {} from {:.3g} m/s on do",
+                  value, std::count_if(below.begin(), below.end(), lost), below.size(), slower,
+                  std::count_if(above.begin(), above.end(), std::not_fn(lost)), above.size(),
+                  faster),
+      value,
+      "m/s",
+      model.runs,
+      asked.size()};
+}
+
+/// True where an offset by `middle` is no chance: it is far larger than what a step does, or than
+/// what it varies by.
+bool sure(const Impacts& bounces, const std::vector<double>& deviations, double middle) {
+  return std::abs(quantile(values(bounces, floors_of), 0.5)) >= far_off ||
+         quantile(deviations, 0.95) - quantile(deviations, 0.05) < std::abs(middle);
+}
+
+/// Rebounds that are too fast or too slow, one like the other.
+std::optional<AuditFinding> offset(const AuditedModel& model, const Impacts& bounces) {
+  const auto deviations = values(bounces, deviation_of);
+  const double middle = quantile(deviations, 0.5);
+  const double one_side = quantile(deviations, middle > 0.0 ? 0.25 : 0.75);
+  if (std::abs(middle) < least_offset || middle * one_side <= 0.0 ||
+      !sure(bounces, deviations, middle)) {
+    return std::nullopt;
+  }
+  const double outer = quantile(deviations, middle > 0.0 ? 0.95 : 0.05);
+  return AuditFinding{
+      middle > 0.0 ? "gain" : "offset",
+      fmt::format("rebounds are too {}: e is {:.2g} {} the requested one (median), and "
+                  "{:.2g} in 5 % of the impacts",
+                  middle > 0.0 ? "fast" : "slow", std::abs(middle),
+                  middle > 0.0 ? "above" : "below", std::abs(outer)),
+      middle,
+      "",
+      model.runs,
+      bounces.size()};
+}
+
+/// The width of the middle 90 % of errors of e less `offset`, in units of what a step does.
+double width(const Impacts& bounces, double offset) {
+  const auto floors = values(bounces, [offset](const AuditedImpact& impact) {
+    return (impact.deviation() - offset) * impact.speed / impact.rate_floor;
+  });
+  return quantile(floors, 0.95) - quantile(floors, 0.05);
+}
+
+/// Restitution that spreads by more than sampling explains, and not only as one error of e does
+/// that is the same at all speeds: in units of a step that grows with the speed.
+std::optional<AuditFinding> spread(const AuditedModel& model, const Impacts& bounces) {
+  const auto deviations = values(bounces, deviation_of);
+  if (std::min(width(bounces, 0.0), width(bounces, quantile(deviations, 0.5))) < wide) {
+    return std::nullopt;
+  }
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double deviation : deviations) {
+    sum += deviation;
+    squares += deviation * deviation;
+  }
+  const double mean = sum / static_cast<double>(deviations.size());
+  const double sd = std::sqrt(squares / static_cast<double>(deviations.size()) - mean * mean);
+  if (sd < least_scatter) {
+    return std::nullopt;
+  }
+  const auto [least, most] = std::minmax_element(deviations.begin(), deviations.end());
+  return AuditFinding{
+      "scatter",
+      fmt::format("e scatters around the requested one: off by {:+.2g} in the mean, with "
+                  "a standard deviation of {:.2g}, between {:+.2g} and {:+.2g}",
+                  mean, sd, *least, *most),
+      sd,
+      "",
+      model.runs,
+      deviations.size()};
+}
+
+/// Rebounds that take several steps.
+std::optional<AuditFinding> several_steps(const AuditedModel& model, const Impacts& bounces) {
+  const Impacts longer =
+      those(bounces, [](const AuditedImpact& impact) { return impact.steps > 1; });
+  if (2 * longer.size() < bounces.size()) {
+    return std::nullopt;
+  }
+  const auto steps =
+      values(longer, [](const AuditedImpact& impact) { return static_cast<double>(impact.steps); });
+  const double middle = quantile(steps, 0.5);
+  return AuditFinding{"several-steps",
+                      fmt::format("an impact takes {:.0f} steps (median; {:.0f} in the longest)",
+                                  middle, quantile(steps, 1.0)),
+                      middle,
+                      "steps",
+                      model.runs,
+                      bounces.size()};
+}
+
+}  // namespace
+
+std::vector<AuditFinding> restitution_findings(const AuditedModel& model) {
+  std::vector<AuditFinding> findings;
+  const auto note = [&](std::optional<AuditFinding> finding) {
+    if (finding) {
+      findings.push_back(std::move(*finding));
+    }
+    return finding.has_value();
+  };
+  const Impacts asked =
+      those(model.impacts, [](const AuditedImpact& impact) { return impact.requested >= asking; });
+  if (note(constant(model, asked))) {
+    return findings;
+  }
+  double slowest = 0.0;  // [m/s], that is not cut off
+  if (note(threshold(model, asked))) {
+    slowest = *findings.back().value;
+  } else if (note(nothing(model, asked))) {
+    return findings;
+  }
+  const Impacts fast =
+      those(model.impacts, [&](const AuditedImpact& impact) { return impact.speed >= slowest; });
+  if (fast.size() >= least_impacts && !note(offset(model, fast))) {
+    note(spread(model, fast));
+  }
+  const Impacts bounces = those(asked, bounced);
+  if (bounces.size() >= least_impacts) {
+    note(several_steps(model, bounces));
+  }
+  return findings;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,171 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <thread>
+
+#include "bench/base/atomic_file.hpp"
+#include "bench/base/process.hpp"
+#include "bench/base/progress.hpp"
+#include "bench/base/text.hpp"
+#include "bench/cases/catalogue.hpp"
+#include "bench/chapter/beside.hpp"
+#include "bench/gate/verdict.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/report/compact_json.hpp"
+#include "bench/report/html/page.hpp"
+#include "bench/report/report.hpp"
+#include "bench/suite/run_files.hpp"
+#include "bench/suite/suite.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What the command line asks for, or every sentence of what is wrong with it.
+struct Request {
+  SuiteOptions options;
+  Limits limits;  // of --gate, or those that ship
+  std::vector<std::string> problems;
+};
+
+void append(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
+  sentences.insert(sentences.end(), more.begin(), more.end());
+}
+
+Request read_request(const BenchCommand& command) {
+  Request request;
+  SuiteOptions& options = request.options;
+  const std::vector<std::string> everything = {"breakwater/*"};
+  CaseSelection selection = select_cases(command.cases.empty() ? everything : command.cases);
+  append(request.problems, selection.problems);
+  options.cases = std::move(selection.cases);
+  if (command.until && !(*command.until > 0.0 && std::isfinite(*command.until))) {
+    request.problems.push_back(
+        fmt::format("--until {}: must be a finite number above 0 [s]", *command.until));
+  } else {
+    for (Case& the_case : options.cases) {
+      the_case.duration = command.until.value_or(the_case.duration);
+    }
+  }
+  EngineChoice choice = choose_engines(command.engines);
+  append(request.problems, choice.problems);
+  append(request.problems, unknown_models(choice.engines, command.models));
+  options.engines = std::move(choice.engines);
+  options.models = command.models;
+  options.steps = command.steps;
+  options.law = command.law;
+  options.out = command.out;
+  options.resume = command.resume;
+  options.limits.time = command.time_limit;
+  options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
+  append(request.problems, suite_problems(options));
+  if (command.gate) {
+    LimitsReading reading = read_limits_file(*command.gate);
+    append(request.problems, reading.problems);
+    request.limits = std::move(reading.limits).value_or(Limits());
+  } else {
+    request.limits = shipped_limits();
+  }
+  if (command.out.empty()) {
+    request.problems.emplace_back("--out: is empty; give a folder to write the results to");
+  }
+  return request;
+}
+
+std::string now_utc() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+/// The most memory that one worker held at once [bytes].
+double worker_memory(const SuiteResult& result) {
+  double most = 0.0;
+  for (const RunResult& run : result.runs) {
+    most = run.timing.is_null() ? most : std::max(most, run.timing.at("memory").get<double>());
+  }
+  return most;
+}
+
+/// True if a run or an engine did not do what it should.
+bool any_failure(const nlohmann::ordered_json& report) {
+  const auto bad_run = [](const auto& run) {
+    return run.at("status") == "failed" || run.at("status") == "diverged";
+  };
+  const auto bad_engine = [](const auto& engine) {
+    return !engine.at("problem").is_null() && !engine.at("missing").template get<bool>();
+  };
+  const auto& runs = report.at("runs");
+  const auto& engines = report.at("engines");
+  return std::any_of(runs.begin(), runs.end(), bad_run) ||
+         std::any_of(engines.begin(), engines.end(), bad_engine);
+}
+
+void write_reports(const BenchCommand& command, const nlohmann::ordered_json& report) {
+  const std::string json = compact_json(report);
+  write_file(command.out / "report.json", json);
+  write_file(command.out / "report.md", report_markdown(report));
+  write_file(command.out / "index.html", report_html(report, page_assets()));
+  if (!command.json.empty()) {
+    write_output(command.json, json);
+  }
+}
+
+}  // namespace
+
+int bench_command(const BenchCommand& command) {
+  const Request request = read_request(command);
+  if (!request.problems.empty()) {
+    complain(request.problems);
+    return exit_usage;
+  }
+  const SuiteOptions& options = request.options;
+  ReportContext context{command.command_line, now_utc()};
+  const auto start = Clock::now();
+  const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
+  catch_interruption();  // up to here nothing has been touched
+  const Descriptor tree = open_tree(options.out, !options.resume);
+  ChapterBeside chapter(runs_the_chapter(options));
+  Progress progress(plan(options).size(), "runs");
+  const SuiteResult result =
+      run_suite(options, references, [&](std::size_t ended) { progress.show(ended); });
+  progress.finish();
+  context.chapter = chapter.result();
+  if (!chapter.failure().empty()) {
+    complain({"the chapter is not in the report: " + chapter.failure()});
+  }
+  context.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  context.kept = result.kept;
+  context.program_memory = peak_memory();
+  context.worker_memory = worker_memory(result);
+  auto report = report_json(options, references, result, context);
+  add_verdicts(report, request.limits);
+  write_reports(command, report);
+  if (command.json != "-") {
+    fmt::print(
+        "{}\n{} runs in {:.1f} s, {:.0f} MB; report: {}, with report.md and report.json "
+        "beside it\n",
+        report_summary(report, output_style()), result.runs.size(), context.elapsed,
+        (context.program_memory + options.jobs * context.worker_memory) / 1e6,
+        (command.out / "index.html").string());
+  }
+  if (result.interrupted) {
+    complain(
+        {fmt::format("interrupted: {} of {} runs are finished and in the report; the same "
+                     "command with --resume does the rest",
+                     result.runs.size(), result.planned)});
+    return exit_failed;
+  }
+  if (command.gate) {  // a known failure does not break it
+    const std::vector<BrokenRow> broken = broken_rows(report, request.limits);
+    fmt::print(command.json == "-" ? stderr : stdout, "\n{}",
+               gate_text(report, request.limits, broken));
+    return broken.empty() ? exit_done : exit_failed;
+  }
+  return any_failure(report) ? exit_failed : exit_done;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "bench/base/atomic_file.hpp"
+#include "bench/base/text.hpp"
+#include "bench/cases/catalogue.hpp"
+#include "bench/program/commands.hpp"
+
+namespace tautline::bench {
+
+void complain(const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences) {
+    // without exceptions: there may be nowhere left to complain to
+    static_cast<void>(std::fputs(("tautline: " + sentence + "\n").c_str(), stderr));
+  }
+}
+
+void write_output(const std::string& target, const std::string& text) {
+  if (target != "-") {
+    write_file(target, text);
+    return;
+  }
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw FileError("cannot write to standard output");
+  }
+}
+
+std::optional<Case> one_case(const std::string& argument) {
+  CaseSelection selection = select_cases({&argument, 1});
+  if (selection.cases.size() > 1) {
+    selection.problems.push_back(fmt::format("{} means {} cases; this command takes one",
+                                             printable(argument), selection.cases.size()));
+  }
+  if (!selection.problems.empty()) {
+    complain(selection.problems);
+    return std::nullopt;
+  }
+  return std::move(selection.cases.front());
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/base/atomic_file.hpp"
+#include "bench/base/progress.hpp"
+#include "bench/chapter/report.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/suite/run_files.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Everything but chapter.json, which comes last: a folder with it is whole.
+void write_files(const ChapterReport& report, const std::filesystem::path& out) {
+  const std::filesystem::path folder = out / "chapter";
+  for (const ChapterTable& table : report.tables) {
+    write_file(folder / table.file, table_csv(table));
+  }
+  for (const ChapterFigure& figure : report.figures) {
+    write_file(folder / figure.file, figure.csv);
+    if (!figure.boundary_file.empty()) {
+      write_file(folder / figure.boundary_file, figure.boundary_csv);
+    }
+  }
+  write_file(folder / "corrections.csv", corrections_csv(report.corrections));
+  write_file(out / "chapter.md", chapter_markdown(report));
+}
+
+}  // namespace
+
+int reproduce_command(const ReproduceCommand& command) {
+  if (command.out.empty()) {
+    complain({"--out: is empty; give a folder to write the chapter to"});
+    return exit_usage;
+  }
+  if (const auto problem = tree_problem(command.out)) {
+    complain({*problem});
+    return exit_usage;
+  }
+  // the runs and the report of `tautline bench` in the same folder stay
+  const Descriptor tree = open_tree(command.out, false);
+  Progress progress(table_5_1().size(), "cases");
+  const ChapterStudy study = solve_chapter([&](std::size_t solved) { progress.show(solved); });
+  progress.finish();
+  const ChapterReport report = chapter_report(study);
+  write_files(report, command.out);
+  const std::string json = chapter_json(report).dump(2) + "\n";
+  write_file(command.out / "chapter.json", json);
+  if (!command.json.empty()) {
+    write_output(command.json, json);
+  }
+  if (command.json != "-") {
+    const auto wrong = std::count_if(report.corrections.begin(), report.corrections.end(),
+                                     [](const Correction& one) { return !one.holds; });
+    fmt::print("{} cases, {} tables, {} figures, {} corrections: {} and chapter.json beside it\n",
+               study.cases.size(), report.tables.size(), report.figures.size(), wrong,
+               (command.out / "chapter.md").string());
+  }
+  return exit_done;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "bench/base/process.hpp"
+#include "bench/base/table.hpp"
+#include "bench/base/text.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/report/rows.hpp"
+#include "bench/suite/run_files.hpp"
+#include "bench/suite/suite.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string value_text(const ordered_json& value) {
+  if (value.is_null()) {
+    return "none";
+  }
+  return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
+}
+
+/// The metrics, one line each, grouped as they are in JSON.
+void print_metrics(const ordered_json& object, const std::string& prefix, Table& table) {
+  for (const auto& [key, value] : object.items()) {
+    std::string name = prefix + key;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    if (value.is_structured()) {
+      print_metrics(value, name + ": ", table);
+    } else {
+      table.add({name, value_text(value)});
+    }
+  }
+}
+
+void print_row(const ordered_json& row) {
+  const std::string reason = row.at("reason");
+  fmt::print("{} on {} {}, step {:g}: {}{}\n", printable(row.at("case").get<std::string>()),
+             row.at("engine").get<std::string>(), row.at("model").get<std::string>(),
+             row.at("step").get<double>(), row.at("status").get<std::string>(),
+             reason.empty() ? "" : ", " + reason);
+  if (!row.at("metrics").is_null()) {
+    Table table({"", "against the exact solution"}, 1);
+    print_metrics(row.at("metrics"), "", table);
+    fmt::print("\n{}", table.plain());
+  }
+}
+
+}  // namespace
+
+int run_command(const RunCommand& command) {
+  const std::optional<Case> the_case = one_case(command.the_case);
+  EngineChoice choice = choose_engines({command.engine});
+  std::vector<std::string> broken = choice.problems;
+  const auto models = unknown_models(choice.engines, {command.model});
+  if (broken.empty() && choice.engines.front().info) {
+    broken.insert(broken.end(), models.begin(), models.end());
+  }
+  SuiteOptions options;
+  options.cases = the_case ? std::vector<Case>{*the_case} : std::vector<Case>{};
+  options.engines = std::move(choice.engines);
+  options.models = {command.model};
+  options.steps = {command.step};
+  options.law = command.law;
+  options.out = command.out;
+  options.limits.time = command.time_limit;
+  for (std::string& sentence : suite_problems(options)) {
+    broken.push_back(std::move(sentence));
+  }
+  complain(broken);
+  if (!the_case || !broken.empty()) {
+    return exit_usage;
+  }
+  if (const RegisteredEngine& engine = options.engines.front(); !engine.info) {
+    complain({fmt::format("engine {}: {}", engine.name, printable(engine.failure))});
+    return exit_failed;
+  }
+  // the runs of other engines and models stay
+  const Descriptor tree = options.out.empty() ? Descriptor() : open_tree(options.out, false);
+  const auto references = solve_cases(options.cases, options.law);
+  catch_interruption();
+  const SuiteResult result = run_suite(options, references, [](std::size_t) {});
+  if (result.runs.empty()) {
+    complain({"interrupted"});
+    return exit_failed;
+  }
+  const ordered_json& row = result.runs.front().row;
+  if (command.json.empty()) {
+    print_row(row);
+  } else {
+    write_output(command.json, row.dump(2) + "\n");
+  }
+  return row.at("status") == "failed" || row.at("status") == "diverged" ? exit_failed : exit_done;
+}
+
+}  // namespace tautline::bench

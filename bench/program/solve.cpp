@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "bench/base/table.hpp"
+#include "bench/base/text.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/solution/certify.hpp"
+#include "bench/solution/plot_svg.hpp"
+#include "bench/solution/solution_json.hpp"
+#include "bench/solution/solution_text.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/settling.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// The fastest closing rate and the sum of the impulses of one event.
+std::vector<std::string> event_cells(const Case& the_case, const Event& event) {
+  double closing = 0.0;
+  for (const std::size_t index : event.cables) {
+    closing = std::max(closing, -gap_rate(the_case.cables[index], event.before));
+  }
+  const State& after = event.after;
+  return {fmt::format("{:.12f}", event.time),
+          std::string(to_string(event.kind)),
+          cable_list(event.cables),
+          fmt::format("{:.6e}", closing),
+          fmt::format("{:.6e}", event.impulses.sum()),
+          fmt::format("{:.6f}", after.position.x()),
+          fmt::format("{:.6f}", after.position.y()),
+          fmt::format("{:.6f}", after.angle),
+          fmt::format("{:.6f}", after.velocity.x()),
+          fmt::format("{:.6f}", after.velocity.y()),
+          fmt::format("{:.6f}", after.spin)};
+}
+
+/// Everything `solve` says of a case beside its motion.
+struct Extras {
+  Settling settling;
+  std::optional<Certificate> certificate;
+};
+
+void print_solution(const Case& the_case, const Solution& solution, const Extras& extras,
+                    const std::vector<double>& times) {
+  fmt::print("{}: {} cable{}, {} events\n\n", printable(the_case.name), the_case.cables.size(),
+             the_case.cables.size() == 1 ? "" : "s", solution.events().size());
+  Table events({"event at", "kind", "cables", "closing rate", "impulse", "x", "y", "angle", "vx",
+                "vy", "spin"},
+               0);
+  for (const Event& event : solution.events()) {
+    events.add(event_cells(the_case, event));
+  }
+  if (!events.empty()) {
+    fmt::print("{}\n", events.plain());
+  }
+  Table samples({"sample at", "x", "y", "angle", "vx", "vy", "spin"}, 0);
+  for (const double time : times) {
+    const State state = solution.at(time);
+    samples.add({shortest(time), shortest(state.position.x()), shortest(state.position.y()),
+                 shortest(state.angle), shortest(state.velocity.x()), shortest(state.velocity.y()),
+                 shortest(state.spin)});
+  }
+  if (!samples.empty()) {
+    fmt::print("{}\n", samples.plain());
+  }
+  if (extras.certificate) {
+    fmt::print("{}\n", certificate_text(*extras.certificate, the_case, solution));
+  }
+  fmt::print("{}", summary_text(the_case, solution, extras.settling));
+}
+
+/// The one case that `command` means, with its overrides; or complains.
+std::optional<Case> wanted_case(const SolveCommand& command) {
+  std::optional<Case> found = one_case(command.the_case);
+  if (!found) {
+    return std::nullopt;
+  }
+  found->duration = command.until.value_or(found->duration);
+  found->angle_limit = command.angle_limit ? command.angle_limit : found->angle_limit;
+  found->ceiling = command.ceiling ? command.ceiling : found->ceiling;
+  if (const auto broken = problems(*found); !broken.empty()) {
+    complain(broken);
+    return std::nullopt;
+  }
+  return found;
+}
+
+/// What is wrong with --certify and --digits; none if nothing is.
+std::optional<std::string> certify_problem(const SolveCommand& command) {
+  if (!command.digits) {
+    return std::nullopt;
+  }
+  return command.certify
+             ? digits_problem(*command.digits)
+             : fmt::format("--digits {}: is for --certify, which is not given", *command.digits);
+}
+
+/// What is wrong with --plot and --json together; none if nothing is.
+std::optional<std::string> output_problem(const SolveCommand& command) {
+  if (command.plot.empty() || command.json.empty()) {
+    return std::nullopt;
+  }
+  if (command.plot == "-" && command.json == "-") {
+    return "--plot - and --json -: standard output takes one of them; give the other a file";
+  }
+  const auto file = [](const std::string& name) {
+    return std::filesystem::absolute(name).lexically_normal();
+  };
+  if (command.plot != "-" && command.json != "-" && file(command.plot) == file(command.json)) {
+    return fmt::format("--plot and --json are both {}: one would overwrite the other",
+                       printable(command.plot));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int solve_command(const SolveCommand& command) {
+  for (const auto& broken : {certify_problem(command), output_problem(command)}) {
+    if (broken) {
+      complain({*broken});
+      return exit_usage;
+    }
+  }
+  const std::optional<Case> the_case = wanted_case(command);
+  if (!the_case) {
+    return exit_usage;
+  }
+  SolveOptions options;
+  options.law = command.law;
+  const Solution solution = solve(*the_case, options);
+  const std::vector<std::string> broken = sample_problems(solution, command.at);
+  if (!broken.empty()) {
+    complain(broken);
+    return exit_usage;
+  }
+  Extras extras{settling(*the_case, solution), std::nullopt};
+  if (command.certify) {
+    extras.certificate =
+        certify(*the_case, options, solution, command.digits.value_or(default_digits));
+  }
+  if (!command.plot.empty()) {
+    write_output(command.plot, plot_svg(*the_case, solution));
+  }
+  if (command.json.empty()) {
+    if (command.plot != "-") {
+      print_solution(*the_case, solution, extras, command.at);
+    }
+    return exit_done;
+  }
+  auto json = solution_json(*the_case, options, solution, extras.settling, command.at);
+  if (extras.certificate) {
+    json["certificate"] = certificate_json(*extras.certificate);
+  }
+  write_output(command.json, json.dump(2) + "\n");
+  return exit_done;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,89 @@
+#include "bench/run/plugin.hpp"
+
+#include <dlfcn.h>
+
+#include <string>
+#include <utility>
+
+#include "tautline/plugin.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using InterfaceText = const char*();
+using CreateEngine = Engine*();
+using DestroyFunction = void(Engine*);
+
+/// What the dynamic loader has to say about its latest failure.
+std::string loader_message() {
+  const char* message = ::dlerror();
+  return message != nullptr ? message : "the dynamic loader gives no reason";
+}
+
+/// Why `file` cannot be a library, as far as the file system tells; empty if it can.
+std::string problem_of(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::regular) {
+    return "";
+  }
+  if (status.type() == std::filesystem::file_type::directory) {
+    return "is a directory";
+  }
+  if (status.type() == std::filesystem::file_type::not_found) {
+    return "no such file";
+  }
+  return error ? "cannot be looked at: " + error.message() : "is no regular file";
+}
+
+/// The function `name` of the plug-in `file`.
+template <class Function>
+Function* function(void* library, const char* name, const std::string& file) {
+  void* const symbol = ::dlsym(library, name);
+  if (symbol == nullptr) {
+    throw PluginError(file + ": not a tautline plug-in: it does not export " + name +
+                      "; put TAUTLINE_PLUGIN(YourEngine) in one of its sources");
+  }
+  return reinterpret_cast<Function*>(symbol);
+}
+
+/// Refuses a plug-in whose types may be laid out otherwise than ours. Nothing else of the plug-in
+/// may be called before this.
+void check_interface(const std::string& theirs, const std::string& file) {
+  if (theirs != TAUTLINE_INTERFACE) {
+    throw PluginError(file + ": built against another interface (\"" + theirs +
+                      "\", here it is \"" TAUTLINE_INTERFACE
+                      "\"); rebuild it against this version's headers");
+  }
+}
+
+}  // namespace
+
+void Plugin::CloseLibrary::operator()(void* handle) const { ::dlclose(handle); }
+
+Plugin::Plugin(Library library, OwnedEngine engine)
+    : library_(std::move(library)), engine_(std::move(engine)) {}
+
+Plugin Plugin::open(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  if (const std::string problem = problem_of(file); !problem.empty()) {
+    throw PluginError(name + ": " + problem + "; give the path of a plug-in (.so)");
+  }
+  // a path without a slash would be looked up in the system's library folders
+  const std::string path = std::filesystem::absolute(file).string();
+  // never unloaded: an exception of the plug-in's own types may still be in flight when its Plugin
+  // goes, and an engine's static destructors must not run before the reply is written
+  Library library(::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE));
+  if (!library) {
+    throw PluginError(name + ": not a shared library that can be loaded: " + loader_message());
+  }
+  auto* const interface_text =
+      function<InterfaceText>(library.get(), "tautline_plugin_interface", name);
+  check_interface(interface_text(), name);
+  auto* const create = function<CreateEngine>(library.get(), "tautline_plugin_create", name);
+  auto* const destroy = function<DestroyFunction>(library.get(), "tautline_plugin_destroy", name);
+  OwnedEngine engine(create(), DestroyEngine{destroy});
+  return {std::move(library), std::move(engine)};
+}
+
+}  // namespace tautline::bench

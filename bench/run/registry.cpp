@@ -1,0 +1,213 @@
+#include "bench/run/registry.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include "bench/base/text.hpp"
+#include "bench/run/worker.hpp"
+
+namespace tautline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One engine of this source tree: how it was configured when the program was built.
+struct KnownEngine {
+  std::string_view name;
+  std::string_view package;
+  std::string_view missing;  // empty if it was built
+};
+
+constexpr KnownEngine known_engines[] = {
+#include "known_engines.inc"
+};
+
+constexpr std::string_view prefix = "tautline-engine-";
+
+fs::path program_folder() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+RegisteredEngine ask(const fs::path& plugin) {
+  RegisteredEngine engine;
+  engine.plugin = plugin;
+  engine.name = plugin.stem().string();
+  if (engine.name.starts_with(prefix)) {
+    engine.name.erase(0, prefix.size());
+  }
+  DescribeReply reply = describe_in_worker(plugin);
+  engine.info = std::move(reply.info);
+  engine.failure = std::move(reply.failure);
+  if (engine.info) {
+    engine.name = engine.info->name;
+  }
+  return engine;
+}
+
+std::vector<fs::path> plugins_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(prefix) && name.ends_with(".so")) {
+      found.push_back(entry.path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool is_path(const std::string& wanted) {
+  return wanted.find('/') != std::string::npos || wanted.ends_with(".so");
+}
+
+/// The known engines in their order, each with what was found of it; then the rest of `found`.
+std::vector<RegisteredEngine> in_known_order(std::vector<RegisteredEngine> found) {
+  std::vector<RegisteredEngine> result;
+  for (const KnownEngine& known : known_engines) {
+    const auto here = std::find_if(found.begin(), found.end(),
+                                   [&](const auto& engine) { return engine.name == known.name; });
+    if (here != found.end()) {
+      result.push_back(std::move(*here));
+      found.erase(here);
+    } else {
+      RegisteredEngine engine;
+      engine.name = known.name;
+      engine.missing = known.missing.empty() ? "its plug-in is not in the engine folder"
+                                             : std::string(known.missing);
+      result.push_back(std::move(engine));
+    }
+    // a package helps where one was missed; a plug-in that was built and is gone it does not bring
+    result.back().package = known.missing.empty() ? "" : known.package;
+  }
+  std::move(found.begin(), found.end(), std::back_inserter(result));
+  return result;
+}
+
+std::string unknown_name(std::string_view what, const std::string& name,
+                         const std::vector<std::string>& known) {
+  const std::string near = suggestion(name, known);
+  return fmt::format("unknown {} {}{}", what, printable(name),
+                     near.empty() ? "; known: " + joined(known, "and") : near);
+}
+
+std::string missing_sentence(const RegisteredEngine& engine) {
+  std::string sentence = fmt::format("engine {} is not here: {}", engine.name, engine.missing);
+  return engine.package.empty() ? sentence
+                                : sentence + fmt::format(" (package {} brings it)", engine.package);
+}
+
+/// Without an engine that could run at all there is nothing to compare.
+void refuse_if_none_is_usable(EngineChoice& choice) {
+  const auto unusable = [](const RegisteredEngine& engine) {
+    return !engine.missing.empty() || is_no_plugin(engine);
+  };
+  if (!choice.problems.empty() ||
+      !std::all_of(choice.engines.begin(), choice.engines.end(), unusable)) {
+    return;
+  }
+  for (const RegisteredEngine& engine : choice.engines) {
+    choice.problems.push_back(engine.missing.empty() ? printable(engine.failure, 1000)
+                                                     : missing_sentence(engine));
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> engine_folders() {
+  if (const char* given = std::getenv("TAUTLINE_ENGINE_PATH"); given != nullptr) {
+    std::vector<fs::path> folders;
+    std::string_view rest = given;
+    while (!rest.empty()) {
+      const std::size_t colon = std::min(rest.find(':'), rest.size());
+      folders.emplace_back(rest.substr(0, colon));
+      rest.remove_prefix(std::min(colon + 1, rest.size()));
+    }
+    return folders;
+  }
+  // in the build tree, and where it is installed: both relative to the program
+  return {program_folder() / "../engines/modules", program_folder() / TAUTLINE_INSTALLED_ENGINES};
+}
+
+std::vector<RegisteredEngine> registered_engines() {
+  std::vector<RegisteredEngine> found;
+  for (const fs::path& folder : engine_folders()) {
+    for (const fs::path& plugin : plugins_in(folder)) {
+      found.push_back(ask(plugin));
+    }
+  }
+  return in_known_order(std::move(found));
+}
+
+bool is_no_plugin(const RegisteredEngine& engine) {
+  return !engine.plugin.empty() && engine.failure.starts_with(engine.plugin.string());
+}
+
+EngineChoice choose_engines(const std::vector<std::string>& wanted) {
+  EngineChoice choice;
+  const bool named = std::any_of(wanted.begin(), wanted.end(), std::not_fn(is_path));
+  std::vector<RegisteredEngine> all;
+  if (wanted.empty() || named) {
+    all = registered_engines();
+  }
+  if (wanted.empty()) {
+    choice.engines = std::move(all);
+    return choice;
+  }
+  std::vector<std::string> names(all.size());
+  std::transform(all.begin(), all.end(), names.begin(),
+                 [](const RegisteredEngine& engine) { return engine.name; });
+  for (const std::string& want : wanted) {
+    if (is_path(want)) {
+      choice.engines.push_back(ask(fs::absolute(want)));
+      continue;
+    }
+    const auto here = std::find(names.begin(), names.end(), want);
+    if (here == names.end()) {
+      choice.problems.push_back(unknown_name("engine", want, names));
+      continue;
+    }
+    const RegisteredEngine& engine = all[static_cast<std::size_t>(here - names.begin())];
+    if (!engine.missing.empty()) {
+      choice.problems.push_back(missing_sentence(engine));
+    }
+    choice.engines.push_back(engine);
+  }
+  refuse_if_none_is_usable(choice);
+  std::set<std::string> seen;
+  for (const RegisteredEngine& engine : choice.engines) {
+    if (!seen.insert(engine.name).second) {
+      choice.problems.push_back(fmt::format("engine {} is given twice", engine.name));
+    }
+  }
+  return choice;
+}
+
+std::vector<std::string> unknown_models(const std::vector<RegisteredEngine>& engines,
+                                        const std::vector<std::string>& wanted) {
+  std::set<std::string> known;
+  for (const RegisteredEngine& engine : engines) {
+    if (engine.info) {
+      for (const Model& model : engine.info->models) {
+        known.insert(model.name);
+      }
+    }
+  }
+  std::vector<std::string> problems;
+  for (const std::string& want : wanted) {
+    if (!known.contains(want)) {
+      problems.push_back(unknown_name("model", want, {known.begin(), known.end()}));
+    }
+  }
+  return problems;
+}
+
+}  // namespace tautline::bench

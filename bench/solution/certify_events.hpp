@@ -1,0 +1,30 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "bench/solution/certify.hpp"
+#include "tautline/multiprecision.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline::bench {
+
+/// The events of a solution in double next to those of one with more digits.
+class Alignment {
+ public:
+  Alignment(const Solution& one, const BasicSolution<Multi>& other);
+
+  [[nodiscard]] const EventMatch& match() const { return match_; }
+
+  /// True where the last event up to `time`, and all before it, are the same in both.
+  [[nodiscard]] bool between_same_events(double time) const;
+
+ private:
+  const Solution& one_;
+  const BasicSolution<Multi>& other_;
+  EventMatch match_;
+  /// How many events of either lie behind, after each event that is the same; rising.
+  std::vector<std::pair<std::size_t, std::size_t>> places_;
+};
+
+}  // namespace tautline::bench

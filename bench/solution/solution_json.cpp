@@ -1,0 +1,191 @@
+#include "bench/solution/solution_json.hpp"
+
+#include "bench/base/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json pair_json(const Vec2& value) { return Json::array({value.x(), value.y()}); }
+
+Json cable_json(const Cable& cable) {
+  Json result = {{"anchor", pair_json(cable.anchor)},
+                 {"attachment", pair_json(cable.attachment)},
+                 {"length", cable.length},
+                 {"restitution", cable.restitution}};
+  if (cable.capture_speed != 0.0) {  // exactly: the default
+    result["capture_speed"] = cable.capture_speed;
+  }
+  for (const RestitutionPoint& point : cable.restitution_table) {
+    result["restitution_table"].push_back(pair_json({point.speed, point.restitution}));
+  }
+  return result;
+}
+
+Json event_json(const Event& event) {
+  Json impulses = Json::array();
+  for (const double impulse : event.impulses) {
+    impulses.push_back(impulse);
+  }
+  return {{"time", event.time},
+          {"kind", to_string(event.kind)},
+          {"cables", event.cables.indices()},
+          {"impulses", std::move(impulses)},
+          {"before", state_json(event.before)},
+          {"after", state_json(event.after)}};
+}
+
+Json accumulation_json(const Accumulation& accumulation) {
+  return {{"start", accumulation.start},
+          {"time", accumulation.time},
+          {"uncertainty", accumulation.uncertainty},
+          {"cables", accumulation.cables.indices()},
+          {"energy_lost", accumulation.energy_lost}};
+}
+
+Json swing_json(const Swing& swing) {
+  return {{"energy", swing.energy},
+          {"period", swing.period},
+          {"least", swing.least},
+          {"largest", swing.largest},
+          {"amplitude", swing.amplitude}};
+}
+
+Json lock_json(const Lock& lock) {
+  return {{"time", lock.time},
+          {"uncertainty", lock.uncertainty},
+          {"cables", lock.cables.indices()},
+          {"permanent", lock.permanent},
+          {"rests", lock.rests},
+          {"swing", lock.swing ? swing_json(*lock.swing) : Json(nullptr)}};
+}
+
+Json mark_json(const std::optional<EventMark>& mark) {
+  if (!mark) {
+    return nullptr;
+  }
+  return {
+      {"time", mark->time}, {"kind", to_string(mark->kind)}, {"cables", mark->cables.indices()}};
+}
+
+Json sample_json(double time, const State& state) {
+  Json result = {{"time", time}};
+  result.update(state_json(state));
+  return result;
+}
+
+}  // namespace
+
+Json state_json(const State& state) {
+  return {{"position", pair_json(state.position)},
+          {"angle", state.angle},
+          {"velocity", pair_json(state.velocity)},
+          {"spin", state.spin}};
+}
+
+Json case_json(const Case& the_case) {
+  Json result = {{"name", the_case.name},
+                 {"duration", the_case.duration},
+                 {"gravity", pair_json(the_case.gravity)}};
+  if (the_case.angle_limit) {
+    result["angle_limit"] = *the_case.angle_limit;
+  }
+  if (the_case.ceiling) {
+    result["ceiling"] = *the_case.ceiling;
+  }
+  result["body"] = {{"mass", the_case.body.mass}, {"inertia", the_case.body.inertia}};
+  result["cables"] = Json::array();
+  for (const Cable& cable : the_case.cables) {
+    result["cables"].push_back(cable_json(cable));
+  }
+  result["initial"] = state_json(the_case.initial);
+  return result;
+}
+
+Json settling_json(const Settling& settling) {
+  Json impacts = Json::array();
+  for (const LastImpact& last : settling.last_impacts) {
+    impacts.push_back(
+        {{"speed", last.speed}, {"time", last.time ? Json(*last.time) : Json(nullptr)}});
+  }
+  return {{"last_impacts", std::move(impacts)},
+          {"lock", settling.lock ? lock_json(*settling.lock) : Json(nullptr)}};
+}
+
+Json ledger_json(const EnergyLedger& ledger) {
+  return {{"start", ledger.start},
+          {"impacts", ledger.impacts},
+          {"completions", ledger.completions},
+          {"end", ledger.end},
+          {"residual", ledger.residual}};
+}
+
+Json certificate_json(const Certificate& certificate) {
+  Json correct = Json::array();
+  for (const CorrectDigits& part : certificate.correct) {
+    correct.push_back(
+        {{"digits", part.digits}, {"until", part.until ? Json(*part.until) : Json(nullptr)}});
+  }
+  const EventMatch& events = certificate.events;
+  return {{"digits", certificate.digits},
+          {"completion_error", certificate.completion_error},
+          {"correct", std::move(correct)},
+          {"events",
+           {{"same", events.count},
+            {"until", events.until},
+            {"all", events.all},
+            {"next_in_double", mark_json(events.in_double)},
+            {"next_in_digits", mark_json(events.in_digits)},
+            {"in_digits", certificate.event_count}}},
+          {"ending", to_string(certificate.ending)},
+          {"end_time", certificate.end_time},
+          {"energy", ledger_json(certificate.energy)},
+          {"settling", settling_json(certificate.settling)}};
+}
+
+std::vector<std::string> sample_problems(const Solution& solution,
+                                         std::span<const double> sample_times) {
+  std::vector<std::string> result;
+  for (const double time : sample_times) {
+    if (!(time >= 0.0 && time <= solution.end_time())) {
+      result.push_back("sample time " + shortest(time) + " is outside [0, " +
+                       shortest(solution.end_time()) + "]: the solution ends there (" +
+                       std::string(to_string(solution.ending())) + ")");
+    }
+  }
+  return result;
+}
+
+Json solution_json(const Case& the_case, const SolveOptions& options, const Solution& solution,
+                   const Settling& settling, std::span<const double> sample_times) {
+  const State end_state = solution.at(solution.end_time());
+  Json result = {{"schema", solution_schema},
+                 {"case", case_json(the_case)},
+                 {"options",
+                  {{"law", to_string(options.law)},
+                   {"completion_error", options.completion.error},
+                   {"max_events", options.max_events}}},
+                 {"events", Json::array()},
+                 {"ending", to_string(solution.ending())},
+                 {"end_time", solution.end_time()},
+                 {"end_state", state_json(end_state)},
+                 {"energy", ledger_json(energy_ledger(the_case, solution))},
+                 {"settling", settling_json(settling)}};
+  for (const Event& event : solution.events()) {
+    result["events"].push_back(event_json(event));
+  }
+  result["accumulations"] = Json::array();
+  for (const Accumulation& accumulation : solution.accumulations()) {
+    result["accumulations"].push_back(accumulation_json(accumulation));
+  }
+  if (!sample_times.empty()) {
+    result["samples"] = Json::array();
+    for (const double time : sample_times) {
+      result["samples"].push_back(sample_json(time, solution.at(time)));
+    }
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

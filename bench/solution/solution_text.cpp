@@ -1,0 +1,182 @@
+#include "bench/solution/solution_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bench/base/table.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/ledger.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// "cable 0 is", "cables 0+1 are"
+std::string cables_are(CableSet cables) {
+  return cables.size() == 1 ? "cable " + cable_list(cables) + " is"
+                            : "cables " + cable_list(cables) + " are";
+}
+
+/// What an ending means, in a sentence.
+std::string ending_sentence(const Case& the_case, const Solution& solution) {
+  const double end = solution.end_time();
+  switch (solution.ending()) {
+    case Ending::reached_duration:
+      return fmt::format("The run reached its duration, t = {}.", end);
+    case Ending::rest:
+      return fmt::format("The body is at rest from t = {:.9f} on, to its duration, t = {}.",
+                         solution.arcs().back().start, end);
+    case Ending::singular:
+      return fmt::format(
+          "Stopped at t = {:.9f}: the touching cables come so near to one line there that their "
+          "tensions or impulses cannot be told.",
+          end);
+    case Ending::angle_limit:
+      return fmt::format("|angle| reached the limit {} at t = {:.9f}.", *the_case.angle_limit, end);
+    case Ending::ceiling:
+      return fmt::format("An attachment reached the ceiling {} at t = {:.9f}.", *the_case.ceiling,
+                         end);
+    case Ending::event_limit:
+      return fmt::format(
+          "Stopped at t = {:.9f}: the limit of events and steps of taut motion is reached.", end);
+    case Ending::overflow:
+      return fmt::format(
+          "Stopped at t = {:.9f}: past it the motion has numbers too large for a double.", end);
+  }
+  return "";
+}
+
+std::string last_impacts_sentence(const Settling& settling) {
+  std::string result;
+  for (const LastImpact& last : settling.last_impacts) {
+    result += fmt::format("{} faster than {:g}: {}", result.empty() ? "Last impact" : ";",
+                          last.speed, last.time ? fmt::format("t = {:.6f}", *last.time) : "none");
+  }
+  return result + ".";
+}
+
+/// When the final set of cables became taut, and whether they stay so.
+std::string lock_sentence(const Case& the_case, const Lock& lock) {
+  const std::string error =
+      lock.uncertainty > 0.0 ? fmt::format(" (+- {:.0e}, rounding not counted)", lock.uncertainty)
+                             : "";
+  const std::string since =
+      fmt::format("From t = {:.6f}{} on {} taut", lock.time, error, cables_are(lock.cables));
+  if (lock.rests) {
+    return since + ", for good: the body is at rest.";
+  }
+  if (lock.permanent) {
+    return since + ", for good: no tension falls to zero in a whole period.";
+  }
+  const std::size_t freedoms = is_point_mass(the_case) ? 2 : 3;
+  return since + (lock.cables.size() + 1 < freedoms
+                      ? "; for how long is not known: with more than one degree of freedom left "
+                        "there is no period to look at."
+                      : ", but perhaps not for good: no whole period without a release was found.");
+}
+
+/// What is left of the initial energy, and the swing.
+std::string swing_sentence(const Case& the_case, const Solution& solution, const Swing& swing) {
+  const double lowest = energy(the_case, solution.at(solution.end_time())) - swing.energy;
+  const double start = energy(the_case, the_case.initial) - lowest;
+  return fmt::format(
+      "The body swings with amplitude {:.6g} rad and period {:.6g}. Of the initial energy {:.6g} "
+      "above the equilibrium {:.6g} is left ({:.2f} %).",
+      swing.amplitude, swing.period, start, swing.energy, 100.0 * swing.energy / start);
+}
+
+/// What is left of the initial energy where there is no swing to measure it against.
+std::string energy_sentence(const EnergyLedger& ledger) {
+  const double rounding = 1e-15 * std::abs(ledger.start);
+  const double end = std::abs(ledger.end) <= rounding ? 0.0 : ledger.end;
+  return fmt::format("Impacts have taken {:.6g} of energy: {:.6g} at the start, {:.6g} at the end.",
+                     ledger.impacts + ledger.completions, ledger.start, end);
+}
+
+std::string mark_text(const std::optional<EventMark>& mark) {
+  return mark ? fmt::format("{} on {} at t = {:.9f}", to_string(mark->kind),
+                            cable_list(mark->cables), mark->time)
+              : "no more event";
+}
+
+std::string certified_lock(const Lock& lock) {
+  std::string result =
+      fmt::format("{} taut from t = {:.9f} on", cables_are(lock.cables), lock.time);
+  if (lock.swing) {
+    result += fmt::format(", with a swing of energy {:.9g} and amplitude {:.9g} rad",
+                          lock.swing->energy, lock.swing->amplitude);
+  }
+  return result;
+}
+
+std::vector<std::string> ledger_cells(const std::string& name, const EnergyLedger& ledger) {
+  return {name,
+          fmt::format("{:.15g}", ledger.start),
+          fmt::format("{:.15g}", ledger.impacts),
+          fmt::format("{:.3e}", ledger.completions),
+          fmt::format("{:.15g}", ledger.end),
+          fmt::format("{:.1e}", ledger.residual)};
+}
+
+}  // namespace
+
+std::string cable_list(CableSet cables) {
+  std::string result;
+  for (const std::size_t index : cables) {
+    result += (result.empty() ? "" : "+") + std::to_string(index);
+  }
+  return result;
+}
+
+std::string summary_text(const Case& the_case, const Solution& solution, const Settling& settling) {
+  std::string result = ending_sentence(the_case, solution) + "\n";
+  if (!solution.events().empty()) {
+    result += last_impacts_sentence(settling) + "\n";
+  }
+  if (!settling.lock) {
+    const CableSet taut = solution.arcs().back().taut;
+    result += fmt::format("At the end {} taut.\n", taut.empty() ? "no cable is" : cables_are(taut));
+  } else {
+    result += lock_sentence(the_case, *settling.lock) + "\n";
+  }
+  if (settling.lock && settling.lock->swing) {
+    return result + swing_sentence(the_case, solution, *settling.lock->swing) + "\n";
+  }
+  return result + energy_sentence(energy_ledger(the_case, solution)) + "\n";
+}
+
+std::string certificate_text(const Certificate& certificate, const Case& the_case,
+                             const Solution& solution) {
+  std::string result = fmt::format(
+      "Certificate: the same with {} digits. The numbers of the case are the doubles they are.\n"
+      "Digits of position and angle, and of velocity while both take the same events:\n",
+      certificate.digits);
+  for (const CorrectDigits& correct : certificate.correct) {
+    result +=
+        fmt::format("  {} digits are correct {}\n", correct.digits,
+                    correct.until ? fmt::format("until t = {:.9f}", *correct.until) : "to the end");
+  }
+  const EventMatch& events = certificate.events;
+  if (events.all) {
+    result += fmt::format("  both took the same events, {} of them\n", events.count);
+  } else {
+    result += fmt::format(
+        "  both took the same {} events until t = {:.9f}; then {} in double, {} with {} digits\n",
+        events.count, events.until, mark_text(events.in_double), mark_text(events.in_digits),
+        certificate.digits);
+  }
+  if (certificate.ending != solution.ending()) {
+    result += fmt::format("  with {} digits the ending is {} at t = {:.9f}\n", certificate.digits,
+                          to_string(certificate.ending), certificate.end_time);
+  }
+  if (certificate.settling.lock) {
+    result += fmt::format("  with {} digits {}\n", certificate.digits,
+                          certified_lock(*certificate.settling.lock));
+  }
+  Table ledger({"energy", "start", "impacts", "completions", "end", "residual"}, 1);
+  ledger.add(ledger_cells("double", energy_ledger(the_case, solution)));
+  ledger.add(ledger_cells(fmt::format("{} digits", certificate.digits), certificate.energy));
+  return result + "\n" + ledger.plain();
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,240 @@
+// Two reports side by side: what changed beyond noise, and what is not a report.
+
+#include "bench/gate/changes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A report of a sound engine, made once.
+const ordered_json& sound() {
+  static const ordered_json report = [] {
+    const TemporaryFolder out;
+    static_cast<void>(program({"bench", "bouncing-ball", "breakwater/1910121100", "--engines",
+                               "exact," + bad_engine("sound"), "--steps", "1e-2,1e-3", "--out",
+                               (out.path() / "r").string()}));
+    return ordered_json::parse(content_of(out.path() / "r/report.json"));
+  }();
+  return report;
+}
+
+/// The metrics of the sound engine's run of the breakwater at 1e-3 in `report`.
+ordered_json& metrics_of(ordered_json& report) {
+  for (ordered_json& run : report.at("runs")) {
+    if (run.at("engine") == "sound" && run.at("case") == "breakwater/1910121100" &&
+        run.at("step") == 1e-3) {
+      return run.at("metrics");
+    }
+  }
+  throw std::logic_error("the report lacks the run");
+}
+
+struct Compared {
+  Outcome outcome;
+  ordered_json changes;
+};
+Compared compared(const std::string& before, const std::string& after) {
+  const TemporaryFolder folder;
+  const auto one = folder.file("a.json", before);
+  const auto two = folder.file("b.json", after);
+  const auto json = folder.path() / "c.json";
+  Compared result{program({"compare", one, two, "--json", json.string()}), nullptr};
+  if (std::filesystem::exists(json)) {
+    result.changes = ordered_json::parse(content_of(json));
+  }
+  return result;
+}
+
+bool keeps_the_schema(const ordered_json& changes) {
+  const auto text = ordered_json::parse(content_of(TAUTLINE_COMPARE_SCHEMA));
+  valijson::Schema schema;
+  valijson::SchemaParser parser;
+  const nlohmann::json plain_text = text;
+  const nlohmann::json plain = changes;
+  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(plain_text), schema);
+  valijson::Validator validator;
+  return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), nullptr);
+}
+
+TEST(Compare, AReportIsTheSameAsItself) {
+  const Compared same = compared(sound().dump(), sound().dump());
+  EXPECT_EQ(same.outcome.code, 0) << same.outcome.output << same.outcome.errors;
+  EXPECT_NE(same.outcome.output.find("nothing changed beyond noise"), std::string::npos);
+  EXPECT_EQ(same.changes.at("compared"), sound().at("runs").size());
+  EXPECT_TRUE(keeps_the_schema(same.changes));
+}
+
+TEST(Compare, SaysWhatGotWorseAndWhatGotBetterByTheirSign) {
+  ordered_json after = sound();
+  ordered_json& error = metrics_of(after).at("early").at("position_error");
+  error = 3.0 * error.get<double>();
+  const Compared worse = compared(sound().dump(), after.dump());
+  EXPECT_EQ(worse.outcome.code, 1);
+  ASSERT_EQ(worse.changes.at("got_worse").size(), 1U);
+  EXPECT_EQ(worse.changes.at("got_worse").at(0).at("metric"), "early_position_error");
+  EXPECT_EQ(worse.changes.at("got_worse").at(0).at("step"), 1e-3);
+  EXPECT_TRUE(keeps_the_schema(worse.changes));
+  EXPECT_EQ(worse.outcome.output.find("winner"), std::string::npos);
+  const Compared better = compared(after.dump(), sound().dump());
+  EXPECT_EQ(better.outcome.code, 0) << better.outcome.output;
+  EXPECT_EQ(better.changes.at("got_better").size(), 1U);
+}
+
+TEST(Compare, RoundingAndWhatChaosMakesOfItAreNoise) {
+  ordered_json after = sound();
+  ordered_json& metrics = metrics_of(after);
+  const auto times = [](ordered_json& value, double factor) {
+    value = factor * value.get<double>();
+  };
+  times(metrics.at("early").at("position_error"), 1.0 + 1e-9);
+  times(metrics.at("overstretch"), 1.2);                   // an extreme beyond the horizon
+  times(metrics.at("whole").at("position_error"), 100.0);  // beyond it, and no extreme
+  metrics.at("horizon").at("position_error") =
+      metrics.at("horizon").at("position_error").get<double>() + 1e-5;
+  const Compared noise = compared(sound().dump(), after.dump());
+  EXPECT_EQ(noise.outcome.code, 0) << noise.outcome.output;
+  times(metrics.at("overstretch"), 10.0);
+  EXPECT_EQ(compared(sound().dump(), after.dump()).outcome.code, 1);
+}
+
+TEST(Compare, NewFailuresComeFirstAndRunsThatAreGoneAreNamed) {
+  ordered_json after = sound();
+  after.at("runs").at(1).at("status") = "failed";
+  after.at("runs").at(1).at("reason") = "crashed: SIGSEGV";
+  after.at("runs").at(1).at("metrics") = nullptr;
+  after.at("runs").erase(0);
+  after.at("engines").at(1).at("version") = "2";
+  const Compared broken = compared(sound().dump(), after.dump());
+  EXPECT_EQ(broken.outcome.code, 1);
+  EXPECT_EQ(broken.changes.at("new_failures").size(), 1U);
+  EXPECT_EQ(broken.changes.at("only_before").size(), 1U);
+  EXPECT_EQ(broken.changes.at("versions").at(0).at("after"), "2");
+  EXPECT_NE(broken.outcome.output.find("crashed: SIGSEGV"), std::string::npos);
+  const Compared mended = compared(after.dump(), sound().dump());
+  EXPECT_EQ(mended.outcome.code, 0) << mended.outcome.output;
+  EXPECT_EQ(mended.changes.at("recovered").size(), 1U);
+  EXPECT_EQ(mended.changes.at("only_after").size(), 1U);
+  EXPECT_TRUE(keeps_the_schema(mended.changes));
+}
+
+TEST(Compare, ACaseThatHasChangedUnderItsNameIsNotCompared) {
+  const std::vector<std::pair<const char*, double>> changes = {
+      {"/body/inertia", 0.02},          {"/gravity/1", -1.1},
+      {"/geometry/0/length", 1.4},      {"/geometry/0/restitution", 0.8},
+      {"/geometry/0/attachment/1", .1}, {"/path/x/0", 0.3}};
+  for (const auto& [place, value] : changes) {
+    ordered_json after = sound();
+    for (ordered_json& the_case : after.at("cases")) {
+      if (the_case.at("name") == "breakwater/1910121100") {
+        the_case.at(ordered_json::json_pointer(place)) = value;
+      }
+    }
+    metrics_of(after).at("overstretch") = 1.0;
+    const Compared other = compared(sound().dump(), after.dump());
+    EXPECT_EQ(other.outcome.code, 0) << place << other.outcome.output;
+    EXPECT_EQ(other.changes.at("other_case").size(), sound().at("runs").size() / 2) << place;
+  }
+}
+
+TEST(Compare, ReportsWithoutARunInCommonAreRefused) {
+  ordered_json renamed = sound();
+  ordered_json changed = sound();
+  for (ordered_json& run : renamed.at("runs")) {
+    run.at("model") = run.at("model").get<std::string>() + "-2";
+  }
+  for (ordered_json& the_case : changed.at("cases")) {
+    the_case.at("gravity").at(0) = 0.5;
+  }
+  for (const ordered_json* after : {&renamed, &changed}) {
+    const Compared nothing = compared(sound().dump(), after->dump());
+    EXPECT_EQ(nothing.outcome.code, 2) << nothing.outcome.output;
+    EXPECT_NE(nothing.outcome.errors.find("no run is in both reports"), std::string::npos)
+        << nothing.outcome.errors;
+  }
+}
+
+TEST(Compare, CostsAreOnlySaidWhenFarApartAndJudgeNothing) {
+  ordered_json after = sound();
+  for (ordered_json& row : after.at("context").at("timing")) {
+    row.at("cost_ratio") = 1.5 * row.at("cost_ratio").get<double>();
+  }
+  EXPECT_TRUE(compared(sound().dump(), after.dump()).changes.at("costs").empty());
+  for (ordered_json& row : after.at("context").at("timing")) {
+    row.at("cost_ratio") = 2.0 * row.at("cost_ratio").get<double>();
+  }
+  const Compared slower = compared(sound().dump(), after.dump());
+  EXPECT_EQ(slower.outcome.code, 0);
+  EXPECT_FALSE(slower.changes.at("costs").empty());
+  EXPECT_NE(slower.outcome.output.find("noisy"), std::string::npos);
+}
+
+TEST(Compare, WhatIsNoReportIsRefusedInASentence) {
+  const std::string good = sound().dump();
+  ordered_json old = sound();
+  old.at("schema") = 2;
+  ordered_json twice = sound();
+  twice.at("runs").push_back(twice.at("runs").at(0));
+  ordered_json bare = sound();
+  bare.at("runs").at(0).erase("metrics");
+  ordered_json law = sound();
+  law.at("options").at("law") = "poisson";
+  ordered_json stranger = sound();
+  stranger.at("engines").clear();
+  struct Bad {
+    std::string text;
+    const char* sentence;
+  };
+  const std::vector<Bad> all = {
+      {"", "it ends too early"},
+      {good.substr(0, good.size() / 2), "ends too early"},
+      {"{\"schema\": NaN}", "is not JSON"},
+      {"{\"schema\": 1e999}", "is not a report"},
+      {"[]", "is not a report of `tautline bench`"},
+      {"{\"schema\": 3}", "is not a report of `tautline bench`"},
+      {"{\"schema\": 3, \"runs\": 1, \"options\": 2, \"context\": 3}", "is not a"},
+      {old.dump(), "has schema 2, must be 3"},
+      {twice.dump(), "has two rows of"},
+      {bare.dump(), "not a whole report"},
+      {law.dump(), "measure different things: law"},
+      {stranger.dump(), "does not list"}};
+  for (const Bad& bad : all) {
+    const Compared outcome = compared(bad.text, good);
+    EXPECT_EQ(outcome.outcome.code, 2) << bad.sentence << outcome.outcome.output;
+    EXPECT_NE(outcome.outcome.errors.find(bad.sentence), std::string::npos)
+        << bad.sentence << "\n"
+        << outcome.outcome.errors;
+    EXPECT_EQ(outcome.outcome.output, "");
+  }
+  EXPECT_EQ(program({"compare", "/no/such", "/tmp"}).code, 2);
+}
+
+TEST(Compare, ReadsReportsOfTwentyMegabytesInTime) {
+  ordered_json large = sound();
+  const ordered_json runs = large.at("runs");
+  const std::size_t copies = 20'000'000 / runs.dump(2).size() + 1;
+  for (std::size_t copy = 1; copy <= copies; ++copy) {
+    for (ordered_json run : runs) {
+      run.at("model") = run.at("model").get<std::string>() + std::to_string(copy);
+      large.at("runs").push_back(std::move(run));
+    }
+  }
+  const std::string text = large.dump(2);
+  ASSERT_GE(text.size(), 20'000'000U);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(compared(text, text).outcome.code, 0);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(elapsed.count(), 60.0);  // measured 2 s; a loaded machine and sanitizers take longer
+}
+
+}  // namespace
+}  // namespace tautline::test

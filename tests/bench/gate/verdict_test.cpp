@@ -1,0 +1,285 @@
+// The limits file, the verdicts drawn from it, and the gate: what breaks it and what does not.
+
+#include "bench/gate/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "bench/gate/limits.hpp"
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+
+std::string limits_text(const std::string& more) { return "schema = 1\nversion = \"1\"\n" + more; }
+
+/// A limit on every run; `limit` [-] on the restitution error.
+std::string restitution_limit(const std::string& limit) {
+  return "[[limits]]\nengine = \"*\"\nmodel = \"*\"\nmetric = \"restitution_error\"\nlimit = " +
+         limit + "\nunit = \"1\"\nreason = \"the cable's own\"\n";
+}
+
+std::string known(const std::string& engine, const std::string& metric) {
+  return "[[known]]\nengine = \"" + engine + "\"\nmodel = \"*\"\nmetric = \"" + metric +
+         "\"\nreason = \"made to\"\n";
+}
+
+/// What the bench says of one engine on the bouncing ball, gated by `limits`.
+struct Gated {
+  Outcome outcome;
+  json report;
+};
+Gated gated(const std::string& engine, const std::string& limits,
+            const std::string& steps = "1e-3") {
+  const TemporaryFolder out;
+  const auto file = out.file("limits.toml", limits);
+  Gated result;
+  result.outcome = program({"bench", "bouncing-ball", "--engines", engine, "--steps", steps,
+                            "--gate", file.string(), "--out", (out.path() / "r").string()});
+  const auto report = out.path() / "r/report.json";
+  if (std::filesystem::exists(report)) {
+    result.report = json::parse(content_of(report));
+  }
+  return result;
+}
+
+TEST(Limits, EveryMistakeOfAFileIsNamedWithLineKeyValueAndWhatWouldBeRight) {
+  const std::string text =
+      "schema = 2\n"
+      "version = \"\"\n"
+      "[[limits]]\n"
+      "engine = 3\n"
+      "model = \"*\"\n"
+      "metric = \"restitution_eror\"\n"
+      "limit = -1.0\n"
+      "unit = \"m\"\n"
+      "reason = \"r\"\n"
+      "[[limits]]\n"
+      "engine = \"*\"\n"
+      "model = \"*\"\n"
+      "metric = \"overstretch\"\n"
+      "limit = nan\n"
+      "unit = \"mm\"\n"
+      "step = 0.0\n"
+      "precision = \"double\"\n"
+      "[[knwon]]\n";
+  const auto reading = bench::read_limits_text(text, "l.toml");
+  EXPECT_FALSE(reading.limits);
+  std::string all;
+  for (const std::string& sentence : reading.problems) {
+    all += sentence + "\n";
+  }
+  for (const char* part :
+       {"l.toml:1: schema = 2: must be 1", "l.toml:2: version",
+        "l.toml:4: limits[0].engine = 3: is an integer",
+        "l.toml:6: limits[0].metric = \"restitution_eror\": must be",
+        "did you mean restitution_error", "l.toml:7: limits[0].limit = -1: must be",
+        "l.toml:14: limits[1].limit = nan: must be",
+        "l.toml:15: limits[1].unit = \"mm\": must be m", "l.toml:16: limits[1].step = 0: must be",
+        "limits[1].reason: is missing", "l.toml:17: limits[1].precision", "l.toml:18: knwon"}) {
+    EXPECT_NE(all.find(part), std::string::npos) << part << "\n" << all;
+  }
+}
+
+TEST(Limits, ABadFileEndsTheBenchBeforeItStarts) {
+  const Gated bad = gated("exact", "schema = 1\n");
+  EXPECT_EQ(bad.outcome.code, 2);
+  EXPECT_NE(bad.outcome.errors.find("limits.toml: version: is missing"), std::string::npos)
+      << bad.outcome.errors;
+  EXPECT_TRUE(bad.report.is_null());
+  const Outcome none = program({"bench", "bouncing-ball", "--gate", "/no/such/limits.toml"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.errors.find("no such file"), std::string::npos) << none.errors;
+}
+
+TEST(Limits, TheLastEntryOnARunCountsAndGrowsWithTheStep) {
+  const std::string text = limits_text(
+      restitution_limit("0.5") +
+      "[[limits]]\nengine = \"exact\"\nmodel = \"event\"\nmetric = \"restitution_error\"\n"
+      "limit = 0.25\nper_step = 2.0\nover_step = 0.001\nunit = \"1\"\nreason = \"r\"\n");
+  const Gated exact = gated("exact", text, "1e-2");
+  for (const json& run : exact.report.at("runs")) {
+    const json& checks = run.at("verdict").at("checks");
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_NEAR(checks.at(0).at("limit").get<double>(),
+                run.at("model") == "event" ? 0.25 + 2.0 * 1e-2 + 0.001 / 1e-2 : 0.5, 1e-12);
+  }
+}
+
+TEST(Limits, WhatShipsIsSoundAndIsOnEveryModelThatIsBuilt) {
+  const bench::Limits limits = bench::shipped_limits();
+  EXPECT_GE(limits.limits.size(), 20U);
+  const TemporaryFolder out;
+  const Outcome outcome =
+      program({"bench", "breakwater/1710121100", "--until", "4", "--steps", "1e-2,1e-3", "--gate",
+               TAUTLINE_LIMITS, "--out", (out.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
+  EXPECT_NE(outcome.output.find("The gate holds ("), std::string::npos) << outcome.output;
+  const json report = json::parse(content_of(out.path() / "r/report.json"));
+  for (const json& run : report.at("runs")) {
+    EXPECT_FALSE(run.at("verdict").at("checks").empty()) << run.at("engine") << run.at("model");
+  }
+}
+
+TEST(Verdict, WithoutAGateTheLimitsThatShipAreShownAndTheCodeIsAsEver) {
+  const TemporaryFolder out;
+  const Outcome outcome = program({"bench", "breakwater/1710121100", "--until", "2", "--engines",
+                                   bad_engine("no-restitution"), "--steps", "1e-3", "--out",
+                                   (out.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const json report = json::parse(content_of(out.path() / "r/report.json"));
+  EXPECT_EQ(report.at("runs").at(0).at("verdict").at("word"), "deviation-flagged");
+  EXPECT_EQ(report.at("limits").at("file"), "limits.toml, built in");
+  EXPECT_NE(outcome.output.find("flagged"), std::string::npos) << outcome.output;
+}
+
+TEST(Gate, ASoundEnginePassesAndEachPlantedErrorBreaksIt) {
+  const std::string limits = limits_text(restitution_limit("1e-3"));
+  const Gated sound = gated(bad_engine("sound"), limits);
+  EXPECT_EQ(sound.outcome.code, 0) << sound.outcome.output;
+  EXPECT_EQ(sound.report.at("runs").at(0).at("verdict").at("word"), "pass");
+  for (const char* flaw : {"no-restitution", "twice", "threshold", "bouncy"}) {
+    const Gated flawed = gated(bad_engine(flaw), limits);
+    EXPECT_EQ(flawed.outcome.code, 1) << flaw << flawed.outcome.output;
+    // engine, model, case, step, metric, value, limit, reason
+    const std::string& text = flawed.outcome.output;
+    const std::size_t row = text.rfind(std::string(flaw) + "  ", text.rfind("restitution_error"));
+    ASSERT_NE(row, std::string::npos) << text;
+    const std::string line = text.substr(row, text.find('\n', row) - row);
+    for (const char* part :
+         {"row", "bouncing-ball", "0.001", "restitution_error", "the cable's own"}) {
+      EXPECT_NE(line.find(part), std::string::npos) << part << "\n" << line;
+    }
+    EXPECT_NE(text.find("The gate is broken by 1 row ("), std::string::npos) << text;
+  }
+}
+
+TEST(Gate, AKnownDeviationPassesAndOneThatHasStartedToHoldDoesNot) {
+  const std::string limits =
+      limits_text(restitution_limit("1e-3") + known("bouncy", "restitution_error"));
+  const Gated flawed = gated(bad_engine("bouncy"), limits);
+  EXPECT_EQ(flawed.outcome.code, 0) << flawed.outcome.output;
+  const json& verdict = flawed.report.at("runs").at(0).at("verdict");
+  EXPECT_EQ(verdict.at("word"), "deviation-flagged");
+  EXPECT_EQ(verdict.at("checks").at(0).at("known"), true);
+  const Gated mended = gated(bad_engine("sound"), limits_text(restitution_limit("1e-3") +
+                                                              known("sound", "restitution_error")));
+  EXPECT_EQ(mended.outcome.code, 1) << mended.outcome.output;
+  EXPECT_NE(mended.outcome.output.find("has started to hold"), std::string::npos);
+  // an engine that is not in the report cannot start to hold
+  EXPECT_EQ(gated(bad_engine("sound"), limits).outcome.code, 0);
+}
+
+TEST(Gate, AKnownDeviationThatNoLimitTellsBreaksIt) {
+  const Gated unchecked = gated(
+      bad_engine("sound"), limits_text(restitution_limit("1e-3") + known("sound", "overstretch")));
+  EXPECT_EQ(unchecked.outcome.code, 1) << unchecked.outcome.output;
+  EXPECT_NE(unchecked.outcome.output.find("no limit is on this metric of these runs"),
+            std::string::npos)
+      << unchecked.outcome.output;
+}
+
+TEST(Gate, OneWhoseRunsAreAllUnjudgedIsBroken) {
+  const Gated idle =
+      gated(bad_engine("sound"),
+            limits_text(restitution_limit("1e-3") +
+                        "[[informative]]\nengine = \"sound\"\nmodel = \"*\"\nreason = \"r\"\n"));
+  EXPECT_EQ(idle.outcome.code, 1) << idle.outcome.output;
+  EXPECT_NE(idle.outcome.output.find("the file judges none"), std::string::npos)
+      << idle.outcome.output;
+}
+
+TEST(Limits, OnlyStarsAndQuestionMarksAreSpecialInAPattern) {
+  const auto on = [](const std::string& pattern, const std::string& name) {
+    bench::RunPattern runs;
+    runs.model = pattern;
+    return runs.holds({{"engine", "e"}, {"model", name}, {"case", "c/d"}, {"step", 1e-3}},
+                      "float64");
+  };
+  EXPECT_TRUE(on("r?w*", "row-early"));
+  EXPECT_TRUE(on("row[2]", "row[2]"));
+  EXPECT_FALSE(on("row[2]", "row2"));
+  EXPECT_TRUE(on("a\\*", "a\\b"));
+  EXPECT_FALSE(on("a\\*", "a*"));
+}
+
+TEST(Gate, TheLimitsThatShipTellPlantedErrorsFromASoundEngine) {
+  std::string engines = bad_engine("sound");
+  const std::vector<std::string> flaws = {"no-restitution", "twice",     "threshold",   "bouncy",
+                                          "wrong-inertia",  "wrong-arm", "energy-gain", "drift"};
+  // steps of 1e-2 turn the body by as much as a wrong inertia, and few early bounces are slow
+  const std::set<std::string> too_small_at_long_steps = {"threshold", "wrong-inertia"};
+  for (const std::string& flaw : flaws) {
+    engines += "," + bad_engine(flaw);
+  }
+  const TemporaryFolder out;
+  const Outcome outcome =
+      program({"bench", "breakwater/1910121100", "--engines", engines, "--steps", "1e-2,1e-3",
+               "--gate", TAUTLINE_LIMITS, "--out", (out.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 1);
+  const json report = json::parse(content_of(out.path() / "r/report.json"));
+  ASSERT_EQ(report.at("runs").size(), 2 * (1 + flaws.size()));
+  for (const json& run : report.at("runs")) {
+    if (run.at("step") == 1e-2 && too_small_at_long_steps.contains(run.at("engine"))) {
+      continue;
+    }
+    EXPECT_EQ(run.at("verdict").at("word"),
+              run.at("engine") == "sound" ? "pass" : "deviation-flagged")
+        << run.at("engine") << run.at("step");
+  }
+}
+
+TEST(Gate, OneThatJudgesNoRunIsBroken) {
+  const std::string limits = limits_text(
+      "[[limits]]\nengine = \"nobody\"\nmodel = \"*\"\nmetric = \"overstretch\"\nlimit = 1.0\n"
+      "unit = \"m\"\nreason = \"r\"\n");
+  const Gated idle = gated(bad_engine("sound"), limits);
+  EXPECT_EQ(idle.outcome.code, 1) << idle.outcome.output;
+  EXPECT_NE(idle.outcome.output.find("no limit of the file is on any run"), std::string::npos);
+}
+
+TEST(Gate, ARunThatDivergesBreaksItUnlessThatIsKnown) {
+  const std::string limits = limits_text(restitution_limit("1e-3"));
+  const Gated diverged = gated(bad_engine("nan"), limits);
+  EXPECT_EQ(diverged.outcome.code, 1);
+  EXPECT_EQ(diverged.report.at("runs").at(0).at("verdict").at("checks").at(0).at("metric"),
+            "failure");
+  EXPECT_EQ(gated(bad_engine("nan"), limits + known("nan", "failure")).outcome.code, 0);
+  EXPECT_EQ(gated(bad_engine("sound"), limits + known("sound", "failure")).outcome.code, 1);
+}
+
+TEST(Verdict, ModelsMayBeInformativeOrUnsupportedAndSoIsOneThatStopsOnTautCables) {
+  const std::string flags =
+      "[[informative]]\nengine = \"bouncy\"\nmodel = \"row\"\nreason = \"r\"\n";
+  const Gated told = gated(bad_engine("bouncy") + "," + bad_engine("sound"),
+                           limits_text(restitution_limit("1e-3") + flags));
+  EXPECT_EQ(told.outcome.code, 0) << told.outcome.output;
+  for (const json& run : told.report.at("runs")) {
+    EXPECT_EQ(run.at("verdict").at("word"), run.at("engine") == "bouncy" ? "informative" : "pass");
+  }
+  const TemporaryFolder out;
+  static_cast<void>(
+      program({"bench", "breakwater/1510121100", "--engines", bad_engine("no-taut-motion"),
+               "--steps", "1e-2", "--out", (out.path() / "r").string()}));
+  const json report = json::parse(content_of(out.path() / "r/report.json"));
+  EXPECT_EQ(report.at("runs").at(0).at("status"), "stopped");
+  const std::string word = report.at("runs").at(0).at("verdict").at("word");
+  EXPECT_TRUE(word == "unsupported" || word == "deviation-flagged") << word;
+}
+
+TEST(TerminalSummary, FitsAHundredColumnsAndHasNoColourInAPipe) {
+  const TemporaryFolder out;
+  const Outcome outcome = program({"bench", "bouncing-ball", "--engines", "exact", "--steps",
+                                   "1e-2,1e-3", "--out", (out.path() / "r").string()});
+  EXPECT_EQ(outcome.output.find('\033'), std::string::npos);
+  std::istringstream lines(outcome.output.substr(0, outcome.output.rfind(" runs in ")));
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 100U) << line;
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

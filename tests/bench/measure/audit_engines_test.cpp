@@ -1,0 +1,199 @@
+// The restitution audit on the engines themselves, where they are built: it finds by itself what
+// their documentation says.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "bench/measure/audit/impacts.hpp"
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+
+/// The report of some models of `engine` on cases with many impacts, which go on to `out`.
+json report_of(const TemporaryFolder& out, const std::string& engine, const std::string& models,
+               const std::string& steps = "1e-3") {
+  static_cast<void>(
+      program({"bench", "breakwater/1910121100", "breakwater/1911121100", "breakwater/1930121100",
+               "breakwater/1710121100", "bouncing-ball", "--engines", engine, "--models", models,
+               "--steps", steps, "--out", (out.path() / "r").string()}));
+  return json::parse(content_of(out.path() / "r/report.json"));
+}
+
+/// The findings of `model` of one kind.
+json found(const json& report, const std::string& model, const std::string& kind) {
+  json result = json::array();
+  for (const json& finding : report.at("findings")) {
+    if (finding.at("model") == model && finding.at("kind") == kind) {
+      result.push_back(finding);
+    }
+  }
+  return result;
+}
+
+/// The only run of a case in `report` with every `stride`-th sample of its path, and the ends.
+nlohmann::ordered_json thinned_run(const json& report, std::size_t stride) {
+  nlohmann::ordered_json run = report.at("runs").at(0);
+  for (auto& [name, column] : run.at("path").items()) {
+    nlohmann::ordered_json kept = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      if (i % stride == 0 || i + 1 == column.size()) {
+        kept.push_back(column.at(i));
+      }
+    }
+    column = kept;
+  }
+  return run;
+}
+
+/// Strides that leave 400, 200, 100, 67 and 45 samples of 400.
+constexpr std::size_t strides[] = {1, 2, 4, 6, 9};
+
+bool built(const std::string& engine) { return built_engines().contains(engine); }
+
+TEST(AuditOfBullet, FindsTheContactThresholdAndThePush) {
+  if (!built("bullet64")) {
+    GTEST_SKIP() << "bullet64 is not built";
+  }
+  const TemporaryFolder out;
+  const json report = report_of(out, "bullet64", "contact,contact-tuned,row");
+  const json threshold = found(report, "contact", "threshold");
+  ASSERT_EQ(threshold.size(), 1U) << report.at("findings");
+  EXPECT_NEAR(threshold[0].at("value").get<double>(), 0.2, 0.02);  // m_restitutionVelocityThreshold
+  EXPECT_EQ(found(report, "contact", "gain").size(), 1U) << report.at("findings");
+  for (const json& finding : report.at("findings")) {
+    EXPECT_EQ(finding.at("model"), "contact") << finding;
+  }
+  EXPECT_NE(content_of(out.path() / "r/report.md").find("bounces slower than 0.2 m/s are lost"),
+            std::string::npos);
+}
+
+TEST(AuditOfBullet, FindsItsDeactivation) {
+  if (!built("bullet64")) {
+    GTEST_SKIP() << "bullet64 is not built";
+  }
+  const TemporaryFolder out;
+  const json report = report_of(out, "bullet64", "row,row-sleeping", "1e-2");
+  ASSERT_EQ(report.at("findings").size(), 1U) << report.at("findings");
+  const json asleep = found(report, "row-sleeping", "sleeping");
+  ASSERT_EQ(asleep.size(), 1U);
+  // the heavy body is slower than 0.8 m/s and 1 rad/s from its start: gDeactivationTime is 2 s
+  EXPECT_NEAR(asleep[0].at("value").get<double>(), 2.0, 0.1);
+}
+
+/// The report of one model on the point mass, whose exact motion goes on and on.
+json report_of_the_point_mass(const std::string& engine, const std::string& model,
+                              const std::string& step) {
+  const TemporaryFolder out;
+  static_cast<void>(program({"bench", "breakwater/1900461100", "--engines", engine, "--models",
+                             model, "--steps", step, "--out", (out.path() / "r").string()}));
+  return json::parse(content_of(out.path() / "r/report.json"));
+}
+
+TEST(AuditOfBullet, FindsItsDeactivationInAPathOfAnySampling) {
+  if (!built("bullet64")) {
+    GTEST_SKIP() << "bullet64 is not built";
+  }
+  const json report = report_of_the_point_mass("bullet64", "row-sleeping", "1e-2");
+  const auto finest = bench::freeze_of(report.at("runs").at(0), report.at("cases").at(0));
+  ASSERT_TRUE(finest);
+  for (const std::size_t stride : strides) {
+    const auto freeze = bench::freeze_of(thinned_run(report, stride), report.at("cases").at(0));
+    ASSERT_TRUE(freeze) << stride;
+    EXPECT_LE(freeze->moving, finest->moving) << stride;
+    EXPECT_GE(freeze->time, finest->time) << stride;
+  }
+}
+
+TEST(AuditOfMujoco, FindsThatSoftLimitsScatter) {
+  if (!built("mujoco")) {
+    GTEST_SKIP() << "mujoco is not built";
+  }
+  const TemporaryFolder out;
+  const json report = report_of(out, "mujoco", "tendon-limit,event");
+  EXPECT_EQ(found(report, "tendon-limit", "scatter").size(), 1U) << report.at("findings");
+  EXPECT_EQ(found(report, "tendon-limit", "several-steps").size(), 1U) << report.at("findings");
+  EXPECT_EQ(report.at("findings").size(), 2U) << report.at("findings");
+}
+
+TEST(AuditOfBox2d, FindsThatTheJointIgnoresRestitution) {
+  if (!built("box2d")) {
+    GTEST_SKIP() << "box2d is not built";
+  }
+  const TemporaryFolder out;
+  const json report = report_of(out, "box2d", "distance-joint,event");
+  const json ignored = found(report, "distance-joint", "restitution-ignored");
+  ASSERT_EQ(ignored.size(), 1U) << report.at("findings");
+  EXPECT_NEAR(ignored[0].at("value").get<double>(), 0.0, 0.02);
+  EXPECT_EQ(report.at("findings").size(), 1U) << report.at("findings");
+}
+
+TEST(AuditOfBox2d, ABodyThatHangsAtRestIsNotAsleepInAPathOfAnySampling) {
+  if (!built("box2d")) {
+    GTEST_SKIP() << "box2d is not built";
+  }
+  for (const char* step : {"1e-2", "1e-3"}) {
+    const json report = report_of_the_point_mass("box2d", "distance-joint", step);
+    EXPECT_TRUE(found(report, "distance-joint", "sleeping").empty()) << report.at("findings");
+    for (const std::size_t stride : strides) {
+      const auto freeze = bench::freeze_of(thinned_run(report, stride), report.at("cases").at(0));
+      EXPECT_FALSE(freeze) << step << ' ' << stride << " at " << freeze->time;
+    }
+  }
+}
+
+TEST(Audit, FindsNothingInTheControlAtAnyStep) {
+  const TemporaryFolder out;
+  const json report = report_of(out, "exact", "event,sampled", "1e-2,1e-3,1e-4");
+  EXPECT_EQ(report.at("findings"), json::array());
+}
+
+/// The rows of a CSV file, without its headings.
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      rows.back().push_back(std::stod(cell));
+    }
+  }
+  return rows;
+}
+
+TEST(Audit, TheImpactColumnsAreThoseOfTheEventsFile) {
+  const TemporaryFolder out;
+  const json report = report_of(out, "exact", "sampled");
+  for (const json& run : report.at("runs")) {
+    std::vector<std::vector<double>> events =
+        rows_of(content_of(out.path() / "r/runs" / run.at("case").get<std::string>() /
+                           "exact/sampled/0.001/events.csv"));
+    const double count_speed = report.at("options").at("count_speed");
+    std::erase_if(events, [=](const auto& event) { return -event[3] <= count_speed; });
+    const json& impacts = run.at("impacts");
+    ASSERT_EQ(impacts.at("time").size(), events.size());
+    ASSERT_EQ(impacts.at("left_out"), 0);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      const auto agrees = [&](const char* column, double exact) {
+        const double value = impacts.at(column).at(i);
+        EXPECT_NEAR(value, exact, 5.1e-6 * std::abs(exact)) << column << ' ' << i;
+      };
+      agrees("time", events[i][0]);
+      agrees("cable", events[i][1]);
+      agrees("rate_before", events[i][3]);
+      agrees("rate_after", events[i][4]);
+      agrees("steps", events[i][6]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -1,0 +1,341 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <thread>
+
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+
+/// Arguments that cannot be obeyed, and a part of the one sentence that must say why.
+struct BadUsage {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string sentence;
+};
+
+void PrintTo(const BadUsage& usage, std::ostream* out) { *out << usage.name; }
+
+class Program : public testing::TestWithParam<BadUsage> {};
+
+TEST_P(Program, RefusesInOneSentenceWithExitCode2) {
+  const Outcome outcome = program(GetParam().arguments);
+  EXPECT_EQ(outcome.code, 2) << outcome.output << outcome.errors;
+  EXPECT_NE(outcome.errors.find(GetParam().sentence), std::string::npos) << outcome.errors;
+  EXPECT_EQ(outcome.output, "") << "an error belongs on standard error alone";
+  if (outcome.errors.starts_with("tautline: ")) {  // the option parser's own words are two lines
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+  }
+}
+
+const std::vector<std::string> bench_ball = {"bench", "bouncing-ball", "--engines", "exact"};
+
+std::vector<std::string> with(std::vector<std::string> words,
+                              const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bad, Program,
+    testing::Values(
+        BadUsage{
+            "UnknownCase", {"solve", "breakwater/191012110"}, "did you mean breakwater/1910121100"},
+        BadUsage{"UnknownEngine",
+                 {"run", "bouncing-ball", "--engine", "bulet64", "--model", "row"},
+                 "unknown engine bulet64; did you mean bullet64?"},
+        BadUsage{"UnknownModel",
+                 {"run", "bouncing-ball", "--engine", "bullet64", "--model", "erly"},
+                 "unknown model erly; did you mean early?"},
+        BadUsage{"ZeroStep", with(bench_ball, {"--steps", "0"}),
+                 "step 0 must be a finite number above 0 [s]"},
+        BadUsage{"NegativeStep", with(bench_ball, {"--steps=-1e-3"}),
+                 "step -0.001 must be a finite number above 0 [s]"},
+        BadUsage{"NanStep", with(bench_ball, {"--steps", "nan"}),
+                 "step nan must be a finite number"},
+        BadUsage{
+            "AbsurdStep", with(bench_ball, {"--steps", "1e-30"}),
+            "step 1e-30 needs 1e+31 steps for case bouncing-ball, which lasts 10 s; at most 1e+09"},
+        BadUsage{"ForeignFolder", with(bench_ball, {"--out", "/etc"}),
+                 "--out /etc: holds files that `tautline` did not write"},
+        BadUsage{"OutIsAFile", with(bench_ball, {"--out", "/etc/passwd"}), "is not a folder"},
+        BadUsage{"NegativeDuration",
+                 {"solve", "bouncing-ball", "--until=-1"},
+                 "duration -1 must be a finite number above 0 [s]"},
+        BadUsage{"SampleAfterTheEnd",
+                 {"solve", "bouncing-ball", "--at", "1,11"},
+                 "sample time 11 is outside [0, 10]: the solution ends there (rest)"},
+        BadUsage{"TooFewDigits",
+                 {"solve", "bouncing-ball", "--certify", "--digits", "19"},
+                 "--digits 19: must be 20 to 1000"},
+        BadUsage{"TooManyDigits",
+                 {"solve", "bouncing-ball", "--certify", "--digits", "1001"},
+                 "--digits 1001: must be 20 to 1000"},
+        BadUsage{"DigitsForNothing",
+                 {"solve", "bouncing-ball", "--digits", "50"},
+                 "--digits 50: is for --certify, which is not given"},
+        BadUsage{"PatternWhereOneIsMeant",
+                 {"solve", "breakwater/*"},
+                 "means 21 cases; this command takes one"},
+        BadUsage{"NoCommand", {}, "A subcommand is required"},
+        BadUsage{"UnknownOption", {"solve", "bouncing-ball", "--untill", "3"}, "--untill"},
+        BadUsage{"EngineTwice",
+                 {"bench", "bouncing-ball", "--engines", "exact,exact"},
+                 "engine exact is given twice"},
+        BadUsage{"TooManyJobs", with(bench_ball, {"--jobs", "100000"}),
+                 "--jobs 100000: must be 1 to 256"},
+        BadUsage{"ZeroJobs", with(bench_ball, {"--jobs", "0"}), "--jobs 0: must be 1 to 256"},
+        BadUsage{"NegativeJobs", with(bench_ball, {"--jobs=-1"}), "--jobs"},
+        BadUsage{"StepTwice", with(bench_ball, {"--steps", "1e-2,0.01"}), "a step is given twice"},
+        BadUsage{"NegativeUntil",
+                 {"bench", "breakwater/*", "--until=-1"},
+                 "--until -1: must be a finite number above 0 [s]"},
+        BadUsage{"EmptyOut", with(bench_ball, {"--out", ""}), "--out: is empty"},
+        BadUsage{"NanTimeLimitOfRun",
+                 {"run", "bouncing-ball", "--engine", "exact", "--model", "event", "--time-limit",
+                  "nan"},
+                 "--time-limit nan: must be above 0 [s]"},
+        BadUsage{"ZeroTimeLimit", with(bench_ball, {"--time-limit", "0"}),
+                 "--time-limit 0: must be above 0 [s]"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(Solve, PrintsTheDocumentedJsonForScripts) {
+  const Outcome outcome = program({"solve", "breakwater/1910121100", "--json", "-", "--at", "3"});
+  EXPECT_EQ(outcome.code, 0);
+  const json solution = json::parse(outcome.output);
+  EXPECT_EQ(solution.at("schema"), 2);
+  EXPECT_EQ(solution.at("ending"), "reached_duration");
+  EXPECT_EQ(solution.at("end_time"), 20.0);
+  // computed with 60 digits; rounding moves the lock by up to 2.2e-3
+  const json& lock = solution.at("settling").at("lock");
+  EXPECT_EQ(lock.at("cables"), json::array({0, 1}));
+  EXPECT_EQ(lock.at("permanent"), true);
+  EXPECT_NEAR(lock.at("time").get<double>(), 8.1288, 5e-3);
+  EXPECT_NEAR(lock.at("swing").at("energy").get<double>(), 0.019679140, 1e-8);
+  EXPECT_NEAR(lock.at("swing").at("amplitude").get<double>(), 0.65026, 1e-5);
+  EXPECT_FALSE(solution.contains("certificate"));
+  const json& first = solution.at("events").at(0);
+  EXPECT_EQ(first.at("kind"), "impact");
+  EXPECT_EQ(first.at("cables"), json::array({0}));
+  EXPECT_NEAR(first.at("time").get<double>(), 0.0581974729698846, 1e-15);
+  EXPECT_NEAR(solution.at("samples").at(0).at("angle").get<double>(), -0.289521642563073, 1e-12);
+}
+
+TEST(Solve, WritesJsonToAFileAndStaysSilent) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "deep/er/s.json").string();
+  const Outcome outcome = program({"solve", "bouncing-ball", "--json", file});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.output, "");
+  const json solution = json::parse(content_of(file));
+  EXPECT_EQ(solution.at("ending"), "rest");
+  EXPECT_NEAR(solution.at("settling").at("lock").at("time").get<double>(), 3.0, 1e-12);
+}
+
+TEST(Solve, EndsItsTextWithWhatBecameOfTheMotion) {
+  const Outcome outcome = program({"solve", "breakwater/1910121100"});
+  EXPECT_EQ(outcome.code, 0);
+  const std::size_t table = outcome.output.rfind(" taut     0+1 ");
+  ASSERT_NE(table, std::string::npos);
+  const std::string end = outcome.output.substr(table);
+  for (const char* part : {"The run reached its duration, t = 20.\n",
+                           "on cables 0+1 are taut, for good", "amplitude 0.6502",
+                           "Of the initial energy 0.125 above the equilibrium 0.0196791 is left"}) {
+    EXPECT_NE(end.find(part), std::string::npos) << part << "\nis not in\n" << end;
+  }
+  const std::string ball = program({"solve", "bouncing-ball", "--until", "2.7"}).output;
+  EXPECT_NE(ball.find("At the end no cable is taut."), std::string::npos) << ball;
+}
+
+TEST(Solve, CertifiesInTextAndJson) {
+  const std::vector<std::string> ball = {"solve", "bouncing-ball", "--certify", "--digits", "30"};
+  const Outcome text = program(ball);
+  EXPECT_EQ(text.code, 0);
+  for (const char* part :
+       {"9 digits are correct to the end", "both took the same events", "\n30 digits "}) {
+    EXPECT_NE(text.output.find(part), std::string::npos) << part << "\n" << text.output;
+  }
+  std::vector<std::string> words = ball;
+  words.insert(words.end(), {"--json", "-"});
+  const json certificate = json::parse(program(words).output).at("certificate");
+  EXPECT_EQ(certificate.at("digits"), 30);
+  EXPECT_EQ(certificate.at("correct").at(0).at("digits"), 9);
+  EXPECT_TRUE(certificate.at("correct").at(0).at("until").is_null());
+  EXPECT_EQ(certificate.at("events").at("all"), true);
+}
+
+TEST(Output, ThatCannotBeWrittenIsAFailure) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"solve", "bouncing-ball"}, {"cases"}, {"engines"}}) {
+    const Outcome outcome = program(command, "sh -c '\"$0\" \"$@\" >/dev/full'");
+    EXPECT_EQ(outcome.code, 1) << command.front();
+    EXPECT_NE(outcome.errors.find("cannot write to standard output"), std::string::npos);
+  }
+}
+
+TEST(Report, MakesHostileNamesHarmless) {
+  const TemporaryFolder folder;
+  std::string text = program({"cases", "bouncing-ball"}).output;
+  const std::string name =
+      "<script>alert(1)</script> ![x](http://a) `../../` " + std::string(3000, 'y');
+  text.replace(text.find("bouncing-ball"), 13, name);
+  const std::string file = folder.file("hostile.toml", text).string();
+  const Outcome outcome = program({"bench", file, "--engines", "exact", "--steps", "1e-2", "--out",
+                                   (folder.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const std::string markdown = content_of(folder.path() / "r/report.md");
+  for (const std::string raw : {"<script", "![x"}) {
+    for (std::size_t at = markdown.find(raw); at != std::string::npos;
+         at = markdown.find(raw, at + 1)) {
+      EXPECT_TRUE(at > 0 && markdown[at - 1] == '\\') << raw;
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path().parent_path() / "runs"));
+}
+
+TEST(Solve, SaysThatADiskIsFull) {
+  const Outcome outcome = program({"solve", "bouncing-ball", "--json", "/dev/full"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("No space left on device"), std::string::npos) << outcome.errors;
+}
+
+TEST(Bench, SaysThatTheDiskIsFullAndLeavesNoHalfFile) {
+  const TemporaryFolder folder;
+  const std::string disk = folder.path().string();
+  if (std::system("unshare -rm true 2>/dev/null") != 0) {  // NOLINT(cert-env33-c)
+    GTEST_SKIP() << "a disk of 16 kB needs a mount namespace, which is not allowed here";
+  }
+  // a disk that has room for the marker, but not for a trajectory; listed before it is gone
+  const std::string on_small_disk =
+      "unshare -rm sh -c 'mount -t tmpfs -o size=16k tmpfs \"$0\" && { \"$@\"; code=$?; "
+      "find \"$0\" -type f; exit $code; }' " +
+      disk;
+  const Outcome outcome = program(
+      {"bench", "bouncing-ball", "--engines", "exact", "--steps", "1e-2", "--out", disk + "/r"},
+      on_small_disk);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("trajectory.csv: No space left on device"), std::string::npos)
+      << outcome.errors;
+  EXPECT_EQ(outcome.output, disk + "/r/tautline-results.txt\n") << "a half file was left";
+}
+
+TEST(Bench, WritesTheDocumentedResultTree) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "r").string();
+  ASSERT_EQ(
+      program({"bench", "bouncing-ball", "--engines", "exact", "--steps", "1e-2", "--out", out})
+          .code,
+      0);
+  const auto run = folder.path() / "r/runs/bouncing-ball/exact/event/0.01";
+  for (const char* file : {"trajectory.csv", "events.csv", "settings.json", "result.json"}) {
+    EXPECT_TRUE(std::filesystem::exists(run / file)) << file;
+  }
+  // an impact is two rows at one time
+  std::ifstream csv(run / "trajectory.csv");
+  std::string line;
+  std::string before;
+  while (std::getline(csv, line) && line.find(",before") == std::string::npos) {
+  }
+  before = line;
+  std::getline(csv, line);
+  EXPECT_NE(line.find(",after"), std::string::npos);
+  EXPECT_EQ(before.substr(0, before.find(',')), line.substr(0, line.find(',')));
+}
+
+TEST(Run, LeavesTheRunsOfOthersInTheTree) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "r").string();
+  for (const std::string step : {"1e-2", "1e-3"}) {
+    ASSERT_EQ(program({"run", "bouncing-ball", "--engine", "exact", "--model", "event", "--step",
+                       step, "--out", out})
+                  .code,
+              0);
+  }
+  const auto runs = folder.path() / "r/runs/bouncing-ball/exact/event";
+  EXPECT_TRUE(std::filesystem::exists(runs / "0.01/result.json"));
+  EXPECT_TRUE(std::filesystem::exists(runs / "0.001/result.json"));
+}
+
+TEST(Bench, DoesNotWriteToATreeThatAnotherOneIsWriting) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> slow = {"bench",        "bouncing-ball",
+                                         "--engines",    bad_engine("hang"),
+                                         "--steps",      "1e-2",
+                                         "--time-limit", "20",
+                                         "--out",        (folder.path() / "r").string()};
+  const int first = start_program(slow);
+  while (!std::filesystem::exists(folder.path() / "r/tautline-results.txt")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const Outcome second = program(slow);
+  ::kill(first, SIGTERM);
+  EXPECT_EQ(wait_for(first), 1);
+  EXPECT_EQ(second.code, 1);
+  EXPECT_NE(second.errors.find("another `tautline` is writing to"), std::string::npos)
+      << second.errors;
+}
+
+TEST(Bench, WorksWithNoEngineAtAll) {
+  const TemporaryFolder folder;
+  const TemporaryFolder nothing;
+  const Outcome outcome =
+      program({"bench", "bouncing-ball", "--out", (folder.path() / "r").string()},
+              "TAUTLINE_ENGINE_PATH=" + nothing.path().string());
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const json report = json::parse(content_of(folder.path() / "r/report.json"));
+  EXPECT_TRUE(report.at("runs").empty());
+  EXPECT_EQ(report.at("engines").at(0).at("missing"), true);
+}
+
+TEST(Bench, RefusesAFileThatIsNoPlugin) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("text.so", "no library").string();
+  const Outcome outcome = program(
+      {"bench", "bouncing-ball", "--engine", file, "--out", (folder.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find(file + ": not a shared library"), std::string::npos)
+      << outcome.errors;
+}
+
+TEST(Bench, TakesACaseAfterAnEngine) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      program({"bench", "--engine", "exact", "--steps", "0.1", "--models", "event", "bouncing-ball",
+               "--out", (folder.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("1 runs"), std::string::npos) << outcome.output;
+}
+
+TEST(Cases, AreWrittenAsFilesThatSolveToTheSame) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "case.toml").string();
+  const Outcome text = program({"cases", "plate-four-cables"});
+  ASSERT_EQ(text.code, 0);
+  std::ofstream(file) << text.output;
+  EXPECT_EQ(program({"solve", file, "--json", "-"}).output,
+            program({"solve", "plate-four-cables", "--json", "-"}).output);
+}
+
+TEST(Engines, AreListedWithVersionsAndModels) {
+  const Outcome outcome = program({"engines", "--json", "-"});
+  EXPECT_EQ(outcome.code, 0);
+  const json engines = json::parse(outcome.output).at("engines");
+  EXPECT_EQ(engines.at(0).at("name"), "exact");
+  for (const json& engine : engines) {
+    if (engine.at("missing").get<std::string>().empty()) {
+      EXPECT_FALSE(engine.at("version").get<std::string>().empty());
+      EXPECT_FALSE(engine.at("models").empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+/// A block of README.md that shows what a command prints.
+struct Excerpt {
+  std::string command;             // after "tautline "
+  std::vector<std::string> lines;  // the block
+};
+
+std::vector<Excerpt> excerpts() {
+  std::ifstream file(TAUTLINE_README);
+  std::vector<Excerpt> found;
+  const std::string mark = "<!-- output of: tautline ";
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with(mark)) {
+      continue;
+    }
+    Excerpt excerpt{line.substr(mark.size(), line.find(" -->") - mark.size()), {}};
+    std::getline(file, line);  // the fence
+    while (std::getline(file, line) && line != "```") {
+      excerpt.lines.push_back(line);
+    }
+    found.push_back(std::move(excerpt));
+  }
+  return found;
+}
+
+/// Rounding that the motion has amplified: it differs between compilers, its size does not matter.
+constexpr double rounding = 1e-6;
+
+/// The same words, and the same numbers where they are more than rounding.
+bool same(const std::string& shown, const std::string& printed) {
+  std::istringstream one(shown);
+  std::istringstream two(printed);
+  std::string a;
+  std::string b;
+  while (true) {
+    const bool more_a = static_cast<bool>(one >> a);
+    const bool more_b = static_cast<bool>(two >> b);
+    if (!more_a || !more_b) {
+      return more_a == more_b;
+    }
+    const bool tiny =
+        a.find("e-") != std::string::npos && std::strtod(a.c_str(), nullptr) < rounding;
+    const double other = std::strtod(b.c_str(), nullptr);
+    if (a != b && !(tiny && other < rounding) && !(a == "0.0e+00" && other < rounding)) {
+      return false;
+    }
+  }
+}
+
+TEST(Readme, ShowsWhatTheProgramPrints) {
+  const std::vector<Excerpt> all = excerpts();
+  ASSERT_GE(all.size(), 3U);
+  for (const Excerpt& excerpt : all) {
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments;
+    std::istringstream words(excerpt.command);
+    for (std::string word; words >> word;) {
+      arguments.push_back(word);
+    }
+    if (arguments.front() == "bench") {
+      arguments.insert(arguments.end(), {"--out", (folder.path() / "r").string()});
+    }
+    std::istringstream printed(program(arguments).output);
+    ASSERT_GE(excerpt.lines.size(), 3U) << excerpt.command;
+    for (const std::string& shown : excerpt.lines) {
+      std::string line;
+      std::getline(printed, line);
+      EXPECT_TRUE(same(shown, line)) << "README: " << shown << "\nnow:    " << line << "\ntautline "
+                                     << excerpt.command << "; scripts/update-readme writes it anew";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -1,0 +1,367 @@
+#include "bench/report/html/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <regex>
+#include <set>
+
+#include "bench/base/html.hpp"
+#include "bench/report/report.hpp"
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using bench::page_assets;
+using bench::report_html;
+using nlohmann::ordered_json;
+
+/// The report and the page of a small suite with good, stopped, failed and missing rows.
+struct Made {
+  ordered_json report;
+  std::string page;
+};
+
+const Made& made() {
+  static const Made result = [] {
+    const TemporaryFolder out;
+    const std::string engines = "exact," + bad_engine("segfault") + "," + bad_engine("mute") + "," +
+                                bad_engine("no-taut-motion");
+    static_cast<void>(
+        program({"bench", "bouncing-ball", "breakwater/1510121100", "--engines", engines, "--steps",
+                 "1e-2,1e-3", "--out", (out.path() / "r").string()}));
+    return Made{ordered_json::parse(content_of(out.path() / "r/report.json")),
+                content_of(out.path() / "r/index.html")};
+  }();
+  return result;
+}
+
+constexpr const char* verdict = R"({"word": "deviation-flagged", "checks": [
+  {"metric": "position error", "value": 0.25, "limit": 0.125, "holds": false, "known": true,
+   "reason": "the engine says so"},
+  {"metric": "energy gain", "value": 0.5, "limit": 2, "holds": true, "known": false, "reason": ""}]})";
+
+constexpr const char* findings = R"([{"engine": "e", "model": "m", "kind": "threshold",
+  "sentence": "bounces slower than 0.2 m/s are lost", "value": 0.2, "unit": "m/s",
+  "evidence": {"runs": 3, "impacts": 17}}])";
+
+constexpr const char* attribution = R"([{"engine": "e", "model": "m", "step": 0.01, "cases": 4,
+  "deviation": {"median": 1.5e-3, "worst": 2.5e-3},
+  "shares": {"flight_bias": 0.625, "event_lag": 0.375}, "remainder": 1e-5}])";
+
+constexpr const char* chapter = R"({
+  "tables": [{"name": "Table 5.2", "title": "Moments of *inertia*.",
+    "columns": [{"name": "shape", "unit": ""}, {"name": "I", "unit": "mS^2"}],
+    "rows": [["circle", 0.0123456789], ["box", null]], "notes": ["A **note**."]}],
+  "figures": [{"name": "5.6", "title": "y over x", "x": "x [S]", "y": "y [S]",
+    "curves": [{"name": "c", "x": [0.0], "y": [1.0]}], "boundary": null, "marks": [],
+    "chapter": "It says.", "truth": "It is."}],
+  "corrections": [{"where": "Section 5.8", "chapter": "It settles.", "right": "It swings.",
+    "shown": "By 0.65 rad.", "holds": false}]})";
+
+/// The same report with everything in it that other parts of the program may add.
+ordered_json full_report() {
+  ordered_json report = made().report;
+  for (ordered_json& run : report["runs"]) {
+    run["verdict"] = ordered_json::parse(verdict);
+  }
+  for (ordered_json& the_case : report["cases"]) {
+    the_case["geometry"] = ordered_json::parse(R"([{"restitution": 0.75}, {"restitution": 0.75}])");
+  }
+  report["findings"] = ordered_json::parse(findings);
+  report["attribution_summary"] = ordered_json::parse(attribution);
+  report["chapter"] = ordered_json::parse(chapter);
+  return report;
+}
+
+/// The page without what stands in its scripts and its style.
+std::string without_scripts(std::string page) {
+  for (const std::string element : {"script", "style"}) {
+    for (std::size_t at = page.find("<" + element); at != std::string::npos;
+         at = page.find("<" + element, at + 1)) {
+      const std::size_t start = page.find('>', at) + 1;
+      page.erase(start, page.find("</" + element, start) - start);
+    }
+  }
+  return page;
+}
+
+/// The names of the tags in their order, "/p" for an end; a quoted '>' does not end one.
+std::vector<std::string> tags(const std::string& page) {
+  static const std::regex tag("<(/?[a-zA-Z!][a-zA-Z0-9]*)(\"[^\"]*\"|[^\">])*>",
+                              std::regex::optimize);
+  const std::string text = without_scripts(page);
+  std::vector<std::string> result;
+  for (auto found = std::sregex_iterator(text.begin(), text.end(), tag);
+       found != std::sregex_iterator(); ++found) {
+    result.push_back((*found)[1]);
+  }
+  return result;
+}
+
+/// The first tag that does not fit; "" if every element is closed in its turn.
+std::string unbalanced(const std::string& page) {
+  const std::set<std::string> alone = {"!DOCTYPE", "meta", "link", "br"};
+  std::vector<std::string> open;
+  for (const std::string& name : tags(page)) {
+    if (name.front() == '/') {
+      if (open.empty() || "/" + open.back() != name) {
+        return name + " closes " + (open.empty() ? "nothing" : open.back());
+      }
+      open.pop_back();
+    } else if (!alone.contains(name)) {
+      open.push_back(name);
+    }
+  }
+  return open.empty() ? "" : open.back() + " is open at the end";
+}
+
+/// What the page holds as its data.
+std::string data_of(const std::string& page) {
+  const std::string start = "<script type=\"application/json\" id=\"report-data\">";
+  const std::size_t at = page.find(start) + start.size();
+  return page.substr(at, page.find("</script>", at) - at);
+}
+
+/// The report without what the tables alone show.
+ordered_json read_by_scripts(ordered_json report) {
+  for (ordered_json& run : report.at("runs")) {
+    run.erase("verdict");
+    run.erase("output_tail");
+  }
+  return report;
+}
+
+void collect_numbers(const ordered_json& json, std::set<double>& numbers) {
+  if (json.is_number()) {
+    numbers.insert(json.get<double>());
+  }
+  if (json.is_structured()) {
+    for (const ordered_json& part : json) {
+      collect_numbers(part, numbers);
+    }
+  }
+}
+
+/// Half a unit of the last digit of a number as it is shown.
+double half_unit(const std::string& shown) {
+  const std::size_t exponent = shown.find('e');
+  const std::string mantissa = shown.substr(0, exponent);
+  const std::size_t point = mantissa.find('.');
+  const auto digits = point == std::string::npos ? 0U : mantissa.size() - point - 1;
+  const int power = exponent == std::string::npos ? 0 : std::stoi(shown.substr(exponent + 1));
+  return 0.5 * std::pow(10.0, power - static_cast<int>(digits));
+}
+
+TEST(ReportPage, IsTheSameFromTheReportReadBack) {
+  EXPECT_GT(made().page.size(), 10'000U);
+  EXPECT_TRUE(made().page == report_html(made().report, page_assets()));
+}
+
+TEST(ReportPage, LeavesTheChapterOutWhereItsCasesWereNotAllRun) {
+  EXPECT_TRUE(made().report.at("chapter").is_null());
+  EXPECT_NE(made().page.find("Not in this report: it is made when"), std::string::npos);
+}
+
+TEST(ReportPage, IsWholeOrNotThere) {
+  if (page_assets().plotly.empty()) {
+    GTEST_SKIP() << "without Plotly the page is as small as the other files";
+  }
+  const TemporaryFolder out;
+  const Outcome outcome =
+      program({"bench", "bouncing-ball", "--engines", "exact", "--models", "event", "--steps",
+               "1e-2", "--out", (out.path() / "r").string()},
+              "ulimit -f 200;");  // room for every other file
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("index.html: File too large"), std::string::npos) << outcome.errors;
+  const std::vector<std::string> whole = {"report.json", "report.md", "runs",
+                                          "tautline-results.txt"};
+  EXPECT_EQ(bench::test::names_in(out.path() / "r"), whole);
+}
+
+TEST(ReportPage, ClosesEveryElement) {
+  EXPECT_EQ(unbalanced(made().page), "");
+  EXPECT_EQ(unbalanced(report_html(full_report(), page_assets())), "");
+}
+
+TEST(ReportPage, HasEverySection) {
+  for (const std::string id : {"answers", "cases", "error", "replay", "audit", "attribution",
+                               "chapter", "models", "reading", "context"}) {
+    EXPECT_NE(made().page.find("<section id=\"" + id + "\">"), std::string::npos) << id;
+    EXPECT_NE(made().page.find("<a href=\"#" + id + "\">"), std::string::npos) << id;
+  }
+}
+
+TEST(ReportPage, EveryNumberInItsTablesIsInTheReport) {
+  const ordered_json report = full_report();
+  std::set<double> known;
+  collect_numbers(report, known);
+  const std::string page = without_scripts(report_html(report, page_assets()));
+  static const std::regex cell("data-value=\"([^\"]+)\">([^<]*)<");
+  std::size_t count = 0;
+  for (auto found = std::sregex_iterator(page.begin(), page.end(), cell);
+       found != std::sregex_iterator(); ++found) {
+    const double value = std::stod((*found)[1]);
+    const std::string shown = (*found)[2];
+    EXPECT_TRUE(known.contains(value)) << (*found)[0];
+    EXPECT_LE(std::abs(std::stod(shown) - value), half_unit(shown) * (1.0 + 1e-9)) << (*found)[0];
+    ++count;
+  }
+  EXPECT_GT(count, 200U);
+}
+
+TEST(ReportPage, ShowsEveryRunAndWhyItFailed) {
+  const std::string page = without_scripts(made().page);
+  const std::size_t rows = made().report.at("runs").size();
+  const std::size_t start = page.find("<table id=\"cases-table\"");
+  const std::string table = page.substr(start, page.find("</table>", start) - start);
+  std::size_t found = 0;
+  for (std::size_t at = table.find("<tr"); at != std::string::npos;
+       at = table.find("<tr", at + 1)) {
+    ++found;
+  }
+  EXPECT_EQ(found, rows + 2);  // and two rows of headings
+  EXPECT_NE(table.find("crashed: SIGSEGV"), std::string::npos);
+  EXPECT_NE(table.find("stopped: a cable is taut"), std::string::npos);
+  const std::size_t missing = page.find("<tbody class=\"missing\">");
+  EXPECT_NE(page.find("mute</th>", missing), std::string::npos) << "an engine that does not answer";
+}
+
+TEST(ReportPage, ShowsLimitsBesideValuesAndNamesNoWinner) {
+  const std::string page = without_scripts(report_html(full_report(), page_assets()));
+  EXPECT_NE(
+      page.find(
+          "deviation-flagged</span><br>position error <span data-value=\"0.25\">0.25</span>, limit "
+          "<span data-value=\"0.125\">"),
+      std::string::npos);
+  EXPECT_EQ(page.find("energy gain <span data"), std::string::npos)
+      << "a limit that holds beside one that does not";
+  for (const std::string word : {"winner", "best", "wins"}) {
+    EXPECT_EQ(page.find(word), std::string::npos) << word;
+  }
+}
+
+TEST(ReportPage, NamesNoNetworkAddress) {
+  std::string page = made().page;
+  const std::string names = "http://www.w3.org/";  // of XML's namespaces, in Plotly alone
+  const std::size_t plotly = page.find("<script id=\"plotly\">");
+  for (std::size_t at = page.find(names, plotly); at != std::string::npos;
+       at = page.find(names, at)) {
+    page.erase(at, names.size());
+  }
+  EXPECT_EQ(page.find("://"), std::string::npos) << page.substr(page.find("://") - 40, 80);
+  const std::string ours =
+      without_scripts(page) + std::string(page_assets().scripts) + std::string(page_assets().style);
+  for (const std::string way :
+       {" src=", "url(", "@import", "fetch(", "import(", "eval(", "XMLHttp"}) {
+    EXPECT_EQ(ours.find(way), std::string::npos) << way;
+  }
+}
+
+TEST(ReportPage, IsWholeWithoutPlotly) {
+  bench::PageAssets bare = page_assets();
+  bare.plotly = {};
+  const std::string page = report_html(made().report, bare);
+  EXPECT_EQ(unbalanced(page), "");
+  EXPECT_EQ(page.find("<script id=\"plotly\">"), std::string::npos);
+  EXPECT_NE(page.find("Charts are not in this build"), std::string::npos);
+  EXPECT_NE(page.find("id=\"cases-table\""), std::string::npos);
+}
+
+TEST(ReportPage, IsWholeForAReportWithNothingInIt) {
+  ordered_json report = made().report;
+  for (const char* list : {"engines", "cases", "summary", "convergence", "runs"}) {
+    report[list] = ordered_json::array();
+  }
+  report["context"]["timing"] = ordered_json::array();
+  report["context"]["costs"] = ordered_json::array();
+  report["complete"] = false;
+  const std::string page = report_html(report, page_assets());
+  EXPECT_EQ(unbalanced(page), "");
+  EXPECT_NE(page.find("The suite was interrupted"), std::string::npos);
+}
+
+/// `report` with every string `from` in it replaced.
+ordered_json renamed(ordered_json json, const std::string& from, const std::string& to) {
+  if (json == from) {
+    return to;
+  }
+  if (json.is_structured()) {
+    for (ordered_json& part : json) {
+      part = renamed(part, from, to);
+    }
+  }
+  return json;
+}
+
+TEST(ReportPage, HostileNamesAreHarmless) {
+  const std::vector<std::string> expected = tags(report_html(full_report(), page_assets()));
+  const std::string names[] = {"</script><script>alert(1)</script>",
+                               "\"><img src=x onerror=alert(1)>",
+                               "' onmouseover='alert(1)",
+                               "<!-- <script>",
+                               "]]></td></table>&lt;&amp;**a** `b` *c*",
+                               "line\nline\r\x1b[31m\x7f",
+                               "\xe2\x80\xa8 and \xe2\x80\xae",
+                               "\xff\xfe not UTF-8 \xc3",
+                               std::string(10'240, 'x')};
+  for (const std::string& name : names) {
+    for (const std::string part : {"breakwater/1510121100", "exact", "event", "finished"}) {
+      const ordered_json report = renamed(full_report(), part, name);
+      const std::string page = report_html(report, page_assets());
+      // where no `exact` is left to stand apart, there is a body less
+      if (part != "exact") {
+        EXPECT_TRUE(tags(page) == expected) << part << ": " << bench::printable(name);
+      }
+      EXPECT_EQ(unbalanced(page), "") << part << ": " << bench::printable(name);
+      const std::string text = without_scripts(page);
+      EXPECT_EQ(text.find('\r'), std::string::npos);
+      EXPECT_EQ(text.find('\x1b'), std::string::npos);
+      EXPECT_EQ(text.find(std::string(1000, 'x')), std::string::npos)
+          << "a name of 10 kB is not cut";
+      const std::string data = data_of(page);
+      EXPECT_EQ(data.find('<'), std::string::npos);
+      EXPECT_EQ(data.find("\xe2\x80\xa8"), std::string::npos);
+      const ordered_json back = ordered_json::parse(data, nullptr, false);
+      EXPECT_FALSE(back.is_discarded());
+      if (name.find('\xff') == std::string::npos) {
+        EXPECT_TRUE(back == read_by_scripts(report)) << "the data are not the report's";
+      }
+    }
+  }
+}
+
+TEST(Html, MarksUpPairsAndNothingElse) {
+  EXPECT_EQ(bench::html_prose("**a** and *b* and `c<d`"),
+            "<strong>a</strong> and <em>b</em> and <code>c&lt;d</code>");
+  EXPECT_EQ(bench::html_prose("2 * 3 * 4"), "2 * 3 * 4");
+  EXPECT_EQ(bench::html_prose("one * alone, *open"), "one * alone, *open");
+  EXPECT_EQ(bench::html_text("a & <b> \"c\" 'd'"), "a &amp; &lt;b&gt; &quot;c&quot; &#39;d&#39;");
+}
+
+TEST(ReportMarkdown, SaysTheVerdictOfEveryRunAndTheLimitsThatDecideIt) {
+  ordered_json report = made().report;
+  ASSERT_TRUE(report.at("limits").is_object());
+  for (ordered_json& run : report["runs"]) {
+    run["verdict"] = ordered_json::parse(verdict);
+  }
+  const std::string said = "deviation-flagged: position error 2.5e-01, limit 1.2e-01 (known) |";
+  const std::string markdown = bench::report_markdown(report);
+  std::ptrdiff_t count = 0;
+  for (std::size_t at = markdown.find(said); at != std::string::npos;
+       at = markdown.find(said, at + 1)) {
+    ++count;
+  }
+  const auto& runs = report.at("runs");
+  EXPECT_EQ(count, std::count_if(runs.begin(), runs.end(), [](const ordered_json& run) {
+              return !run.at("metrics").is_null();
+            }));
+  report["limits"] = nullptr;
+  EXPECT_EQ(bench::report_markdown(report).find(said), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -1,0 +1,183 @@
+#include "bench/run/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "tautline/flight.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A simulation that does in each step what the test says.
+class Scripted final : public Simulation {
+ public:
+  using Step = std::function<void(Scripted&, int index, double dt)>;
+
+  Scripted(const Case& the_case, Step step)
+      : now(the_case.initial), pulls(the_case.cables.size()), step_(std::move(step)) {}
+  [[nodiscard]] State state() const override { return now; }
+  [[nodiscard]] std::span<const double> impulses() const override { return pulls; }
+  [[nodiscard]] std::span<const Event> events() const override { return located; }
+  [[nodiscard]] std::optional<Stop> stopped() const override { return stop; }
+  void step(double dt) override {
+    std::fill(pulls.begin(), pulls.end(), 0.0);
+    located.clear();
+    step_(*this, index_++, dt);
+  }
+
+  State now;
+  std::vector<double> pulls;
+  std::vector<Event> located;
+  std::optional<Stop> stop;
+
+ private:
+  Step step_;
+  int index_ = 0;
+};
+
+/// A mass 1 on one cable straight below its anchor, without gravity: gap rate = vertical velocity.
+Case plumb() {
+  Case the_case = bouncing_ball(0.5);
+  the_case.gravity = Vec2::Zero();
+  the_case.duration = 1.0;
+  the_case.initial.position = Vec2(0.0, 1.0);
+  the_case.initial.velocity = Vec2(0.0, -1.0);
+  return the_case;
+}
+
+TEST(Record, ConsecutiveStepsWithAnImpulseAreOneImpact) {
+  Scripted simulation(plumb(), [](Scripted& s, int index, double /*dt*/) {
+    if (index == 3 || index == 4) {  // closing at 1, then half of it, then opening at 0.5
+      s.now.velocity.y() += 0.75;
+      s.pulls[0] = 0.75;
+    }
+    if (index == 7) {
+      s.now.velocity.y() = -0.2;  // something turns it round
+    }
+    if (index == 8) {
+      s.now.velocity.y() = 0.1;
+      s.pulls[0] = 0.3;
+    }
+  });
+  const Trajectory run = record(plumb(), simulation, 0.1);
+  ASSERT_EQ(run.impacts.size(), 2U);
+  const RecordedImpact& first = run.impacts[0];
+  EXPECT_DOUBLE_EQ(first.time, 0.3);
+  EXPECT_EQ(first.steps, 2U);
+  EXPECT_DOUBLE_EQ(first.impulse, 1.5);
+  EXPECT_DOUBLE_EQ(first.rate_before, -1.0);
+  EXPECT_DOUBLE_EQ(first.rate_after, 0.5);
+  EXPECT_DOUBLE_EQ(run.impacts[1].time, 0.8);
+  EXPECT_NEAR(-run.impacts[1].rate_after / run.impacts[1].rate_before, 0.5, 1e-15);
+}
+
+TEST(Record, BelievesASimulationThatLocatesItsImpacts) {
+  Scripted simulation(plumb(), [](Scripted& s, int index, double /*dt*/) {
+    if (index == 2) {
+      State after = s.now;
+      after.velocity.y() = 0.5;
+      CableVector impulse(1);
+      impulse << 1.5;
+      s.located.push_back({0.2345, EventKind::impact, CableSet::of(0), impulse, s.now, after});
+      s.pulls[0] = 1.5;
+      s.now = after;
+    }
+  });
+  const Trajectory run = record(plumb(), simulation, 0.1);
+  ASSERT_EQ(run.impacts.size(), 1U);
+  EXPECT_EQ(run.impacts[0].time, 0.2345);
+  EXPECT_EQ(run.impacts[0].steps, 0U);
+  EXPECT_DOUBLE_EQ(run.impacts[0].rate_after, 0.5);
+}
+
+TEST(Record, MeasuresTheRestitutionOfTheVelocitiesThatTheEngineStores) {
+  // semi-implicit Euler with a row, as engines do it: the bounce of the stored velocity includes
+  // this step's gravity, whatever the step
+  for (const double step : {1e-1, 1e-2, 1e-3}) {
+    Case the_case = bouncing_ball(0.5);
+    the_case.duration = 1.5;
+    const Cable& cable = the_case.cables[0];
+    Scripted simulation(the_case, [&cable](Scripted& s, int /*index*/, double dt) {
+      const double closing = -s.now.velocity.y();
+      s.now.velocity.y() -= dt;
+      if (gap(cable, s.now) <= 0.0 && closing > 0.0) {
+        s.pulls[0] = 0.5 * closing - s.now.velocity.y();
+        s.now.velocity.y() = 0.5 * closing;
+      }
+      s.now.position.y() += dt * s.now.velocity.y();
+    });
+    const Trajectory run = record(the_case, simulation, step);
+    ASSERT_GE(run.impacts.size(), 1U);
+    EXPECT_NEAR(run.impacts[0].rate_before, -1.0, 2.0 * step);
+    EXPECT_NEAR(-run.impacts[0].rate_after / run.impacts[0].rate_before, 0.5, 1e-14);
+  }
+}
+
+TEST(Record, TakesAsManyStepsAsFitAndAShorterLastOne) {
+  EXPECT_EQ(step_count(20.0, 1e-3), 20'000U);
+  EXPECT_EQ(step_count(20.0, 1e-4), 200'000U);
+  EXPECT_EQ(step_count(1.0, 0.3), 4U);
+  EXPECT_EQ(step_count(1.0, 5.0), 1U);
+  std::vector<double> steps;
+  Scripted simulation(plumb(), [&](Scripted&, int, double dt) { steps.push_back(dt); });
+  const Trajectory run = record(plumb(), simulation, 0.3);
+  ASSERT_EQ(steps.size(), 4U);
+  EXPECT_EQ(steps[0], 0.3);
+  EXPECT_NEAR(steps[3], 0.1, 1e-15);
+  EXPECT_EQ(run.points.back().time, 1.0);
+}
+
+TEST(Record, ThinsLongRunsButSeesEveryStep) {
+  Scripted simulation(plumb(), [](Scripted& s, int index, double) {
+    s.now.position.y() = index == 501 ? -0.25 : 1.0;  // 0.25 beyond the cable for one step
+    s.now.velocity.y() = -1.0;
+  });
+  const Trajectory run = record(plumb(), simulation, 1e-3, {.most_points = 100});
+  EXPECT_EQ(run.stride, 10U);
+  EXPECT_EQ(run.points.size(), 101U);
+  EXPECT_DOUBLE_EQ(run.overstretch, 0.25);
+}
+
+TEST(Record, EndsARunThatLeavesEveryReasonableRange) {
+  for (const double wild :
+       {1e9, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    Scripted simulation(plumb(), [wild](Scripted& s, int index, double) {
+      if (index == 3) {
+        s.now.position.x() = wild;
+      }
+    });
+    const Trajectory run = record(plumb(), simulation, 0.1);
+    EXPECT_TRUE(run.diverged);
+    EXPECT_DOUBLE_EQ(run.points.back().time, 0.3);  // the last sound state
+  }
+}
+
+TEST(Record, KeepsTheTimeAtWhichASimulationStopped) {
+  Scripted simulation(plumb(), [](Scripted& s, int index, double) {
+    if (index == 4) {
+      s.stop = Simulation::Stop{0.45, "enough"};
+    }
+  });
+  const Trajectory run = record(plumb(), simulation, 0.1);
+  ASSERT_TRUE(run.stop);
+  EXPECT_EQ(run.points.back().time, 0.45);
+  EXPECT_EQ(run.points.size(), 6U);
+}
+
+TEST(Record, OnlyCountsChatter) {
+  Scripted simulation(plumb(), [](Scripted& s, int index, double) {
+    s.now.velocity.y() = index % 2 == 0 ? -1e-6 : 1e-6;
+    s.pulls[0] = index % 2 == 1 ? 2e-6 : 0.0;
+  });
+  const Trajectory run = record(plumb(), simulation, 0.01);
+  EXPECT_TRUE(run.impacts.empty());
+  EXPECT_EQ(run.slow_impacts, 50U);
+}
+
+}  // namespace
+}  // namespace tautline::bench

@@ -1,0 +1,137 @@
+// The picture of one case: what is in it, and what a hostile name or a huge number makes of it.
+
+#include <gtest/gtest.h>
+
+#include "bench/solution/plot_svg.hpp"
+#include "bench/solution/plot_view.hpp"
+#include "tautline/scenarios.hpp"
+#include "tautline/solve.hpp"
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using bench::plot_svg;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+/// No number of the picture is infinite or none.
+bool all_finite(const std::string& svg) {
+  return svg.find("nan") == std::string::npos && svg.find("inf ") == std::string::npos &&
+         svg.find("inf\"") == std::string::npos;
+}
+
+Case case_named(const std::string& name) {
+  for (const Case& the_case : shipped_cases()) {
+    if (the_case.name == name) {
+      return the_case;
+    }
+  }
+  throw std::logic_error("no case " + name);
+}
+
+TEST(Plot, ShowsPathBodiesAnchorsCablesImpactsAxesAndScale) {
+  const Case the_case = case_named("plate-four-cables");
+  const std::string svg = plot_svg(the_case, solve(the_case));
+  const std::size_t panels = count(svg, "x [m]");  // a small motion has a second one
+  EXPECT_EQ(count(svg, "<rect class=\"anchor\""), 4 * panels);
+  EXPECT_EQ(count(svg, "<path class=\"cable before"), 4 * panels);  // the start's cables
+  EXPECT_EQ(count(svg, "<g class=\"start\">"), panels);
+  EXPECT_EQ(count(svg, "<g class=\"end\">"), panels);
+  EXPECT_GE(count(svg, "<g class=\"faint\">"), 1U);
+  EXPECT_GE(count(svg, "<circle class=\"impact\""), 10U);
+  EXPECT_GE(count(svg, " slack\""), 4U);
+  for (const char* part :
+       {"x [m]", "y [m]", "prefers-color-scheme", " m</text>", "start</text>", "end</text>"}) {
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  }
+  EXPECT_TRUE(all_finite(svg));
+}
+
+TEST(Plot, ASlackCableSagsAndATautOneIsStraight) {
+  const Case ball = case_named("bouncing-ball");
+  const std::string svg = plot_svg(ball, solve(ball));
+  EXPECT_EQ(count(svg, "cable before slack\""), count(svg, "x [m]"));
+  // the ball rests on its cable in the end
+  const std::size_t last = svg.find("<path class=\"cable\" d=\"M");
+  ASSERT_NE(last, std::string::npos);
+  EXPECT_NE(svg.substr(last, 60).find('L'), std::string::npos) << svg.substr(last, 60);
+  // a hanging line is as long as its cable, to the second order of a shallow one
+  EXPECT_NEAR(8.0 * std::pow(bench::sag(1.01, 1.0), 2) / 3.0, 0.01, 2e-4);
+  EXPECT_EQ(bench::sag(1.0, 1.0), 0.0);
+  EXPECT_EQ(bench::sag(1.0, 1.1), 0.0);
+}
+
+TEST(Plot, AHostileNameIsHarmless) {
+  Case the_case = case_named("bouncing-ball");
+  the_case.name = "</title><script>alert('1')</script>\"&\x1b[31m\n" + std::string(10'000, 'x');
+  const std::string svg = plot_svg(the_case, solve(the_case));
+  EXPECT_EQ(svg.find("<script"), std::string::npos);
+  EXPECT_EQ(svg.find('\x1b'), std::string::npos);
+  EXPECT_NE(svg.find("&lt;/title&gt;&lt;script&gt;"), std::string::npos);
+  EXPECT_LT(svg.find("</svg>"), 300'000U);
+}
+
+TEST(Plot, HugeTinyAndStillMotionsHaveAPictureToo) {
+  for (const double scale : {1e-8, 1.0, 1e9, 1e18}) {
+    Case the_case = case_named("bouncing-ball");
+    for (Cable& cable : the_case.cables) {
+      cable.anchor *= scale;
+      cable.length *= scale;
+    }
+    the_case.initial.position *= scale;
+    the_case.gravity *= scale;
+    const std::string svg = plot_svg(the_case, solve(the_case));
+    EXPECT_TRUE(all_finite(svg)) << scale;
+    EXPECT_LT(svg.size(), 300'000U) << scale;
+    EXPECT_GE(count(svg, "class=\"grid\""), 6U) << scale;
+  }
+  bench::Extent extent;
+  extent.add({std::numeric_limits<double>::infinity(), 0.0});
+  extent.add({1e308, -1e308});
+  EXPECT_TRUE(extent.with_margin().size().allFinite());
+  bench::Extent still;
+  still.add({3.0, 4.0});
+  EXPECT_GT(still.with_margin().size().minCoeff(), 0.0);
+}
+
+TEST(Plot, GoesToAFileOrToStandardOutputAndSaysWhenItCannot) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "p.svg").string();
+  const Outcome to_file = program({"solve", "bouncing-ball", "--plot", file});
+  EXPECT_EQ(to_file.code, 0);
+  EXPECT_NE(to_file.output.find("event at"), std::string::npos);
+  const Outcome to_output = program({"solve", "bouncing-ball", "--plot", "-"});
+  EXPECT_EQ(to_output.output, content_of(file));
+  EXPECT_TRUE(to_output.output.starts_with("<svg"));
+  const Outcome nowhere = program({"solve", "bouncing-ball", "--plot", "/proc/p.svg"});
+  EXPECT_EQ(nowhere.code, 1);
+  EXPECT_NE(nowhere.errors.find("cannot write /proc/p.svg"), std::string::npos) << nowhere.errors;
+  EXPECT_EQ(program({"solve", "bouncing-ball", "--plot", "-", "--json", "-"}).code, 2);
+}
+
+TEST(Plot, ANameThatIsEmptyOrTakenIsRefused) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "p").string();
+  const std::string same = (folder.path() / "." / "p").string();
+  for (const auto& [option, name] : {std::pair{"--plot", ""}, {"--json", ""}}) {
+    const Outcome empty = program({"solve", "bouncing-ball", option, name});
+    EXPECT_EQ(empty.code, 2) << option;
+    EXPECT_NE(empty.errors.find("must be the name of a file, or -"), std::string::npos)
+        << empty.errors;
+    EXPECT_EQ(empty.output, "");
+  }
+  const Outcome both = program({"solve", "bouncing-ball", "--plot", file, "--json", same});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_NE(both.errors.find("would overwrite"), std::string::npos) << both.errors;
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+}  // namespace
+}  // namespace tautline::test

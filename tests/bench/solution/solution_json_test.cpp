@@ -1,0 +1,169 @@
+#include "bench/solution/solution_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "bench/base/text.hpp"
+#include "bench/cases/case_file.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::bench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Strings = std::vector<std::string>;
+
+Strings keys(const Json& object) {
+  Strings result;
+  for (const auto& [key, value] : object.items()) {
+    result.push_back(key);
+  }
+  return result;
+}
+
+/// What a script reads: the object printed and parsed again.
+Json printed(const Case& the_case, const std::vector<double>& sample_times = {}) {
+  const SolveOptions options;
+  const Solution solution = solve(the_case, options);
+  return Json::parse(
+      solution_json(the_case, options, solution, settling(the_case, solution), sample_times)
+          .dump(2));
+}
+
+TEST(SolutionJson, HasTheNamesScriptsDependOn) {
+  const Json json = printed(bouncing_ball(), {0.5});
+  const Strings state = {"position", "angle", "velocity", "spin"};
+  EXPECT_EQ(json.at("schema"), 2);
+  EXPECT_EQ(keys(json.at("case")),
+            (Strings{"name", "duration", "gravity", "body", "cables", "initial"}));
+  EXPECT_EQ(keys(json.at("case").at("body")), (Strings{"mass", "inertia"}));
+  EXPECT_EQ(keys(json.at("case").at("cables").at(0)),
+            (Strings{"anchor", "attachment", "length", "restitution"}));
+  EXPECT_EQ(keys(json.at("options")), (Strings{"law", "completion_error", "max_events"}));
+  const Json& event = json.at("events").at(0);
+  EXPECT_EQ(keys(event), (Strings{"time", "kind", "cables", "impulses", "before", "after"}));
+  EXPECT_EQ(keys(event.at("before")), state);
+  EXPECT_EQ(keys(json.at("end_state")), state);
+  EXPECT_EQ(keys(json.at("energy")),
+            (Strings{"start", "impacts", "completions", "end", "residual"}));
+  EXPECT_EQ(keys(json.at("settling")), (Strings{"last_impacts", "lock"}));
+  EXPECT_EQ(keys(json.at("settling").at("last_impacts").at(0)), (Strings{"speed", "time"}));
+  EXPECT_EQ(keys(json.at("settling").at("lock")),
+            (Strings{"time", "uncertainty", "cables", "permanent", "rests", "swing"}));
+  EXPECT_TRUE(json.at("settling").at("lock").at("swing").is_null()) << "the ball rests";
+  EXPECT_EQ(keys(json.at("samples").at(0)),
+            (Strings{"time", "position", "angle", "velocity", "spin"}));
+}
+
+TEST(SolutionJson, FirstBounceHasItsClosedForm) {
+  const Json event = printed(bouncing_ball(0.5)).at("events").at(0);
+  // a fall of 0.5 under gravity 1 takes 1 and ends at speed 1; the impulse is (1 + e) m v
+  EXPECT_DOUBLE_EQ(event.at("time").get<double>(), std::sqrt(2.0 * 0.5));
+  EXPECT_EQ(event.at("kind"), "impact");
+  EXPECT_EQ(event.at("cables"), Json::array({0}));
+  EXPECT_DOUBLE_EQ(event.at("impulses").at(0).get<double>(), 1.5);
+  EXPECT_DOUBLE_EQ(event.at("before").at("velocity").at(1).get<double>(), -1.0);
+  EXPECT_DOUBLE_EQ(event.at("after").at("velocity").at(1).get<double>(), 0.5);
+}
+
+TEST(SolutionJson, EveryNumberOfTheSolutionReadsBackEqual) {
+  const Case the_case = breakwater(table_5_1().front().parameters, "x");
+  const Solution solution = solve(the_case);
+  const Json json = printed(the_case);
+  ASSERT_EQ(json.at("events").size(), solution.events().size());
+  for (std::size_t index = 0; index < solution.events().size(); ++index) {
+    const Event& event = solution.events()[index];
+    const Json& other = json.at("events").at(index);
+    EXPECT_EQ(other.at("time").get<double>(), event.time);
+    EXPECT_EQ(other.at("impulses").at(0).get<double>(), event.impulses[0]);
+    EXPECT_EQ(other.at("after").at("spin").get<double>(), event.after.spin);
+  }
+  EXPECT_EQ(json.at("end_time").get<double>(), solution.end_time());
+  EXPECT_EQ(json.at("energy").at("start").get<double>(), energy(the_case, the_case.initial));
+}
+
+TEST(SolutionJson, CaseHasTheKeysOfACaseFile) {
+  Case the_case = bouncing_ball();
+  the_case.angle_limit = 1.5;
+  the_case.ceiling = 1.75;
+  const Json json = case_json(the_case);
+  EXPECT_EQ(json.at("angle_limit"), 1.5);
+  EXPECT_EQ(json.at("ceiling"), 1.75);
+  // every key of the file is in the object: a reader of one can read the other
+  EXPECT_EQ(keys(json), (Strings{"name", "duration", "gravity", "angle_limit", "ceiling", "body",
+                                 "cables", "initial"}));
+}
+
+TEST(SolutionJson, HasEveryAccumulationOfTheSolution) {
+  for (const Case& the_case :
+       {bouncing_ball(), breakwater(table_5_1().front().parameters, "standard")}) {
+    const Solution solution = solve(the_case);
+    const Json all = printed(the_case).at("accumulations");
+    ASSERT_FALSE(all.empty()) << the_case.name;
+    ASSERT_EQ(all.size(), solution.accumulations().size());
+    for (std::size_t index = 0; index < all.size(); ++index) {
+      EXPECT_EQ(keys(all.at(index)),
+                (Strings{"start", "time", "uncertainty", "cables", "energy_lost"}));
+      EXPECT_EQ(all.at(index).at("time").get<double>(), solution.accumulations()[index].time);
+    }
+  }
+  EXPECT_EQ(printed(bouncing_ball(1.0)).at("accumulations"), Json::array());
+}
+
+TEST(SolutionJson, SettlingIsNullWhereNothingSettles) {
+  const Json elastic = printed(bouncing_ball(1.0)).at("settling");
+  EXPECT_TRUE(elastic.at("lock").is_null());
+  Case still = bouncing_ball(1.0);
+  still.duration = 0.5;  // before the first impact, at 1
+  const Json impacts = printed(still).at("settling").at("last_impacts");
+  ASSERT_EQ(impacts.size(), 2U);
+  EXPECT_EQ(impacts.at(0).at("speed"), 1e-2);
+  EXPECT_EQ(impacts.at(1).at("speed"), 1e-3);
+  EXPECT_TRUE(impacts.at(0).at("time").is_null());
+}
+
+TEST(SolutionJson, LedgerAccountsForEveryJouleOfTheBall) {
+  const Json energy = printed(bouncing_ball(0.5)).at("energy");
+  const auto number = [&](const char* key) { return energy.at(key).get<double>(); };
+  EXPECT_EQ(number("start"), 0.5);
+  EXPECT_NEAR(number("end"), 0.0, 1e-16);  // of a start of 0.5: within rounding
+  EXPECT_GT(number("completions"), 0.0);
+  EXPECT_LT(std::abs(number("residual")), 1e-15);
+  EXPECT_NEAR(number("impacts") + number("completions"), 0.5, 1e-15);
+}
+
+TEST(SolutionJson, SamplesComeInTheOrderAsked) {
+  const Json json = printed(bouncing_ball(), {0.5, 0.0, 0.5});
+  ASSERT_EQ(json.at("samples").size(), 3U);
+  EXPECT_EQ(json.at("samples").at(1).at("time"), 0.0);
+  EXPECT_EQ(json.at("samples").at(1).at("position"), Json::array({0.0, 0.5}));
+  EXPECT_EQ(json.at("samples").at(0), json.at("samples").at(2));
+  EXPECT_FALSE(printed(bouncing_ball()).contains("samples"));
+}
+
+TEST(SolutionJson, SampleOutsideTheSolutionIsNamedWithItsEnd) {
+  Case the_case = bouncing_ball();
+  the_case.duration = 0.75;
+  const Solution solution = solve(the_case);
+  const std::vector<double> times = {0.0, 0.75, 1.25, -1.0,
+                                     std::numeric_limits<double>::quiet_NaN()};
+  const std::string rest = " is outside [0, 0.75]: the solution ends there (reached_duration)";
+  EXPECT_EQ(
+      sample_problems(solution, times),
+      (Strings{"sample time 1.25" + rest, "sample time -1" + rest, "sample time nan" + rest}));
+  EXPECT_THROW(static_cast<void>(solution_json(the_case, {}, solution, {}, times)),
+               std::out_of_range);
+}
+
+TEST(SolutionJson, ZeroAndWholeNumbersStayNumbersWithAPoint) {
+  State state;
+  state.position = Vec2(-0.0, 20.0);
+  EXPECT_EQ(state_json(state).dump(),
+            R"({"position":[-0.0,20.0],"angle":0.0,"velocity":[0.0,0.0],"spin":0.0})");
+}
+
+}  // namespace
+}  // namespace tautline::bench

@@ -1,4 +1,4 @@
-#include "engine_support.hpp"
+#include "engines/engine_support.hpp"
 
 #include <algorithm>
 #include <cmath>

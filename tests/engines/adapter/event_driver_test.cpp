@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "analytic/support.hpp"
-#include "engine_support.hpp"
+#include "engines/engine_support.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"

@@ -1,4 +1,4 @@
-#include "claims.hpp"
+#include "engines/interface/claims.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "analytic/support.hpp"
-#include "engine_support.hpp"
+#include "engines/engine_support.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 

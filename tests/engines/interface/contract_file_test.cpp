@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "claims.hpp"
-#include "engine_support.hpp"
+#include "engines/interface/claims.hpp"
+#include "engines/engine_support.hpp"
 
 namespace tautline::test {
 namespace {

@@ -194,11 +194,11 @@ class btCableConstraint : public btTypedConstraint {
   btCableLine getLineBefore(btScalar timeStep) const;
 
   // of the leader: the cables that pull at each other's bodies, and their solve
+  class Overstretch;
   void gather();
   void gatherFrom(const btCablesOnBody& list);
   void begin(btSolverBody* pool, btScalar timeStep);
   void fillBlock(btSolverBody* pool);
-  void moveOutOfOverstretch(btSolverBody* pool, btScalar timeStep);
   void slowTurning(btSolverBody* pool, btScalar timeStep);
   void find(btSolverBody* pool, btScalar timeStep, bool first);
 

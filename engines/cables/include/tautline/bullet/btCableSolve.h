@@ -18,6 +18,7 @@
 #include <cmath>
 
 #include "tautline/bullet/btCableConstraint.h"
+#include "tautline/cable_overstretch.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
@@ -139,25 +140,6 @@ inline void btCableConstraint::solveConstraintObsolete(btSolverBody& bodyA, btSo
   }
 }
 
-/// What every cable asks for, and their Delassus matrix.
-inline void btCableConstraint::begin(btSolverBody* pool, btScalar timeStep) {
-  m_pulling.clear();
-  for (btCableConstraint* cable : m_together) {
-    cable->m_line = cable->getLineBefore(timeStep);
-    cable->ask(cable->startOf(pool, timeStep));
-    cable->m_solved = true;
-    if (cable->m_row.acts) {
-      m_pulling.push_back(cable);
-    }
-  }
-  fillBlock(pool);
-  moveOutOfOverstretch(pool, timeStep);
-  m_block.forget();
-  for (std::size_t index = 0; index < m_pulling.size(); ++index) {
-    m_pulling[index]->m_inverseMass = static_cast<btScalar>(m_block.inverse_mass(index));
-  }
-}
-
 inline void btCableConstraint::fillBlock(btSolverBody* pool) {
   m_block.begin(m_pulling.size());
   for (std::size_t index = 0; index < m_pulling.size(); ++index) {
@@ -174,43 +156,57 @@ inline void btCableConstraint::fillBlock(btSolverBody* pool) {
   m_block.assemble();
 }
 
-/// Newton's method for the gaps that the corrections ask for. One round does, unless bodies turn by
-/// much; then the step goes on from the lines where they are now.
-inline void btCableConstraint::moveOutOfOverstretch(btSolverBody* pool, btScalar timeStep) {
-  btScalar most = 0;
-  for (btCableConstraint* cable : m_pulling) {
-    cable->m_aimedDistance = cable->m_line.m_distance - cable->m_correction;
-    most = cable->m_correction > 4 * SIMD_EPSILON * cable->m_rule.length
-               ? btMax(most, cable->m_correction)
-               : most;
+/// The cables that pull, as tautline::move_out_of_overstretch needs them.
+class btCableConstraint::Overstretch {
+ public:
+  Overstretch(btCableConstraint& leader, btSolverBody* pool, btScalar timeStep)
+      : m_leader(leader), m_pool(pool), m_timeStep(timeStep) {}
+
+  btScalar distance(std::size_t index) const { return at(index).m_line.m_distance; }
+  btScalar distance_now(std::size_t index) const {
+    return at(index).getLineBefore(m_timeStep).m_distance;
   }
-  const int rounds = most > 0 ? 10 : 0;
-  for (int done = 0; done < rounds; ++done) {
-    for (std::size_t index = 0; index < m_pulling.size(); ++index) {
-      const btCableConstraint& cable = *m_pulling[index];
-      m_block.lacking(index) = cable.m_line.m_distance - cable.m_aimedDistance;
-    }
-    m_block.solve(tautline::CableBlock::positions);
-    for (std::size_t index = 0; index < m_pulling.size(); ++index) {
-      m_pulling[index]->move(pool, m_block.row(index), m_block.impulse(index));
-    }
-    btScalar left = 0;
-    for (btCableConstraint* cable : m_pulling) {
-      left = btMax(left, cable->getLineBefore(timeStep).m_distance - cable->m_aimedDistance);
-    }
-    const btScalar enough = btScalar(0.1);  // of the correction: the rest comes in the next steps
-    if (left <= enough * most) {
-      break;
-    }
-    for (btCableConstraint* cable : m_pulling) {
-      cable->m_line = cable->getLineBefore(timeStep);
+  btScalar correction(std::size_t index) const { return at(index).m_correction; }
+  btScalar length(std::size_t index) const { return at(index).m_rule.length; }
+  btScalar& aimed(std::size_t index) { return at(index).m_aimedDistance; }
+  void move(std::size_t index, double push) {
+    at(index).move(m_pool, m_leader.m_block.row(index), push);
+  }
+  void slow_turning() { m_leader.slowTurning(m_pool, m_timeStep); }
+  void look_again() {
+    for (btCableConstraint* cable : m_leader.m_pulling) {
+      cable->m_line = cable->getLineBefore(m_timeStep);
       const btScalar rate = cable->m_line.rate(cable->m_rbA, cable->m_rbB);
       cable->m_row.rate = btMin(cable->m_row.rate, -rate - cable->m_rule.length_rate);
     }
-    fillBlock(pool);
-    if (done == 0) {
-      slowTurning(pool, timeStep);
+    m_leader.fillBlock(m_pool);
+  }
+
+ private:
+  btCableConstraint& at(std::size_t index) const { return *m_leader.m_pulling[index]; }
+
+  btCableConstraint& m_leader;
+  btSolverBody* m_pool;
+  btScalar m_timeStep;  // [s]
+};
+
+/// What every cable asks for, and their Delassus matrix.
+inline void btCableConstraint::begin(btSolverBody* pool, btScalar timeStep) {
+  m_pulling.clear();
+  for (btCableConstraint* cable : m_together) {
+    cable->m_line = cable->getLineBefore(timeStep);
+    cable->ask(cable->startOf(pool, timeStep));
+    cable->m_solved = true;
+    if (cable->m_row.acts) {
+      m_pulling.push_back(cable);
     }
+  }
+  fillBlock(pool);
+  Overstretch overstretch(*this, pool, timeStep);
+  tautline::move_out_of_overstretch<btScalar>(overstretch, m_block, m_pulling.size());
+  m_block.forget();
+  for (std::size_t index = 0; index < m_pulling.size(); ++index) {
+    m_pulling[index]->m_inverseMass = static_cast<btScalar>(m_block.inverse_mass(index));
   }
 }
 
@@ -233,7 +229,7 @@ inline void btCableConstraint::slowTurning(btSolverBody* pool, btScalar timeStep
 inline void btCableConstraint::move(btSolverBody* pool, const tautline::CableBlock::Row& row,
                                     double push) {
   const btRigidBody* bodies[] = {&m_rbA, &m_rbB};
-  for (int side = 0; side < 2 && push > 0; ++side) {
+  for (int side = 0; side < 2; ++side) {
     btSolverBody* body = btSolverBodyOf(pool, *bodies[side]);
     if (body != nullptr) {
       const btScalar by = static_cast<btScalar>(push);  // [kg m]

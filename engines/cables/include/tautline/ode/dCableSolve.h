@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "tautline/cable_overstretch.h"
 #include "tautline/ode/dCable.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
@@ -43,6 +44,36 @@ class dxCableSolve {
   struct Acting {
     dCableID cable;
     std::size_t cluster;
+  };
+
+  /// The cables that pull together, as tautline::move_out_of_overstretch needs them.
+  struct Overstretch {
+    dxCableSolve& solve;
+    const Acting* acting;
+    std::size_t count;
+
+    dxCable& at(std::size_t index) const { return *acting[index].cable; }
+    dReal distance(std::size_t index) const { return at(index).line.distance; }
+    dReal distance_now(std::size_t index) const { return dxCableLine(at(index).end).distance; }
+    dReal correction(std::size_t index) const { return at(index).correction; }
+    dReal length(std::size_t index) const { return at(index).rule.length; }
+    dReal& aimed(std::size_t index) const { return at(index).aimed_distance; }
+    void move(std::size_t index, double push) const {
+      for (int side = 0; side < 2; ++side) {
+        if (at(index).end[side].is_moved()) {
+          dxCableSolve::move(at(index).end[side].body, solve.m_block.row(index).end[side], push);
+        }
+      }
+    }
+    void slow_turning() const { solve.slow_turning(acting, count); }
+    void look_again() const {
+      for (std::size_t index = 0; index < count; ++index) {
+        dxCable& cable = at(index);
+        cable.line.find(cable.end);
+        cable.row.rate = std::min(cable.row.rate, -cable.line.rate(cable.end) - cable.length_rate);
+      }
+      solve.fill(acting, count);
+    }
   };
 
   /// What every cable asks for.
@@ -125,7 +156,8 @@ class dxCableSolve {
       }
     }
     fill(acting, count);
-    move_out_of_overstretch(acting, count);
+    Overstretch overstretch{*this, acting, count};
+    tautline::move_out_of_overstretch<dReal>(overstretch, m_block, count);
     m_block.forget();
     for (std::size_t index = 0; index < count; ++index) {
       acting[index].cable->inverse_mass = static_cast<dReal>(m_block.inverse_mass(index));
@@ -162,53 +194,6 @@ class dxCableSolve {
     const dReal still = dBodyGetAutoDisableAngularThreshold(body);
     return dCalcVectorLengthSquare3(dBodyGetLinearVel(body)) <= slow * slow &&
            dCalcVectorLengthSquare3(dBodyGetAngularVel(body)) <= still * still;
-  }
-
-  /// Newton's method for the gaps that the corrections ask for. One round does, unless bodies turn
-  /// by much; then the step goes on from the lines where they are now.
-  void move_out_of_overstretch(const Acting* acting, std::size_t count) {
-    dReal most = 0;
-    for (std::size_t index = 0; index < count; ++index) {
-      dxCable& cable = *acting[index].cable;
-      cable.aimed_distance = cable.line.distance - cable.correction;
-      if (cable.correction > 4 * std::numeric_limits<dReal>::epsilon() * cable.rule.length) {
-        most = std::max(most, cable.correction);
-      }
-    }
-    const int rounds = most > 0 ? 10 : 0;
-    for (int done = 0; done < rounds; ++done) {
-      for (std::size_t index = 0; index < count; ++index) {
-        const dxCable& cable = *acting[index].cable;
-        m_block.lacking(index) = cable.line.distance - cable.aimed_distance;
-      }
-      m_block.solve(tautline::CableBlock::positions);
-      for (std::size_t index = 0; index < count; ++index) {
-        const double push = m_block.impulse(index);  // [kg m]
-        for (int side = 0; side < 2 && push > 0; ++side) {
-          if (acting[index].cable->end[side].is_moved()) {
-            move(acting[index].cable->end[side].body, m_block.row(index).end[side], push);
-          }
-        }
-      }
-      dReal left = 0;
-      for (std::size_t index = 0; index < count; ++index) {
-        const dxCable& cable = *acting[index].cable;
-        left = std::max(left, dxCableLine(cable.end).distance - cable.aimed_distance);
-      }
-      const dReal enough = dReal(0.1);  // of the correction: the rest comes in the next steps
-      if (left <= enough * most) {
-        break;
-      }
-      if (done == 0) {
-        slow_turning(acting, count);
-      }
-      for (std::size_t index = 0; index < count; ++index) {
-        dxCable& cable = *acting[index].cable;
-        cable.line.find(cable.end);
-        cable.row.rate = std::min(cable.row.rate, -cable.line.rate(cable.end) - cable.length_rate);
-      }
-      fill(acting, count);
-    }
   }
 
   /// Takes half of the spin of a body that turns too far in a step for it to follow.

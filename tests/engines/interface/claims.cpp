@@ -41,6 +41,7 @@ std::string unknown(const std::string& what, const std::string& name,
 void read_exception(bench::StrictTable& table, std::size_t line,
                     std::span<const std::string> models, bench::Findings& findings,
                     std::vector<Exception>& exceptions) {
+  const std::string engine = table.optional_text("engine").value_or("");
   const std::string model = table.text("model");
   const std::string reason = table.text("reason");
   if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end()) {
@@ -48,7 +49,7 @@ void read_exception(bench::StrictTable& table, std::size_t line,
   }
   for (const std::string& name : table.texts("claims", "must be an array of claims")) {
     if (bench::find_claim(name) != nullptr || name == accuracy_claim) {
-      exceptions.push_back({model, name, reason});
+      exceptions.push_back({engine, model, name, reason});
     } else {
       findings.add(line, unknown("claim", name, claim_names()));
     }
@@ -76,8 +77,14 @@ ContractFile read_contract(std::string_view text, const std::string& source_name
   return result;
 }
 
+fs::path folder_of(const std::string& engine) {
+  const fs::path own = fs::path(TAUTLINE_ENGINE_SOURCES) / engine;
+  return fs::exists(own) ? own
+                         : own.parent_path() / engine.substr(0, engine.find_first_of("0123456789"));
+}
+
 ContractFile contract_of(const std::string& engine, std::span<const std::string> models) {
-  const fs::path path = fs::path(TAUTLINE_ENGINE_SOURCES) / engine / "contract.toml";
+  const fs::path path = folder_of(engine) / "contract.toml";
   if (!fs::exists(path)) {
     return {};
   }
@@ -85,7 +92,10 @@ ContractFile contract_of(const std::string& engine, std::span<const std::string>
   if (file.problem) {
     return {{}, {path.string() + ": " + *file.problem}};
   }
-  return read_contract(file.content, path.string(), models);
+  ContractFile contract = read_contract(file.content, path.string(), models);
+  std::erase_if(contract.exceptions,
+                [&](const Exception& row) { return !row.engine.empty() && row.engine != engine; });
+  return contract;
 }
 
 std::vector<fs::path> contract_files() {
@@ -112,7 +122,8 @@ void expect_claim(const std::string& engine, const std::string& model, std::stri
     EXPECT_LE(reached, allowed) << claim;
   } else {
     EXPECT_GT(reached, allowed) << claim << " holds now, although: " << exception->reason
-                                << "; take it out of engines/" << engine << "/contract.toml";
+                                << "; take it out of "
+                                << (folder_of(engine) / "contract.toml").string();
   }
 }
 

@@ -1,10 +1,10 @@
-// The exceptions in engines/<name>/contract.toml: that the files are sound, and that an unsound one
-// is refused.
+// The exceptions in engines/<folder>/contract.toml: that the files are sound, and that an unsound
+// one is refused.
 
 #include <gtest/gtest.h>
 
-#include "engines/interface/claims.hpp"
 #include "engines/engine_support.hpp"
+#include "engines/interface/claims.hpp"
 
 namespace tautline::test {
 namespace {
@@ -28,6 +28,17 @@ TEST(ContractFile, TakesOneExceptionForEachClaim) {
   EXPECT_EQ(file.exceptions[1].reason, "it is so");
 }
 
+TEST(ContractFile, MayBeOfOneOfTheEnginesThatShareItsFolder) {
+  const ContractFile file = read_contract(
+      "[[exception]]\nengine = 'chipmunk32'\nmodel = 'row'\nclaims = ['flight']\nreason = 'so'\n",
+      "contract.toml", models);
+  EXPECT_TRUE(file.problems.empty()) << file.problems.front();
+  ASSERT_EQ(file.exceptions.size(), 1U);
+  EXPECT_EQ(file.exceptions[0].engine, "chipmunk32");
+  EXPECT_EQ(folder_of("bullet64"), folder_of("bullet32"));
+  EXPECT_NE(folder_of("box2d"), folder_of("bullet32"));
+}
+
 TEST(ContractFile, RefusesWhatItDoesNotKnow) {
   const std::string row = "[[exception]]\nmodel = 'row'\nclaims = ['flight']\nreason = 'so'\n";
   EXPECT_EQ(refusal(row), "accepted");
@@ -46,14 +57,14 @@ TEST(ContractFile, RefusesWhatItDoesNotKnow) {
 
 TEST(ContractFiles, AreSoundAndNameModelsThatThereAre) {
   for (const auto& path : contract_files()) {
-    const std::string name = path.parent_path().filename();
+    const std::string folder = path.parent_path().filename();
     std::vector<std::string> names;  // none where the engine is not built
     for (const ModelUnderTest& model : models_under_test()) {
-      if (model.engine == name) {
+      if (folder_of(model.engine) == path.parent_path()) {
         names.push_back(model.model);
       }
     }
-    for (const std::string& problem : contract_of(name, names).problems) {
+    for (const std::string& problem : contract_of(folder, names).problems) {
       ADD_FAILURE() << problem;
     }
   }

@@ -10,8 +10,8 @@
 
 #include "analytic/support.hpp"
 #include "bench/check/claims.hpp"
-#include "engines/interface/claims.hpp"
 #include "engines/engine_support.hpp"
+#include "engines/interface/claims.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 

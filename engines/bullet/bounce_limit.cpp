@@ -45,8 +45,8 @@ std::unique_ptr<Joint> make_joint(btRigidBody& body, const Cable& cable) {
 
 class BounceLimitSimulation final : public Simulation {
  public:
-  BounceLimitSimulation(const Case& the_case, double step)
-      : case_(the_case), step_(step), world_(the_case), impulses_(the_case.cables.size()) {
+  BounceLimitSimulation(const Case& the_case, const RunSettings& run)
+      : case_(the_case), step_(run.step), world_(the_case), impulses_(the_case.cables.size()) {
     for (const Cable& cable : case_.cables) {
       joints_.push_back(&world_.add(make_joint(world_.body(), cable)));
     }
@@ -84,20 +84,19 @@ class BounceLimitSimulation final : public Simulation {
 
 std::vector<ModelEntry> bounce_limit_models() {
   return {
-      {{"bounce-limit",
-        "The upper limit of a btGeneric6DofSpring2Constraint turned along the cable before every "
-        "step, with Bullet's bounce.",
-        with_world_settings({{"setLimit", "axis 0: [0, length], the others free",
-                              "The distance between anchor and attachment is all that is "
-                              "limited."},
-                             {"setBounce", "the cable's restitution",
-                              "Bullet's bounce of a limit is 0 unless it is set."},
-                             {"BT_CONSTRAINT_STOP_ERP", "1",
-                              "With Bullet's 0.2 the limit brakes the body before it gets there, "
-                              "and never bounces."}})},
-       [](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
-         return std::make_unique<BounceLimitSimulation>(the_case, settings.step);
-       }}};
+      {.model = {.name = "bounce-limit",
+                 .sentence = "The upper limit of a btGeneric6DofSpring2Constraint turned along the "
+                             "cable before every step, with Bullet's bounce.",
+                 .settings = joined(
+                     {world_settings(),
+                      {{"setLimit", "axis 0: [0, length], the others free",
+                        "The distance between anchor and attachment is all that is limited."},
+                       {"setBounce", "the cable's restitution",
+                        "Bullet's bounce of a limit is 0 unless it is set."},
+                       {"BT_CONSTRAINT_STOP_ERP", "1",
+                        "With Bullet's 0.2 the limit brakes the body before it gets there, and "
+                        "never bounces."}}})},
+       .start = makes<BounceLimitSimulation>()}};
 }
 
 }  // namespace tautline::bullet

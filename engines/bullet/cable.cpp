@@ -98,31 +98,29 @@ class CableEventsSimulation final : public Simulation {
   ImpactsBetweenParts impacts_;
 };
 
-template <class CablesInWorld>
-ModelEntry entry(std::string name, std::string sentence, std::vector<Setting> own) {
-  std::vector<Setting> settings = {
-      {"setRestitution", "the cable's restitution", "A cable does not rebound unless it is set."}};
-  settings.insert(settings.end(), own.begin(), own.end());
-  return {{std::move(name), std::move(sentence), with_world_settings(std::move(settings))},
-          [](const Case& the_case, const RunSettings& /*run*/) -> std::unique_ptr<Simulation> {
-            return std::make_unique<CablesInWorld>(the_case);
-          }};
+std::vector<Setting> settings(const std::vector<Setting>& own) {
+  return joined({world_settings(),
+                 {{"setRestitution", "the cable's restitution",
+                   "A cable does not rebound unless it is set."}},
+                 own});
 }
 
 }  // namespace
 
 std::vector<ModelEntry> cable_models() {
-  return {
-      entry<CableSimulation>(
-          "cable",
-          "tautline's btCableConstraint, the drop-in cable for a world of one's own, in "
-          "stepSimulation.",
-          {}),
-      entry<CableEventsSimulation>(
-          "cable-events",
-          "The same btCableConstraint with btStepWithCables, which splits a step at its impacts.",
-          {{"btStepWithCables", "instead of stepSimulation, with its own 8 parts a step",
-            "Impacts are solved at zero gap and in no time."}})};
+  return {{.model = {.name = "cable",
+                     .sentence = "tautline's btCableConstraint, the drop-in cable for a world of "
+                                 "one's own, in stepSimulation.",
+                     .settings = settings({})},
+           .start = makes<CableSimulation>()},
+          {.model = {.name = "cable-events",
+                     .sentence = "The same btCableConstraint with btStepWithCables, which splits a "
+                                 "step at its impacts.",
+                     .settings = settings({{"btStepWithCables",
+                                            "instead of stepSimulation, with its own 8 parts a "
+                                            "step",
+                                            "Impacts are solved at zero gap and in no time."}})},
+           .start = makes<CableEventsSimulation>()}};
 }
 
 }  // namespace tautline::bullet

@@ -1,5 +1,8 @@
 #include "cable_constraint.hpp"
 
+#include <memory>
+#include <utility>
+
 namespace tautline::bullet {
 
 // no type of Bullet's own: its debug drawer casts those to its own classes
@@ -30,13 +33,16 @@ void CableConstraint::getInfo2(btConstraintInfo2* info) {
   info->m_upperLimit[0] = SIMD_INFINITY;
 }
 
-std::vector<std::unique_ptr<CableConstraint>> cable_constraints(const Case& the_case,
-                                                                World& world) {
-  std::vector<std::unique_ptr<CableConstraint>> result;
+CableConstraints::CableConstraints(const Case& the_case, World& world, Acting acting) {
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    result.push_back(std::make_unique<CableConstraint>(world.body()));
+    auto constraint = std::make_unique<CableConstraint>(world.body());
+    rows_.push_back(constraint.get());
+    if (acting == Acting::in_steps) {
+      world.add(std::move(constraint));
+    } else {
+      world.keep(std::move(constraint));
+    }
   }
-  return result;
 }
 
 }  // namespace tautline::bullet

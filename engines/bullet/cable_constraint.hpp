@@ -36,8 +36,23 @@ class CableConstraint final : public btTypedConstraint {
   btScalar rate_ = 0;
 };
 
-/// One constraint per cable of `the_case`.
-[[nodiscard]] std::vector<std::unique_ptr<CableConstraint>> cable_constraints(const Case& the_case,
-                                                                              World& world);
+/// Where such constraints act.
+enum class Acting { in_steps, in_solves_alone };
+
+/// One constraint per cable of a case: the `Rows` of adapter/row_model.hpp.
+class CableConstraints {
+ public:
+  /// `world` owns them.
+  CableConstraints(const Case& the_case, World& world, Acting acting);
+
+  void pull(std::size_t index, const CableRow& row, double rate) { rows_[index]->pull(row, rate); }
+  void let_go(std::size_t index) { rows_[index]->let_go(); }
+  [[nodiscard]] double impulse(std::size_t index) const { return rows_[index]->impulse(); }
+
+  [[nodiscard]] btTypedConstraint* operator[](std::size_t index) const { return rows_[index]; }
+
+ private:
+  std::vector<CableConstraint*> rows_;
+};
 
 }  // namespace tautline::bullet

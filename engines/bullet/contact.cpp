@@ -3,7 +3,6 @@
 // user reaches this through a custom collision algorithm (Bullet manual, "Collision Detection").
 
 #include <algorithm>
-#include <utility>
 
 #include "models.hpp"
 #include "tautline/cable_row.hpp"
@@ -57,8 +56,8 @@ enum class Tuning { as_shipped, best };
 
 class ContactSimulation final : public Simulation {
  public:
-  ContactSimulation(const Case& the_case, Tuning tuning, double step)
-      : case_(the_case), step_(step), world_(the_case), impulses_(the_case.cables.size()) {
+  ContactSimulation(const Case& the_case, const RunSettings& run, Tuning tuning)
+      : case_(the_case), step_(run.step), world_(the_case), impulses_(the_case.cables.size()) {
     if (tuning == Tuning::best) {
       world_.solver_info().m_restitutionVelocityThreshold = 0;
       world_.solver_info().m_splitImpulsePenetrationThreshold = 0;
@@ -100,46 +99,38 @@ class ContactSimulation final : public Simulation {
 
 /// The settings of both models, and those of one.
 std::vector<Setting> contact_settings(const std::vector<Setting>& own) {
-  std::vector<Setting> settings = {
-      {"m_combinedRestitution", "the cable's restitution",
-       "Bullet's contact does not bounce unless it is told to."},
-      {"m_erp2", "0.2; less in a shorter last step, in proportion",
-       "0.2 is Bullet's own; kept in a tiny last step it would turn a small overstretch into a "
-       "large speed."}};
-  settings.insert(settings.end(), own.begin(), own.end());
-  return with_world_settings(std::move(settings));
+  return joined({world_settings(),
+                 {{"m_combinedRestitution", "the cable's restitution",
+                   "Bullet's contact does not bounce unless it is told to."},
+                  {"m_erp2", "0.2; less in a shorter last step, in proportion",
+                   "0.2 is Bullet's own; kept in a tiny last step it would turn a small "
+                   "overstretch into a large speed."}},
+                 own});
 }
 
-ModelEntry entry(Model model, Tuning tuning) {
+std::vector<Setting> settings_that_suit_a_cable() {
   return {
-      std::move(model),
-      [tuning](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
-        return std::make_unique<ContactSimulation>(the_case, tuning, settings.step);
-      },
-      true};
+      {"m_restitutionVelocityThreshold", "0", "Bullet's 0.2 m/s swallows every slower rebound."},
+      {"m_splitImpulsePenetrationThreshold", "0",
+       "With Bullet's -0.04 m a shallow overstretch is pushed out by velocity on top of the "
+       "bounce, which gains energy."},
+      {"m_warmstartingFactor", "0", "The impulse of a bounce is no guess for the step after it."}};
 }
 
 }  // namespace
 
 std::vector<ModelEntry> contact_models() {
-  return {
-      entry({"contact",
-             "A contact without friction from the step after the cable is overstretched, with "
-             "Bullet's own settings: what one tries first.",
-             contact_settings({})},
-            Tuning::as_shipped),
-      entry(
-          {"contact-tuned", "The same contact with the settings that suit a bouncing cable.",
-           contact_settings(
-               {{"m_restitutionVelocityThreshold", "0",
-                 "Bullet's 0.2 m/s swallows every slower rebound."},
-                {"m_splitImpulsePenetrationThreshold", "0",
-                 "With Bullet's -0.04 m a shallow overstretch is pushed out by velocity on top of "
-                 "the bounce, which gains energy."},
-                {"m_warmstartingFactor", "0",
-                 "The impulse of a bounce is no guess for the step after it."}})},
-          Tuning::best),
-  };
+  return {{.model = {.name = "contact",
+                     .sentence = "A contact without friction from the step after the cable is "
+                                 "overstretched, with Bullet's own settings: what one tries first.",
+                     .settings = contact_settings({})},
+           .start = makes<ContactSimulation>(Tuning::as_shipped),
+           .follows_speed = true},
+          {.model = {.name = "contact-tuned",
+                     .sentence = "The same contact with the settings that suit a bouncing cable.",
+                     .settings = contact_settings(settings_that_suit_a_cable())},
+           .start = makes<ContactSimulation>(Tuning::best),
+           .follows_speed = true}};
 }
 
 }  // namespace tautline::bullet

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
+#include "adapter/row_model.hpp"
 #include "cable_constraint.hpp"
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
@@ -28,7 +30,7 @@ constexpr double largest_turn = 0.7;
 class BulletEventAdapter final : public EventAdapter {
  public:
   explicit BulletEventAdapter(const Case& the_case)
-      : case_(the_case), world_(the_case), cables_(cable_constraints(the_case, world_)) {}
+      : case_(the_case), world_(the_case), rows_(the_case, world_, Acting::in_solves_alone) {}
 
   [[nodiscard]] State state() const override { return world_.state(); }
 
@@ -48,24 +50,15 @@ class BulletEventAdapter final : public EventAdapter {
   }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
-    const State before = world_.state();
-    std::vector<btTypedConstraint*> acting;
-    Eigen::Index position = 0;
-    for (const std::size_t index : cables) {
-      cables_[index]->pull(cable_row(case_.cables[index], before), rates[position++]);
-      acting.push_back(cables_[index].get());
-    }
-    solve(acting);
-    CableVector impulses(rates.size());
-    position = 0;
-    for (const std::size_t index : cables) {
-      impulses[position++] = cables_[index]->impulse();
-    }
-    return impulses;
+    return solve_rows(rows_, case_, world_.state(), cables, rates, [&] { solve(cables); });
   }
 
  private:
-  void solve(std::vector<btTypedConstraint*>& constraints) {
+  void solve(CableSet cables) {
+    std::vector<btTypedConstraint*> constraints;
+    for (const std::size_t index : cables) {
+      constraints.push_back(rows_[index]);
+    }
     btContactSolverInfo info = world_.solver_info();
     info.m_timeStep = 1;  // any: no force acts, and the rows ask for rates
     info.m_numIterations = iterations;
@@ -80,27 +73,21 @@ class BulletEventAdapter final : public EventAdapter {
 
   const Case case_;
   World world_;
-  std::vector<std::unique_ptr<CableConstraint>> cables_;  // not in the world: they act in strikes
+  CableConstraints rows_;
 };
 
 }  // namespace
 
 std::vector<ModelEntry> event_models() {
-  return {
-      {{"event",
-        "Bullet flies and solves, the event driver finds the instants: each impact is one solve "
-        "at the exact pose.",
-        with_world_settings(
-            {{"m_numIterations", std::to_string(iterations),
-              "Nearly dependent cables hit together converge slowly; one cable takes two."},
-             {"m_leastSquaresResidualThreshold", "(4 roundings of the speed)^2",
-              "With Bullet's 0 a solve goes on while its last bit flickers."},
-             parabola_setting()})},
-       [](const Case& the_case, const RunSettings& settings) {
-         return drive_by_events(the_case, std::make_unique<BulletEventAdapter>(the_case),
-                                settings.law);
-       },
-       true}};
+  return {event_model<BulletEventAdapter>(
+      "Bullet flies and solves, the event driver finds the instants: each impact is one solve at "
+      "the exact pose.",
+      joined({world_settings(),
+              {{"m_numIterations", std::to_string(iterations),
+                "Nearly dependent cables hit together converge slowly; one cable takes two."},
+               {"m_leastSquaresResidualThreshold", "(4 roundings of the speed)^2",
+                "With Bullet's 0 a solve goes on while its last bit flickers."},
+               parabola_setting()}}))};
 }
 
 }  // namespace tautline::bullet

@@ -16,16 +16,15 @@ std::string version() {
   return std::to_string(number / 100) + "." + std::to_string(number % 100);
 }
 
-class BulletEngine final : public TableEngine {
- public:
-  BulletEngine()
-      : TableEngine(in_double_precision ? "bullet64" : "bullet32", version(),
-                    precision_of<btScalar>,
-                    {row_models(), two_phase_models(), contact_models(), bounce_limit_models(),
-                     cable_models(), event_models()}) {}
-};
+EngineTable table() {
+  return {.name = in_double_precision ? "bullet64" : "bullet32",
+          .version = version(),
+          .precision = precision_of<btScalar>,
+          .families = {row_models(), two_phase_models(), contact_models(), bounce_limit_models(),
+                       cable_models(), event_models()}};
+}
 
 }  // namespace
 }  // namespace tautline::bullet
 
-TAUTLINE_PLUGIN(tautline::bullet::BulletEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::bullet::table>)

@@ -3,9 +3,9 @@
 // (`early`). `row-sleeping` is `row` on a body that Bullet may put to sleep, as it does with every
 // body unless it is told not to.
 
-#include <algorithm>
 #include <string>
 
+#include "adapter/row_model.hpp"
 #include "cable_constraint.hpp"
 #include "models.hpp"
 
@@ -16,79 +16,50 @@ namespace {
 /// differs by 3e-7, with 50 by 1e-14.
 constexpr int iterations = 50;
 
-class RowSimulation final : public Simulation {
+class RowWorld {
  public:
-  RowSimulation(const Case& the_case, Activation activation, Sleep sleep, double step)
-      : case_(the_case),
-        activation_(activation),
-        correction_(usual_correction / step),
-        world_(the_case, sleep),
-        impulses_(the_case.cables.size()) {
+  explicit RowWorld(const Case& the_case, Sleep sleep = Sleep::never)
+      : world_(the_case, sleep), rows_(the_case, world_, Acting::in_steps) {
     world_.solver_info().m_numIterations = iterations;
-    for (auto& constraint : cable_constraints(the_case, world_)) {
-      cables_.push_back(&world_.add(std::move(constraint)));
-    }
   }
 
-  [[nodiscard]] State state() const override { return world_.state(); }
-  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] State state() const { return world_.state(); }
 
-  void step(double dt) override {
-    const State start = world_.state();
-    for (std::size_t index = 0; index < cables_.size(); ++index) {
-      const Cable& cable = case_.cables[index];
-      const CableRow row = cable_row(cable, start);
-      if (acts(row, activation_, dt)) {
-        cables_[index]->pull(row, wanted_rate(row, restitution(cable, row.rate), correction_));
-      } else {
-        cables_[index]->let_go();
-      }
-    }
+  template <class Look>
+  void advance(double dt, const Look& look) {
+    look();
     world_.advance(dt);
-    std::transform(cables_.begin(), cables_.end(), impulses_.begin(), [&](CableConstraint* cable) {
-      return world_.asleep() ? 0.0 : cable->impulse();
-    });
+  }
+
+  void pull(std::size_t index, const CableRow& row, double rate) { rows_.pull(index, row, rate); }
+  void let_go(std::size_t index) { rows_.let_go(index); }
+  [[nodiscard]] double impulse(std::size_t index) const {
+    return world_.asleep() ? 0.0 : rows_.impulse(index);
   }
 
  private:
-  const Case case_;
-  Activation activation_;
-  double correction_;  // [1/s], part of the overstretch
   World world_;
-  std::vector<CableConstraint*> cables_;  // owned by world_
-  std::vector<double> impulses_;
+  CableConstraints rows_;
 };
 
-ModelEntry entry(const std::string& name, const std::string& sentence, Activation activation,
-                 Sleep sleep = Sleep::never) {
-  return {{name, sentence,
-           with_world_settings(
-               {{"m_numIterations", std::to_string(iterations),
-                 "With Bullet's 10 the order of the cables shows: mirror images differ by 3e-7."}},
-               sleep)},
-          [activation, sleep](const Case& the_case,
-                              const RunSettings& settings) -> std::unique_ptr<Simulation> {
-            return std::make_unique<RowSimulation>(the_case, activation, sleep, settings.step);
-          },
-          true};
+std::vector<Setting> row_settings(Sleep sleep) {
+  return joined(
+      {world_settings(sleep),
+       {{"m_numIterations", std::to_string(iterations),
+         "With Bullet's 10 the order of the cables shows: mirror images differ by 3e-7."}}});
 }
 
 }  // namespace
 
 std::vector<ModelEntry> row_models() {
-  return {
-      entry("row",
-            "A one-sided constraint row from the step after the cable is overstretched; it asks "
-            "for the larger of the bounce and 0.2 of the overstretch per step.",
-            Activation::overstretched),
-      entry("early",
-            "The same row already in the step that would overstretch the cable: the bounce comes "
-            "up to one step early.",
-            Activation::crossing),
-      entry("row-sleeping",
-            "The row of `row` with Bullet's own deactivation: a body slower than 0.8 m/s and "
-            "1 rad/s for 2 s is frozen where it is.",
-            Activation::overstretched, Sleep::as_shipped)};
+  std::vector<ModelEntry> result = row_and_early<RowWorld>(row_settings(Sleep::never));
+  result.push_back(row_model<RowWorld>(
+      {.name = "row-sleeping",
+       .sentence = "The row of `row` with Bullet's own deactivation: a body slower than 0.8 m/s "
+                   "and 1 rad/s for 2 s is frozen where it is.",
+       .settings = row_settings(Sleep::as_shipped)},
+      Activation::overstretched, Sleep::as_shipped));
+  return result;
 }
 
 }  // namespace tautline::bullet

@@ -20,16 +20,14 @@ constexpr int iterations = 50;
 
 class TwoPhaseSimulation final : public Simulation {
  public:
-  TwoPhaseSimulation(const Case& the_case, double step)
+  TwoPhaseSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case),
-        correction_(usual_correction / step),
+        correction_(usual_correction / run.step),
         world_(the_case),
+        rows_(the_case, world_, Acting::in_steps),
         landed_(the_case.cables.size()),
         impulses_(the_case.cables.size()) {
     world_.solver_info().m_numIterations = iterations;
-    for (auto& constraint : cable_constraints(the_case, world_)) {
-      cables_.push_back(&world_.add(std::move(constraint)));
-    }
   }
 
   [[nodiscard]] State state() const override { return world_.state(); }
@@ -37,12 +35,12 @@ class TwoPhaseSimulation final : public Simulation {
 
   void step(double dt) override {
     const State start = world_.state();
-    for (std::size_t index = 0; index < cables_.size(); ++index) {
+    for (std::size_t index = 0; index < impulses_.size(); ++index) {
       prepare(index, cable_row(case_.cables[index], start), dt);
     }
     fly_parabola(world_, case_.gravity, dt);
-    for (std::size_t index = 0; index < cables_.size(); ++index) {
-      impulses_[index] = cables_[index]->impulse();
+    for (std::size_t index = 0; index < impulses_.size(); ++index) {
+      impulses_[index] = rows_.impulse(index);
       if (impulses_[index] <= 0.0) {
         landed_[index].reset();  // it did not get there
       }
@@ -52,25 +50,24 @@ class TwoPhaseSimulation final : public Simulation {
  private:
   /// Says what the cable `index` asks for in a step of `dt` [s] from `row`.
   void prepare(std::size_t index, const CableRow& row, double dt) {
-    CableConstraint& cable = *cables_[index];
     const double push = correction_ * std::max(0.0, -row.gap);
     if (landed_[index]) {
-      cable.pull(row, std::max(*landed_[index], push));
+      rows_.pull(index, row, std::max(*landed_[index], push));
       landed_[index].reset();
     } else if (row.rate < 0.0 && acts(row, Activation::crossing, dt)) {
-      cable.pull(row, row.gap > 0.0 ? -row.gap / dt : push);
+      rows_.pull(index, row, row.gap > 0.0 ? -row.gap / dt : push);
       landed_[index] = rebound_rate(row, restitution(case_.cables[index], row.rate));
     } else if (row.gap <= 0.0) {
-      cable.pull(row, push);
+      rows_.pull(index, row, push);
     } else {
-      cable.let_go();
+      rows_.let_go(index);
     }
   }
 
   const Case case_;
   double correction_;  // [1/s], part of the overstretch
   World world_;
-  std::vector<CableConstraint*> cables_;       // owned by world_
+  CableConstraints rows_;
   std::vector<std::optional<double>> landed_;  // [m/s], the rebound that the next step owes
   std::vector<double> impulses_;
 };
@@ -78,16 +75,15 @@ class TwoPhaseSimulation final : public Simulation {
 }  // namespace
 
 std::vector<ModelEntry> two_phase_models() {
-  return {{{"two-phase",
-            "A row that lets the gap close exactly to zero in one step and gives the bounce in the "
-            "next one, with exact flights between.",
-            with_world_settings({{"m_numIterations", std::to_string(iterations),
-                                  "With Bullet's 10 the order of the cables shows."},
-                                 parabola_setting()})},
-           [](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
-             return std::make_unique<TwoPhaseSimulation>(the_case, settings.step);
-           },
-           true}};
+  return {{.model = {.name = "two-phase",
+                     .sentence = "A row that lets the gap close exactly to zero in one step and "
+                                 "gives the bounce in the next one, with exact flights between.",
+                     .settings = joined({world_settings(),
+                                         {{"m_numIterations", std::to_string(iterations),
+                                           "With Bullet's 10 the order of the cables shows."},
+                                          parabola_setting()}})},
+           .start = makes<TwoPhaseSimulation>(),
+           .follows_speed = true}};
 }
 
 }  // namespace tautline::bullet

@@ -1,7 +1,6 @@
 #include "world.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "tautline/unwrap.hpp"
 
@@ -83,7 +82,7 @@ void World::kick(const Vec2& change) {
   body_->setLinearVelocity(body_->getLinearVelocity() + vector(change));
 }
 
-std::vector<Setting> with_world_settings(std::vector<Setting> settings, Sleep sleep) {
+std::vector<Setting> world_settings(Sleep sleep) {
   std::vector<Setting> result = {
       {"stepSimulation maxSubSteps", "0",
        "With the default, 1 substep of 1/60 s, Bullet does nothing in a smaller step."},
@@ -98,9 +97,6 @@ std::vector<Setting> with_world_settings(std::vector<Setting> settings, Sleep sl
         {"setActivationState", "DISABLE_DEACTIVATION",
          "Bullet freezes a body slower than 0.8 m/s and 1 rad/s for 2 s, in the middle of a "
          "swing."});
-  }
-  for (Setting& setting : settings) {
-    result.push_back(std::move(setting));
   }
   return result;
 }

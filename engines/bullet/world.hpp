@@ -3,6 +3,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "tautline/case.hpp"
@@ -54,6 +55,11 @@ class World {
     return added;
   }
 
+  /// Owns a constraint that acts in no step.
+  void keep(std::unique_ptr<btTypedConstraint> constraint) {
+    kept_.push_back(std::move(constraint));
+  }
+
   /// Whether Bullet has frozen the body; it then solves nothing, and old impulses stay as they are.
   [[nodiscard]] bool asleep() const { return !body_->isActive(); }
 
@@ -75,11 +81,11 @@ class World {
   std::unique_ptr<btRigidBody> body_;
   std::vector<std::unique_ptr<btRigidBody>> fixed_;
   std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
+  std::vector<std::unique_ptr<btTypedConstraint>> kept_;
   double angle_;  // [rad], not wrapped
 };
 
-/// The settings of a `World`, and after them those of a model.
-[[nodiscard]] std::vector<Setting> with_world_settings(std::vector<Setting> settings,
-                                                       Sleep sleep = Sleep::never);
+/// The settings every model needs: those of `World`.
+[[nodiscard]] std::vector<Setting> world_settings(Sleep sleep = Sleep::never);
 
 }  // namespace tautline::bullet

@@ -86,15 +86,13 @@ class SlideJointSimulation final : public Simulation {
 };
 
 ModelEntry entry(std::string name, std::string sentence, Bounce bounce) {
-  return {{std::move(name),
-           std::move(sentence),
-           {{"cpSlideJointNew min, max", "0, length",
-             "The distance between anchor and attachment is all that is limited."}}},
-          [bounce](const Case& the_case,
-                   const RunSettings& /*settings*/) -> std::unique_ptr<Simulation> {
-            return std::make_unique<SlideJointSimulation>(the_case, bounce);
-          },
-          true};
+  return {.model = {.name = std::move(name),
+                    .sentence = std::move(sentence),
+                    .settings = {{"cpSlideJointNew min, max", "0, length",
+                                  "The distance between anchor and attachment is all that is "
+                                  "limited."}}},
+          .start = makes<SlideJointSimulation>(bounce),
+          .follows_speed = true};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -60,18 +61,52 @@ struct ModelEntry {
 template <class Real>
 inline constexpr const char* precision_of = sizeof(Real) == sizeof(double) ? "float64" : "float32";
 
-/// An engine that is a table of models: what a plug-in's class derives from.
+/// Settings one after another, as a model tells them.
+[[nodiscard]] inline std::vector<Setting> joined(
+    std::initializer_list<std::vector<Setting>> parts) {
+  std::vector<Setting> result;
+  for (const std::vector<Setting>& part : parts) {
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+/// A `ModelEntry::start` that makes a `Made` of the case, of the settings of the run where it wants
+/// them, and of `own`.
+template <class Made, class... Own>
+[[nodiscard]] auto makes(Own... own) {
+  return [own...](const Case& the_case,
+                  [[maybe_unused]] const RunSettings& run) -> std::unique_ptr<Simulation> {
+    if constexpr (std::is_constructible_v<Made, const Case&, const RunSettings&, const Own&...>) {
+      return std::make_unique<Made>(the_case, run, own...);
+    } else {
+      return std::make_unique<Made>(the_case, own...);
+    }
+  };
+}
+
+/// An engine as a table: what it says of itself, and its models, family after family.
+struct EngineTable {
+  std::string name;
+  std::string version;
+  std::string precision;
+  std::vector<std::vector<ModelEntry>> families;
+};
+
+/// The engine of a table: what a plug-in's class derives from.
 class TableEngine : public Engine {
  public:
-  /// The models of all `families`, in their order.
-  TableEngine(std::string name, std::string version, std::string precision,
-              std::initializer_list<std::vector<ModelEntry>> families)
-      : info_{std::move(name), std::move(version), std::move(precision), {}} {
-    for (const std::vector<ModelEntry>& family : families) {
+  explicit TableEngine(EngineTable table)
+      : info_{std::move(table.name), std::move(table.version), std::move(table.precision), {}} {
+    for (const std::vector<ModelEntry>& family : table.families) {
       entries_.insert(entries_.end(), family.begin(), family.end());
     }
     info_.models = models(entries_);
   }
+  TableEngine(std::string name, std::string version, std::string precision,
+              std::initializer_list<std::vector<ModelEntry>> families)
+      : TableEngine(EngineTable{std::move(name), std::move(version), std::move(precision),
+                                std::vector(families)}) {}
 
   [[nodiscard]] EngineInfo info() const override { return info_; }
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
@@ -82,6 +117,13 @@ class TableEngine : public Engine {
  private:
   EngineInfo info_;
   std::vector<ModelEntry> entries_;
+};
+
+/// The engine that `table()` describes: TAUTLINE_PLUGIN(tautline::EngineOf<my_table>).
+template <auto table>
+class EngineOf final : public TableEngine {
+ public:
+  EngineOf() : TableEngine(table()) {}
 };
 
 }  // namespace tautline

@@ -114,7 +114,7 @@ class EventDriven final : public Simulation {
       return;  // nothing bounces
     }
     const State now = adapter_->state();
-    if (const auto done = capture(case_, now, touching(now), completion_)) {
+    if (const auto done = completion(case_, now, touching(now), completion_)) {
       adapter_->place(done->after);
       touching_ = touching_ | done->cables;
       taut_ = taut_ | done->cables;

@@ -11,11 +11,11 @@
 namespace tautline::test {
 namespace {
 
-constexpr std::uint64_t seed = 47;
+constexpr std::uint64_t resting_seed = 47;
 constexpr int samples = 2000;
 
 TEST(Geometry, GapRateIsTheDerivativeOfTheGap) {
-  Random random(seed);
+  Random random(resting_seed);
   double worst = 0.0;
   constexpr double dt = 1e-5;
   for (int sample = 0; sample < samples; ++sample) {
@@ -37,7 +37,7 @@ TEST(Geometry, GapRateIsTheDerivativeOfTheGap) {
 }
 
 TEST(Geometry, GapGradientTimesVelocityIsTheGapRate) {
-  Random random(seed);
+  Random random(resting_seed);
   double worst = 0.0;
   for (int sample = 0; sample < samples; ++sample) {
     const Case the_case = random_case(random, {1, 0.1, 0.0});

@@ -5,8 +5,8 @@
 
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/sensitivity.hpp"
 #include "tautline/solution.hpp"
+#include "tautline/state_matrix.hpp"
 
 namespace tautline {
 

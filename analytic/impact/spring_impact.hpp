@@ -1,107 +1,30 @@
-#include "energetic_impact.hpp"
+#pragma once
 
 #include <Eigen/Cholesky>
-#include <bit>
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "box_forces.hpp"
-#include "instantiate.hpp"
-#include "tautline/geometry.hpp"
-#include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
+#include "spring.hpp"
 #include "tautline/root_search.hpp"
 #include "tautline/series.hpp"
 
-namespace tautline {
-namespace {
-
-/// A smaller restitution counts as zero where several cables are hit [-]: it would give back 1e-8
-/// of its work, by a line so steep that its force swings 1e4 times during the impact.
-constexpr double least_restitution = 1e-4;
+namespace tautline::energetic {
 
 /// After so many steps the springs are cut: they keep what they have stored, and what still closes
 /// is stopped [-]. An impact takes some twenty; a restitution near the least one, held taut by
 /// other cables, takes 1e4; elastic cables that leave the body nowhere to go would need forever.
-constexpr int most_steps = 50'000;
+inline constexpr int most_steps = 50'000;
 
 /// A row whose square keeps no more than this beside the held ones depends on them [-].
-constexpr double dependent = 1e-12;
+inline constexpr double dependent = 1e-12;
 
 /// So often a cable may change its mode without time passing, where rounding decides; then it waits
 /// for a time whose square is rounding [-].
-constexpr int most_stalls = 3;
-
-/// Of velocities, and of times, against those of the whole impact [-]: some ten steps of a few ulp.
-template <class Real>
-Real rounding() {
-  return 32 * epsilon<Real>();
-}
-
-enum class Mode {
-  slack,      // no force
-  loading,    // force = compression, the largest so far
-  returning,  // below the largest compression, along the steep line
-  held,       // e = 0 only: at rest at the largest compression, force from 0 to the largest
-};
-
-/// One cable during the impact, in units in which velocities and rows are near one.
-template <class Real>
-struct Spring {
-  Vector3<Real> row;  // its gap's gradient over the root of the mass
-  Real returned;      // [-], restitution squared
-  Mode mode = Mode::slack;
-  Real largest = Real(0);  // force so far
-  Real value = Real(0);    // its force; while slack the way left until it pulls
-  Real rate = Real(0);     // of its gap; exactly zero within rounding
-  Real impulse = Real(0);
-  bool fixed = false;   // by the held ones, on whose rows its own depends
-  bool caught = false;  // it would close from rest at its edge: it pulls
-  int stalls = 0;
-  std::vector<Real> series = {};  // of `value`
-
-  [[nodiscard]] bool acts() const { return mode == Mode::loading || mode == Mode::returning; }
-  /// d value / d compression.
-  [[nodiscard]] Real slope() const {
-    return mode == Mode::slack ? Real(-1) : mode == Mode::loading ? Real(1) : Real(1 / returned);
-  }
-  /// At rest at the largest compression, with a force that may be anything up to the largest.
-  [[nodiscard]] bool at_edge() const {
-    return returned == 0 && largest > 0 &&
-           (mode == Mode::held ||
-            (rate == 0 && (mode == Mode::loading || (mode == Mode::slack && value == 0))));
-  }
-};
-
-template <class Real>
-Real value_of(const std::vector<Real>& series, const Real& t) {
-  Real value(0);
-  for (std::size_t k = series.size(); k-- > 0;) {
-    value = value * t + series[k];
-  }
-  return value;
-}
-
-template <class Real>
-Real integral_of(const std::vector<Real>& series, const Real& t) {
-  Real value(0);
-  for (std::size_t k = series.size(); k-- > 0;) {
-    value = value * t + series[k] / static_cast<double>(k + 1);
-  }
-  return value * t;
-}
-
-/// As many terms as a series needs whose k-th is below 1 / k!.
-template <class Real>
-std::size_t enough_terms() {
-  std::size_t terms = 4;
-  for (Real last = Real(1) / 6; last > epsilon<Real>() / 8; ++terms) {
-    last /= static_cast<double>(terms);
-  }
-  return terms;
-}
+inline constexpr int most_stalls = 3;
 
 /// The body on its springs, during the impact.
 template <class Real>
@@ -391,41 +314,4 @@ class SpringImpact {
   Eigen::LDLT<BasicCableMatrix<Real>> factors_;  // of their Delassus matrix
 };
 
-}  // namespace
-
-template <class Real>
-BasicCableVector<Real> energetic_impulses(const BasicCase<Real>& the_case,
-                                          const BasicState<Real>& before, CableSet cables) {
-  const auto count = static_cast<Eigen::Index>(cables.size());
-  const Vector3<Real> weight = inverse_mass(the_case.body).cwiseSqrt();
-  std::vector<Spring<Real>> springs;
-  Rows<Real> rows(count, 3);
-  BasicCableVector<Real> rates(count);
-  for (const std::size_t index : cables) {
-    const auto row = static_cast<Eigen::Index>(springs.size());
-    const BasicCable<Real>& cable = the_case.cables[index];
-    rates[row] = gap_rate(cable, before);
-    const Real e = restitution(cable, rates[row]);
-    springs.push_back({gap_gradient(cable, before).cwiseProduct(weight),
-                       e < least_restitution ? Real(0) : Real(e * e)});
-    rows.row(row) = springs.back().row.transpose();
-  }
-  // the motion that changes no gap takes no part, and its speed would hide slow gap rates
-  const Vector3<Real> velocity = rows.completeOrthogonalDecomposition().solve(rates);
-  const Real row_scale = rows.rowwise().norm().maxCoeff();
-  const Real speed_scale = velocity.norm();
-  if (!(speed_scale > 0)) {
-    return BasicCableVector<Real>::Zero(count);
-  }
-  for (Spring<Real>& spring : springs) {
-    spring.row /= row_scale;
-  }
-  const BasicCableVector<Real> impulses =
-      SpringImpact<Real>(std::move(springs), velocity / speed_scale).impulses();
-  return impulses * (speed_scale / row_scale);
-}
-
-template BasicCableVector<Instance> energetic_impulses(const BasicCase<Instance>&,
-                                                       const BasicState<Instance>&, CableSet);
-
-}  // namespace tautline
+}  // namespace tautline::energetic

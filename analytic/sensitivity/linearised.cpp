@@ -6,7 +6,7 @@
 #include "instantiate.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/projection.hpp"
-#include "tautline/series.hpp"
+#include "tautline/series_impl.hpp"
 
 namespace tautline {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -136,6 +137,12 @@ double slowest_resolved(const ChapterCase& solved) {
   // a bounce of speed v opens the gap by v^2 / (2 c), and g = -2 r gap
   const double c = -free_gap_acceleration(solved.the_case, 1, State{});
   return std::sqrt(c * tolerance / solved.the_case.cables[1].length);
+}
+
+double corner_angle(const Breakwater& parameters) {
+  const double span = 1.0 - parameters.a;
+  const double slope = span / std::sqrt(parameters.r * parameters.r - span * span);
+  return std::numbers::pi - 2.0 * std::atan(slope);
 }
 
 }  // namespace tautline::bench

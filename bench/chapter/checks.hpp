@@ -1,28 +1,11 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
+#include "bench/chapter/share.hpp"
 #include "bench/chapter/study.hpp"
 
 namespace tautline::bench {
-
-/// The seed of every random draw below; the same states on every machine.
-inline constexpr std::uint64_t chapter_seed = 20'260'101;
-
-/// How often something was true.
-struct Share {
-  std::size_t times;
-  std::size_t of;
-};
-
-/// Random poses on g1 = 0 at which Eq. 5.66, as printed, has the sign of the boundary's slope
-/// wrong.
-[[nodiscard]] Share slope_signs_wrong();
-
-/// Random impacts of one cable that leave the sign of the spin as it was.
-[[nodiscard]] Share spins_kept();
 
 /// How far above its anchor Eq. 5.4 lets an attachment rise in case `solved` [S].
 [[nodiscard]] double ceiling_excess(const ChapterCase& solved);
@@ -78,5 +61,8 @@ struct OtherLaw {
 /// The slowest impact on the right cable, at the origin, whose rebound rises past a tolerance of
 /// 1e-6 in g [sqrt(gS)].
 [[nodiscard]] double slowest_resolved(const ChapterCase& solved);
+
+/// The angle at which the two boundaries meet at the origin, at angle 0 [rad].
+[[nodiscard]] double corner_angle(const Breakwater& parameters);
 
 }  // namespace tautline::bench

@@ -1,9 +1,11 @@
+#include "bench/chapter/draws.hpp"
+
 #include <cmath>
 #include <random>
 
-#include "bench/chapter/checks.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
+#include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "bench/chapter/checks.hpp"
 #include "bench/chapter/print.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
-
-using nlohmann::ordered_json;
 
 enum class Plot { trajectory, rotation, impacts };
 
@@ -70,17 +68,16 @@ double last_printed_impact() {
 }
 
 /// From where the chapter and the exact motion part, for a plot to show.
-ordered_json marks(const ChapterStudy& study, const ChapterCase& solved) {
-  ordered_json result = ordered_json::array();
+std::vector<Mark> marks(const ChapterStudy& study, const ChapterCase& solved) {
+  std::vector<Mark> result;
   if (is_point_mass(solved.the_case) || &solved == &study.rigid_point) {
-    result.push_back({{"time", last_printed_impact()}, {"meaning", "the chapter's last impact"}});
+    result.push_back({last_printed_impact(), "the chapter's last impact"});
   }
   if (solved.parameters.e == 1.0) {  // exactly: as given
-    result.push_back({{"time", study.limit_time}, {"meaning", "the chapter's rotation limit"}});
+    result.push_back({study.limit_time, "the chapter's rotation limit"});
   }
   if (const auto& lock = solved.settling.lock) {
-    result.push_back({{"time", lock->time},
-                      {"meaning", lock->rests ? "at rest" : "both cables taut from here on"}});
+    result.push_back({lock->time, lock->rests ? "at rest" : "both cables taut from here on"});
   }
   return result;
 }
@@ -157,24 +154,24 @@ ChapterFigure figure(const ChapterStudy& study, const Caption& caption) {
                                  : rigid_point ? "a rigid body without dimensions, "
                                                : "the point mass, ",
                                  caption.number, body);
-      result.csv = motion_csv(solved);
-      result.x = "x [S]";
-      result.y = "y [S]";
-      result.boundary_file = stem(caption.figure) + "_boundary.csv";
-      result.boundary_csv = boundary_csv(solved.parameters);
+      result.data = motion_data(solved);
+      result.x = motion_column::x;
+      result.y = motion_column::y;
+      result.boundary = {stem(caption.figure) + "_boundary.csv", boundary_data(solved.parameters)};
       break;
     case Plot::rotation:
       result.title = fmt::format("theta over t, case {} ({})", caption.number, body);
-      result.csv = motion_csv(solved);
-      result.x = "t [sqrt(S/g)]";
-      result.y = "theta [rad]";
+      result.data = motion_data(solved);
+      result.x = motion_column::time;
+      result.y = motion_column::angle;
       break;
     case Plot::impacts:
       result.title =
           fmt::format("normal velocity before impact over t, case {} ({})", caption.number, body);
-      result.csv = impacts_csv(solved);
-      result.x = "t [sqrt(S/g)]";
-      result.y = "vn before [sqrt(gS)]";
+      result.data = impacts_data(solved);
+      result.x = impacts_column::time;
+      result.y = impacts_column::speed;
+      result.by = impacts_column::cable;
       break;
   }
   return result;

@@ -38,6 +38,9 @@ struct PrintedState {
 /// The number that `cell` prints.
 [[nodiscard]] double printed_value(std::string_view cell);
 
+/// An error this small is the decimal's own rounding to double: it counts as none [-].
+inline constexpr double printed_rounding = 1e-15;
+
 /// Half a unit of the last digit that `cell` prints: what rounding alone may put it off by.
 [[nodiscard]] double half_unit(std::string_view cell);
 

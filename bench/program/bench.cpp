@@ -12,7 +12,6 @@
 #include "bench/base/progress.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/chapter/beside.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/report/compact_json.hpp"
@@ -128,15 +127,10 @@ int bench_command(const BenchCommand& command) {
   const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
   catch_interruption();  // up to here nothing has been touched
   const Descriptor tree = open_tree(options.out, !options.resume);
-  ChapterBeside chapter(runs_the_chapter(options));
   Progress progress(plan(options).size(), "runs");
   const SuiteResult result =
       run_suite(options, references, [&](std::size_t ended) { progress.show(ended); });
   progress.finish();
-  context.chapter = chapter.result();
-  if (!chapter.failure().empty()) {
-    complain({"the chapter is not in the report: " + chapter.failure()});
-  }
   context.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   context.kept = result.kept;
   context.program_memory = peak_memory();

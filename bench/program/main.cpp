@@ -162,7 +162,9 @@ void set_up(CLI::App& app, int& code, SolveCommand& solve, RunCommand& run, Benc
 
   command = app.add_subcommand("reproduce",
                                "The source chapter's tables and figures, and what it got wrong");
-  command->add_option("--out", reproduce.out, "folder for chapter.md, chapter.json and chapter/")
+  command
+      ->add_option("--out", reproduce.out,
+                   "folder for chapter.html, chapter.md, chapter.json and chapter/")
       ->capture_default_str();
   command->add_option("--json", reproduce.json,
                       "also write chapter.json to this file, or to stdout: -");

@@ -99,7 +99,6 @@ ordered_json report_json(const SuiteOptions& options, const std::vector<Referenc
   report["attribution_summary"] = attribution_summary_json(runs);
   report["runs"] = std::move(runs);
   add_audit(report);
-  report["chapter"] = context.chapter;
   thin_impacts(report);
   report["context"] = context_json(context, result);
   return report;

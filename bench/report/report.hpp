@@ -14,13 +14,12 @@ inline constexpr int report_schema = 3;
 
 /// What produced a report, apart from its numbers.
 struct ReportContext {
-  std::string command;                       // as it was typed
-  std::string started;                       // ISO 8601, UTC
-  double elapsed = 0.0;                      // [s]
-  double program_memory = 0.0;               // [bytes], the most this program held at once
-  double worker_memory = 0.0;                // [bytes], the most one worker held
-  std::size_t kept = 0;                      // runs taken from an earlier invocation
-  nlohmann::ordered_json chapter = nullptr;  // `chapter_row`, or null
+  std::string command;          // as it was typed
+  std::string started;          // ISO 8601, UTC
+  double elapsed = 0.0;         // [s]
+  double program_memory = 0.0;  // [bytes], the most this program held at once
+  double worker_memory = 0.0;   // [bytes], the most one worker held
+  std::size_t kept = 0;         // runs taken from an earlier invocation
 };
 
 /// The one product of a suite: an object of bench/report/report.schema.json. Everything that

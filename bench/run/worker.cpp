@@ -16,6 +16,7 @@
 
 #include "bench/base/process.hpp"
 #include "bench/cases/case_file.hpp"
+#include "bench/cases/case_writer.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/wire.hpp"
 #include "tautline/flight.hpp"

@@ -12,7 +12,7 @@
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
-#include "bench/cases/case_file.hpp"
+#include "bench/cases/case_writer.hpp"
 #include "bench/cases/catalogue.hpp"
 #include "bench/report/compact_json.hpp"
 

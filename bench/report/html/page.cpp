@@ -34,11 +34,10 @@ std::string contents() {
     std::string_view id;
     std::string_view name;
   };
-  constexpr Link links[] = {{"answers", "Answers"},        {"cases", "Every run"},
-                            {"error", "Error and cost"},   {"replay", "Replay"},
-                            {"audit", "Restitution"},      {"attribution", "Causes"},
-                            {"chapter", "The chapter"},    {"models", "Models"},
-                            {"reading", "How to read it"}, {"context", "Context"}};
+  constexpr Link links[] = {
+      {"answers", "Answers"}, {"cases", "Every run"},        {"error", "Error and cost"},
+      {"replay", "Replay"},   {"audit", "Restitution"},      {"attribution", "Causes"},
+      {"models", "Models"},   {"reading", "How to read it"}, {"context", "Context"}};
   std::string out = "<nav aria-label=\"Sections\">\n";
   for (const auto& [id, name] : links) {
     out += fmt::format("<a href=\"#{}\">{}</a>\n", id, name);
@@ -112,7 +111,7 @@ std::string report_html(const ordered_json& report, const PageAssets& assets) {
   }
   out += "</header>\n" + contents() + "<main>\n";
   out += answers_section(report) + cases_section(report) + error_section(report) + replay_section();
-  out += audit_section(report) + attribution_section(report) + chapter_section(report);
+  out += audit_section(report) + attribution_section(report);
   out += models_section(report) + reading_section(report) + context_section(report);
   out += "</main>\n" + foot(report, assets) + scripts(report, assets);
   return out + "</body>\n</html>\n";

@@ -33,9 +33,6 @@ namespace tautline::bench {
 /// The causes of the errors and their shares.
 [[nodiscard]] std::string attribution_section(const nlohmann::ordered_json& report);
 
-/// The source chapter computed again.
-[[nodiscard]] std::string chapter_section(const nlohmann::ordered_json& report);
-
 /// How each engine models a cable.
 [[nodiscard]] std::string models_section(const nlohmann::ordered_json& report);
 

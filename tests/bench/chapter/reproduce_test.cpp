@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "bench/chapter/print.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
-#include "tests/bench/program.hpp"
+#include "tests/bench/chapter/reproduced.hpp"
 
 namespace tautline::test {
 namespace {
@@ -323,7 +320,7 @@ TEST_F(Reproduce, ASecondRunWritesTheSameBytes) {
   const Outcome outcome = program({"reproduce", "--out", folder.path().string(), "--json", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, content_of(out() / "chapter.json"));
-  for (const char* file : {"chapter.md", "chapter.json"}) {
+  for (const char* file : {"chapter.md", "chapter.html", "chapter.json"}) {
     EXPECT_EQ(content_of(folder.path() / file), content_of(out() / file)) << file;
   }
   const auto names = names_in(out() / "chapter");

@@ -1,11 +1,13 @@
+#include "bench/chapter/table_5_3.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 
 #include "bench/chapter/print.hpp"
-#include "bench/chapter/tables.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -66,7 +68,7 @@ std::string last_impact_note(const ChapterStudy& study) {
 
 }  // namespace
 
-ChapterTable table_5_3(const ChapterStudy& study) {
+ChapterTable chapter_table_5_3(const ChapterStudy& study) {
   ChapterTable table{"Table 5.3",
                      "The point mass, case 1900461100: printed and exact.",
                      "table_5_3.csv",
@@ -93,8 +95,9 @@ ChapterTable table_5_3(const ChapterStudy& study) {
       const bool good = std::abs(errors[index]) <= half_unit(printed[index]) + printed_rounding;
       right += good ? 1U : 0U;
       ++compared;
-      table.rows.push_back({instant, quantities[index], printed[index], exact[index], errors[index],
-                            half_unit(printed[index]), good ? "right" : "wrong"});
+      table.rows.push_back({std::string(instant), quantities[index], std::string(printed[index]),
+                            exact[index], errors[index], half_unit(printed[index]),
+                            good ? "right" : "wrong"});
     }
   }
   const ChapterCase& point = study.at("1900461100");

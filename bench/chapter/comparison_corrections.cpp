@@ -1,12 +1,14 @@
+#include "bench/chapter/comparison_corrections.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
-#include "bench/chapter/corrections.hpp"
-#include "bench/chapter/figures.hpp"
+#include "bench/chapter/figure_data.hpp"
 #include "bench/chapter/print.hpp"
-#include "bench/chapter/tables.hpp"
+#include "bench/chapter/table_5_3.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -24,7 +26,7 @@ Correction special_code(const ChapterStudy& study) {
                   "most, up to t = {:g}.",
                   study.rigid_point.the_case.body.inertia, difference,
                   study.rigid_point.solution.end_time()),
-      {{"largest_difference", difference}}};
+      {{"largest_difference", {difference}}}};
 }
 
 Correction state_at_15(const ChapterStudy& study) {
@@ -35,7 +37,7 @@ Correction state_at_15(const ChapterStudy& study) {
           "Not all of them are right, after so many impacts that are located to 1e-6 in g.",
           fmt::format("Printed less exact: x {:+.1e}, x' {:+.1e}, y {:+.1e}, y' {:+.1e}.",
                       errors[1], errors[2], errors[3], errors[4]),
-          {{"x", errors[1]}, {"vx", errors[2]}, {"y", errors[3]}, {"vy", errors[4]}}};
+          {{"x", {errors[1]}}, {"vx", {errors[2]}}, {"y", {errors[3]}}, {"vy", {errors[4]}}}};
 }
 
 Correction late_constraints(const ChapterStudy& study) {
@@ -61,7 +63,7 @@ Correction late_constraints(const ChapterStudy& study) {
       fmt::format("From the printed x and y of the impact: g1 = {:.6f}. From the flight before it, "
                   "followed to t = {:g}: g1 = {:.6f}.",
                   own, end, later),
-      {{"printed", printed_value(printed[5])}, {"at_impact", own}, {"at_step_end", later}}};
+      {{"printed", {printed_value(printed[5])}}, {"at_impact", {own}}, {"at_step_end", {later}}}};
 }
 
 Correction last_impact(const ChapterStudy& study) {
@@ -81,7 +83,9 @@ Correction last_impact(const ChapterStudy& study) {
       "the other cable, again and again.",
       fmt::format("{} impacts faster than {:g} follow; the point mass rests from t = {:.4f} on.",
                   later, counted_speed, point.settling.lock.value().time),
-      {{"printed", printed}, {"later_impacts", later}, {"rest", point.settling.lock.value().time}}};
+      {{"printed", {printed}},
+       {"later_impacts", {static_cast<long>(later)}},
+       {"rest", {point.settling.lock.value().time}}}};
 }
 
 }  // namespace

@@ -1,20 +1,16 @@
+#include "bench/chapter/analysis_corrections.hpp"
+
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "bench/chapter/checks.hpp"
-#include "bench/chapter/corrections.hpp"
-#include "bench/chapter/figures.hpp"
-#include "bench/chapter/print.hpp"
-#include "bench/chapter/tables.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
-
-using nlohmann::ordered_json;
 
 const Lock& lock_of(const ChapterCase& solved) { return solved.settling.lock.value(); }
 
@@ -38,10 +34,12 @@ Correction settling_at_rest(const ChapterStudy& study) {
                       "keeps {:.1f} % of its energy and swings by {:.4f} rad ({:.0f} degrees).",
                       swinging, dissipative, 100.0 * swing.energy / start, swing.amplitude,
                       swing.amplitude * 180.0 / std::numbers::pi),
-          {{"rigid_bodies", dissipative},
-           {"swinging", swinging},
-           {"energy_kept", swing.energy / start},
-           {"amplitude", swing.amplitude}}};
+          {{"rigid_bodies", {count(dissipative)}},
+           {"swinging", {count(swinging)}},
+           {"energy_kept", {swing.energy / start}},
+           {"amplitude", {swing.amplitude}}},
+          {},
+          true};
 }
 
 Correction rising_again(const ChapterStudy& study) {
@@ -65,23 +63,23 @@ Correction rising_again(const ChapterStudy& study) {
                   "5.1's own swings are narrower: {} of {} keep both cables taut over a whole "
                   "period.",
                   square.number, angle, found.slack, found.impact, found.speed, permanent, locked),
-      {{"angle", angle},
-       {"slack", found.slack},
-       {"impact", found.impact},
-       {"speed", found.speed},
-       {"swings", locked},
-       {"permanent", permanent}}};
+      {{"angle", {angle}},
+       {"slack", {found.slack}},
+       {"impact", {found.impact}},
+       {"speed", {found.speed}},
+       {"swings", {count(locked)}},
+       {"permanent", {count(permanent)}}}};
 }
 
 Correction radius(const ChapterStudy& study) {
-  ordered_json pairs = ordered_json::array();
+  NumberList pairs{"pairs", {}};
   std::string list;
   for (const std::string_view body : {"910121100", "911121100", "921121100"}) {
     const ChapterCase& near = study.at("1" + std::string(body));
     const ChapterCase& far = study.at("2" + std::string(body));
-    pairs.push_back({{"cases", {near.number, far.number}},
-                     {"largest_angle", {largest_angle(near), largest_angle(far)}},
-                     {"lock", {lock_of(near).time, lock_of(far).time}}});
+    pairs.rows.push_back({{"cases", {near.number, far.number}},
+                          {"largest_angle", {largest_angle(near), largest_angle(far)}},
+                          {"lock", {lock_of(near).time, lock_of(far).time}}});
     list += fmt::format("{}{} and {}: {:.3f} and {:.3f} rad, {:.2f} and {:.2f}",
                         list.empty() ? "" : "; ", near.number, far.number, largest_angle(near),
                         largest_angle(far), lock_of(near).time, lock_of(far).time);
@@ -93,7 +91,8 @@ Correction radius(const ChapterStudy& study) {
       "The largest rotation and the lock time change, and not in one direction: two bodies turn "
       "further on the longer cables, the third less far.",
       "Largest |theta| and lock time of cases " + list + ".",
-      {{"pairs", std::move(pairs)}}};
+      {},
+      std::move(pairs)};
 }
 
 Correction flatness(const ChapterStudy& study) {
@@ -110,7 +109,7 @@ Correction flatness(const ChapterStudy& study) {
           fmt::format("The boundaries meet at {:.2f} degrees for a = 0.1, b = 0, at {:.2f} for "
                       "a = b = 0.1, and at {:.2f} for a = 0.2, b = 0 (r = 1.5).",
                       narrow, deep, wide),
-          {{"a_0.1_b_0", narrow}, {"a_0.1_b_0.1", deep}, {"a_0.2_b_0", wide}}};
+          {{"a_0.1_b_0", {narrow}}, {"a_0.1_b_0.1", {deep}}, {"a_0.2_b_0", {wide}}}};
 }
 
 Correction inertia(const ChapterStudy& study) {
@@ -131,18 +130,20 @@ Correction inertia(const ChapterStudy& study) {
                   largest_angle(ring), square.number, square.the_case.body.inertia,
                   largest_angle(square), square.number, lock_of(square).swing.value().amplitude,
                   box.number, lock_of(box).swing.value().amplitude),
-      {{"pairs_against", against.times}, {"pairs", against.of}}};
+      {{"pairs_against", {count(against.times)}}, {"pairs", {count(against.of)}}}};
 }
 
 Correction restitution_study(const ChapterStudy& study) {
-  ordered_json cases = ordered_json::array();
+  NumberList cases{"cases", {}};
   std::string list;
-  for (const std::string_view number : {"1910121100", "1710121100", "1510121100"}) {
+  for (const char* number : {"1910121100", "1710121100", "1510121100"}) {
     const ChapterCase& one = study.at(number);
     const std::size_t impacts = impact_count(one.the_case, one.solution, counted_speed);
     const double kept = lock_of(one).swing.value().energy;
-    cases.push_back(
-        {{"case", number}, {"impacts", impacts}, {"lock", lock_of(one).time}, {"energy", kept}});
+    cases.rows.push_back({{"case", {number}},
+                          {"impacts", {count(impacts)}},
+                          {"lock", {lock_of(one).time}},
+                          {"energy", {kept}}});
     list += fmt::format("{}e = {}: {} impacts, t = {:.3f}, {:.5f}", list.empty() ? "" : "; ",
                         one.parameters.e, impacts, lock_of(one).time, kept);
   }
@@ -152,7 +153,8 @@ Correction restitution_study(const ChapterStudy& study) {
           "The kind of motion is the same; its length and what is left are not. Here the body that "
           "rebounds least keeps most.",
           "Counted impacts, lock time and energy of the swing that stays: " + list + ".",
-          {{"cases", std::move(cases)}}};
+          {},
+          std::move(cases)};
 }
 
 Correction labels(const ChapterStudy& study) {
@@ -166,7 +168,7 @@ Correction labels(const ChapterStudy& study) {
           "The last digit is missing: 1910121100 and 2910121100, by the parameters printed below.",
           found == 0 ? "No row of Table 5.1 has such a number."
                      : fmt::format("{} rows of Table 5.1 have such a number.", found),
-          {{"rows", found}}};
+          {{"rows", {count(found)}}}};
 }
 
 }  // namespace

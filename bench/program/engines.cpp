@@ -1,15 +1,12 @@
 #include <fmt/format.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/cases/case_file.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/run/wire.hpp"
-#include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -58,26 +55,6 @@ int engines_command(const EnginesCommand& command) {
   }
   write_output(command.json,
                ordered_json{{"schema", 1}, {"engines", std::move(list)}}.dump(2) + "\n");
-  return exit_done;
-}
-
-int cases_command(const CasesCommand& command) {
-  if (command.the_case.empty()) {
-    Table table({"case", "cables", "inertia", "restitution", "duration"}, 1);
-    for (const Case& the_case : shipped_cases()) {
-      table.add({the_case.name, std::to_string(the_case.cables.size()),
-                 fmt::format("{:.4g}", the_case.body.inertia),
-                 fmt::format("{:g}", the_case.cables.front().restitution),
-                 fmt::format("{:g}", the_case.duration)});
-    }
-    fmt::print("{}", table.plain());
-    return exit_done;
-  }
-  const std::optional<Case> the_case = one_case(command.the_case);
-  if (!the_case) {
-    return exit_usage;
-  }
-  fmt::print("{}", write_case(*the_case));
   return exit_done;
 }
 

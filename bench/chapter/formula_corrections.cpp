@@ -1,22 +1,23 @@
+#include "bench/chapter/formula_corrections.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
 #include "bench/chapter/checks.hpp"
-#include "bench/chapter/corrections.hpp"
+#include "bench/chapter/draws.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
 Correction small_body() {
   const std::vector<Shrunk> shrunk = shrunk_bodies();
   const double point = point_rebound();
-  ordered_json sizes = ordered_json::array();
+  NumberList bodies{"bodies", {}};
   std::string list;
   for (const Shrunk& one : shrunk) {
-    sizes.push_back({{"a", one.size}, {"ring", one.ring}, {"inertia_1", one.fixed}});
+    bodies.rows.push_back({{"a", {one.size}}, {"ring", {one.ring}}, {"inertia_1", {one.fixed}}});
     list += fmt::format("{}{:.6f} at a = {:g}", list.empty() ? "" : ", ", one.ring, one.size);
   }
   return {
@@ -28,7 +29,8 @@ Correction small_body() {
       fmt::format("Speed of the centre after the standard start's first impact: point mass "
                   "{:.6f}; ring {}; with the inertia kept at 1 instead, {:.6f} at a = {:g}.",
                   point, list, shrunk.back().fixed, shrunk.back().size),
-      {{"point_mass", point}, {"bodies", std::move(sizes)}}};
+      {{"point_mass", {point}}},
+      std::move(bodies)};
 }
 
 Correction upper_limit(const ChapterStudy& study) {
@@ -42,7 +44,7 @@ Correction upper_limit(const ChapterStudy& study) {
       "conditions meant.",
       fmt::format("Case {}: Eq. 5.4 lets the attachments rise {:.2f} above the supports.",
                   square.number, excess),
-      {{"excess", excess}}};
+      {{"excess", {excess}}}};
 }
 
 Correction time_unit(const ChapterStudy& study) {
@@ -56,7 +58,7 @@ Correction time_unit(const ChapterStudy& study) {
                       "g/S = {:.3f} 1/s^2.",
                       scale.spacing, scale.gravity, scale.first_impact, scale.ratio,
                       std::sqrt(scale.spacing / scale.gravity), scale.gravity / scale.spacing),
-          {{"ratio", scale.ratio}, {"sqrt_S_g", std::sqrt(scale.spacing / scale.gravity)}}};
+          {{"ratio", {scale.ratio}}, {"sqrt_S_g", {std::sqrt(scale.spacing / scale.gravity)}}}};
 }
 
 Correction missing_law(const ChapterStudy& study) {
@@ -72,10 +74,10 @@ Correction missing_law(const ChapterStudy& study) {
       fmt::format("Case {}: lock at t = {:.5f} with swing energy {:.6f}; under the sequential law "
                   "at t = {:.5f} with {:.6f}.",
                   soft.number, lock.time, lock.swing.value().energy, other.lock, other.energy),
-      {{"lock", lock.time},
-       {"energy", lock.swing->energy},
-       {"sequential_lock", other.lock},
-       {"sequential_energy", other.energy}}};
+      {{"lock", {lock.time}},
+       {"energy", {lock.swing->energy}},
+       {"sequential_lock", {other.lock}},
+       {"sequential_energy", {other.energy}}}};
 }
 
 Correction spin_reversal() {
@@ -87,7 +89,9 @@ Correction spin_reversal() {
       "The spin changes by -(1 + e) v_n l / (Ic + l^2), l being the cable's lever arm; its sign "
       "may stay.",
       fmt::format("{} of {} random impacts keep it (seed {}).", kept.times, kept.of, chapter_seed),
-      {{"kept", kept.times}, {"impacts", kept.of}, {"seed", chapter_seed}}};
+      {{"kept", {count(kept.times)}},
+       {"impacts", {count(kept.of)}},
+       {"seed", {count(chapter_seed)}}}};
 }
 
 Correction slope_sign() {
@@ -101,7 +105,9 @@ Correction slope_sign() {
       "where the cable is level.",
       fmt::format("The sign is wrong in {} of {} random poses (seed {}).", wrong.times, wrong.of,
                   chapter_seed),
-      {{"wrong", wrong.times}, {"poses", wrong.of}, {"seed", chapter_seed}}};
+      {{"wrong", {count(wrong.times)}},
+       {"poses", {count(wrong.of)}},
+       {"seed", {count(chapter_seed)}}}};
 }
 
 Correction mass_and_inertia(const ChapterStudy& study) {
@@ -113,7 +119,7 @@ Correction mass_and_inertia(const ChapterStudy& study) {
           fmt::format("The standard body with mass 2: its first impact changes the spin by {:.6f}; "
                       "Eq. 5.79 says {:.6f}.",
                       change.exact, change.printed),
-          {{"exact", change.exact}, {"printed", change.printed}}};
+          {{"exact", {change.exact}}, {"printed", {change.printed}}}};
 }
 
 Correction resolution(const ChapterStudy& study) {
@@ -129,7 +135,7 @@ Correction resolution(const ChapterStudy& study) {
           fmt::format("Standard case, near the equilibrium: impacts slower than {:.1e}. Of the {} "
                       "that precede the completed accumulation, {} are slower.",
                       slowest, all, all - seen),
-          {{"speed", slowest}, {"impacts", all}, {"unresolved", all - seen}}};
+          {{"speed", {slowest}}, {"impacts", {count(all)}}, {"unresolved", {count(all - seen)}}}};
 }
 
 }  // namespace

@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+
+#include "bench/base/table.hpp"
+#include "bench/cases/case_writer.hpp"
+#include "bench/cases/title.hpp"
+#include "bench/chapter/source.hpp"
+#include "bench/program/commands.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string case_list() {
+  Table table({"case", "inertia", "duration", "title"}, 1, 1);
+  for (const Case& the_case : shipped_cases()) {
+    table.add({the_case.name, fmt::format("{:.4g}", the_case.body.inertia),
+               fmt::format("{:g}", the_case.duration), title_of(the_case)});
+  }
+  return table.plain();
+}
+
+}  // namespace
+
+int cases_command(const CasesCommand& command) {
+  if (command.the_case.empty()) {
+    fmt::print("{}\n{}", case_list(), case_number_text());
+    return exit_done;
+  }
+  const std::optional<Case> the_case = one_case(command.the_case);
+  if (!the_case) {
+    return exit_usage;
+  }
+  fmt::print("{}", write_case(*the_case));
+  return exit_done;
+}
+
+}  // namespace tautline::bench

@@ -46,24 +46,24 @@ Vec2 shared_corner(const Case& the_case) {
   return shared ? corner : Vec2(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
-/// The shape whose inertia and attachments the body has, if it is a ring or a box.
-std::string body(const Case& the_case) {
+/// The shape whose inertia and attachments the body has, if it is a point, a ring or a box.
+std::string shape(const Case& the_case) {
   const auto& [mass, inertia] = the_case.body;
   if (inertia == 0.0) {  // exactly: as given
-    return "point mass";
+    return ", point mass";
   }
   const Vec2 corner = shared_corner(the_case);
   const double radius = corner.norm();
   if (radius == 0.0) {
-    return "body hung at its centre";
+    return ", body hung at its centre";
   }
   if (equal(inertia, mass * radius * radius)) {
-    return fmt::format("ring of radius {:.4g}", radius);
+    return fmt::format(", ring of radius {:.4g}", radius);
   }
   if (equal(inertia, mass * radius * radius / 3)) {
-    return fmt::format("box {:.4g} x {:.4g}", 2 * corner.x(), 2 * corner.y());
+    return fmt::format(", box {:.4g} x {:.4g}", 2 * corner.x(), 2 * corner.y());
   }
-  return "body";
+  return "";  // nothing to name
 }
 
 std::string cables(const Case& the_case) {
@@ -100,7 +100,7 @@ std::vector<std::string> peculiarities(const Case& the_case) {
 }  // namespace
 
 std::string title_of(const Case& the_case) {
-  std::string title = restitution(the_case) + ", " + body(the_case) + ", " + cables(the_case);
+  std::string title = restitution(the_case) + shape(the_case) + ", " + cables(the_case);
   for (const std::string& words : peculiarities(the_case)) {
     title += ", " + words;
   }

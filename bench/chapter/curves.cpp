@@ -135,13 +135,9 @@ std::vector<Curve> figure_curves(const ChapterFigure& figure) {
   return curves;
 }
 
-std::vector<Curve> boundary_curves(const Boundary& boundary) {
-  std::vector<Curve> curves;
-  for (std::size_t column = 1; column < boundary.data.columns.size(); ++column) {
-    curves.push_back(
-        curve_of(boundary.data.columns[column], thinned(points_of(boundary.data, 0, column))));
-  }
-  return curves;
+Curve boundary_curve(const Boundary& boundary) {
+  return curve_of("boundary",
+                  thinned(points_of(boundary.data, boundary_column::x, boundary_column::lowest)));
 }
 
 }  // namespace tautline::bench

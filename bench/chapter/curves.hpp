@@ -21,7 +21,7 @@ inline constexpr std::size_t most_points = 600;
 /// cable, the fastest of them.
 [[nodiscard]] std::vector<Curve> figure_curves(const ChapterFigure& figure);
 
-/// One thinned curve per boundary.
-[[nodiscard]] std::vector<Curve> boundary_curves(const Boundary& boundary);
+/// What bounds the region from below, thinned.
+[[nodiscard]] Curve boundary_curve(const Boundary& boundary);
 
 }  // namespace tautline::bench

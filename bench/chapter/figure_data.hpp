@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,12 @@ inline constexpr std::size_t time = 0;
 inline constexpr std::size_t cable = 1;
 inline constexpr std::size_t speed = 2;  // normal velocity before
 }  // namespace impacts_column
+
+/// The columns of `boundary_data`.
+namespace boundary_column {
+inline constexpr std::size_t x = 0;
+inline constexpr std::size_t lowest = 3;
+}  // namespace boundary_column
 
 /// The whole motion: a row each `figure_step` and two at each event, before and after.
 [[nodiscard]] FigureData motion_data(const ChapterCase& solved);

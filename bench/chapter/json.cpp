@@ -103,23 +103,23 @@ ordered_json drawn(const std::vector<double>& values) {
   return list;
 }
 
-ordered_json curves_json(const std::vector<Curve>& curves) {
-  ordered_json list = ordered_json::array();
-  for (const Curve& curve : curves) {
-    list.push_back({{"name", curve.name}, {"x", drawn(curve.x)}, {"y", drawn(curve.y)}});
-  }
-  return list;
+ordered_json curve_json(const Curve& curve) {
+  return {{"name", curve.name}, {"x", drawn(curve.x)}, {"y", drawn(curve.y)}};
 }
 
 ordered_json plot_json(const ChapterFigure& figure) {
-  ordered_json boundary = ordered_json::array();
+  ordered_json curves = ordered_json::array();
+  for (const Curve& curve : figure_curves(figure)) {
+    curves.push_back(curve_json(curve));
+  }
+  ordered_json boundary;
   if (figure.boundary) {
-    boundary = curves_json(boundary_curves(*figure.boundary));
+    boundary = curve_json(boundary_curve(*figure.boundary));
   }
   return {{"name", figure.number},
           {"x", figure.data.columns[figure.x]},
           {"y", figure.data.columns[figure.y]},
-          {"curves", curves_json(figure_curves(figure))},
+          {"curves", std::move(curves)},
           {"boundary", std::move(boundary)},
           {"marks", marks_json(figure.marks)}};
 }

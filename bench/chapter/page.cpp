@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "bench/base/html.hpp"
 #include "bench/chapter/json.hpp"
@@ -15,13 +16,25 @@ namespace {
 
 constexpr std::string_view title = "The source chapter, computed again";
 
+/// `text` with the signs that it spells in ASCII.
+std::string typeset(std::string text) {
+  for (const auto& [spelt, sign] : {std::pair{"<=", "≤"}, {">=", "≥"}, {"^2", "²"}}) {
+    for (std::size_t at = text.find(spelt); at != std::string::npos; at = text.find(spelt, at)) {
+      text.replace(at, 2, sign);
+    }
+  }
+  return text;
+}
+
+std::string prose(const std::string& text) { return html_prose(typeset(text)); }
+
 std::string header(const ChapterReport& report, bool charts) {
   std::string out =
-      fmt::format("<header>\n<h1>{}</h1>\n<p>{}</p>\n", title, html_prose(report.introduction));
+      fmt::format("<header>\n<h1>{}</h1>\n<p>{}</p>\n", title, prose(report.introduction));
   for (const Correction& one : report.corrections) {
     if (one.main) {
-      out += fmt::format("<p class=\"answer\">What it missed: {} {}</p>\n", html_prose(one.right),
-                         html_prose(one.shown));
+      out += fmt::format("<p class=\"answer\">What it missed: {} {}</p>\n", prose(one.right),
+                         prose(one.shown));
     }
   }
   if (!charts) {
@@ -35,7 +48,7 @@ std::string header(const ChapterReport& report, bool charts) {
 std::string list(const std::vector<std::string>& sentences) {
   std::string items;
   for (const std::string& sentence : sentences) {
-    items += fmt::format("<li>{}</li>\n", html_prose(sentence));
+    items += fmt::format("<li>{}</li>\n", prose(sentence));
   }
   return "<ul>\n" + items + "</ul>\n";
 }
@@ -49,8 +62,8 @@ std::string contents() {
 std::string correction_item(const Correction& one) {
   return fmt::format(
       "<li><strong>{}.</strong> {}<br>{}: {}<br><span class=\"evidence\">{}</span></li>\n",
-      html_text(one.where), html_prose(one.chapter), one.holds ? "Checked" : "Right",
-      html_prose(one.right), html_prose(one.shown));
+      html_text(one.where), prose(one.chapter), one.holds ? "Checked" : "Right", prose(one.right),
+      prose(one.shown));
 }
 
 /// What the chapter missed altogether first, the rest in its order.
@@ -118,13 +131,18 @@ std::string id_of(std::string name) {
 std::string table_html(const ChapterTable& table) {
   std::vector<HtmlColumn> columns;
   for (const auto& [name, unit, format] : table.columns) {
-    columns.push_back({"", name, unit, "", holds_numbers(table, columns.size())});
+    columns.push_back({"", name, typeset(unit), "", holds_numbers(table, columns.size())});
   }
   const std::string caption =
       fmt::format("{}. {} Data: <a href=\"chapter/{}\">{}</a>", html_text(table.name),
-                  html_prose(table.title), table.file, table.file);
+                  prose(table.title), table.file, table.file);
   HtmlTable html(id_of(table.name), caption, columns);
+  const std::vector<Cell>* last = nullptr;
   for (const auto& row : table.rows) {
+    if (last == nullptr || row.front() != last->front()) {  // a rule between groups of rows
+      html.begin_body("");
+    }
+    last = &row;
     std::vector<std::string> cells;
     for (std::size_t index = 0; index < row.size(); ++index) {
       cells.push_back(table_cell(row[index], table.columns[index], columns[index].numbers));
@@ -151,7 +169,7 @@ std::string figure_html(const ChapterFigure& figure, bool charts) {
       "<figure>\n{}<figcaption><b>Fig. {}.</b> {}. Data: <a href=\"chapter/{}\">{}</a><br>"
       "<i>The chapter:</i> {}<br><i>In truth:</i> {}</figcaption>\n</figure>\n",
       charts ? plot : "", figure.number, html_text(figure.title), figure.file, figure.file,
-      html_prose(figure.chapter), html_prose(figure.truth));
+      prose(figure.chapter), prose(figure.truth));
 }
 
 std::string figures_section(const ChapterReport& report, bool charts) {

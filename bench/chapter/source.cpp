@@ -36,11 +36,11 @@ std::vector<std::string> case_number_rules() {
   return {
       "r is the length of both cables: 1 for 1.5, 2 for 2.5.",
       "e is the restitution of both: 9 for 0.9, 1 for 1.0.",
-      "a and b are half the width and half the depth of the body, in tenths. With b = 0 it is a "
-      "thin ring, with a = b = 0 a point mass, else a box.",
-      "x, vx, y, vy, theta and vtheta are the start, in tenths and without their signs; 1 is "
-      "1.0 for y of the point mass.",
-      "theta and vtheta have two digits where they are in hundredths: 05 for 0.05."};
+      "a and b are half the width and depth of the body: a box, a ring if b = 0, a point if a = 0 "
+      "too.",
+      "x, vx, y, vy, theta and vtheta are the start, without signs; 1 is 1.0 for y of the point "
+      "mass.",
+      "All but r are in tenths; theta and vtheta with two digits in hundredths: 05 for 0.05."};
 }
 
 std::string case_number_text() {

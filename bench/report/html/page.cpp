@@ -88,8 +88,13 @@ std::string preformatted(std::string_view text) {
 }
 
 std::string foot(const ordered_json& report, const PageAssets& assets) {
-  std::string out = fmt::format("<footer>\n<p>Made by <code>tautline bench</code> {}.</p>\n",
-                                html_text(report.at("program").at("version").get<std::string>()));
+  std::string out = fmt::format(
+      "<footer>\n<p>Made by <code>tautline bench</code> {}. The source chapter has a page of its "
+      "own: "
+      "<code>tautline reproduce</code> makes it, <a href=\"chapter.html\">chapter.html</a> if it "
+      "was "
+      "made in the same folder.</p>\n",
+      html_text(report.at("program").at("version").get<std::string>()));
   if (!assets.plotly.empty()) {
     out += "<details><summary>Charts are drawn by Plotly.js, under the MIT licence.</summary>\n" +
            preformatted(assets.licence) + "</details>\n";

@@ -52,16 +52,6 @@ constexpr const char* attribution = R"([{"engine": "e", "model": "m", "step": 0.
   "deviation": {"median": 1.5e-3, "worst": 2.5e-3},
   "shares": {"flight_bias": 0.625, "event_lag": 0.375}, "remainder": 1e-5}])";
 
-constexpr const char* chapter = R"({
-  "tables": [{"name": "Table 5.2", "title": "Moments of *inertia*.",
-    "columns": [{"name": "shape", "unit": ""}, {"name": "I", "unit": "mS^2"}],
-    "rows": [["circle", 0.0123456789], ["box", null]], "notes": ["A **note**."]}],
-  "figures": [{"name": "5.6", "title": "y over x", "x": "x [S]", "y": "y [S]",
-    "curves": [{"name": "c", "x": [0.0], "y": [1.0]}], "boundary": null, "marks": [],
-    "chapter": "It says.", "truth": "It is."}],
-  "corrections": [{"where": "Section 5.8", "chapter": "It settles.", "right": "It swings.",
-    "shown": "By 0.65 rad.", "holds": false}]})";
-
 /// The same report with everything in it that other parts of the program may add.
 ordered_json full_report() {
   ordered_json report = made().report;
@@ -73,7 +63,6 @@ ordered_json full_report() {
   }
   report["findings"] = ordered_json::parse(findings);
   report["attribution_summary"] = ordered_json::parse(attribution);
-  report["chapter"] = ordered_json::parse(chapter);
   return report;
 }
 
@@ -161,11 +150,6 @@ TEST(ReportPage, IsTheSameFromTheReportReadBack) {
   EXPECT_TRUE(made().page == report_html(made().report, page_assets()));
 }
 
-TEST(ReportPage, LeavesTheChapterOutWhereItsCasesWereNotAllRun) {
-  EXPECT_TRUE(made().report.at("chapter").is_null());
-  EXPECT_NE(made().page.find("Not in this report: it is made when"), std::string::npos);
-}
-
 TEST(ReportPage, IsWholeOrNotThere) {
   if (page_assets().plotly.empty()) {
     GTEST_SKIP() << "without Plotly the page is as small as the other files";
@@ -189,7 +173,7 @@ TEST(ReportPage, ClosesEveryElement) {
 
 TEST(ReportPage, HasEverySection) {
   for (const std::string id : {"answers", "cases", "error", "replay", "audit", "attribution",
-                               "chapter", "models", "reading", "context"}) {
+                               "models", "reading", "context"}) {
     EXPECT_NE(made().page.find("<section id=\"" + id + "\">"), std::string::npos) << id;
     EXPECT_NE(made().page.find("<a href=\"#" + id + "\">"), std::string::npos) << id;
   }

@@ -15,7 +15,7 @@ namespace tautline::bench {
 namespace {
 
 Correction special_code(const ChapterStudy& study) {
-  const double difference = largest_difference(study.at("1900461100"), study.rigid_point);
+  const double difference = largest_difference(study.point_mass(), study.rigid_point);
   return {
       false,
       "Section 5.8.2",
@@ -42,7 +42,7 @@ Correction state_at_15(const ChapterStudy& study) {
 
 Correction late_constraints(const ChapterStudy& study) {
   const std::vector<std::string_view> printed = split(find_printed_state("1st impact -").cells);
-  const ChapterCase& point = study.at("1900461100");
+  const ChapterCase& point = study.point_mass();
   const Cable& right = point.the_case.cables[1];
   const auto g1 = [&](const Vec2& position) {
     State state;
@@ -68,7 +68,7 @@ Correction late_constraints(const ChapterStudy& study) {
 
 Correction last_impact(const ChapterStudy& study) {
   const double printed = printed_value(split(printed_table_5_3().back().cells).front());
-  const ChapterCase& point = study.at("1900461100");
+  const ChapterCase& point = study.point_mass();
   const auto later = std::count_if(
       point.solution.events().begin(), point.solution.events().end(), [&](const Event& event) {
         return event.time > printed && event.kind == EventKind::impact &&

@@ -49,7 +49,7 @@ Correction admissible_starts(const ChapterStudy& study) {
 }
 
 Correction first_impact(const ChapterStudy& study) {
-  const double exact = study.at("1900461100").solution.events().front().time;
+  const double exact = study.point_mass().solution.events().front().time;
   const double error = table_5_3_errors(study, "1st impact -").front();
   return {true,
           "Table 5.3, first impact",

@@ -136,7 +136,7 @@ std::vector<Curve> figure_curves(const ChapterFigure& figure) {
 }
 
 Curve boundary_curve(const Boundary& boundary) {
-  return curve_of("boundary",
+  return curve_of("boundary at angle 0",
                   thinned(points_of(boundary.data, boundary_column::x, boundary_column::lowest)));
 }
 

@@ -21,7 +21,7 @@ inline constexpr std::size_t most_points = 600;
 /// cable, the fastest of them.
 [[nodiscard]] std::vector<Curve> figure_curves(const ChapterFigure& figure);
 
-/// What bounds the region from below, thinned.
+/// What bounds the region from below while the body is not turned, thinned.
 [[nodiscard]] Curve boundary_curve(const Boundary& boundary);
 
 }  // namespace tautline::bench

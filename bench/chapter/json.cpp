@@ -7,6 +7,7 @@
 #include "bench/base/html.hpp"
 #include "bench/chapter/curves.hpp"
 #include "bench/chapter/draws.hpp"
+#include "bench/chapter/typeset.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -117,8 +118,8 @@ ordered_json plot_json(const ChapterFigure& figure) {
     boundary = curve_json(boundary_curve(*figure.boundary));
   }
   return {{"name", figure.number},
-          {"x", figure.data.columns[figure.x]},
-          {"y", figure.data.columns[figure.y]},
+          {"x", typeset(figure.data.columns[figure.x])},
+          {"y", typeset(figure.data.columns[figure.y])},
           {"curves", std::move(curves)},
           {"boundary", std::move(boundary)},
           {"marks", marks_json(figure.marks)}};

@@ -4,27 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "bench/base/html.hpp"
 #include "bench/chapter/json.hpp"
 #include "bench/chapter/source.hpp"
+#include "bench/chapter/typeset.hpp"
 #include "bench/page/document.hpp"
 
 namespace tautline::bench {
 namespace {
 
 constexpr std::string_view title = "The source chapter, computed again";
-
-/// `text` with the signs that it spells in ASCII.
-std::string typeset(std::string text) {
-  for (const auto& [spelt, sign] : {std::pair{"<=", "≤"}, {">=", "≥"}, {"^2", "²"}}) {
-    for (std::size_t at = text.find(spelt); at != std::string::npos; at = text.find(spelt, at)) {
-      text.replace(at, 2, sign);
-    }
-  }
-  return text;
-}
 
 std::string prose(const std::string& text) { return html_prose(typeset(text)); }
 
@@ -167,7 +157,7 @@ std::string figure_html(const ChapterFigure& figure, bool charts) {
       figure.number, html_text(figure.title));
   return fmt::format(
       "<figure>\n{}<figcaption><b>Fig. {}.</b> {}. Data: <a href=\"chapter/{}\">{}</a><br>"
-      "<i>The chapter:</i> {}<br><i>In truth:</i> {}</figcaption>\n</figure>\n",
+      "{}<br><i>In truth:</i> {}</figcaption>\n</figure>\n",
       charts ? plot : "", figure.number, html_text(figure.title), figure.file, figure.file,
       prose(figure.chapter), prose(figure.truth));
 }

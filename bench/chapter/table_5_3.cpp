@@ -23,7 +23,7 @@ constexpr std::string_view first_impact = "1st impact";
 /// where the instant is no event of the exact motion.
 std::vector<double> exact_numbers(const ChapterStudy& study, std::string_view instant,
                                   double printed_time) {
-  const ChapterCase& point = study.at("1900461100");
+  const ChapterCase& point = study.point_mass();
   const Event& first = point.solution.events().front();
   const bool at_first = instant.starts_with(first_impact);
   const double time = at_first ? first.time : printed_time;
@@ -54,7 +54,7 @@ std::string last_impact_note(const ChapterStudy& study) {
   const auto value = [&](std::size_t index) { return printed_value(printed[index]); };
   const double time = value(0);
   const double speed = std::hypot(value(2), value(4));
-  const ChapterCase& point = study.at("1900461100");
+  const ChapterCase& point = study.point_mass();
   const auto& events = point.solution.events();
   const auto next = std::find_if(events.begin(), events.end(),
                                  [&](const Event& event) { return event.time > time; });
@@ -100,7 +100,7 @@ ChapterTable chapter_table_5_3(const ChapterStudy& study) {
                             good ? "right" : "wrong"});
     }
   }
-  const ChapterCase& point = study.at("1900461100");
+  const ChapterCase& point = study.point_mass();
   table.notes = {
       fmt::format("*Error* is printed less exact; {} of {} numbers are right to the last digit.",
                   right, compared),

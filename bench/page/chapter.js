@@ -19,27 +19,26 @@
     return [low - margin, high + margin];
   }
 
-  /// An instant has its place where time is the abscissa. Its name stands on the roomier side.
-  const marksOf = (figure, [left, right]) => (figure.x.startsWith('t ') ? figure.marks : []).map((mark) => ({
-    ...mark, side: mark.time < (left + right) / 2 ? 'left' : 'right' }));
+  /// An instant has its place where time is the abscissa.
+  const marksOf = (figure) => (figure.x.startsWith('t ') ? figure.marks : []);
+
+  const markLine = ({ time, meaning }, [low, high], color) => ({ type: 'scatter', mode: 'lines', name: meaning,
+    x: [time, time], y: [low, high], line: { color, width: 1.5, dash: 'dot' },
+    hovertemplate: '<b>%{fullData.name}</b><br>%{x:.4g}<extra></extra>' });
 
   function build(figure) {
     const impacts = figure.y.startsWith('vn ');
     const [xs, ys] = ['x', 'y'].map((key) => range(figure.curves.flatMap((one) => one[key])));
-    const marks = marksOf(figure, xs);
     return (colours) => ({
       data: [
         ...(figure.boundary ? [line(figure.boundary, colours.muted, 3)] : []),
         ...figure.curves.map((one, i) => (impacts ? points(one, colours.engines[i], symbols[i])
-          : line(one, colours.engines[i], 1.5)))],
+          : line(one, colours.engines[i], 1.5))),
+        ...marksOf(figure).map((mark) => markLine(mark, ys, colours.flag))],
       layout: { height: 360, showlegend: true,
         legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0 }, margin: { l: 64, r: 16, t: 40, b: 52 },
         xaxis: axis(colours, { title: { text: figure.x }, range: xs }),
-        yaxis: axis(colours, { title: { text: figure.y }, range: ys }),
-        shapes: marks.map(({ time }) => ({ type: 'line', yref: 'paper', y0: 0, y1: 1, x0: time, x1: time,
-          line: { color: colours.flag, width: 1, dash: 'dot' } })),
-        annotations: marks.map(({ time, meaning, side }, i) => ({ x: time, y: 1 - 0.08 * i, yref: 'paper', text: meaning,
-          showarrow: false, xanchor: side, yanchor: 'top', font: { color: colours.flag, size: 11 } })) },
+        yaxis: axis(colours, { title: { text: figure.y }, range: ys }) },
     });
   }
 

@@ -25,14 +25,15 @@ test('every figure is drawn, with a unit on each axis, and its motion fills the 
     await drawAll(page);
     const drawn = await page.evaluate(() => Object.entries(tautline.charts).map(([name, { body }]) => {
       const { xaxis, yaxis } = body._fullLayout;
-      const curves = body._fullData.filter((one) => one.name !== 'boundary');
+      const curves = body._fullData.filter((one) => /^(case|cable) /.test(one.name));
       const filled = (key, { range }) => {
         const values = curves.flatMap((one) => [...one[key]]);
         return (Math.max(...values) - Math.min(...values)) / (range[1] - range[0]);
       };
       return { name, x: xaxis.title.text, y: yaxis.title.text, fills: [filled('x', xaxis), filled('y', yaxis)] };
     }));
-    assert.deepEqual(drawn.map(({ name, x, y }) => ({ name, x, y })), chapter.figures.map(({ name, x, y }) => ({ name, x, y })));
+    assert.deepEqual(drawn.map(({ name, x, y }) => ({ name, x, y })),
+      chapter.figures.map(({ name, x, y }) => ({ name, x: x.replace('sqrt', '√'), y: y.replace('sqrt', '√') })));
     for (const { name, x, y, fills } of drawn) {
       assert.match(`${x} ${y}`, /\[[^\]]+\].*\[[^\]]+\]/, name);
       assert.ok(Math.min(...fills) > 0.8 && Math.max(...fills) < 1, `${name}: ${fills}`);
@@ -44,20 +45,18 @@ test('marks stand at their instants, and only where time is the abscissa', async
   await withPage(file, async ({ page }) => {
     await drawAll(page);
     const marked = await page.evaluate(() => Object.entries(tautline.charts).map(([name, { body }]) => ({ name,
-      instants: (body._fullLayout.shapes || []).map(({ x0 }) => x0) })));
-    const expected = chapter.figures.map(({ name, x, marks }) => ({ name,
-      instants: x.startsWith('t ') ? marks.map(({ time }) => time) : [] }));
-    assert.deepEqual(marked, expected);
+      marks: body._fullData.filter((one) => one.line.dash === 'dot').map((one) => ({ time: one.x[0], meaning: one.name })) })));
+    assert.deepEqual(marked, chapter.figures.map(({ name, x, marks }) => ({ name, marks: x.startsWith('t ') ? marks : [] })));
   });
 });
 
-test('no name of a mark leaves its plot', async () => {
+test('no name in a legend leaves its plot on a narrow screen', async () => {
   await withPage(file, async ({ page }) => {
     await drawAll(page);
-    const outside = await page.evaluate(() => [...document.querySelectorAll('.annotation-text')].filter((text) => {
+    const outside = await page.evaluate(() => [...document.querySelectorAll('.legendtext')].filter((text) => {
       const plot = text.closest('.chart').getBoundingClientRect();
       const own = text.getBoundingClientRect();
-      return own.left < plot.left || own.right > plot.right;
+      return own.left < plot.left || own.right > plot.right || own.top < plot.top;
     }).map((text) => text.textContent));
     assert.deepEqual(outside, []);
   }, { width: 400 });

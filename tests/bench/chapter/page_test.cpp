@@ -107,8 +107,16 @@ TEST(ChapterPage, GivesItsScriptTheCurvesOfEveryFigure) {
   const json figure = json::parse(chapter_page_data(small_report())).at("figures").at(0);
   EXPECT_EQ(figure.at("name"), "5.6");
   EXPECT_EQ(figure.at("curves").at(0).at("y"), (std::vector<double>{0.333333, 2.0}));
-  EXPECT_EQ(figure.at("boundary").at("name"), "boundary");
+  EXPECT_EQ(figure.at("boundary").at("name"), "boundary at angle 0");
   EXPECT_EQ(figure.at("marks").at(0).at("meaning"), hostile);
+}
+
+TEST(ChapterPage, SetsSignsThatTextSpells) {
+  ChapterReport report = small_report();
+  report.tables.front().notes = {"Y <= H in sqrt(S/g), at 2 m/s^2."};
+  const std::string page = chapter_page(report, assets);
+  EXPECT_TRUE(holds_text(page, "Y ≤ H in √(S/g), at 2 m/s²."));
+  EXPECT_TRUE(holds_text(page, "[mS²]"));
 }
 
 TEST(ChapterPage, WithoutPlotlySaysSoAndLeavesNoEmptyPlot) {

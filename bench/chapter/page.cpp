@@ -123,9 +123,9 @@ std::string table_html(const ChapterTable& table) {
   for (const auto& [name, unit, format] : table.columns) {
     columns.push_back({"", name, typeset(unit), "", holds_numbers(table, columns.size())});
   }
-  const std::string caption =
-      fmt::format("{}. {} Data: <a href=\"chapter/{}\">{}</a>", html_text(table.name),
-                  prose(table.title), table.file, table.file);
+  // short: a caption is as wide as its table, and a narrow screen is not
+  const std::string caption = fmt::format("{}. Data: <a href=\"chapter/{}\">{}</a>",
+                                          html_text(table.name), table.file, table.file);
   HtmlTable html(id_of(table.name), caption, columns);
   const std::vector<Cell>* last = nullptr;
   for (const auto& row : table.rows) {
@@ -139,7 +139,8 @@ std::string table_html(const ChapterTable& table) {
     }
     html.add(cells);
   }
-  return html.html() + "<div class=\"notes\">\n" + list(table.notes) + "</div>\n";
+  return "<h3>" + prose(table.title) + "</h3>\n" + html.html() + "<div class=\"notes\">\n" +
+         list(table.notes) + "</div>\n";
 }
 
 std::string tables_section(const ChapterReport& report) {

@@ -45,7 +45,7 @@ test('marks stand at their instants, and only where time is the abscissa', async
   await withPage(file, async ({ page }) => {
     await drawAll(page);
     const marked = await page.evaluate(() => Object.entries(tautline.charts).map(([name, { body }]) => ({ name,
-      marks: body._fullData.filter((one) => one.line.dash === 'dot').map((one) => ({ time: one.x[0], meaning: one.name })) })));
+      marks: body._fullData.filter((one) => one.line?.dash === 'dot').map((one) => ({ time: one.x[0], meaning: one.name })) })));
     assert.deepEqual(marked, chapter.figures.map(({ name, x, marks }) => ({ name, marks: x.startsWith('t ') ? marks : [] })));
   });
 });

@@ -90,7 +90,7 @@ Unjudged read_unjudged(StrictTable& table, const std::string& word) {
   return unjudged;
 }
 
-Limits read_tables(const toml::table& file, Findings& findings) {
+Limits read_tables(const toml::table& file, FileProblems& findings) {
   StrictTable root(&file, "", findings);
   Limits limits;
   static_cast<void>(root.number("schema", right_schema, ""));
@@ -120,7 +120,7 @@ Limits read_tables(const toml::table& file, Findings& findings) {
 }  // namespace
 
 LimitsReading read_limits_text(std::string_view text, const std::string& source_name) {
-  Findings findings(source_name);
+  FileProblems findings(source_name);
   const std::optional<toml::table> file = parse_toml(text, findings);
   if (!file) {
     return {std::nullopt, findings.sentences()};
@@ -136,7 +136,7 @@ LimitsReading read_limits_text(std::string_view text, const std::string& source_
 LimitsReading read_limits_file(const std::filesystem::path& path) {
   const InputFile file = read_input_file(path, longest_limits_file);
   if (file.problem) {
-    Findings findings(path.native());
+    FileProblems findings(path.native());
     findings.add(0, *file.problem);
     return {std::nullopt, findings.sentences()};
   }

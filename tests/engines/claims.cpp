@@ -39,18 +39,18 @@ std::string unknown(const std::string& what, const std::string& name,
 
 /// One [[exception]] that starts at `line`.
 void read_exception(bench::StrictTable& table, std::size_t line,
-                    std::span<const std::string> models, bench::Findings& findings,
+                    std::span<const std::string> models, bench::FileProblems& wrong,
                     std::vector<Exception>& exceptions) {
   const std::string model = table.text("model");
   const std::string reason = table.text("reason");
   if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end()) {
-    findings.add(line, unknown("model", model, models));
+    wrong.add(line, unknown("model", model, models));
   }
   for (const std::string& name : table.texts("claims", "must be an array of claims")) {
     if (bench::find_claim(name) != nullptr || name == accuracy_claim) {
       exceptions.push_back({model, name, reason});
     } else {
-      findings.add(line, unknown("claim", name, claim_names()));
+      wrong.add(line, unknown("claim", name, claim_names()));
     }
   }
   table.refuse_unknown_keys();
@@ -60,19 +60,19 @@ void read_exception(bench::StrictTable& table, std::size_t line,
 
 ContractFile read_contract(std::string_view text, const std::string& source_name,
                            std::span<const std::string> models) {
-  bench::Findings findings(source_name);
+  bench::FileProblems wrong(source_name);
   ContractFile result;
-  if (const std::optional<toml::table> file = bench::parse_toml(text, findings)) {
-    bench::StrictTable root(&*file, "", findings);
+  if (const std::optional<toml::table> file = bench::parse_toml(text, wrong)) {
+    bench::StrictTable root(&*file, "", wrong);
     std::size_t index = 0;
     for (bench::StrictTable& table : root.tables("exception", most_exceptions,
                                                  "must be tables with model, claims and reason")) {
       const std::size_t line = bench::line_of((*file)["exception"][index++].node());
-      read_exception(table, line, models, findings, result.exceptions);
+      read_exception(table, line, models, wrong, result.exceptions);
     }
     root.refuse_unknown_keys();
   }
-  result.problems = findings.sentences();
+  result.problems = wrong.sentences();
   return result;
 }
 

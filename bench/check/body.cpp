@@ -1,6 +1,8 @@
-// Whether a hit moves and turns the body that was declared. No gravity: before and after the hit
-// nothing changes but position and angle. The body comes along the cable and does not spin, so its
-// pose at the hit does not depend on the step in which it is noticed.
+// No gravity: before and after the hit nothing changes but position and angle. The body comes along
+// the cable and does not spin, so its pose at the hit does not depend on the step in which it is
+// noticed.
+
+#include "bench/check/body.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +10,9 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/check/claims.hpp"
+#include "bench/check/cases.hpp"
+#include "bench/check/hit.hpp"
+#include "bench/check/stepping.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

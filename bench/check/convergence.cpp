@@ -1,4 +1,4 @@
-// Whether smaller steps bring a model to the exact motion, and how near.
+#include "bench/check/convergence.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,8 @@
 #include <numeric>
 #include <vector>
 
-#include "bench/check/claims.hpp"
+#include "bench/check/cases.hpp"
+#include "bench/check/stepping.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {

@@ -1,4 +1,4 @@
-// What an engine does with a body that no cable pulls.
+#include "bench/check/flight.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "bench/check/claims.hpp"
+#include "bench/check/cases.hpp"
+#include "bench/check/stepping.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -82,19 +83,6 @@ std::string defect(const Fallen& coarse, const Fallen& fine, std::size_t nearest
 }
 
 }  // namespace
-
-Case spinning_on_one_cable(double slack) {
-  Case result;
-  result.name = "spinning";
-  result.body = {2.0, 0.3};
-  result.gravity = Vec2(0.3, -1.2);
-  result.cables = {{Vec2(0.2, 2.0), Vec2(0.3, 0.2), 1.0, 0.6}};
-  result.initial = {Vec2(0.0, 1.2), 0.4, Vec2(0.1, -0.6), 1.5};
-  const Cable& cable = result.cables.front();
-  result.cables.front().length += slack - gap(cable, result.initial);
-  result.duration = 20.0;
-  return result;
-}
 
 Measure measure_flight(const Subject& subject) {
   const Fallen coarse = fall(subject, falls[0]);

@@ -1,5 +1,4 @@
-// Whether the impulses that a model reports are those that changed the motion, on every kind of
-// case.
+#include "bench/check/momentum.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/check/claims.hpp"
+#include "bench/check/cases.hpp"
+#include "bench/check/stepping.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

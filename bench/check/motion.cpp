@@ -1,4 +1,4 @@
-// What a run as a whole must keep: energy, and the length of its cables.
+#include "bench/check/motion.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/check/claims.hpp"
+#include "bench/check/cases.hpp"
+#include "bench/check/stepping.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 

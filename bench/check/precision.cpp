@@ -1,4 +1,4 @@
-// Whether states have the precision that the engine declares: at the start, and after every step.
+#include "bench/check/precision.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "bench/check/claims.hpp"
+#include "bench/check/cases.hpp"
+#include "bench/check/stepping.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -1,5 +1,6 @@
-// Whether a model does the same again, and the same in a mirror. Both runs must also end alike: a
-// run that stops at once would agree with anything.
+// Both runs must also end alike: a run that stops at once would agree with anything.
+
+#include "bench/check/repeat.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,8 @@
 #include <limits>
 #include <vector>
 
-#include "bench/check/claims.hpp"
+#include "bench/check/cases.hpp"
+#include "bench/check/stepping.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -1,4 +1,6 @@
-// How hits rebound, over the whole of the contact where an engine takes several steps for it.
+// A rebound is that over the whole of the contact where an engine takes several steps for it.
+
+#include "bench/check/restitution.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +8,8 @@
 #include <array>
 #include <cmath>
 
-#include "bench/check/claims.hpp"
+#include "bench/check/cases.hpp"
+#include "bench/check/hit.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 

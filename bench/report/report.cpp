@@ -11,7 +11,7 @@
 #include "bench/report/replay_data.hpp"
 #include "bench/report/rows.hpp"
 #include "bench/report/source_commit.hpp"
-#include "bench/run/wire.hpp"
+#include "bench/run/json.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -175,7 +175,7 @@ ordered_json case_row(const ReferenceCase& reference, const CompareOptions& opti
       {"counted_impacts", counted_impacts(the_case, solution, options.count_speed).size()},
       {"start_energy", energy(the_case, the_case.initial)},
       {"end_energy", energy(the_case, solution.at(solution.end_time()))},
-      {"settling", settling_json(reference.settling)}};
+      {"settling", ordered_json::parse(settling_json(reference.settling))}};
   add_exact_motion(the_case, solution, row);
   return row;
 }

@@ -9,7 +9,9 @@
 #include <numbers>
 
 #include "analytic/support.hpp"
+#include "bench/check/cases.hpp"
 #include "bench/check/claims.hpp"
+#include "bench/check/convergence.hpp"
 #include "claims.hpp"
 #include "engine_support.hpp"
 #include "tautline/geometry.hpp"

@@ -1,10 +1,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <memory>
 #include <thread>
 
 #include "bench/base/atomic_file.hpp"
@@ -15,6 +17,8 @@
 #include "bench/chapter/beside.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
 #include "bench/report/compact_json.hpp"
 #include "bench/report/html/page.hpp"
 #include "bench/report/report.hpp"
@@ -25,6 +29,23 @@ namespace tautline::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// What `tautline bench` was asked.
+struct BenchCommand {
+  std::vector<std::string> cases;
+  std::vector<std::string> engines;
+  std::vector<std::string> models;
+  std::vector<double> steps = {1e-2, 1e-3, 1e-4};  // [s]
+  std::optional<double> until;                     // [s], instead of each case's duration
+  ImpactLaw law = ImpactLaw::simultaneous;
+  std::filesystem::path out = "results";
+  std::optional<unsigned> jobs;  // one per core if not given
+  bool resume = false;
+  double time_limit = 60.0;         // [s]
+  std::optional<std::string> gate;  // limits file; breaking it makes the exit code 1
+  std::string json;
+  std::string command_line;  // as it was typed, for the report
+};
 
 /// What the command line asks for, or every sentence of what is wrong with it.
 struct Request {
@@ -114,8 +135,6 @@ void write_reports(const BenchCommand& command, const nlohmann::ordered_json& re
   }
 }
 
-}  // namespace
-
 int bench_command(const BenchCommand& command) {
   const Request request = read_request(command);
   if (!request.problems.empty()) {
@@ -166,6 +185,42 @@ int bench_command(const BenchCommand& command) {
     return broken.empty() ? exit_done : exit_failed;
   }
   return any_failure(report) ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& code, const std::string& command_line) {
+  CLI::App* const command =
+      app.add_subcommand("bench", "Cases x engines x models x steps: all their runs, and a report");
+  const auto asked = std::make_shared<BenchCommand>();
+  asked->command_line = command_line;
+  command->add_option("CASES", asked->cases, case_help)->default_str("'breakwater/*'");
+  command
+      ->add_option("--engines,--engine", asked->engines,
+                   "names or plug-in paths: bullet64,./libmine.so (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);  // a case may follow
+  command->add_option("--models", asked->models, "only these models: row,event (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--steps", asked->steps, "steps [s]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command->add_option("--until", asked->until, "end every run at this time [s]");
+  add_law(*command, asked->law, law_help);
+  command->add_option("--out", asked->out, "folder for the report and the runs' files")
+      ->capture_default_str();
+  command->add_option("--jobs", asked->jobs, "runs at a time (default: one per core)");
+  command->add_flag("--resume", asked->resume, "keep the runs that --out already has");
+  command->add_option("--time-limit", asked->time_limit, "end a run after this long [s]")
+      ->capture_default_str();
+  command->add_option("--json", asked->json,
+                      "also write the report as JSON to this file, or to stdout: -");
+  command->add_option(
+      "--gate", asked->gate,
+      "a limits file (TOML): print the runs that break a limit, and end with exit code 1");
+  command->callback([asked, &code] { code = bench_command(*asked); });
 }
 
 }  // namespace tautline::bench

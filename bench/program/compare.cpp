@@ -1,11 +1,22 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "bench/base/text.hpp"
 #include "bench/gate/changes.hpp"
 #include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
 
 namespace tautline::bench {
 namespace {
+
+/// What `tautline compare` was asked.
+struct CompareCommand {
+  std::string before;  // report.json
+  std::string after;
+  std::string json;
+};
 
 using nlohmann::ordered_json;
 
@@ -18,8 +29,6 @@ std::vector<std::string> nothing_compared(const ordered_json& changes) {
               ? "no run is in both reports: there is nothing to compare"
               : "no run is in both reports: those of the same name are of cases that have changed"};
 }
-
-}  // namespace
 
 int compare_command(const CompareCommand& command) {
   ReportReading before = read_report(command.before);
@@ -50,6 +59,20 @@ int compare_command(const CompareCommand& command) {
     write_output(command.json, changes.dump(2) + "\n");
   }
   return changes.at("worse").get<bool>() ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, int& code) {
+  CLI::App* const command =
+      app.add_subcommand("compare", "What changed from one report to another beyond noise");
+  const auto asked = std::make_shared<CompareCommand>();
+  command->add_option("BEFORE", asked->before, "the report.json of one `tautline bench`")
+      ->required();
+  command->add_option("AFTER", asked->after, "the report.json of the other")->required();
+  command->add_option("--json", asked->json,
+                      "write the changes as JSON to this file, or to stdout: -");
+  command->callback([asked, &code] { code = compare_command(*asked); });
 }
 
 }  // namespace tautline::bench

@@ -1,15 +1,24 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/progress.hpp"
 #include "bench/chapter/report.hpp"
 #include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
 #include "bench/suite/run_files.hpp"
 
 namespace tautline::bench {
 namespace {
+
+/// What `tautline reproduce` was asked.
+struct ReproduceCommand {
+  std::filesystem::path out = "results";
+  std::string json;
+};
 
 /// Everything but chapter.json, which comes last: a folder with it is whole.
 void write_files(const ChapterReport& report, const std::filesystem::path& out) {
@@ -26,8 +35,6 @@ void write_files(const ChapterReport& report, const std::filesystem::path& out) 
   write_file(folder / "corrections.csv", corrections_csv(report.corrections));
   write_file(out / "chapter.md", chapter_markdown(report));
 }
-
-}  // namespace
 
 int reproduce_command(const ReproduceCommand& command) {
   if (command.out.empty()) {
@@ -58,6 +65,19 @@ int reproduce_command(const ReproduceCommand& command) {
                (command.out / "chapter.md").string());
   }
   return exit_done;
+}
+
+}  // namespace
+
+void add_reproduce(CLI::App& app, int& code) {
+  CLI::App* const command = app.add_subcommand(
+      "reproduce", "The source chapter's tables and figures, and what it got wrong");
+  const auto asked = std::make_shared<ReproduceCommand>();
+  command->add_option("--out", asked->out, "folder for chapter.md, chapter.json and chapter/")
+      ->capture_default_str();
+  command->add_option("--json", asked->json,
+                      "also write chapter.json to this file, or to stdout: -");
+  command->callback([asked, &code] { code = reproduce_command(*asked); });
 }
 
 }  // namespace tautline::bench

@@ -1,18 +1,34 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "bench/base/process.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
 #include "bench/report/rows.hpp"
 #include "bench/suite/run_files.hpp"
 #include "bench/suite/suite.hpp"
 
 namespace tautline::bench {
 namespace {
+
+/// What `tautline run` was asked.
+struct RunCommand {
+  std::string the_case;
+  std::string engine;
+  std::string model;
+  double step = 1e-3;  // [s]
+  ImpactLaw law = ImpactLaw::simultaneous;
+  double time_limit = 60.0;
+  std::string json;
+  std::filesystem::path out;  // folder for the run's files, or empty
+};
 
 using nlohmann::ordered_json;
 
@@ -48,8 +64,6 @@ void print_row(const ordered_json& row) {
     fmt::print("\n{}", table.plain());
   }
 }
-
-}  // namespace
 
 int run_command(const RunCommand& command) {
   const std::optional<Case> the_case = one_case(command.the_case);
@@ -94,6 +108,30 @@ int run_command(const RunCommand& command) {
     write_output(command.json, row.dump(2) + "\n");
   }
   return row.at("status") == "failed" || row.at("status") == "diverged" ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& code) {
+  CLI::App* const command =
+      app.add_subcommand("run", "One run on one engine, compared with the exact motion");
+  const auto asked = std::make_shared<RunCommand>();
+  command->add_option("CASE", asked->the_case, case_help)->required();
+  command->add_option("--engine", asked->engine, "an engine's name, or the path of a plug-in")
+      ->required();
+  command
+      ->add_option("--model", asked->model,
+                   "one of its models of a cable; `tautline engines` lists them")
+      ->required();
+  command->add_option("--step", asked->step, "the engine's step [s]")->capture_default_str();
+  add_law(*command, asked->law, law_help);
+  command->add_option("--time-limit", asked->time_limit, "end the run after this long [s]")
+      ->capture_default_str();
+  command->add_option("--out", asked->out,
+                      "write trajectory.csv, events.csv and settings below this folder");
+  command->add_option("--json", asked->json,
+                      "write the result as JSON to this file, or to stdout: -");
+  command->callback([asked, &code] { code = run_command(*asked); });
 }
 
 }  // namespace tautline::bench

@@ -32,8 +32,8 @@ std::string processor_name() {
 ordered_json engines_json(const SuiteOptions& options) {
   ordered_json engines = ordered_json::array();
   for (const RegisteredEngine& engine : options.engines) {
-    ordered_json row =
-        engine.info ? engine_json(*engine.info) : ordered_json{{"name", engine.name}};
+    ordered_json row = engine.info ? ordered_json::parse(engine_json(*engine.info))
+                                   : ordered_json{{"name", engine.name}};
     row["problem"] = nullptr;
     if (!engine.info) {
       row["problem"] = printable(engine.failure.empty() ? engine.missing : engine.failure);

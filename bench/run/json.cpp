@@ -24,6 +24,19 @@ ordered_json settings_json(const std::vector<Setting>& settings) {
   return rows;
 }
 
+ordered_json engine_object(const EngineInfo& info) {
+  ordered_json models = ordered_json::array();
+  for (const Model& model : info.models) {
+    models.push_back({{"name", model.name},
+                      {"sentence", model.sentence},
+                      {"settings", settings_json(model.settings)}});
+  }
+  return {{"name", info.name},
+          {"version", info.version},
+          {"precision", info.precision},
+          {"models", std::move(models)}};
+}
+
 /// A number that is not finite is null.
 ordered_json claim_json(const SettledClaim& settled) {
   const Claim* const claim = find_claim(settled.claim);
@@ -48,24 +61,13 @@ ordered_json model_json(const CheckedModel& model) {
 
 }  // namespace
 
-ordered_json engine_json(const EngineInfo& info) {
-  ordered_json models = ordered_json::array();
-  for (const Model& model : info.models) {
-    models.push_back({{"name", model.name},
-                      {"sentence", model.sentence},
-                      {"settings", settings_json(model.settings)}});
-  }
-  return {{"name", info.name},
-          {"version", info.version},
-          {"precision", info.precision},
-          {"models", std::move(models)}};
-}
+std::string engine_json(const EngineInfo& info) { return engine_object(info).dump(); }
 
 std::string engines_json(const std::vector<RegisteredEngine>& engines) {
   ordered_json list = ordered_json::array();
   for (const RegisteredEngine& engine : engines) {
     ordered_json row =
-        engine.info ? engine_json(*engine.info) : ordered_json{{"name", engine.name}};
+        engine.info ? engine_object(*engine.info) : ordered_json{{"name", engine.name}};
     row["plugin"] = engine.plugin.string();
     row["failure"] = printable(engine.failure);
     row["missing"] = engine.missing;

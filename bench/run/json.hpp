@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -10,8 +9,10 @@
 
 namespace tautline::bench {
 
+// JSON of engines, as text.
+
 /// {name, version, precision, models: [{name, sentence, settings: [{name, value, reason}]}]}
-[[nodiscard]] nlohmann::ordered_json engine_json(const EngineInfo& info);
+[[nodiscard]] std::string engine_json(const EngineInfo& info);
 
 /// What `tautline engines --json` writes.
 [[nodiscard]] std::string engines_json(const std::vector<RegisteredEngine>& engines);

@@ -239,10 +239,10 @@ CableSet moving(const BasicCase<Real>& the_case, const BasicState<Real>& state,
 }  // namespace
 
 template <class Real>
-std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
-                                          const BasicState<Real>& state,
-                                          const BasicTouching<Real>& touching,
-                                          const CompletionLimits& limits) {
+std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
+                                                const BasicState<Real>& state,
+                                                const BasicTouching<Real>& touching,
+                                                const CompletionLimits& limits) {
   const Scales<Real> scale = scales(the_case, state);
   CableSet cables = slow_contacts(the_case, state, touching, limits, scale);
   // a round loses cables that leave or gains one that takes part; few rounds settle it
@@ -276,17 +276,17 @@ std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
       if (cables.size() == 1 && bounces->ends) {
         refine(*bounces, the_case, state, after, *cables.begin());
       }
-      return BasicCapture<Real>{cables | carried, bounces->ends, bounces->remaining,
-                                bounces->uncertainty, after};
+      return BasicCompletion<Real>{cables | carried, bounces->ends, bounces->remaining,
+                                   bounces->uncertainty, after};
     }
     cables = cables | near;
   }
   return std::nullopt;
 }
 
-template std::optional<BasicCapture<Instance>> capture(const BasicCase<Instance>&,
-                                                       const BasicState<Instance>&,
-                                                       const BasicTouching<Instance>&,
-                                                       const CompletionLimits&);
+template std::optional<BasicCompletion<Instance>> completion(const BasicCase<Instance>&,
+                                                             const BasicState<Instance>&,
+                                                             const BasicTouching<Instance>&,
+                                                             const CompletionLimits&);
 
 }  // namespace tautline

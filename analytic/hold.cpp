@@ -12,7 +12,7 @@ namespace {
 
 /// A number this small against those it is made of is rounding of zero [-]: 1e-12 in double.
 template <class Real>
-Real rounding() {
+Real rounding_of_zero() {
   return 4500 * epsilon<Real>();
 }
 
@@ -37,7 +37,7 @@ Leading leading(std::span<const Real> coefficients, std::size_t known_zeros, con
   Real power(1);
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
     const Real term = coefficients[k] * power;
-    if (k >= known_zeros && abs(term) > rounding<Real>() * scale) {
+    if (k >= known_zeros && abs(term) > rounding_of_zero<Real>() * scale) {
       return {term > 0 ? 1 : -1, k};
     }
     power *= h;
@@ -136,9 +136,9 @@ std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const Basic
     const Eigen::Matrix<Real, 3, 1> gradient = gap_gradient(the_case.cables[index], state);
     const Real pull =
         held->tension[row] * gradient.cwiseProduct(inverse_mass(the_case.body)).dot(gradient);
-    if (pull > rounding<Real>() * acceleration) {
+    if (pull > rounding_of_zero<Real>() * acceleration) {
       certain.insert(index);
-    } else if (held->acceleration[row] <= rounding<Real>() * acceleration) {
+    } else if (held->acceleration[row] <= rounding_of_zero<Real>() * acceleration) {
       doubtful.insert(index);
     }
     ++row;

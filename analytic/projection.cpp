@@ -1,7 +1,6 @@
 #include "tautline/projection.hpp"
 
-#include <Eigen/QR>
-
+#include "impact/least_solution.hpp"
 #include "instantiate.hpp"
 
 namespace tautline {
@@ -19,17 +18,15 @@ Eigen::Matrix<Real, 3, 1> momentum_kept(const BasicCase<Real>& the_case,
   for (const std::size_t index : cables) {
     gaps[row++] = gap(the_case.cables[index], state);
   }
-  Eigen::CompleteOrthogonalDecomposition<BasicCableMatrix<Real>> solver;
-  solver.setThreshold(Real(almost_dependent));
-  solver.compute(delassus(the_case, state, cables));
+  const auto shift =
+      least_solution<Real>(delassus(the_case, state, cables), gaps, almost_dependent, all);
   Eigen::Matrix<Real, 3, 1> result = Eigen::Matrix<Real, 3, 1>::Zero();
-  if (solver.rank() == all) {
+  if (!shift) {
     return result;
   }
-  const BasicCableVector<Real> shift = solver.solve(gaps);
   row = 0;
   for (const std::size_t index : cables) {
-    result += shift[row++] * gap_gradient_rate(the_case.cables[index], state);
+    result += (*shift)[row++] * gap_gradient_rate(the_case.cables[index], state);
   }
   return result.cwiseProduct(inverse_mass(the_case.body));
 }
@@ -53,7 +50,7 @@ BasicCableVector<Real> multipliers(const BasicCase<Real>& the_case, const BasicS
       return z;
     }
   }
-  return g.completeOrthogonalDecomposition().solve(right);
+  return least_solution<Real>(g, right);
 }
 
 template <class Real>

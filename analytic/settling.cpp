@@ -25,10 +25,10 @@ struct Extreme {
 /// velocities and accelerations: near the equilibrium both are small, and so is their rounding.
 template <class Real>
 Real power(const BasicBody<Real>& body, const BasicArc<Real>& arc, const Real& dt) {
-  using Row = Eigen::Matrix<Real, 1, 3>;
-  Row pose = Row::Zero();
-  Row rate = Row::Zero();
-  Row half_curvature = Row::Zero();
+  using Pose = Eigen::Matrix<Real, 1, 3>;
+  Pose pose = Pose::Zero();
+  Pose rate = Pose::Zero();
+  Pose half_curvature = Pose::Zero();
   for (Eigen::Index k = arc.series.rows() - 1; k >= 0; --k) {
     half_curvature = (half_curvature * dt + rate).eval();
     rate = (rate * dt + pose).eval();

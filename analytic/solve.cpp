@@ -11,6 +11,13 @@
 #include "tautline/limits.hpp"
 #include "tautline/projection.hpp"
 
+// Everything here is a template on the scalar `Real` because one text serves two arithmetics:
+// double, for the answers, and numbers of any length, which say how far those answers are right
+// (instantiate.hpp). Three members of `Motion` say how the cables stand. `touching_` are the cables
+// at zero gap, which may close, rest or open, and the rate that counts as rest. `taut_` are those
+// of them that a recorded event has made taut. `held_` is the motion that their tensions give from
+// the present on; it holds up to the next stop, and without it the body flies freely.
+
 namespace tautline {
 namespace {
 
@@ -107,7 +114,7 @@ class Motion {
     if (touching_.cables == taut_) {
       return;  // nothing bounces
     }
-    const auto done = capture(case_, state_, touching_, options_.completion);
+    const auto done = completion(case_, state_, touching_, options_.completion);
     if (!done) {
       return;
     }
@@ -207,6 +214,18 @@ class Motion {
 
   /// Appends the arc up to `stop` and moves to its end. False, and nothing done, on overflow.
   [[nodiscard]] bool move(const Stop<Real>& stop) {
+    BasicArc<Real> arc = arc_to(stop);
+    const BasicState<Real> last = arc.after(stop.dt, case_.gravity);
+    if (!fits(case_, last)) {
+      return false;
+    }
+    arcs_.push_back(std::move(arc));
+    arrive(stop, last);
+    return true;
+  }
+
+  /// The motion from here up to `stop`.
+  [[nodiscard]] BasicArc<Real> arc_to(const Stop<Real>& stop) const {
     const Real end =
         stop.ending == Ending::reached_duration ? case_.duration : Real(time_ + stop.dt);
     BasicArc<Real> arc{time_, end, state_, held_ ? taut_ : CableSet{}, {}};
@@ -219,20 +238,19 @@ class Motion {
             Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, 1>>(channel.data(), terms);
       }
     }
-    BasicState<Real> next = arc.after(stop.dt, case_.gravity);
-    if (!fits(case_, next)) {
-      return false;
-    }
-    arcs_.push_back(std::move(arc));
-    state_ = on_cables(next, held_ ? held_->pulling : CableSet{}, stop.cables);
-    time_ = end;
+    return arc;
+  }
+
+  /// Makes the end of the last arc, `last` up to rounding, the present.
+  void arrive(const Stop<Real>& stop, const BasicState<Real>& last) {
+    state_ = on_cables(last, held_ ? held_->pulling : CableSet{}, stop.cables);
+    time_ = arcs_.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     note_speed();
     held_ = stop.is_step ? continued(case_, state_, touching_, *held_) : std::nullopt;
     if (held_ && is_singular(*held_)) {
       held_.reset();
     }
-    return true;
   }
 
   /// `state` with what rounding has left of the gaps and rates of taut cables taken away, and of
@@ -299,8 +317,7 @@ class Motion {
 
   BasicSolution<Real> finish(Ending ending) {
     if (ending != Ending::reached_duration) {
-      arcs_.push_back(
-          {time_, time_, state_, taut_ - (taut_ - contacts().resting), {}});  // the last state
+      arcs_.push_back({time_, time_, state_, taut_ & contacts().resting, {}});  // the last state
     }
     return solution(ending);
   }

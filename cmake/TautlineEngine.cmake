@@ -1,8 +1,13 @@
 # Engines are optional modules. Each lives in engines/<name>/ with a CMakeLists.txt that either calls
 # tautline_engine_module(<name> SOURCES ... LIBRARIES ...) or tautline_engine_missing(<name> <reason>).
+# Two engines may share a folder, which is read for each, with its name in `name`.
 
-# tautline_engine(<name> <default: ON|AUTO|OFF> <package that brings it>)
+# tautline_engine(<name> <default: ON|AUTO|OFF> <package that brings it> [<folder>])
 function(tautline_engine name default package)
+  set(folder ${name})
+  if(ARGC GREATER 3)
+    set(folder ${ARGV3})
+  endif()
   string(TOUPPER "TAUTLINE_${name}" option)
   set(${option} ${default} CACHE STRING "Build the ${name} plug-in: ON (required), AUTO or OFF")
   set_property(CACHE ${option} PROPERTY STRINGS ON AUTO OFF)
@@ -11,7 +16,7 @@ function(tautline_engine name default package)
     set_property(GLOBAL PROPERTY TAUTLINE_MISSING_${name} "switched off when tautline was built")
     set(package "")  # brings nothing here
   else()
-    add_subdirectory(${name})
+    add_subdirectory(${folder} ${name})
     get_property(reason GLOBAL PROPERTY TAUTLINE_MISSING_${name})
     if(reason AND ${option} STREQUAL "ON")
       message(FATAL_ERROR "engine ${name}: ${reason}. Install ${package}, "
@@ -39,9 +44,11 @@ function(tautline_engine_module name)
   set(target tautline-engine-${name})
   add_library(${target} MODULE ${arg_SOURCES})
   tautline_target(${target})
+  tautline_unity(${target} 16)
   set_target_properties(${target} PROPERTIES
     PREFIX ""
     LIBRARY_OUTPUT_DIRECTORY "${TAUTLINE_ENGINE_DIR}")
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/engines")
   target_link_libraries(${target} PRIVATE tautline::engine ${arg_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY TAUTLINE_ENGINE_MODULES ${target})
   install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/tautline/engines)

@@ -6,11 +6,12 @@ include(CMakePackageConfigHelpers)
 set(TAUTLINE_INSTALL_ENGINEDIR ${CMAKE_INSTALL_LIBDIR}/tautline/engines)
 set(TAUTLINE_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/tautline)
 
-install(TARGETS tautline_analytic tautline_engine
+install(TARGETS tautline_analytic tautline_interface tautline_engine
   EXPORT tautlineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS tautline_bullet_cable tautline_ode_cable EXPORT tautlineCableTargets)
-install(DIRECTORY analytic/include/ engines/include/
+install(DIRECTORY
+  analytic/include/ engines/interface/include/ engines/adapter/include/ engines/cables/include/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 if(TARGET tautline)

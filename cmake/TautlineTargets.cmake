@@ -30,3 +30,12 @@ function(tautline_target target)
     target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()
 endfunction()
+
+# tautline_unity(<target> <count>): compiles so many of its sources as one where TAUTLINE_UNITY is on.
+# Headers are then parsed and templates instantiated once for all of them, most of what a source costs.
+# Sources that stand together must not give two things of their unnamed namespaces one name.
+function(tautline_unity target count)
+  if(TAUTLINE_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
+  endif()
+endfunction()

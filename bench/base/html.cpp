@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
+#include <vector>
 
 namespace tautline::bench {
 namespace {
-
-using nlohmann::ordered_json;
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
@@ -38,6 +36,75 @@ void mark_up(std::string& text, std::string_view mark, const std::string& elemen
   }
 }
 
+std::string heading_html(const Column& column, bool grouped) {
+  return fmt::format(
+      "<th scope=\"col\"{}{}{}>{}{}</th>", column.numbers ? " class=\"n\"" : "",
+      column.key.empty() ? "" : " data-key=\"" + html_text(column.key) + "\"",
+      grouped && column.group.empty() ? " rowspan=\"2\"" : "", html_text(column.heading),
+      column.unit.empty() ? "" : " <span class=\"unit\">[" + html_text(column.unit) + "]</span>");
+}
+
+/// The heading of the group that starts at `first`, over all its columns.
+std::string group_html(const std::vector<Column>& columns, std::size_t first) {
+  std::size_t end = first;
+  while (end < columns.size() && columns[end].group == columns[first].group) {
+    ++end;
+  }
+  return fmt::format("<th scope=\"colgroup\" colspan=\"{}\">{}</th>", end - first,
+                     html_text(columns[first].group));
+}
+
+std::string head_html(const std::vector<Column>& columns) {
+  const bool grouped = std::any_of(columns.begin(), columns.end(),
+                                   [](const Column& column) { return !column.group.empty(); });
+  std::string upper;
+  std::string lower;
+  for (std::size_t place = 0; place < columns.size(); ++place) {
+    const Column& column = columns[place];
+    if (column.group.empty()) {
+      upper += heading_html(column, grouped);
+      continue;
+    }
+    if (place == 0 || columns[place - 1].group != column.group) {
+      upper += group_html(columns, place);
+    }
+    lower += heading_html(column, grouped);
+  }
+  return "<thead>\n<tr>" + upper + "</tr>\n" + (grouped ? "<tr>" + lower + "</tr>\n" : "") +
+         "</thead>\n";
+}
+
+/// A cell over so many columns; `numbers` is its column's.
+std::string cell_html(const Cell& cell, bool numbers, std::size_t span) {
+  constexpr std::size_t longest = 1100;  // [bytes], of a whole sentence
+  const std::string wide = span > 1 ? fmt::format(" colspan=\"{}\"", span) : "";
+  if (cell.is_number) {
+    return fmt::format("<td data-value=\"{}\"{}>{}</td>", cell.number ? shortest(*cell.number) : "",
+                       wide, html_text(cell.text));
+  }
+  const std::string look = !cell.kind.empty()     ? html_text(cell.kind)
+                           : numbers && span == 1 ? "n"
+                                                  : "";
+  // the look of a kind may be the first line's alone
+  std::string text = html_text(cell.text, longest);
+  text = cell.kind.empty() ? text : "<span>" + text + "</span>";
+  for (const std::string& note : cell.notes) {
+    text += "<br>" + html_text(note, longest);
+  }
+  return fmt::format("<td{}{}>{}</td>", look.empty() ? "" : " class=\"" + look + "\"", wide, text);
+}
+
+std::string row_html(const Row& row, const std::vector<Column>& columns) {
+  constexpr std::size_t longest_name = 60;
+  std::string out = row.kind.empty() ? "<tr>" : "<tr class=\"" + html_text(row.kind) + "\">";
+  out += "<th scope=\"row\">" + html_text(row.cells.front().text, longest_name) + "</th>";
+  for (std::size_t place = 1; place < row.cells.size(); ++place) {
+    const bool last = place + 1 == row.cells.size();
+    out += cell_html(row.cells[place], columns[place].numbers, last ? columns.size() - place : 1);
+  }
+  return out + "</tr>\n";
+}
+
 }  // namespace
 
 std::string html_text(std::string_view text, std::size_t longest) {
@@ -53,105 +120,30 @@ std::string html_prose(std::string_view text) {
   return result;
 }
 
-std::string html_json(const ordered_json& json) {
-  // a name from outside need not be UTF-8; the page shows it with the sign for what is not
-  std::string text = json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  replace_all(text, "<", "\\u003c");
-  replace_all(text, "\xE2\x80\xA8", "\\u2028");  // lines end here for a script, not for JSON
-  replace_all(text, "\xE2\x80\xA9", "\\u2029");
-  return text;
+std::string html_json(std::string json) {
+  replace_all(json, "<", "\\u003c");
+  replace_all(json, "\xE2\x80\xA8", "\\u2028");  // lines end here for a script, not for JSON
+  replace_all(json, "\xE2\x80\xA9", "\\u2029");
+  return json;
 }
 
-std::string word_cell(std::string_view text, std::size_t longest) {
-  return "<td>" + html_text(text, longest);
-}
-
-std::string row_heading(std::string_view text) {
-  constexpr std::size_t longest_name = 60;
-  return "<th scope=\"row\">" + html_text(text, longest_name);
-}
-
-std::string number_cell(const ordered_json& value, std::string_view shown) {
-  if (!value.is_number()) {
-    return "<td data-value=\"\">–";
-  }
-  const std::string full = value.is_number_float() ? shortest(value.get<double>()) : value.dump();
-  return fmt::format("<td data-value=\"{}\">{}", full, shown);
-}
-
-std::string error_cell(const ordered_json& value) {
-  if (value.is_number() && value.get<double>() == 0.0) {  // exactly: no digits to show
-    return number_cell(value, "0");
-  }
-  return number_cell(value, value.is_number() ? fmt::format("{:.1e}", value.get<double>()) : "");
-}
-
-std::string fixed_cell(const ordered_json& value, int digits) {
-  return number_cell(value,
-                     value.is_number() ? fmt::format("{:.{}f}", value.get<double>(), digits) : "");
-}
-
-std::string plain_cell(const ordered_json& value) {
-  return number_cell(value, value.is_number() ? fmt::format("{:g}", value.get<double>()) : "");
-}
-
-HtmlTable::HtmlTable(std::string id, std::string caption, std::vector<HtmlColumn> columns)
-    : id_(std::move(id)), caption_(std::move(caption)), columns_(std::move(columns)) {}
-
-void HtmlTable::begin_body(const std::string& name) {
-  bodies_ += open_ ? "</tbody>\n" : "";
-  open_ = false;
-  body_ = name;
-}
-
-void HtmlTable::add(const std::vector<std::string>& cells, const std::string& attributes) {
-  if (!open_) {
-    bodies_ += body_.empty() ? "<tbody>\n" : "<tbody class=\"" + body_ + "\">\n";
-    open_ = true;
-  }
-  bodies_ += attributes.empty() ? "<tr>" : "<tr " + attributes + ">";
-  for (const std::string& cell : cells) {
-    bodies_ += cell + (cell.starts_with("<th") ? "</th>" : "</td>");
-  }
-  bodies_ += "</tr>\n";
-  ++rows_;
-}
-
-std::string HtmlTable::head() const {
-  std::string upper;
-  std::string lower;
-  const bool grouped = std::any_of(columns_.begin(), columns_.end(),
-                                   [](const HtmlColumn& column) { return !column.group.empty(); });
-  for (std::size_t index = 0; index < columns_.size(); ++index) {
-    const HtmlColumn& column = columns_[index];
-    std::string cell = fmt::format(
-        "<th scope=\"col\"{}{}{}>{}{}</th>", column.numbers ? " class=\"n\"" : "",
-        column.key.empty() ? "" : " data-key=\"" + html_text(column.key) + "\"",
-        grouped && column.group.empty() ? " rowspan=\"2\"" : "", html_text(column.heading),
-        column.unit.empty() ? "" : " <span class=\"unit\">[" + html_text(column.unit) + "]</span>");
-    if (column.group.empty()) {
-      upper += cell;
-      continue;
+std::string html_table(const Table& table, const std::string& id, const std::string& caption) {
+  std::string bodies;
+  const std::vector<Row>& rows = table.rows();
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    if (index == 0 || rows[index].body != rows[index - 1].body) {
+      bodies += index == 0 ? "" : "</tbody>\n";
+      bodies += rows[index].body.empty()
+                    ? "<tbody>\n"
+                    : "<tbody class=\"" + html_text(rows[index].body) + "\">\n";
     }
-    if (index == 0 || columns_[index - 1].group != column.group) {
-      std::size_t end = index;
-      while (end < columns_.size() && columns_[end].group == column.group) {
-        ++end;
-      }
-      upper += fmt::format("<th scope=\"colgroup\" colspan=\"{}\">{}</th>", end - index,
-                           html_text(column.group));
-    }
-    lower += cell;
+    bodies += row_html(rows[index], table.columns());
   }
-  return "<thead>\n<tr>" + upper + "</tr>\n" + (grouped ? "<tr>" + lower + "</tr>\n" : "") +
-         "</thead>\n";
-}
-
-std::string HtmlTable::html() const {
+  bodies += rows.empty() ? "" : "</tbody>\n";
   return fmt::format(
       "<div class=\"table-box\" tabindex=\"0\" role=\"region\" aria-labelledby=\"{0}-caption\">\n"
-      "<table id=\"{0}\">\n<caption id=\"{0}-caption\">{1}</caption>\n{2}{3}{4}</table>\n</div>\n",
-      id_, caption_, head(), bodies_, open_ ? "</tbody>\n" : "");
+      "<table id=\"{0}\">\n<caption id=\"{0}-caption\">{1}</caption>\n{2}{3}</table>\n</div>\n",
+      html_text(id), html_prose(caption), head_html(table.columns()), bodies);
 }
 
 }  // namespace tautline::bench

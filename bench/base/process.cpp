@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t tail_length = 2000;  // [bytes] of a child's output that are kept
 
-[[noreturn]] void fail(const std::string& what, int error) {
+[[noreturn]] void fail_with(const std::string& what, int error) {
   throw std::system_error(error, std::generic_category(), what);
 }
 
@@ -70,7 +70,7 @@ class SpawnSetup {
     const int error =
         posix_spawn(&child, raw.front(), &actions_, &attributes_, raw.data(), environ);
     if (error != 0) {
-      fail("cannot start " + arguments.front(), error);
+      fail_with("cannot start " + arguments.front(), error);
     }
     return child;
   }
@@ -145,12 +145,12 @@ void watch(pid_t child, int pipe, double time_limit, ProcessEnd& end, int& statu
 Descriptor memory_file(std::string_view content) {
   Descriptor file(::memfd_create("tautline", MFD_CLOEXEC));
   if (file.get() < 0) {
-    fail("cannot make a file in memory", errno);
+    fail_with("cannot make a file in memory", errno);
   }
   while (!content.empty()) {
     const ssize_t size = ::write(file.get(), content.data(), content.size());
     if (size < 0) {
-      fail("cannot write a file in memory", errno);
+      fail_with("cannot write a file in memory", errno);
     }
     content.remove_prefix(static_cast<std::size_t>(size));
   }
@@ -161,7 +161,7 @@ Descriptor memory_file(std::string_view content) {
 std::string content_of(const Descriptor& file) {
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) {
-    fail("cannot read a file in memory", errno);
+    fail_with("cannot read a file in memory", errno);
   }
   std::string content(static_cast<std::size_t>(info.st_size), '\0');
   std::size_t done = 0;
@@ -169,7 +169,7 @@ std::string content_of(const Descriptor& file) {
     const ssize_t size =
         ::pread(file.get(), content.data() + done, content.size() - done, static_cast<off_t>(done));
     if (size <= 0) {
-      fail("cannot read a file in memory", errno);
+      fail_with("cannot read a file in memory", errno);
     }
     done += static_cast<std::size_t>(size);
   }
@@ -197,7 +197,7 @@ ProcessEnd run_process(const std::vector<std::string>& arguments, const Descript
                        const Descriptor& result, double time_limit) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    fail("cannot make a pipe", errno);
+    fail_with("cannot make a pipe", errno);
   }
   const Descriptor reading(ends[0]);
   Descriptor writing(ends[1]);

@@ -3,14 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace tautline::bench {
 
-double median(std::vector<double> values) {
+double quantile(std::vector<double> values, double part) {
   std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+  const double place = part * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  const double weight = place - static_cast<double>(below);
+  return weight == 0.0 ? values[below] : (1.0 - weight) * values[below] + weight * values[above];
 }
+
+double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 double slope(const std::vector<double>& steps, const std::vector<double>& errors) {
   double mean_x = 0.0;

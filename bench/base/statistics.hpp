@@ -4,7 +4,11 @@
 
 namespace tautline::bench {
 
-/// Of `values`, at least one; the mean of the middle two where they are even in number.
+/// The `part` (0 to 1) of `values`, at least one: linear between neighbours in their order.
+[[nodiscard]] double quantile(std::vector<double> values, double part);
+
+/// Half of `values`, at least one, are smaller; the mean of the middle two where they are even in
+/// number.
 [[nodiscard]] double median(std::vector<double> values);
 
 /// The slope of log10 `errors` over log10 `steps` by least squares; sizes equal, at least 2, all >

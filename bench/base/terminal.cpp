@@ -37,7 +37,7 @@ TerminalStyle output_style() {
 }
 
 std::string coloured(const std::string& text, Colour colour, const TerminalStyle& style) {
-  if (!style.colour || text.empty()) {
+  if (!style.colour || text.empty() || colour == Colour::plain) {
     return text;
   }
   const char* code = "2";
@@ -51,6 +51,7 @@ std::string coloured(const std::string& text, Colour colour, const TerminalStyle
     case Colour::green:
       code = "32";
       break;
+    case Colour::plain:
     case Colour::grey:
       break;
   }

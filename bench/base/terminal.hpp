@@ -11,11 +11,14 @@ struct TerminalStyle {
   bool colour = false;
 };
 
+/// For text that is as wide as it must be, without colours.
+inline const TerminalStyle unlimited = {static_cast<std::size_t>(-1), false};
+
 /// The style of standard output: the width of the terminal, and colours if it is one that has them
 /// and the user has not said no (https://no-color.org). Without a terminal the defaults.
 [[nodiscard]] TerminalStyle output_style();
 
-enum class Colour { red, yellow, green, grey };
+enum class Colour { plain, red, yellow, green, grey };
 
 /// `text` in a colour, or as it is.
 [[nodiscard]] std::string coloured(const std::string& text, Colour colour,

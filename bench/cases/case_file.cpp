@@ -45,11 +45,11 @@ State read_initial(StrictTable table) {
   return state;
 }
 
-Case read_tables(const toml::table& file, Findings& findings) {
+Case read_tables(const toml::table& file, FileProblems& wrong) {
   const std::string cables_right =
       "must be 1 to " + std::to_string(max_cables) +
       " tables [[cables]], each with anchor, attachment, length and restitution";
-  StrictTable root(&file, "", findings);
+  StrictTable root(&file, "", wrong);
   Case result;
   result.name = root.text("name");
   result.duration = root.number("duration", above_zero, "[s]");
@@ -85,27 +85,27 @@ std::size_t line_of_problem(const toml::table& file, const std::string& sentence
 CaseReading read_case_file(const std::filesystem::path& path) {
   const InputFile file = read_input_file(path, longest_case_file);
   if (file.problem) {
-    Findings findings(path.native());
-    findings.add(0, *file.problem);
-    return {std::nullopt, findings.sentences()};
+    FileProblems wrong(path.native());
+    wrong.add(0, *file.problem);
+    return {std::nullopt, wrong.sentences()};
   }
   return read_case_text(file.content, path.native());
 }
 
 CaseReading read_case_text(std::string_view text, const std::string& source_name) {
-  Findings findings(source_name);
-  const std::optional<toml::table> file = parse_toml(text, findings);
+  FileProblems wrong(source_name);
+  const std::optional<toml::table> file = parse_toml(text, wrong);
   if (!file) {
-    return {std::nullopt, findings.sentences()};
+    return {std::nullopt, wrong.sentences()};
   }
-  Case the_case = read_tables(*file, findings);
-  if (findings.empty()) {  // rules that tie several keys together
+  Case the_case = read_tables(*file, wrong);
+  if (wrong.empty()) {  // rules that tie several keys together
     for (const std::string& sentence : problems(the_case)) {
-      findings.add(line_of_problem(*file, sentence), sentence);
+      wrong.add(line_of_problem(*file, sentence), sentence);
     }
   }
-  if (!findings.empty()) {
-    return {std::nullopt, findings.sentences()};
+  if (!wrong.empty()) {
+    return {std::nullopt, wrong.sentences()};
   }
   return {std::move(the_case), {}};
 }

@@ -28,8 +28,4 @@ inline constexpr std::size_t longest_case_file = std::size_t{1} << 20U;
 /// Reads the text of a case file; `source_name` stands for the file in the sentences.
 [[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name);
 
-/// The text of a case file that reads back as the same case, bit for bit.
-/// Requires a name in UTF-8.
-[[nodiscard]] std::string write_case(const Case& the_case);
-
 }  // namespace tautline::bench

@@ -1,7 +1,6 @@
-#include <string>
+#include "bench/cases/case_writer.hpp"
 
 #include "bench/base/text.hpp"
-#include "bench/cases/case_file.hpp"
 
 namespace tautline::bench {
 namespace {

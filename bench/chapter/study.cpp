@@ -95,7 +95,7 @@ const ChapterCase& ChapterStudy::at(std::string_view number) const {
 }
 
 ChapterStudy solve_chapter(const std::function<void(std::size_t)>& ended) {
-  const Digits digits(chapter_digits);
+  const tautline::Digits digits(chapter_digits);
   const std::vector<TableRow> in_doubles = table_5_1();
   std::vector<ChapterCase> cases;
   std::optional<ChapterCase> rigid_point;

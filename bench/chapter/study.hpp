@@ -37,6 +37,9 @@ struct ChapterStudy {
 
   /// Throws std::out_of_range if there is none with this number.
   [[nodiscard]] const ChapterCase& at(std::string_view number) const;
+
+  /// The last of Table 5.1.
+  [[nodiscard]] const ChapterCase& point_mass() const { return cases.back(); }
 };
 
 /// Calls `ended` with the number of cases solved, each time that it grows.

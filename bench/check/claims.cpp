@@ -1,24 +1,19 @@
-// The list of what is claimed of every model, and its settling one by one.
-
 #include "bench/check/claims.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <exception>
-#include <limits>
 
-#include "bench/base/text.hpp"
+#include "bench/check/claims/body.hpp"
+#include "bench/check/claims/convergence.hpp"
+#include "bench/check/claims/flight.hpp"
+#include "bench/check/claims/momentum.hpp"
+#include "bench/check/claims/motion.hpp"
+#include "bench/check/claims/precision.hpp"
+#include "bench/check/claims/repeat.hpp"
+#include "bench/check/claims/restitution.hpp"
 
 namespace tautline::bench {
 namespace {
-
-using nlohmann::ordered_json;
-
-/// A greeting at each of the hundred runs of a check is fine, a line at each of its hundred
-/// thousand steps is not [bytes].
-constexpr double most_printed = 65536;
 
 constexpr std::array all_claims = {
     Claim{"state-echo", "a run begins in the initial state it was given",
@@ -58,29 +53,6 @@ constexpr std::array all_claims = {
     Claim{"convergence", "smaller steps bring it to the exact motion, at first order",
           "a slope of 1, scattered by where an impact falls in its step", measure_convergence}};
 
-Finding settle(const Claim& claim, const Subject& subject) {
-  Finding finding;
-  finding.claim = claim.name;
-  const Measure measure = claim.measure(subject);
-  finding.found = measure.found;
-  finding.limit = measure.limit;
-  finding.holds = measure.found <= measure.limit;  // false where it is not a number
-  finding.sentence = measure.sentence;
-  return finding;
-}
-
-/// The last line of `text` that is not empty.
-std::string last_line(std::string text) {
-  text.erase(text.find_last_not_of('\n') + 1);
-  return text.substr(text.rfind('\n') + 1);
-}
-
-/// Why a claim could not be measured.
-std::string reason(const std::exception& error) {
-  const bool stopped = dynamic_cast<const RunStopped*>(&error) != nullptr;
-  return (stopped ? "" : "the engine threw: ") + std::string(error.what());
-}
-
 }  // namespace
 
 std::span<const Claim> claims() { return all_claims; }
@@ -89,73 +61,6 @@ const Claim* find_claim(std::string_view name) {
   const auto* const found = std::find_if(all_claims.begin(), all_claims.end(),
                                          [&](const Claim& claim) { return claim.name == name; });
   return found != all_claims.end() ? found : nullptr;
-}
-
-std::vector<Finding> check_model(const Engine& engine, const std::string& model,
-                                 const CheckProgress& progress) {
-  std::vector<Finding> findings;
-  progress(all_claims.front().name, findings);
-  try {
-    const Subject subject(engine, model);
-    for (const Claim& claim : all_claims) {
-      progress(claim.name, findings);
-      try {
-        findings.push_back(settle(claim, subject));
-      } catch (const std::exception& error) {
-        findings.push_back(unmeasured(claim.name, reason(error)));
-      }
-    }
-  } catch (const std::exception& error) {
-    findings.push_back(unmeasured(all_claims.front().name, reason(error)));
-  }
-  return findings;
-}
-
-Finding unmeasured(std::string_view claim, const std::string& why) {
-  Finding finding;
-  finding.claim = claim;
-  finding.found = std::numeric_limits<double>::quiet_NaN();
-  finding.limit = std::numeric_limits<double>::quiet_NaN();
-  finding.sentence = why;
-  return finding;
-}
-
-Finding quiet(std::size_t printed, const std::string& tail) {
-  Finding finding;
-  finding.claim = "quiet";
-  finding.found = static_cast<double>(printed);
-  finding.limit = most_printed;
-  finding.holds = finding.found <= finding.limit;
-  finding.sentence = printed == 0 ? "prints nothing" : fmt::format("prints {} bytes", printed);
-  if (!finding.holds) {
-    finding.sentence += ", the last line of them: " + printable(last_line(tail));
-  }
-  return finding;
-}
-
-ordered_json findings_json(const std::vector<Finding>& findings) {
-  ordered_json rows = ordered_json::array();
-  for (const Finding& finding : findings) {
-    rows.push_back({{"claim", finding.claim},
-                    {"found", finding.found},  // null where it is not finite
-                    {"limit", finding.limit},
-                    {"holds", finding.holds},
-                    {"sentence", finding.sentence}});
-  }
-  return rows;
-}
-
-std::vector<Finding> findings_from(const ordered_json& json) {
-  std::vector<Finding> findings;
-  for (const ordered_json& row : json) {
-    const auto number = [&row](const char* key) {
-      return row.at(key).is_number() ? row.at(key).get<double>()
-                                     : std::numeric_limits<double>::quiet_NaN();
-    };
-    findings.push_back(
-        {row.at("claim"), number("found"), number("limit"), row.at("holds"), row.at("sentence")});
-  }
-  return findings;
 }
 
 }  // namespace tautline::bench

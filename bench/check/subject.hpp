@@ -1,9 +1,6 @@
 #pragma once
 
-#include <functional>
 #include <memory>
-#include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -49,54 +46,5 @@ class Subject {
   bool in_double_;
   Flight flight_;
 };
-
-/// A time at which a simulation was looked at, and its state there.
-struct Moment {
-  double time;   // [s]
-  State before;  // the latest step
-  State after;   // it
-};
-
-/// Steps `simulation` with `step` until `end` [s] or until it stops, and shows every step to
-/// `look`, the one in which it stops included.
-void run(Simulation& simulation, double step, double end,
-         const std::function<void(const Moment&)>& look);
-
-/// A run that says it cannot go on, where it must.
-class RunStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// The same, to the end: throws RunStopped with the reason if the simulation stops before.
-void run_whole(Simulation& simulation, double step, double end,
-               const std::function<void(const Moment&)>& look);
-
-/// What the first hit on cable 0 did. A contact may take several steps.
-struct Hit {
-  State before;    // at the pose of its first solve
-  State after;     // at the pose of its last one, with the velocity it left
-  double impulse;  // [N s], all of it
-  int steps;       // that it took; 0 if the simulation located it
-};
-[[nodiscard]] std::optional<Hit> first_hit(const Subject& subject, const Case& the_case,
-                                           double step, double end);
-
-/// The larger of two measures; infinite where the second is not a number, which std::max loses.
-[[nodiscard]] double worse(double a, double b);
-
-/// The largest difference of one of the six numbers of two states, each in its own unit; infinite
-/// where one is not a number.
-[[nodiscard]] double largest_difference(const State& a, const State& b);
-
-/// The case that ships under `name`; it must exist.
-[[nodiscard]] Case shipped_case(std::string_view name);
-
-/// The first breakwater of Table 5.1, with this restitution.
-[[nodiscard]] Case standard_breakwater(double restitution);
-
-/// `the_case` in a mirror on the y axis, with the cables in reverse order.
-[[nodiscard]] Case mirrored(const Case& the_case);
-[[nodiscard]] State mirrored(State state);
 
 }  // namespace tautline::bench

@@ -1,125 +1,118 @@
-// What changed between two reports, for a terminal: what is broken first.
+#include "bench/gate/changes_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include "bench/base/table.hpp"
-#include "bench/gate/changes.hpp"
-#include "bench/report/tables.hpp"
+#include "bench/base/text.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
+using Cells = std::vector<std::string>;
 
 /// Rows of one kind that anyone reads; the JSON has them all.
 constexpr std::size_t most_rows = 100;
 
-std::string step_text(const ordered_json& row) {
-  return fmt::format("{:g}", row.at("step").get<double>());
-}
-
-std::string value_text(const ordered_json& value) {
-  return value.is_number() ? fmt::format("{:.3g}", value.get<double>())
-         : value.is_null() ? "not measured"
-                           : report_text(value);
-}
-
-std::string factor_text(const ordered_json& row) {
-  const ordered_json& one = row.at("before");
-  const ordered_json& two = row.at("after");
-  const bool both = one.is_number() && two.is_number() && one.get<double>() > 0.0;
-  return both ? fmt::format("{:.3g}", two.get<double>() / one.get<double>()) : "–";
-}
-
-/// One section of rows; "" without any.
-template <class Cells>
-std::string section(const std::string& title, const ordered_json& rows,
-                    const std::vector<std::string>& headings, std::size_t left, std::size_t words,
-                    const Cells& cells) {
+/// One section: a table whose first `left` columns and last `words` hold words; "" without rows.
+template <class Row>
+std::string section(const std::string& title, const std::vector<Row>& rows, const Cells& headings,
+                    std::size_t left, std::size_t words, Cells (*cells_of)(const Row& row)) {
   if (rows.empty()) {
     return "";
   }
   Table table(headings, left, words);
   for (std::size_t index = 0; index < std::min(most_rows, rows.size()); ++index) {
-    table.add(cells(rows[index]));
+    table.add(cells_of(rows[index]));
   }
   const std::string rest =
       rows.size() > most_rows ? fmt::format("and {} more\n", rows.size() - most_rows) : "";
   return fmt::format("{} ({}):\n{}{}\n", title, rows.size(), table.plain(), rest);
 }
 
-std::vector<std::string> who(const ordered_json& row) {
-  return {report_text(row.at("engine")), report_text(row.at("model")), report_text(row.at("case")),
-          step_text(row)};
+Cells run_cells(const RunKey& run) {
+  return {printable(run.engine), printable(run.model), printable(run.the_case),
+          fmt::format("{:g}", run.step)};
 }
 
-std::vector<std::string> joined_cells(std::vector<std::string> cells,
-                                      std::initializer_list<std::string> more) {
-  cells.insert(cells.end(), more);
+Cells version_cells(const VersionChange& change) {
+  const auto text = [](const std::optional<std::string>& version) {
+    return version ? printable(*version) : "not there";
+  };
+  return {printable(change.what), text(change.before), text(change.after)};
+}
+
+Cells status_cells(const StatusChange& change) {
+  Cells cells = run_cells(change.key);
+  cells.insert(cells.end(),
+               {to_string(change.before), to_string(change.after), printable(change.reason)});
   return cells;
 }
 
-std::string statuses(const std::string& title, const ordered_json& rows) {
-  return section(title, rows, {"engine", "model", "case", "step", "before", "after", "reason"}, 3,
-                 3, [](const ordered_json& row) {
-                   return joined_cells(who(row),
-                                       {report_text(row.at("before")), report_text(row.at("after")),
-                                        report_text(row.at("reason"))});
-                 });
+Cells metric_cells(const MetricChange& change) {
+  const Metric& metric = metric_list()[change.metric];
+  const auto text = [](const std::optional<double>& value) {
+    return value ? fmt::format("{:.3g}", *value) : "not measured";
+  };
+  const bool has_factor = change.before && change.after && *change.before > 0.0;
+  Cells cells = run_cells(change.key);
+  cells.insert(cells.end(),
+               {std::string(metric.name), text(change.before), text(change.after),
+                has_factor ? fmt::format("{:.3g}", *change.after / *change.before) : dash,
+                metric.unit == "1" ? "-" : std::string(metric.unit)});
+  return cells;
 }
 
-std::string metrics(const std::string& title, const ordered_json& rows) {
+Cells cost_cells(const CostChange& change) {
+  return {printable(change.key.engine), printable(change.key.model),
+          fmt::format("{:g}", change.key.step), std::to_string(change.cases),
+          fmt::format("{:.2f}", change.factor)};
+}
+
+std::string runs(const std::string& title, const std::vector<RunKey>& rows) {
+  return section(title, rows, {"engine", "model", "case", "step"}, 3, 0, run_cells);
+}
+
+std::string statuses(const std::string& title, const std::vector<StatusChange>& rows) {
+  return section(title, rows, {"engine", "model", "case", "step", "before", "after", "reason"}, 3,
+                 3, status_cells);
+}
+
+std::string metrics(const std::string& title, const std::vector<MetricChange>& rows) {
   return section(title, rows,
                  {"engine", "model", "case", "step", "metric", "before", "after", "factor", "unit"},
-                 3, 1, [](const ordered_json& row) {
-                   return joined_cells(
-                       who(row),
-                       {report_text(row.at("metric")), value_text(row.at("before")),
-                        value_text(row.at("after")), factor_text(row),
-                        row.at("unit") == "1" ? std::string("-") : report_text(row.at("unit"))});
-                 });
+                 3, 1, metric_cells);
 }
 
-std::string runs(const std::string& title, const ordered_json& rows) {
-  return section(title, rows, {"engine", "model", "case", "step"}, 3, 0, who);
+std::string last_line(const Changes& changes) {
+  const std::size_t bad =
+      changes.new_failures.size() + changes.got_worse.size() + changes.only_before.size();
+  const std::size_t good = changes.recovered.size() + changes.got_better.size();
+  if (bad + good == 0) {
+    return fmt::format("{} runs compared: nothing changed beyond noise.\n", changes.compared);
+  }
+  return fmt::format("{} runs compared: {} changes for the worse, {} for the better.\n",
+                     changes.compared, bad, good);
 }
 
 }  // namespace
 
-std::string comparison_text(const ordered_json& changes) {
-  std::string out;
-  out += section("Versions that differ", changes.at("versions"), {"what", "before", "after"}, 3, 0,
-                 [](const ordered_json& row) {
-                   const auto text = [](const ordered_json& value) {
-                     return value.is_null() ? std::string("not there") : report_text(value);
-                   };
-                   return std::vector<std::string>{report_text(row.at("what")),
-                                                   text(row.at("before")), text(row.at("after"))};
-                 });
-  out += statuses("New failures", changes.at("new_failures"));
-  out += metrics("Worse", changes.at("got_worse"));
-  out += runs("Runs that are gone", changes.at("only_before"));
-  out += statuses("Failures that are gone", changes.at("recovered"));
-  out += metrics("Better", changes.at("got_better"));
-  out += runs("New runs", changes.at("only_after"));
-  out += runs("Not compared, the case is not the same", changes.at("other_case"));
-  out += section("Costs of a step, which are noisy and judge nothing", changes.at("costs"),
-                 {"engine", "model", "step", "cases", "factor"}, 2, 0, [](const ordered_json& row) {
-                   return std::vector<std::string>{
-                       report_text(row.at("engine")), report_text(row.at("model")), step_text(row),
-                       std::to_string(row.at("cases").get<int>()),
-                       fmt::format("{:.2f}", row.at("factor").get<double>())};
-                 });
-  const std::size_t bad = changes.at("new_failures").size() + changes.at("got_worse").size() +
-                          changes.at("only_before").size();
-  const std::size_t good = changes.at("recovered").size() + changes.at("got_better").size();
-  return out + fmt::format("{} runs compared: {}.\n", changes.at("compared").get<std::size_t>(),
-                           bad + good == 0 ? "nothing changed beyond noise"
-                                           : fmt::format("{} changes for the worse, {} for the "
-                                                         "better",
-                                                         bad, good));
+std::string changes_text(const Changes& changes) {
+  return section("Versions that differ", changes.versions, {"what", "before", "after"}, 3, 0,
+                 version_cells) +
+         statuses("New failures", changes.new_failures) + metrics("Worse", changes.got_worse) +
+         runs("Runs that are gone", changes.only_before) +
+         statuses("Failures that are gone", changes.recovered) +
+         metrics("Better", changes.got_better) + runs("New runs", changes.only_after) +
+         runs("Not compared, the case is not the same", changes.other_case) +
+         section("Costs of a step, which are noisy and judge nothing", changes.costs,
+                 {"engine", "model", "step", "cases", "factor"}, 2, 0, cost_cells) +
+         last_line(changes);
 }
 
 }  // namespace tautline::bench

@@ -2,13 +2,14 @@
 
 #include "bench/gate/limits.hpp"
 
-#include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "bench/base/input_file.hpp"
 #include "bench/base/toml/problems.hpp"
 #include "bench/base/toml/strict_table.hpp"
 #include "bench/base/toml/value.hpp"
+#include "bench/measure/metric_list.hpp"
 #include "shipped_limits.inc"
 
 namespace tautline::bench {
@@ -23,23 +24,24 @@ constexpr std::size_t most_entries = 10'000;
 const Range right_schema = {"1, the form that this program reads",
                             [](double x) { return x == limits_schema; }};
 
-std::vector<std::string> metric_names(bool with_failure) {
+std::vector<std::string> metric_names() {
   std::vector<std::string> names;
-  for (const LimitedMetric& metric : limited_metrics()) {
+  for (const Metric& metric : metric_list()) {
     names.emplace_back(metric.name);
   }
-  if (with_failure) {
-    names.emplace_back(failure);
-  }
+  return names;
+}
+
+std::vector<std::string> metric_names_and_failure() {
+  std::vector<std::string> names = metric_names();
+  names.emplace_back(failure);
   return names;
 }
 
 /// The unit of a metric; "" for a name that is none.
 std::string unit_of(const std::string& name) {
-  const auto all = limited_metrics();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const LimitedMetric& metric) { return metric.name == name; });
-  return found != all.end() ? std::string(found->unit) : "";
+  const std::optional<std::size_t> place = place_of(name);
+  return place ? std::string(metric_list()[*place].unit) : "";
 }
 
 RunPattern read_pattern(StrictTable& table) {
@@ -56,7 +58,7 @@ RunPattern read_pattern(StrictTable& table) {
 Limit read_limit(StrictTable& table) {
   Limit limit;
   limit.runs = read_pattern(table);
-  limit.metric = table.one_of("metric", metric_names(false));
+  limit.metric = table.one_of("metric", metric_names());
   const std::string unit = unit_of(limit.metric);
   const std::string shown = unit.empty() ? "" : "[" + unit + "]";
   limit.constant = table.number("limit", zero_or_above, shown);
@@ -75,13 +77,13 @@ Limit read_limit(StrictTable& table) {
 KnownDeviation read_known(StrictTable& table) {
   KnownDeviation known;
   known.runs = read_pattern(table);
-  known.metric = table.one_of("metric", metric_names(true));
+  known.metric = table.one_of("metric", metric_names_and_failure());
   known.reason = table.text("reason");
   table.refuse_unknown_keys();
   return known;
 }
 
-Unjudged read_unjudged(StrictTable& table, const std::string& word) {
+Unjudged read_unjudged(StrictTable& table, Word word) {
   Unjudged unjudged;
   unjudged.runs = read_pattern(table);
   unjudged.word = word;
@@ -90,7 +92,7 @@ Unjudged read_unjudged(StrictTable& table, const std::string& word) {
   return unjudged;
 }
 
-Limits read_tables(const toml::table& file, Findings& findings) {
+Limits read_tables(const toml::table& file, FileProblems& findings) {
   StrictTable root(&file, "", findings);
   Limits limits;
   static_cast<void>(root.number("schema", right_schema, ""));
@@ -106,10 +108,11 @@ Limits read_tables(const toml::table& file, Findings& findings) {
            "must be tables [[known]], each with engine, model, metric and reason")) {
     limits.known.push_back(read_known(table));
   }
-  for (const std::string word : {"informative", "unsupported"}) {
+  for (const Word word : {Word::informative, Word::unsupported}) {
+    const std::string name = to_string(word);
     for (StrictTable& table : root.optional_tables(
-             word, most_entries,
-             "must be tables [[" + word + "]], each with engine, model and reason")) {
+             name, most_entries,
+             "must be tables [[" + name + "]], each with engine, model and reason")) {
       limits.unjudged.push_back(read_unjudged(table, word));
     }
   }
@@ -120,7 +123,7 @@ Limits read_tables(const toml::table& file, Findings& findings) {
 }  // namespace
 
 LimitsReading read_limits_text(std::string_view text, const std::string& source_name) {
-  Findings findings(source_name);
+  FileProblems findings(source_name);
   const std::optional<toml::table> file = parse_toml(text, findings);
   if (!file) {
     return {std::nullopt, findings.sentences()};
@@ -136,7 +139,7 @@ LimitsReading read_limits_text(std::string_view text, const std::string& source_
 LimitsReading read_limits_file(const std::filesystem::path& path) {
   const InputFile file = read_input_file(path, longest_limits_file);
   if (file.problem) {
-    Findings findings(path.native());
+    FileProblems findings(path.native());
     findings.add(0, *file.problem);
     return {std::nullopt, findings.sentences()};
   }

@@ -1,129 +1,131 @@
-// Holds the rows of a report against the limits of a manifest.
+// Holds the runs of a report against the limits of a file.
 
 #include "bench/gate/verdict.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
+
+#include "bench/measure/metric_list.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
+/// What the limits say of one run: of several entries the last counts, as the special stands behind
+/// the general.
+class LimitsOnRun {
+ public:
+  LimitsOnRun(const Limits& limits, const RunKey& run, std::string precision)
+      : limits_(limits), run_(run), precision_(std::move(precision)) {}
 
-/// The last entry on a run that `fits`, or null: the special stands behind the general.
-template <class Entry, class Fits>
-const Entry* last_on(const std::vector<Entry>& entries, const ordered_json& run,
-                     const std::string& precision, const Fits& fits) {
-  const auto found = std::find_if(entries.rbegin(), entries.rend(), [&](const Entry& entry) {
-    return fits(entry) && entry.runs.holds(run, precision);
-  });
-  return found != entries.rend() ? &*found : nullptr;
-}
+  // each is null without one
 
-const KnownDeviation* known_on(const Limits& limits, const ordered_json& run,
-                               const std::string& precision, std::string_view metric) {
-  return last_on(limits.known, run, precision,
-                 [&](const KnownDeviation& known) { return known.metric == metric; });
-}
+  [[nodiscard]] const Limit* limit(std::string_view metric) const {
+    return last(limits_.limits, [&](const Limit& limit) { return limit.metric == metric; });
+  }
+  [[nodiscard]] const KnownDeviation* known(std::string_view metric) const {
+    return last(limits_.known, [&](const KnownDeviation& known) { return known.metric == metric; });
+  }
+  [[nodiscard]] const Unjudged* unjudged() const {
+    return last(limits_.unjudged, [](const Unjudged&) { return true; });
+  }
 
-bool went_wrong(const ordered_json& run) {
-  return run.at("status") == "failed" || run.at("status") == "diverged";
-}
+ private:
+  template <class Entry, class Fits>
+  [[nodiscard]] const Entry* last(const std::vector<Entry>& entries, const Fits& fits) const {
+    const auto found = std::find_if(entries.rbegin(), entries.rend(), [&](const Entry& entry) {
+      return fits(entry) && entry.runs.holds(run_, precision_);
+    });
+    return found != entries.rend() ? &*found : nullptr;
+  }
+
+  const Limits& limits_;
+  const RunKey& run_;
+  std::string precision_;
+};
 
 /// A run that failed or diverged; one that is known to and did not says so as well.
-void add_failure_check(ordered_json& checks, const ordered_json& run, const KnownDeviation* known) {
-  if (!went_wrong(run) && known == nullptr) {
-    return;
+std::optional<Check> failure_check(const RunRow& run, const LimitsOnRun& limits) {
+  const bool worked = did_its_work(run.status);
+  const KnownDeviation* known = limits.known(failure);
+  if (worked && known == nullptr) {
+    return std::nullopt;
   }
-  checks.push_back({{"metric", failure},
-                    {"value", nullptr},
-                    {"limit", nullptr},
-                    {"holds", !went_wrong(run)},
-                    {"known", known != nullptr},
-                    {"reason", known != nullptr ? ordered_json(known->reason) : run.at("reason")}});
+  return Check{std::string(failure), std::nullopt,
+               std::nullopt,         worked,
+               known != nullptr,     known != nullptr ? known->reason : run.reason};
 }
 
-/// Every limit on a run whose metric was measured.
-ordered_json checks_of(const Limits& limits, const ordered_json& run,
-                       const std::string& precision) {
-  ordered_json checks = ordered_json::array();
-  add_failure_check(checks, run, known_on(limits, run, precision, failure));
-  for (const LimitedMetric& metric : limited_metrics()) {
-    const Limit* limit = last_on(limits.limits, run, precision,
-                                 [&](const Limit& entry) { return entry.metric == metric.name; });
-    const auto value = limit != nullptr ? metric.of(run) : std::nullopt;
-    if (!value) {
-      continue;
+/// The limit on the metric at this place of the list; none too where that could not be measured.
+std::optional<Check> metric_check(const RunRow& run, const LimitsOnRun& limits, std::size_t place) {
+  const std::string_view metric = metric_list()[place].name;
+  const std::optional<double> value = run.metric(place);
+  const Limit* limit = value ? limits.limit(metric) : nullptr;
+  if (limit == nullptr) {
+    return std::nullopt;
+  }
+  const double most = limit->at(run.key.step);
+  const KnownDeviation* known = limits.known(metric);
+  return Check{std::string(metric),
+               value,
+               most,
+               *value <= most,
+               known != nullptr,
+               known != nullptr ? known->reason : limit->reason};
+}
+
+std::vector<Check> checks_of(const RunRow& run, const LimitsOnRun& limits) {
+  std::vector<Check> checks;
+  const auto add = [&](std::optional<Check> check) {
+    if (check) {
+      checks.push_back(std::move(*check));
     }
-    const KnownDeviation* known = known_on(limits, run, precision, metric.name);
-    const double most = limit->at(run.at("step"));
-    checks.push_back({{"metric", metric.name},
-                      {"value", *value},
-                      {"limit", most},
-                      {"holds", *value <= most},
-                      {"known", known != nullptr},
-                      {"reason", known != nullptr ? known->reason : limit->reason}});
+  };
+  add(failure_check(run, limits));
+  for (std::size_t place = 0; place < metric_list().size(); ++place) {
+    add(metric_check(run, limits, place));
   }
   return checks;
 }
 
-std::string word_for(const ordered_json& run, const ordered_json& checks,
-                     const Unjudged* unjudged) {
+Word word_for(const RunRow& run, const std::vector<Check>& checks, const Unjudged* unjudged) {
   if (unjudged != nullptr) {
     return unjudged->word;
   }
-  const bool all_hold = std::all_of(checks.begin(), checks.end(), [](const ordered_json& check) {
-    return check.at("holds").get<bool>();
-  });
-  if (!all_hold) {
-    return "deviation-flagged";
+  if (!std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.holds; })) {
+    return Word::flagged;
   }
-  if (run.at("status") == "stopped") {
-    return "unsupported";
+  if (run.status == Status::stopped) {
+    return Word::unsupported;
   }
-  return checks.empty() ? "informative" : "pass";
-}
-
-ordered_json verdict_on(const Limits& limits, const ordered_json& run,
-                        const std::string& precision) {
-  ordered_json checks = checks_of(limits, run, precision);
-  const Unjudged* unjudged =
-      last_on(limits.unjudged, run, precision, [](const Unjudged&) { return true; });
-  std::string word = word_for(run, checks, unjudged);
-  return {{"word", std::move(word)}, {"checks", std::move(checks)}};
-}
-
-ordered_json limits_json(const Limits& limits) {
-  ordered_json metrics = ordered_json::array();
-  for (const LimitedMetric& metric : limited_metrics()) {
-    metrics.push_back({{"name", metric.name}, {"unit", metric.unit}, {"meaning", metric.meaning}});
-  }
-  return {{"file", limits.file}, {"version", limits.version}, {"metrics", std::move(metrics)}};
+  return checks.empty() ? Word::informative : Word::pass;
 }
 
 }  // namespace
 
-Precisions::Precisions(const ordered_json& report) {
-  for (const ordered_json& engine : report.at("engines")) {
-    by_name_[engine.at("name")] = engine.value("precision", "");
+Precisions::Precisions(const Report& report) {
+  for (const EngineRow& engine : report.engines) {
+    by_name_[engine.name] = engine.info ? engine.info->precision : "";
   }
 }
 
-std::string Precisions::of(const ordered_json& run) const {
-  const auto found = by_name_.find(run.at("engine"));
+std::string Precisions::of(const RunKey& run) const {
+  const auto found = by_name_.find(run.engine);
   return found != by_name_.end() ? found->second : "";
 }
 
-void add_verdicts(ordered_json& report, const Limits& limits) {
+void add_verdicts(Report& report, const Limits& limits) {
   const Precisions precisions(report);
-  for (ordered_json& run : report.at("runs")) {
-    run["verdict"] = verdict_on(limits, run, precisions.of(run));
+  for (RunRow& run : report.runs) {
+    const LimitsOnRun on_run(limits, run.key, precisions.of(run.key));
+    std::vector<Check> checks = checks_of(run, on_run);
+    const Word word = word_for(run, checks, on_run.unjudged());
+    run.verdict = Verdict{word, std::move(checks)};
   }
-  // "context" stays the last key: everything that differs from run to run is under it
-  ordered_json context = std::move(report.at("context"));
-  report.erase("context");
-  report["limits"] = limits_json(limits);
-  report["context"] = std::move(context);
+  report.limits = LimitsSource{limits.file, limits.version};
 }
 
 }  // namespace tautline::bench

@@ -8,10 +8,11 @@
     return;
   }
 
-  const causes = [['flight_bias', 'flight bias', ''], ['event_lag', 'event lag', '/'],
-    ['late_rate', 'late rate', '\\'], ['position_correction', 'position correction', 'x'],
-    ['threshold', 'threshold', '-'], ['solver_residual', 'solver residual', '|'],
-    ['taut_drift', 'taut drift', '+'], ['amplification', 'chaotic amplification', '.']];
+  // the causes in the report's order; hatches come round again
+  const hatches = ['', '/', '\\', 'x', '-', '|', '+', '.'];
+  const shared = (report.causes || []).find((row) => row.shares);
+  const causes = Object.keys(shared ? shared.shares : {}).map((name, i) =>
+    [name, name.replaceAll('_', ' '), hatches[i % hatches.length]]);
 
   const steps = [...new Set(report.runs.map((run) => run.step))].sort((a, b) => b - a);
   const choice = { case: '', step: String(steps[steps.length >> 1]) };
@@ -31,7 +32,7 @@
     const found = choice.case
       ? report.runs.filter((run) => run.case === choice.case && fits(run)).map((run) => ({
         name: name(run), shares: sharesOf(run), deviation: run.attribution && run.attribution.deviation }))
-      : (report.attribution_summary || []).filter(fits).map((row) => ({ name: name(row),
+      : (report.causes || []).filter(fits).map((row) => ({ name: name(row),
         shares: row.shares, deviation: row.deviation && row.deviation.median }));
     return found.filter((row) => row.shares && causes.some(([cause]) => row.shares[cause] > 0)).reverse();
   }

@@ -31,10 +31,10 @@
   function points(model, choice) {
     const found = choice.case
       ? runsOf.get(model).filter((run) => run.case === choice.case && worked(run) && run.metrics).map((run) => ({
-        step: run.step, error: run.metrics[choice.window].position_error, cases: 1,
+        step: run.step, error: run.metrics[`${choice.window}_position_error`], cases: 1,
         cost: costs.get(`${run.case}\n${model}\n${run.step}`) }))
       : (summaryOf.get(model) || []).map((row) => ({ step: row.step,
-        error: row[`${choice.window}_position_error`]?.median, cases: row.cases - row.failed,
+        error: row.metrics[`${choice.window}_position_error`]?.median, cases: row.cases - row.failed,
         cost: medianCosts.get(`${model}\n${row.step}`) }));
     return found.filter(({ error }) => typeof error === 'number').sort((a, b) => b.step - a.step);
   }

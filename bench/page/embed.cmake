@@ -1,18 +1,20 @@
-# Writes OUTPUT, the C++ source that holds the page's files, from STYLE and SCRIPTS (each in order, separated
-# by |), PLOTLY and its LICENCE (both may be empty). Called at build time by bench/page/CMakeLists.txt.
+# Writes OUTPUT, the C++ source that holds the pages' files, from STYLE, SCRIPTS and CHAPTER_SCRIPTS (each in
+# order, separated by |), PLOTLY and its LICENCE (both may be empty). Called at build time by bench/page/CMakeLists.txt.
 
-set(style "")
-string(REPLACE "|" ";" STYLE "${STYLE}")
-foreach(sheet IN LISTS STYLE)
-  file(READ "${sheet}" text)
-  string(APPEND style "${text}")
-endforeach()
-set(scripts "")
-string(REPLACE "|" ";" SCRIPTS "${SCRIPTS}")
-foreach(script IN LISTS SCRIPTS)
-  file(READ "${script}" text)
-  string(APPEND scripts "${text}")
-endforeach()
+# Sets `result` to the text of `files`, one after another.
+function(read_files files result)
+  set(whole "")
+  string(REPLACE "|" ";" files "${files}")
+  foreach(file IN LISTS files)
+    file(READ "${file}" text)
+    string(APPEND whole "${text}")
+  endforeach()
+  set(${result} "${whole}" PARENT_SCOPE)
+endfunction()
+
+read_files("${STYLE}" style)
+read_files("${SCRIPTS}" scripts)
+read_files("${CHAPTER_SCRIPTS}" chapter_scripts)
 
 set(plotly "")
 set(licence "")
@@ -27,7 +29,7 @@ if(PLOTLY)
   string(REPLACE "@namespace@" "http://www.w3.org/" plotly "${plotly}")
 endif()
 
-foreach(part IN ITEMS style scripts plotly licence)
+foreach(part IN ITEMS style scripts chapter_scripts plotly licence)
   # the end of a script, or what opens a comment in one, would end it inside the page
   string(TOLOWER "${${part}}" lower)
   if(lower MATCHES "</script|</style|<!--|\\)tautline_page\"")
@@ -44,6 +46,7 @@ const PageAssets& page_assets() {
   static const PageAssets assets{
 R\"tautline_page(${style})tautline_page\",
 R\"tautline_page(${scripts})tautline_page\",
+R\"tautline_page(${chapter_scripts})tautline_page\",
 R\"tautline_page(${plotly})tautline_page\",
 R\"tautline_page(${licence})tautline_page\"};
   return assets;

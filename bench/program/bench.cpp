@@ -1,10 +1,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <memory>
 #include <thread>
 
 #include "bench/base/atomic_file.hpp"
@@ -12,19 +14,41 @@
 #include "bench/base/progress.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/chapter/beside.hpp"
+#include "bench/gate/broken.hpp"
+#include "bench/gate/gate_text.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
-#include "bench/report/compact_json.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
 #include "bench/report/html/page.hpp"
-#include "bench/report/report.hpp"
-#include "bench/suite/run_files.hpp"
+#include "bench/report/json/json.hpp"
+#include "bench/report/markdown.hpp"
+#include "bench/report/terminal.hpp"
+#include "bench/suite/report_of.hpp"
 #include "bench/suite/suite.hpp"
+#include "bench/suite/tree.hpp"
 
 namespace tautline::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// What `tautline bench` was asked.
+struct BenchCommand {
+  std::vector<std::string> cases;
+  std::vector<std::string> engines;
+  std::vector<std::string> models;
+  std::vector<double> steps = {1e-2, 1e-3, 1e-4};  // [s]
+  std::optional<double> until;                     // [s], instead of each case's duration
+  ImpactLaw law = ImpactLaw::simultaneous;
+  std::filesystem::path out = "results";
+  std::optional<unsigned> jobs;  // one per core if not given
+  bool resume = false;
+  double time_limit = 60.0;         // [s]
+  std::optional<std::string> gate;  // limits file; breaking it makes the exit code 1
+  std::string json;
+  std::string command_line;  // as it was typed, for the report
+};
 
 /// What the command line asks for, or every sentence of what is wrong with it.
 struct Request {
@@ -81,31 +105,17 @@ std::string now_utc() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
-/// The most memory that one worker held at once [bytes].
-double worker_memory(const SuiteResult& result) {
-  double most = 0.0;
-  for (const RunResult& run : result.runs) {
-    most = run.timing.is_null() ? most : std::max(most, run.timing.at("memory").get<double>());
-  }
-  return most;
-}
-
 /// True if a run or an engine did not do what it should.
-bool any_failure(const nlohmann::ordered_json& report) {
-  const auto bad_run = [](const auto& run) {
-    return run.at("status") == "failed" || run.at("status") == "diverged";
-  };
-  const auto bad_engine = [](const auto& engine) {
-    return !engine.at("problem").is_null() && !engine.at("missing").template get<bool>();
-  };
-  const auto& runs = report.at("runs");
-  const auto& engines = report.at("engines");
-  return std::any_of(runs.begin(), runs.end(), bad_run) ||
-         std::any_of(engines.begin(), engines.end(), bad_engine);
+bool any_failure(const Report& report) {
+  return std::any_of(report.runs.begin(), report.runs.end(),
+                     [](const RunRow& run) { return !did_its_work(run.status); }) ||
+         std::any_of(report.engines.begin(), report.engines.end(), [](const EngineRow& engine) {
+           return engine.problem.has_value() && !engine.missing;
+         });
 }
 
-void write_reports(const BenchCommand& command, const nlohmann::ordered_json& report) {
-  const std::string json = compact_json(report);
+void write_reports(const BenchCommand& command, const Report& report) {
+  const std::string json = report_json(report);
   write_file(command.out / "report.json", json);
   write_file(command.out / "report.md", report_markdown(report));
   write_file(command.out / "index.html", report_html(report, page_assets()));
@@ -114,8 +124,6 @@ void write_reports(const BenchCommand& command, const nlohmann::ordered_json& re
   }
 }
 
-}  // namespace
-
 int bench_command(const BenchCommand& command) {
   const Request request = read_request(command);
   if (!request.problems.empty()) {
@@ -123,33 +131,28 @@ int bench_command(const BenchCommand& command) {
     return exit_usage;
   }
   const SuiteOptions& options = request.options;
-  ReportContext context{command.command_line, now_utc()};
+  Context context;
+  context.command = command.command_line;
+  context.started = now_utc();
   const auto start = Clock::now();
   const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
   catch_interruption();  // up to here nothing has been touched
   const Descriptor tree = open_tree(options.out, !options.resume);
-  ChapterBeside chapter(runs_the_chapter(options));
   Progress progress(plan(options).size(), "runs");
   const SuiteResult result =
       run_suite(options, references, [&](std::size_t ended) { progress.show(ended); });
   progress.finish();
-  context.chapter = chapter.result();
-  if (!chapter.failure().empty()) {
-    complain({"the chapter is not in the report: " + chapter.failure()});
-  }
   context.elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-  context.kept = result.kept;
   context.program_memory = peak_memory();
-  context.worker_memory = worker_memory(result);
-  auto report = report_json(options, references, result, context);
+  Report report = report_of(options, references, result, std::move(context));
   add_verdicts(report, request.limits);
   write_reports(command, report);
   if (command.json != "-") {
     fmt::print(
         "{}\n{} runs in {:.1f} s, {:.0f} MB; report: {}, with report.md and report.json "
         "beside it\n",
-        report_summary(report, output_style()), result.runs.size(), context.elapsed,
-        (context.program_memory + options.jobs * context.worker_memory) / 1e6,
+        report_summary(report, output_style()), result.runs.size(), report.context.elapsed,
+        (report.context.program_memory + options.jobs * report.context.worker_memory) / 1e6,
         (command.out / "index.html").string());
   }
   if (result.interrupted) {
@@ -166,6 +169,42 @@ int bench_command(const BenchCommand& command) {
     return broken.empty() ? exit_done : exit_failed;
   }
   return any_failure(report) ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& code, const std::string& command_line) {
+  CLI::App* const command =
+      app.add_subcommand("bench", "Cases x engines x models x steps: all their runs, and a report");
+  const auto asked = std::make_shared<BenchCommand>();
+  asked->command_line = command_line;
+  command->add_option("CASES", asked->cases, case_help)->default_str("'breakwater/*'");
+  command
+      ->add_option("--engines,--engine", asked->engines,
+                   "names or plug-in paths: bullet64,./libmine.so (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);  // a case may follow
+  command->add_option("--models", asked->models, "only these models: row,event (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--steps", asked->steps, "steps [s]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command->add_option("--until", asked->until, "end every run at this time [s]");
+  add_law(*command, asked->law, law_help);
+  command->add_option("--out", asked->out, "folder for the report and the runs' files")
+      ->capture_default_str();
+  command->add_option("--jobs", asked->jobs, "runs at a time (default: one per core)");
+  command->add_flag("--resume", asked->resume, "keep the runs that --out already has");
+  command->add_option("--time-limit", asked->time_limit, "end a run after this long [s]")
+      ->capture_default_str();
+  command->add_option("--json", asked->json,
+                      "also write the report as JSON to this file, or to stdout: -");
+  command->add_option(
+      "--gate", asked->gate,
+      "a limits file (TOML): print the runs that break a limit, and end with exit code 1");
+  command->callback([asked, &code] { code = bench_command(*asked); });
 }
 
 }  // namespace tautline::bench

@@ -3,112 +3,79 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <memory>
 #include <utility>
 
 #include "bench/base/process.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/check/claims.hpp"
 #include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/run/worker.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
-constexpr int check_schema = 1;
-
-/// A model and what was found of it.
-struct ModelCheck {
-  std::string model;
-  std::vector<Finding> findings;
+/// What `tautline check` was asked.
+struct CheckCommand {
+  std::string engine;
+  std::string model;  // or empty: all
+  std::string json;
+  double time_limit = 60.0;  // [s], for each model
 };
-
-std::vector<std::string> broken_claims(const ModelCheck& check) {
-  std::vector<std::string> names;
-  for (const Finding& finding : check.findings) {
-    if (!finding.holds) {
-      names.push_back(finding.claim);
-    }
-  }
-  return names;
-}
 
 std::string number_text(double value) {
   return std::isnan(value) ? "none" : fmt::format("{:.2g}", value);
 }
 
 /// The end of what is said of one model.
-std::string verdict(const ModelCheck& check) {
-  const auto broken = broken_claims(check);
+std::string verdict(const CheckedModel& checked) {
+  const auto broken = broken_claims(checked.claims);
   std::string text =
       broken.empty()
-          ? fmt::format("All {} claims hold.", check.findings.size())
-          : fmt::format("{} of {} claims {} not hold: {}.", broken.size(), check.findings.size(),
+          ? fmt::format("All {} claims hold.", checked.claims.size())
+          : fmt::format("{} of {} claims {} not hold: {}.", broken.size(), checked.claims.size(),
                         broken.size() == 1 ? "does" : "do", joined(broken, "and"));
   const std::size_t all = claims().size() + 1;  // and `quiet`
-  if (check.findings.size() < all) {
-    text += fmt::format(" The other {} were not measured.", all - check.findings.size());
+  if (checked.claims.size() < all) {
+    text += fmt::format(" The other {} were not measured.", all - checked.claims.size());
   }
   return text;
 }
 
-void print_check(const EngineInfo& info, const ModelCheck& check) {
+void print_check(const EngineInfo& info, const CheckedModel& checked) {
   fmt::print("{} {}, {}, model {}\n\n", info.name, printable(info.version), info.precision,
-             check.model);
+             checked.name);
   Table table({"claim", "found", "limit", "verdict", "what was found"}, 1, 2);
-  for (const Finding& finding : check.findings) {
-    table.add({finding.claim, number_text(finding.found), number_text(finding.limit),
-               finding.holds ? "holds" : "does not hold", printable(finding.sentence, 1000)});
+  for (const SettledClaim& settled : checked.claims) {
+    table.add({settled.claim, number_text(settled.found), number_text(settled.limit),
+               settled.holds ? "holds" : "does not hold", printable(settled.sentence, 1000)});
   }
-  fmt::print("{}\n{}\n\n", table.plain(), verdict(check));
+  fmt::print("{}\n{}\n\n", table.plain(), verdict(checked));
 }
 
 /// The last sentence: of all models together.
-std::string closing(const EngineInfo& info, const std::vector<ModelCheck>& checks) {
+std::string closing(const EngineInfo& info, const std::vector<CheckedModel>& models) {
   std::vector<std::string> unsound;
-  for (const ModelCheck& check : checks) {
-    if (!broken_claims(check).empty()) {
-      unsound.push_back(check.model);
+  for (const CheckedModel& checked : models) {
+    if (!broken_claims(checked.claims).empty()) {
+      unsound.push_back(checked.name);
     }
   }
   if (unsound.empty()) {
     return fmt::format("{}: every claim holds for {}.", info.name,
-                       checks.size() == 1 ? "this model" : "all of its models");
+                       models.size() == 1 ? "this model" : "all of its models");
   }
   return fmt::format("{}: {} of {} models {} every claim; {} {} not.", info.name,
-                     checks.size() - unsound.size(), checks.size(),
-                     checks.size() - unsound.size() == 1 ? "keeps" : "keep", joined(unsound, "and"),
+                     models.size() - unsound.size(), models.size(),
+                     models.size() - unsound.size() == 1 ? "keeps" : "keep", joined(unsound, "and"),
                      unsound.size() == 1 ? "does" : "do");
-}
-
-ordered_json check_json(const RegisteredEngine& engine, const std::vector<ModelCheck>& checks) {
-  ordered_json rows = ordered_json::array();
-  bool all = true;
-  for (const ModelCheck& check : checks) {
-    ordered_json findings = findings_json(check.findings);
-    for (ordered_json& finding : findings) {
-      const Claim* const claim = find_claim(finding.at("claim").get<std::string>());
-      finding["claimed"] = claim != nullptr ? claim->sentence : quiet_sentence;
-      finding["reason"] = claim != nullptr ? claim->reason : quiet_reason;
-      finding["sentence"] = printable(finding.at("sentence").get<std::string>(), 1000);
-    }
-    const bool holds = broken_claims(check).empty();
-    all = all && holds;
-    rows.push_back({{"model", check.model}, {"holds", holds}, {"findings", std::move(findings)}});
-  }
-  return {{"schema", check_schema},
-          {"engine",
-           {{"name", engine.info->name},
-            {"version", engine.info->version},
-            {"precision", engine.info->precision},
-            {"plugin", engine.plugin.string()}}},
-          {"holds", all},
-          {"models", std::move(rows)}};
 }
 
 /// Everything that is wrong with what was asked.
@@ -125,8 +92,6 @@ std::vector<std::string> usage_problems(const CheckCommand& command, const Engin
   return broken;
 }
 
-}  // namespace
-
 int check_command(const CheckCommand& command) {
   const EngineChoice choice = choose_engines({command.engine});
   if (const auto broken = usage_problems(command, choice); !broken.empty()) {
@@ -140,7 +105,7 @@ int check_command(const CheckCommand& command) {
     return is_no_plugin(engine) ? exit_usage : exit_failed;
   }
   catch_interruption();
-  std::vector<ModelCheck> checks;
+  std::vector<CheckedModel> models;
   for (const Model& model : engine.info->models) {
     if (!command.model.empty() && model.name != command.model) {
       continue;
@@ -152,20 +117,38 @@ int check_command(const CheckCommand& command) {
       complain({"interrupted"});
       return exit_failed;
     }
-    checks.push_back({model.name, std::move(reply.findings)});
+    models.push_back({model.name, std::move(reply.claims)});
     if (command.json.empty()) {
-      print_check(*engine.info, checks.back());
+      print_check(*engine.info, models.back());
     }
   }
   if (command.json.empty()) {
-    fmt::print("{}\n", closing(*engine.info, checks));
+    fmt::print("{}\n", closing(*engine.info, models));
   } else {
-    write_output(command.json, check_json(engine, checks).dump(2) + "\n");
+    write_output(command.json, check_json(engine, models));
   }
-  const bool sound = std::all_of(checks.begin(), checks.end(), [](const ModelCheck& check) {
-    return broken_claims(check).empty();
+  const bool sound = std::all_of(models.begin(), models.end(), [](const CheckedModel& checked) {
+    return broken_claims(checked.claims).empty();
   });
   return sound ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& code) {
+  CLI::App* const command = app.add_subcommand(
+      "check", "Whether an engine keeps the claims that every sound engine keeps");
+  const auto asked = std::make_shared<CheckCommand>();
+  command->add_option("PLUGIN", asked->engine, "the path of a plug-in, or an engine's name")
+      ->required();
+  command->add_option("--model", asked->model, "only this model (default: all)");
+  command
+      ->add_option("--time-limit", asked->time_limit,
+                   "end the check of a model after this long [s]")
+      ->capture_default_str();
+  command->add_option("--json", asked->json,
+                      "write the verdicts as JSON to this file, or to stdout: -");
+  command->callback([asked, &code] { code = check_command(*asked); });
 }
 
 }  // namespace tautline::bench

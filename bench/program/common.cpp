@@ -1,3 +1,5 @@
+#include "bench/program/common.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -5,7 +7,6 @@
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/program/commands.hpp"
 
 namespace tautline::bench {
 

@@ -1,15 +1,28 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/progress.hpp"
-#include "bench/chapter/report.hpp"
+#include "bench/chapter/csv.hpp"
+#include "bench/chapter/json.hpp"
+#include "bench/chapter/markdown.hpp"
+#include "bench/chapter/page.hpp"
 #include "bench/program/commands.hpp"
-#include "bench/suite/run_files.hpp"
+#include "bench/program/common.hpp"
+#include "bench/suite/tree.hpp"
+#include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
 namespace {
+
+/// What `tautline reproduce` was asked.
+struct ReproduceCommand {
+  std::filesystem::path out = "results";
+  std::string json;
+};
 
 /// Everything but chapter.json, which comes last: a folder with it is whole.
 void write_files(const ChapterReport& report, const std::filesystem::path& out) {
@@ -18,16 +31,15 @@ void write_files(const ChapterReport& report, const std::filesystem::path& out) 
     write_file(folder / table.file, table_csv(table));
   }
   for (const ChapterFigure& figure : report.figures) {
-    write_file(folder / figure.file, figure.csv);
-    if (!figure.boundary_file.empty()) {
-      write_file(folder / figure.boundary_file, figure.boundary_csv);
+    write_file(folder / figure.file, data_csv(figure.data));
+    if (figure.boundary) {
+      write_file(folder / figure.boundary->file, data_csv(figure.boundary->data));
     }
   }
   write_file(folder / "corrections.csv", corrections_csv(report.corrections));
   write_file(out / "chapter.md", chapter_markdown(report));
+  write_file(out / "chapter.html", chapter_page(report, page_assets()));
 }
-
-}  // namespace
 
 int reproduce_command(const ReproduceCommand& command) {
   if (command.out.empty()) {
@@ -45,7 +57,7 @@ int reproduce_command(const ReproduceCommand& command) {
   progress.finish();
   const ChapterReport report = chapter_report(study);
   write_files(report, command.out);
-  const std::string json = chapter_json(report).dump(2) + "\n";
+  const std::string json = chapter_json(report);
   write_file(command.out / "chapter.json", json);
   if (!command.json.empty()) {
     write_output(command.json, json);
@@ -53,11 +65,26 @@ int reproduce_command(const ReproduceCommand& command) {
   if (command.json != "-") {
     const auto wrong = std::count_if(report.corrections.begin(), report.corrections.end(),
                                      [](const Correction& one) { return !one.holds; });
-    fmt::print("{} cases, {} tables, {} figures, {} corrections: {} and chapter.json beside it\n",
-               study.cases.size(), report.tables.size(), report.figures.size(), wrong,
-               (command.out / "chapter.md").string());
+    fmt::print(
+        "{} cases, {} tables, {} figures, {} corrections: {}, with chapter.md and chapter.json "
+        "beside it\n",
+        study.cases.size(), report.tables.size(), report.figures.size(), wrong,
+        (command.out / "chapter.html").string());
   }
   return exit_done;
+}
+
+}  // namespace
+
+void add_reproduce(CLI::App& app, int& code) {
+  CLI::App* const command = app.add_subcommand(
+      "reproduce", "The source chapter's tables and figures, and what it got wrong");
+  const auto asked = std::make_shared<ReproduceCommand>();
+  command->add_option("--out", asked->out, "folder for chapter.md, chapter.json and chapter/")
+      ->capture_default_str();
+  command->add_option("--json", asked->json,
+                      "also write chapter.json to this file, or to stdout: -");
+  command->callback([asked, &code] { code = reproduce_command(*asked); });
 }
 
 }  // namespace tautline::bench

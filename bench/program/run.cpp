@@ -1,55 +1,32 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include <CLI/CLI.hpp>
+#include <memory>
 
 #include "bench/base/process.hpp"
-#include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
-#include "bench/report/rows.hpp"
-#include "bench/suite/run_files.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
+#include "bench/report/json/json.hpp"
+#include "bench/report/terminal.hpp"
 #include "bench/suite/suite.hpp"
+#include "bench/suite/tree.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
-std::string value_text(const ordered_json& value) {
-  if (value.is_null()) {
-    return "none";
-  }
-  return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
-}
-
-/// The metrics, one line each, grouped as they are in JSON.
-void print_metrics(const ordered_json& object, const std::string& prefix, Table& table) {
-  for (const auto& [key, value] : object.items()) {
-    std::string name = prefix + key;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    if (value.is_structured()) {
-      print_metrics(value, name + ": ", table);
-    } else {
-      table.add({name, value_text(value)});
-    }
-  }
-}
-
-void print_row(const ordered_json& row) {
-  const std::string reason = row.at("reason");
-  fmt::print("{} on {} {}, step {:g}: {}{}\n", printable(row.at("case").get<std::string>()),
-             row.at("engine").get<std::string>(), row.at("model").get<std::string>(),
-             row.at("step").get<double>(), row.at("status").get<std::string>(),
-             reason.empty() ? "" : ", " + reason);
-  if (!row.at("metrics").is_null()) {
-    Table table({"", "against the exact solution"}, 1);
-    print_metrics(row.at("metrics"), "", table);
-    fmt::print("\n{}", table.plain());
-  }
-}
-
-}  // namespace
+/// What `tautline run` was asked.
+struct RunCommand {
+  std::string the_case;
+  std::string engine;
+  std::string model;
+  double step = 1e-3;  // [s]
+  ImpactLaw law = ImpactLaw::simultaneous;
+  double time_limit = 60.0;
+  std::string json;
+  std::filesystem::path out;  // folder for the run's files, or empty
+};
 
 int run_command(const RunCommand& command) {
   const std::optional<Case> the_case = one_case(command.the_case);
@@ -87,13 +64,37 @@ int run_command(const RunCommand& command) {
     complain({"interrupted"});
     return exit_failed;
   }
-  const ordered_json& row = result.runs.front().row;
+  const RunRow& row = result.runs.front().row;
   if (command.json.empty()) {
-    print_row(row);
+    fmt::print("{}", run_text(row));
   } else {
-    write_output(command.json, row.dump(2) + "\n");
+    write_output(command.json, run_json(row));
   }
-  return row.at("status") == "failed" || row.at("status") == "diverged" ? exit_failed : exit_done;
+  return did_its_work(row.status) ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& code) {
+  CLI::App* const command =
+      app.add_subcommand("run", "One run on one engine, compared with the exact motion");
+  const auto asked = std::make_shared<RunCommand>();
+  command->add_option("CASE", asked->the_case, case_help)->required();
+  command->add_option("--engine", asked->engine, "an engine's name, or the path of a plug-in")
+      ->required();
+  command
+      ->add_option("--model", asked->model,
+                   "one of its models of a cable; `tautline engines` lists them")
+      ->required();
+  command->add_option("--step", asked->step, "the engine's step [s]")->capture_default_str();
+  add_law(*command, asked->law, law_help);
+  command->add_option("--time-limit", asked->time_limit, "end the run after this long [s]")
+      ->capture_default_str();
+  command->add_option("--out", asked->out,
+                      "write trajectory.csv, events.csv and settings below this folder");
+  command->add_option("--json", asked->json,
+                      "write the result as JSON to this file, or to stdout: -");
+  command->callback([asked, &code] { code = run_command(*asked); });
 }
 
 }  // namespace tautline::bench

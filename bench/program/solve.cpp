@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <memory>
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
+#include "bench/solution/certificate_text.hpp"
 #include "bench/solution/certify.hpp"
 #include "bench/solution/plot_svg.hpp"
 #include "bench/solution/solution_json.hpp"
@@ -16,6 +20,20 @@
 
 namespace tautline::bench {
 namespace {
+
+/// What `tautline solve` was asked.
+struct SolveCommand {
+  std::string the_case;
+  std::optional<double> until;        // [s], instead of the case's duration
+  std::vector<double> at;             // [s], times of samples
+  std::optional<double> angle_limit;  // [rad], instead of the case's
+  std::optional<double> ceiling;      // [m], instead of the case's
+  ImpactLaw law = ImpactLaw::simultaneous;
+  bool certify = false;       // also solve with more digits, and compare
+  std::optional<int> digits;  // of that; `default_digits` if not given
+  std::string json;           // file, "-" for standard output, or empty
+  std::string plot;           // the same, for a picture (SVG)
+};
 
 /// The fastest closing rate and the sum of the impulses of one event.
 std::vector<std::string> event_cells(const Case& the_case, const Event& event) {
@@ -69,7 +87,7 @@ void print_solution(const Case& the_case, const Solution& solution, const Extras
   if (extras.certificate) {
     fmt::print("{}\n", certificate_text(*extras.certificate, the_case, solution));
   }
-  fmt::print("{}", summary_text(the_case, solution, extras.settling));
+  fmt::print("{}", solution_text(the_case, solution, extras.settling));
 }
 
 /// The one case that `command` means, with its overrides; or complains.
@@ -116,8 +134,6 @@ std::optional<std::string> output_problem(const SolveCommand& command) {
   return std::nullopt;
 }
 
-}  // namespace
-
 int solve_command(const SolveCommand& command) {
   for (const auto& broken : {certify_problem(command), output_problem(command)}) {
     if (broken) {
@@ -151,12 +167,38 @@ int solve_command(const SolveCommand& command) {
     }
     return exit_done;
   }
-  auto json = solution_json(*the_case, options, solution, extras.settling, command.at);
-  if (extras.certificate) {
-    json["certificate"] = certificate_json(*extras.certificate);
-  }
-  write_output(command.json, json.dump(2) + "\n");
+  write_output(command.json, solution_json(*the_case, options, solution, extras.settling,
+                                           command.at, extras.certificate));
   return exit_done;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, int& code) {
+  CLI::App* const command =
+      app.add_subcommand("solve", "The exact motion of a case: its events and its end");
+  const auto asked = std::make_shared<SolveCommand>();
+  command->add_option("CASE", asked->the_case, case_help)->required();
+  command->add_option("--until", asked->until,
+                      "end the run at this time [s], not at the case's duration");
+  command->add_option("--at", asked->at, "also give the state at these times [s]: 1,2.5,3")
+      ->delimiter(',');
+  command->add_option("--angle-limit", asked->angle_limit, "end where |angle| reaches this [rad]");
+  command->add_option("--ceiling", asked->ceiling,
+                      "end where an attachment rises to this height [m]");
+  add_law(*command, asked->law, "the law for impacts on several cables");
+  command->add_flag("--certify", asked->certify,
+                    "also solve with many digits, and say until when the doubles are right");
+  command->add_option("--digits", asked->digits,
+                      "decimal digits for --certify, 20 to 1000 (default: 50)");
+  command
+      ->add_option("--json", asked->json, "write everything as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command
+      ->add_option("--plot", asked->plot,
+                   "write a picture of the motion (SVG) to this file, or to stdout: -")
+      ->check(named_file);
+  command->callback([asked, &code] { code = solve_command(*asked); });
 }
 
 }  // namespace tautline::bench

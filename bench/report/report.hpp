@@ -1,50 +1,303 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "bench/base/terminal.hpp"
-#include "bench/suite/suite.hpp"
+#include "bench/measure/attribution/attribution.hpp"
+#include "bench/measure/audit/audit.hpp"
+#include "bench/measure/metric_list.hpp"
+#include "tautline/case.hpp"
+#include "tautline/engine.hpp"
+#include "tautline/settling.hpp"
 
 namespace tautline::bench {
 
-/// The number of the report's form: its key `schema`.
-inline constexpr int report_schema = 3;
+// A report: what a suite leaves, row by row. report/json/json.hpp writes and reads it; all tables, the
+// gate and the comparison of two reports are drawn from it alone.
 
-/// What produced a report, apart from its numbers.
-struct ReportContext {
-  std::string command;                       // as it was typed
-  std::string started;                       // ISO 8601, UTC
-  double elapsed = 0.0;                      // [s]
-  double program_memory = 0.0;               // [bytes], the most this program held at once
-  double worker_memory = 0.0;                // [bytes], the most one worker held
-  std::size_t kept = 0;                      // runs taken from an earlier invocation
-  nlohmann::ordered_json chapter = nullptr;  // `chapter_row`, or null
+/// The number of the report's form: its key `schema`.
+inline constexpr int report_schema = 4;
+
+/// One run among those of a report.
+struct RunKey {
+  std::string the_case;
+  std::string engine;
+  std::string model;
+  double step = 0.0;  // [s]
+
+  auto operator<=>(const RunKey&) const = default;  // NOLINT(modernize-use-nullptr): it has none
 };
 
-/// The one product of a suite: an object of bench/report/report.schema.json. Everything that
-/// differs between two runs of one suite on one program is under its last key, "context".
-[[nodiscard]] nlohmann::ordered_json report_json(const SuiteOptions& options,
-                                                 const std::vector<ReferenceCase>& references,
-                                                 const SuiteResult& result,
-                                                 const ReportContext& context);
+/// The runs of one engine, model and step over the cases.
+struct SetupKey {
+  std::string engine;
+  std::string model;
+  double step = 0.0;  // [s]
 
-/// The answers by engine, model and step over all cases of the runs in `report`.
-[[nodiscard]] nlohmann::ordered_json summary_json(const nlohmann::ordered_json& runs);
+  auto operator<=>(const SetupKey&) const = default;  // NOLINT(modernize-use-nullptr): it has none
+};
+[[nodiscard]] inline SetupKey setup_of(const RunKey& run) {
+  return {run.engine, run.model, run.step};
+}
 
-/// What a step costs over that of a closed-form flight, by engine, model and step: the median of
-/// `timing`.
-[[nodiscard]] nlohmann::ordered_json costs_json(const nlohmann::ordered_json& timing);
+/// How a run ended.
+enum class Status {
+  finished,
+  stopped,   // its simulation could go no further, late enough to be compared
+  diverged,  // the body left every reasonable range
+  failed,    // crashed, timed out, gave nonsense, or stopped too early
+};
+[[nodiscard]] const char* to_string(Status status);
 
-/// How fast errors shrink with the step: by engine and model, the slope of log error over log step.
-[[nodiscard]] nlohmann::ordered_json convergence_json(const nlohmann::ordered_json& runs);
+/// A run that ended as it should: finished, or stopped where its model goes no further.
+[[nodiscard]] constexpr bool did_its_work(Status status) {
+  return status == Status::finished || status == Status::stopped;
+}
 
-/// The report as Markdown, readable as it stands. Drawn from `report` alone.
-[[nodiscard]] std::string report_markdown(const nlohmann::ordered_json& report);
+/// A motion thinned to what can be drawn, a column each.
+struct Path {
+  std::vector<double> time;    // [s], rising; an event at a sample's time may repeat it
+  std::vector<double> x;       // [m], of the centre of mass
+  std::vector<double> y;       // [m]
+  std::vector<double> angle;   // [rad]
+  std::vector<double> energy;  // [J], kinetic and potential; at an event the one after it
+};
 
-/// The answers for a terminal. Drawn from `report` alone.
-[[nodiscard]] std::string report_summary(const nlohmann::ordered_json& report,
-                                         const TerminalStyle& style = {});
+/// The counted impacts of a run in rising time, a column each; of very many the fastest.
+struct ImpactColumns {
+  std::vector<double> time;              // [s]
+  std::vector<std::size_t> cable;        //
+  std::vector<double> requested;         // [-], the cable's restitution at that speed
+  std::vector<double> rate_before;       // [m/s], gap rate, negative when closing
+  std::vector<double> rate_after;        // [m/s]
+  std::vector<double> arm;               // [m], lever arm, > 0 where the pull turns anticlockwise
+  std::vector<double> tangential_error;  // [N s], momentum across the cable that nothing explains
+  std::vector<double> angular_error;     // [N m s], spin that no arm times impulse explains
+  std::vector<std::size_t> steps;        // with an impulse; 0 if located
+  std::size_t left_out = 0;              // counted impacts that are not here, all slower
+};
+
+/// What the comparison with the exact motion says beside the metrics of the list.
+struct RunDetails {
+  struct OfWindow {
+    double until = 0.0;    // [s]
+    double covered = 0.0;  // [s]
+    std::size_t exact = 0;
+    std::size_t found = 0;
+    std::size_t matched = 0;
+  };
+  std::array<OfWindow, windows.size()> of_windows;  // by Window
+  std::vector<LastImpactMatch> last_impacts;
+  std::optional<SwingMatch> swing;
+  std::optional<MeasuredRestitution> restitution;
+  std::size_t stride = 1;            // every stride-th step was sampled
+  std::size_t recorded_impacts = 0;  //
+  std::size_t slow_impacts = 0;      // that were only counted
+
+  [[nodiscard]] const OfWindow& in(Window window) const {
+    return of_windows[static_cast<std::size_t>(window)];
+  }
+};
+
+/// What a verdict comes to.
+enum class Word {
+  pass,         // every limit on the run holds
+  flagged,      // a limit does not hold, or the run failed or diverged
+  informative,  // no limit is on it, or the limits say that it is not judged
+  unsupported,  // the model goes no further, or the limits say so
+};
+[[nodiscard]] const char* to_string(Word word);  // "pass", "deviation-flagged", ...
+
+/// One limit held against one run.
+struct Check {
+  std::string metric;           // of the list, or "failure"
+  std::optional<double> value;  // in the unit of the metric
+  std::optional<double> limit;  //
+  bool holds = false;
+  bool known = false;  // not to hold
+  std::string reason;  // where the limit comes from, or why it is known not to hold
+};
+
+struct Verdict {
+  Word word = Word::informative;
+  std::vector<Check> checks;
+};
+
+/// One run.
+struct RunRow {
+  RunKey key;
+  Status status = Status::finished;
+  std::string reason;                      // of any status but finished
+  std::optional<std::string> output_tail;  // the last that a run that failed printed
+  std::optional<MetricValues> metrics;     // none where there is nothing to compare
+  std::optional<RunDetails> details;       // set exactly where `metrics` is
+  std::optional<Path> path;
+  std::optional<ImpactColumns> impacts;
+  std::optional<Ladder> ladder;
+  std::optional<Scatter> scatter;
+  std::optional<Attribution> attribution;
+  std::optional<Verdict> verdict;
+
+  /// The metric at this place of the list; none too where there are no metrics.
+  [[nodiscard]] std::optional<double> metric(std::size_t place) const {
+    return metrics ? metrics->at(place) : std::nullopt;
+  }
+};
+
+/// A cable as a page draws it.
+struct CableRow {
+  Vec2 anchor = Vec2::Zero();
+  Vec2 attachment = Vec2::Zero();
+  double length = 0.0;                // [m]
+  std::optional<double> restitution;  // none where it depends on the speed
+};
+
+/// Events of an exact motion, a column each; of thousands the fastest impacts.
+struct EventColumns {
+  std::vector<double> time;                      // [s]
+  std::vector<std::string> kind;                 // "impact", "taut", "slack"
+  std::vector<std::vector<std::size_t>> cables;  //
+  std::vector<std::optional<double>> rate;  // [m/s], of the fastest cable; none of what is no impact
+};
+
+/// What the exact solution says of a case, and what a page needs to draw it.
+struct CaseRow {
+  std::string name;
+  std::string title;  // what tells it from others, in words
+  std::size_t cables = 0;
+  double duration = 0.0;  // [s]
+  std::string ending;
+  double end_time = 0.0;            // [s], of the exact solution
+  double horizon = 0.0;             // [s]
+  std::size_t counted_impacts = 0;  //
+  double start_energy = 0.0;        // [J]
+  double end_energy = 0.0;          // [J]
+  Settling settling;
+  Body body;
+  Vec2 gravity = Vec2::Zero();  // [m/s^2]
+  std::vector<CableRow> geometry;
+  Path path;
+  EventColumns events;
+};
+
+/// An engine, or why there are no runs of it.
+struct EngineRow {
+  std::string name;
+  std::optional<EngineInfo> info;
+  std::optional<std::string> problem;
+  bool missing = false;  // there is no plug-in, as opposed to one that failed
+};
+
+/// Median and worst over some cases.
+struct MedianAndWorst {
+  std::optional<double> median;  // none of an extreme
+  double worst = 0.0;
+};
+
+/// The answers for one engine, model and step over all cases.
+struct SummaryRow {
+  SetupKey key;
+  std::size_t cases = 0;
+  std::size_t failed = 0;   // of them
+  std::size_t exact = 0;    // impacts up to the horizon
+  std::size_t found = 0;    //
+  std::size_t matched = 0;  //
+  std::size_t exact_settled = 0;  // cases whose exact motion locks: see LastImpactMatch
+  std::size_t found_settled = 0;  // runs that have the last impact
+  std::vector<std::optional<MedianAndWorst>> metrics;  // of the list; none without a value
+};
+
+/// How fast errors shrink with the step: the slope of log error over log step.
+struct ConvergenceRow {
+  struct Slope {
+    double smallest = 0.0;
+    double median = 0.0;
+    double largest = 0.0;
+  };
+  std::string engine;
+  std::string model;
+  std::size_t cases = 0;              // with a slope
+  std::size_t cases_at_rounding = 0;  // whose errors do not shrink, being rounding
+  std::optional<Slope> slope;
+};
+
+/// The causes of deviations for one engine, model and step over all cases.
+struct CausesRow {
+  SetupKey key;
+  std::size_t cases = 0;
+  std::optional<MedianAndWorst> deviation;  // [m]
+  std::optional<CauseParts> shares;         // [-], median of each cause
+  std::optional<double> remainder;          // [-] of the deviation, largest
+};
+
+/// What one run cost.
+struct TimingRow {
+  RunKey key;
+  double memory = 0.0;          // [bytes], the most the worker held at once
+  double step_cost = 0.0;       // [s], processor time of one step
+  double reference_cost = 0.0;  // [s], of one closed-form flight and its gaps
+  double cost_ratio = 0.0;      // [-], of the two
+  double second_cost = 0.0;     // [s], processor time of one simulated second
+};
+
+/// The cost for one engine, model and step: medians over the cases.
+struct CostRow {
+  SetupKey key;
+  double cost_ratio = 0.0;   // [-]
+  double second_cost = 0.0;  // [s]
+};
+
+/// What was asked of the suite.
+struct ReportOptions {
+  std::vector<double> steps;  // [s]
+  std::string law;
+  double count_speed = 0.0;  // [m/s]
+  std::size_t early_impacts = 0;
+  double time_limit = 0.0;    // [s]
+  double memory_limit = 0.0;  // [bytes]
+};
+
+/// What the verdicts hold the runs against.
+struct LimitsSource {
+  std::string file;
+  std::string version;
+};
+
+/// What made the report: all that differs from machine to machine and from day to day.
+struct Context {
+  std::string command;          // as it was typed
+  std::string started;          // ISO 8601, UTC
+  double elapsed = 0.0;         // [s]
+  double program_memory = 0.0;  // [bytes], the most this program held at once
+  double worker_memory = 0.0;   // [bytes], the most one worker held
+  std::size_t kept_runs = 0;    // taken from an earlier invocation
+  std::string processor;
+  std::size_t cores = 0;
+  std::string compiler;
+  std::string build_type;
+  std::string flags;
+  std::string commit;
+  std::vector<CostRow> costs;
+  std::vector<TimingRow> timing;
+};
+
+struct Report {
+  std::string version;  // of the program
+  bool complete = true;
+  std::size_t planned_runs = 0;
+  ReportOptions options;
+  std::vector<EngineRow> engines;
+  std::vector<CaseRow> cases;
+  std::vector<SummaryRow> summary;
+  std::vector<ConvergenceRow> convergence;
+  std::vector<Finding> findings;
+  std::vector<CausesRow> causes;
+  std::vector<RunRow> runs;
+  std::optional<LimitsSource> limits;  // none without verdicts
+  Context context;
+};
 
 }  // namespace tautline::bench

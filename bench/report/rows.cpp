@@ -3,29 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "bench/base/text.hpp"
-#include "bench/report/attribution_json.hpp"
-#include "bench/report/replay_data.hpp"
-#include "bench/solution/solution_json.hpp"
+#include "bench/cases/title.hpp"
+#include "bench/measure/attribution/attribution.hpp"
+#include "bench/measure/impact_match.hpp"
+#include "bench/report/motion.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
-
-using nlohmann::ordered_json;
-
-template <class Value>
-ordered_json or_null(const std::optional<Value>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
-ordered_json who(const ReferenceCase& reference, const EngineInfo& engine, const PlannedRun& run) {
-  return {{"case", reference.the_case.name},
-          {"engine", engine.name},
-          {"model", run.model.name},
-          {"step", run.step}};
-}
 
 /// When the exact motion first has a taut cable [s]; its end without one. A simulation
 /// that does not follow the motion on taut cables may stop there.
@@ -36,147 +24,111 @@ double first_taut(const Solution& solution) {
   return found != events.end() ? found->time : solution.end_time();
 }
 
-/// "finished", "stopped", "diverged" or "failed", and the reason of the last three.
-std::pair<std::string, std::string> status(const ReferenceCase& reference, const RunReply& reply) {
+/// How a run ended, and why if it did not finish.
+std::pair<Status, std::string> status(const ReferenceCase& reference, const RunReply& reply) {
   if (!reply.trajectory) {
-    return {"failed", printable(reply.failure)};
+    return {Status::failed, printable(reply.failure)};
   }
   const Trajectory& run = *reply.trajectory;
   if (run.diverged) {
-    return {"diverged", fmt::format("the body left every reasonable range after t = {:.6g}",
-                                    run.points.back().time)};
+    return {Status::diverged, fmt::format("the body left every reasonable range after t = {:.6g}",
+                                          run.points.back().time)};
   }
   if (run.stop) {
     const bool early = !reaches(run, std::min(reference.horizon, first_taut(reference.solution)));
-    return {early ? "failed" : "stopped",
+    return {early ? Status::failed : Status::stopped,
             (early ? "gave up before the horizon: " : "") + printable(run.stop->reason)};
   }
-  return {"finished", ""};
+  return {Status::finished, ""};
 }
 
-/// A number that is null where the run has no sample in the window.
-ordered_json if_covered(const Deviation& deviation, double value) {
-  return deviation.covered > 0.0 ? ordered_json(value) : ordered_json(nullptr);
-}
-
-ordered_json window_json(const Metrics& metrics, std::size_t window) {
-  const Deviation& deviation = metrics.deviation[window];
-  const ImpactMatch& impacts = metrics.impacts[window];
-  return {{"until", deviation.until},
-          {"covered", deviation.covered},
-          {"position_error", if_covered(deviation, deviation.position)},
-          {"angle_error", if_covered(deviation, deviation.angle)},
-          {"velocity_error", if_covered(deviation, deviation.velocity)},
-          {"impacts",
-           {{"exact", impacts.exact},
-            {"found", impacts.found},
-            {"matched", impacts.matched},
-            {"missed", impacts.exact - impacts.matched},
-            {"first_time_error", or_null(impacts.first_time_error)},
-            {"worst_time_error", or_null(impacts.worst_time_error)}}}};
-}
-
-ordered_json settling_match_json(const Metrics& metrics) {
-  ordered_json impacts = ordered_json::array();
-  for (const LastImpactMatch& last : metrics.last_impacts) {
-    impacts.push_back(
-        {{"speed", last.speed}, {"exact", or_null(last.exact)}, {"found", or_null(last.found)}});
-  }
-  ordered_json swing = nullptr;
-  if (const auto& match = metrics.swing) {
-    swing = {{"from", match->from},
-             {"until", match->until},
-             {"energy", {{"exact", match->exact_energy}, {"found", match->energy}}},
-             {"amplitude", {{"exact", match->exact_amplitude}, {"found", match->amplitude}}}};
-  }
-  return {{"last_impacts", std::move(impacts)},
-          {"later_impacts", metrics.later_impacts},
-          {"swing", std::move(swing)}};
-}
-
-ordered_json metrics_json(const Metrics& metrics) {
-  ordered_json json;
+RunDetails details_of(const Metrics& metrics, const Trajectory& run) {
+  RunDetails details;
   for (const Window window : windows) {
-    json[std::string(to_string(window))] = window_json(metrics, static_cast<std::size_t>(window));
+    const Deviation& deviation = metrics.deviation_in(window);
+    const ImpactMatch& impacts = metrics.impacts_in(window);
+    details.of_windows[static_cast<std::size_t>(window)] = {
+        deviation.until, deviation.covered, impacts.exact, impacts.found, impacts.matched};
   }
-  json["settling"] = settling_match_json(metrics);
-  json["long_impacts"] = metrics.long_impacts;
-  json["overstretch"] = metrics.overstretch;
-  json["energy"] = {{"largest_gain", metrics.energy_gain}, {"error", metrics.energy_error}};
-  json["restitution"] = nullptr;
-  if (const auto& measured = metrics.restitution) {
-    json["restitution"] = {{"count", measured->count},
-                           {"smallest", measured->smallest},
-                           {"mean", measured->mean},
-                           {"largest", measured->largest},
-                           {"worst_error", measured->worst}};
-  }
-  return json;
+  details.last_impacts = metrics.last_impacts;
+  details.swing = metrics.swing;
+  details.restitution = metrics.restitution;
+  details.stride = run.stride;
+  details.recorded_impacts = run.impacts.size();
+  details.slow_impacts = run.slow_impacts;
+  return details;
+}
+
+/// Puts into `record` all that is measured on `run`.
+void measure(const ReferenceCase& reference, const EngineInfo& engine, const Trajectory& run,
+             const RowOptions& options, RunRecord& record) {
+  const double count_speed = options.compare.count_speed;
+  const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
+                                  reference.horizon, run, options.compare);
+  RunRow& row = record.row;
+  row.metrics = values_of(metrics);
+  row.details = details_of(metrics, run);
+  row.path = run_path(reference.the_case, run, options.path_samples, count_speed);
+  row.impacts = run_impacts(reference.the_case, run, count_speed);
+  row.attribution = attribute(reference.the_case, reference.solution, reference.horizon, run,
+                              {reference.law, noise_of(engine.precision), count_speed});
+  record.audit = audit(reference, run, count_speed);
+  row.ladder = record.audit->ladder;
+  row.scatter = record.audit->scatter;
+}
+
+TimingRow timing_row(const RunKey& key, const Cost& cost) {
+  TimingRow row;
+  row.key = key;
+  row.memory = cost.memory;
+  row.step_cost = cost.step;
+  row.reference_cost = cost.reference;
+  row.cost_ratio = cost.reference > 0.0 ? cost.step / cost.reference : 0.0;
+  row.second_cost = cost.step / key.step;
+  return row;
 }
 
 }  // namespace
 
-ordered_json run_row(const ReferenceCase& reference, const EngineInfo& engine,
-                     const PlannedRun& run, const RunReply& reply, const CompareOptions& options) {
-  ordered_json row = who(reference, engine, run);
-  const auto [word, reason] = status(reference, reply);
-  row["status"] = word;
-  row["reason"] = reason;
-  row["output_tail"] = nullptr;
-  if (!reply.trajectory && !reply.output_tail.empty()) {
-    row["output_tail"] = printable(reply.output_tail.substr(
+RunRecord run_record(const ReferenceCase& reference, const EngineInfo& engine, const RunKey& key,
+                     const RunReply& reply, const RowOptions& options) {
+  RunRecord record;
+  record.row.key = key;
+  std::tie(record.row.status, record.row.reason) = status(reference, reply);
+  if (reply.trajectory) {
+    measure(reference, engine, *reply.trajectory, options, record);
+    record.timing = timing_row(key, reply.cost);
+  } else if (!reply.output_tail.empty()) {
+    record.row.output_tail = printable(reply.output_tail.substr(
         reply.output_tail.size() - std::min(reply.output_tail.size(), quotable_length)));
   }
-  row["metrics"] = nullptr;
-  row["path"] = nullptr;
-  row["impacts"] = nullptr;
-  row["audit"] = nullptr;
-  row["attribution"] = nullptr;
-  if (reply.trajectory) {
-    row["stride"] = reply.trajectory->stride;
-    row["recorded_impacts"] = reply.trajectory->impacts.size();
-    row["slow_impacts"] = reply.trajectory->slow_impacts;
-    row["metrics"] =
-        metrics_json(compare(reference.the_case, reference.solution, reference.settling,
-                             reference.horizon, *reply.trajectory, options));
-    row["path"] =
-        run_path_json(reference.the_case, *reply.trajectory, run.path_samples, options.count_speed);
-    row["impacts"] = run_impacts_json(reference.the_case, *reply.trajectory, options.count_speed);
-    row["attribution"] = attribution_json(
-        attribute(reference.the_case, reference.solution, reference.horizon, *reply.trajectory,
-                  {reference.law, noise_of(engine.precision), options.count_speed}));
-  }
-  return row;
+  return record;
 }
 
-ordered_json timing_row(const ReferenceCase& reference, const EngineInfo& engine,
-                        const PlannedRun& run, const RunReply& reply) {
-  if (!reply.trajectory) {
-    return nullptr;
-  }
-  ordered_json row = who(reference, engine, run);
-  row["memory"] = reply.cost.memory;
-  row["step_cost"] = reply.cost.step;
-  row["reference_cost"] = reply.cost.reference;
-  row["cost_ratio"] = reply.cost.reference > 0.0 ? reply.cost.step / reply.cost.reference : 0.0;
-  return row;
-}
-
-ordered_json case_row(const ReferenceCase& reference, const CompareOptions& options) {
+CaseRow case_row(const ReferenceCase& reference, const CompareOptions& options) {
   const Solution& solution = reference.solution;
   const Case& the_case = reference.the_case;
-  ordered_json row = {
-      {"name", the_case.name},
-      {"cables", the_case.cables.size()},
-      {"duration", the_case.duration},
-      {"ending", to_string(solution.ending())},
-      {"end_time", solution.end_time()},
-      {"horizon", reference.horizon},
-      {"counted_impacts", counted_impacts(the_case, solution, options.count_speed).size()},
-      {"start_energy", energy(the_case, the_case.initial)},
-      {"end_energy", energy(the_case, solution.at(solution.end_time()))},
-      {"settling", settling_json(reference.settling)}};
-  add_exact_motion(the_case, solution, row);
+  CaseRow row;
+  row.name = the_case.name;
+  row.title = title_of(the_case);
+  row.cables = the_case.cables.size();
+  row.duration = the_case.duration;
+  row.ending = to_string(solution.ending());
+  row.end_time = solution.end_time();
+  row.horizon = reference.horizon;
+  row.counted_impacts = counted_impacts(the_case, solution, options.count_speed).size();
+  row.start_energy = energy(the_case, the_case.initial);
+  row.end_energy = energy(the_case, solution.at(solution.end_time()));
+  row.settling = reference.settling;
+  row.body = the_case.body;
+  row.gravity = the_case.gravity;
+  for (const Cable& cable : the_case.cables) {
+    row.geometry.push_back(
+        {cable.anchor, cable.attachment, cable.length,
+         depends_on_speed(cable) ? std::nullopt : std::optional(cable.restitution)});
+  }
+  row.path = exact_path(reference);
+  row.events = exact_events(reference);
   return row;
 }
 

@@ -1,24 +1,25 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
-#include "bench/suite/suite.hpp"
+#include "bench/measure/compare.hpp"
+#include "bench/measure/reference.hpp"
+#include "bench/report/record.hpp"
+#include "bench/run/worker.hpp"
+#include "tautline/engine.hpp"
 
 namespace tautline::bench {
 
-/// A run's row of the report: what ran, how it ended, and the metrics if there is something to
-/// compare.
-[[nodiscard]] nlohmann::ordered_json run_row(const ReferenceCase& reference,
-                                             const EngineInfo& engine, const PlannedRun& run,
-                                             const RunReply& reply, const CompareOptions& options);
+/// How the rows of a report are made.
+struct RowOptions {
+  CompareOptions compare;
+  std::size_t path_samples = 400;  // that the report has of a motion, next to those at impacts
+};
 
-/// What the run cost, or null: it differs from machine to machine and from day to day.
-[[nodiscard]] nlohmann::ordered_json timing_row(const ReferenceCase& reference,
-                                                const EngineInfo& engine, const PlannedRun& run,
-                                                const RunReply& reply);
+/// What a run left: how it ended, and measures, audit and attribution if there is a trajectory.
+[[nodiscard]] RunRecord run_record(const ReferenceCase& reference, const EngineInfo& engine,
+                                   const RunKey& key, const RunReply& reply,
+                                   const RowOptions& options);
 
 /// What the exact solution says of a case.
-[[nodiscard]] nlohmann::ordered_json case_row(const ReferenceCase& reference,
-                                              const CompareOptions& options);
+[[nodiscard]] CaseRow case_row(const ReferenceCase& reference, const CompareOptions& options);
 
 }  // namespace tautline::bench

@@ -1,31 +1,29 @@
+#include "bench/report/summary.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <string>
-#include <tuple>
 #include <utility>
 
 #include "bench/base/statistics.hpp"
-#include "bench/report/report.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
 /// An error this small is rounding: it does not shrink with the step [m].
 constexpr double rounding_error = 1e-9;
 
-/// Rows with one engine, model and step, in the order of their first.
-using Group = std::vector<const ordered_json*>;
+template <class Row>
+using Group = std::vector<const Row*>;
 
-template <class Key>
-std::vector<Group> grouped(const ordered_json& rows, const Key& key) {
-  std::vector<Group> groups;
-  std::map<decltype(key(rows.front())), std::size_t> places;
-  for (const ordered_json& row : rows) {
-    const auto [place, added] = places.try_emplace(key(row), groups.size());
+/// The rows that have one key, in the order of their first.
+template <class Row, class KeyOf>
+std::vector<Group<Row>> grouped(const std::vector<Row>& rows, const KeyOf& key_of) {
+  std::vector<Group<Row>> groups;
+  std::map<std::decay_t<decltype(key_of(rows.front()))>, std::size_t> places;
+  for (const Row& row : rows) {
+    const auto [place, added] = places.try_emplace(key_of(row), groups.size());
     if (added) {
       groups.emplace_back();
     }
@@ -34,195 +32,177 @@ std::vector<Group> grouped(const ordered_json& rows, const Key& key) {
   return groups;
 }
 
-std::string text_of(const ordered_json& row, const char* key) { return row.at(key); }
+const auto setup = [](const auto& row) { return setup_of(row.key); };
 
-/// Engine, model and step.
-std::tuple<std::string, std::string, double> by_setup(const ordered_json& row) {
-  return {text_of(row, "engine"), text_of(row, "model"), row.at("step").get<double>()};
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
 }
 
-bool did_its_work(const ordered_json& row) {
-  return row.at("status") == "finished" || row.at("status") == "stopped";
+std::optional<MedianAndWorst> median_and_worst(const std::vector<double>& values) {
+  return values.empty() ? std::nullopt
+                        : std::optional(MedianAndWorst{median(values), largest(values)});
 }
 
-/// The values of one metric over the rows that have it.
-template <class Get>
-std::vector<double> collect(const Group& rows, const Get& get) {
+/// One metric over the runs: a typical one of those that did their work, as one that gave up at
+/// once has no error to speak of; an extreme one of all that have it.
+std::optional<MedianAndWorst> aggregated(const Group<RunRow>& runs, std::size_t place) {
+  const Aggregate aggregate = metric_list()[place].aggregate;
+  if (aggregate == Aggregate::none) {
+    return std::nullopt;
+  }
   std::vector<double> values;
-  for (const ordered_json* row : rows) {
-    const ordered_json& metrics = row->at("metrics");
-    if (!metrics.is_null()) {
-      const ordered_json& value = get(metrics);
-      if (value.is_number()) {
-        values.push_back(value);
-      }
+  for (const RunRow* run : runs) {
+    const std::optional<double> value = run->metric(place);
+    if (value && (aggregate == Aggregate::extreme || did_its_work(run->status))) {
+      values.push_back(*value);
     }
   }
-  return values;
-}
-
-ordered_json median_and_worst(const std::vector<double>& values) {
-  if (values.empty()) {
-    return nullptr;
+  std::optional<MedianAndWorst> result = median_and_worst(values);
+  if (result && aggregate == Aggregate::extreme) {
+    result->median.reset();
   }
-  return {{"median", median(values)}, {"worst", *std::max_element(values.begin(), values.end())}};
+  return result;
 }
 
-/// Over the runs that did their work: one that gave up at once has no error to speak of.
-ordered_json position_error(const Group& rows, const char* window) {
-  Group good;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(good),
-               [](const ordered_json* row) { return did_its_work(*row); });
-  return median_and_worst(collect(
-      good, [window](const ordered_json& metrics) -> const auto& {
-        return metrics.at(window).at("position_error");
-      }));
-}
-
-std::size_t total(const Group& rows, const char* what) {
-  std::size_t sum = 0;
-  for (const double value : collect(
-           rows, [what](const ordered_json& metrics) -> const auto& {
-             return metrics.at("horizon").at("impacts").at(what);
-           })) {
-    sum += static_cast<std::size_t>(value);
+/// What is counted over runs: impacts up to the horizon, and last impacts.
+void count(const RunDetails& details, SummaryRow& row) {
+  const RunDetails::OfWindow& horizon = details.in(Window::horizon);
+  row.exact += horizon.exact;
+  row.found += horizon.found;
+  row.matched += horizon.matched;
+  if (!details.last_impacts.empty()) {
+    row.exact_settled += details.last_impacts.front().exact ? 1U : 0U;
+    row.found_settled += details.last_impacts.front().found ? 1U : 0U;
   }
-  return sum;
 }
 
-ordered_json worst(const std::vector<double>& values) {
-  return values.empty() ? ordered_json(nullptr)
-                        : ordered_json(*std::max_element(values.begin(), values.end()));
-}
-
-/// The last impact faster than the first threshold: in how many cases the exact motion and the run
-/// have one, and how far apart they are.
-ordered_json settling_of(const Group& rows) {
-  std::size_t exact = 0;
-  std::size_t found = 0;
-  std::vector<double> errors;
-  for (const ordered_json* row : rows) {
-    if (row->at("metrics").is_null()) {
-      continue;
-    }
-    const ordered_json& last = row->at("metrics").at("settling").at("last_impacts").at(0);
-    exact += last.at("exact").is_number() ? 1U : 0U;
-    found += last.at("found").is_number() ? 1U : 0U;
-    if (last.at("exact").is_number() && last.at("found").is_number()) {
-      errors.push_back(std::abs(last.at("found").get<double>() - last.at("exact").get<double>()));
+SummaryRow summary_of(const Group<RunRow>& runs) {
+  SummaryRow row;
+  row.key = setup_of(runs.front()->key);
+  row.cases = runs.size();
+  for (const RunRow* run : runs) {
+    row.failed += did_its_work(run->status) ? 0U : 1U;
+    if (run->details) {
+      count(*run->details, row);
     }
   }
-  return {{"exact", exact}, {"found", found}, {"error", median_and_worst(errors)}};
+  for (std::size_t place = 0; place < metric_list().size(); ++place) {
+    row.metrics.push_back(aggregated(runs, place));
+  }
+  return row;
 }
 
-ordered_json summary_of(const Group& rows) {
-  static const ordered_json none = nullptr;
-  const auto bad = std::count_if(rows.begin(), rows.end(),
-                                 [](const ordered_json* row) { return !did_its_work(*row); });
-  const auto restitution = [](const ordered_json& metrics) -> const ordered_json& {
-    const ordered_json& measured = metrics.at("restitution");
-    return measured.is_null() ? none : measured.at("worst_error");
-  };
-  const auto overstretch = [](const ordered_json& metrics) -> const auto& {
-    return metrics.at("overstretch");
-  };
-  const auto gain = [](const ordered_json& metrics) -> const auto& {
-    return metrics.at("energy").at("largest_gain");
-  };
-  return {{"engine", rows.front()->at("engine")},
-          {"model", rows.front()->at("model")},
-          {"step", rows.front()->at("step")},
-          {"cases", rows.size()},
-          {"failed", bad},
-          {"early_position_error", position_error(rows, "early")},
-          {"horizon_position_error", position_error(rows, "horizon")},
-          {"impacts",
-           {{"exact", total(rows, "exact")},
-            {"found", total(rows, "found")},
-            {"matched", total(rows, "matched")}}},
-          {"settling", settling_of(rows)},
-          {"worst_restitution_error", worst(collect(rows, restitution))},
-          {"overstretch", worst(collect(rows, overstretch))},
-          {"energy_gain", worst(collect(rows, gain))}};
-}
+/// Errors over steps.
+struct Curve {
+  std::vector<double> steps;   // [s]
+  std::vector<double> errors;  // [m]
+};
 
-/// Slopes over the steps, one per case; cases at rounding throughout are counted apart.
-ordered_json convergence_of(const Group& rows) {
-  std::map<std::string, std::pair<std::vector<double>, std::vector<double>>> by_case;
-  for (const ordered_json* row : rows) {
-    if (!row->at("metrics").is_null()) {
-      auto& [steps, errors] = by_case[text_of(*row, "case")];
-      const ordered_json& error = row->at("metrics").at("early").at("position_error");
-      if (error.is_number()) {
-        steps.push_back(row->at("step"));
-        errors.push_back(error);
-      }
+/// The early position error of each case, where it could be measured.
+std::map<std::string, Curve> curves(const Group<RunRow>& runs) {
+  const std::size_t early = place_of("early_position_error").value();
+  std::map<std::string, Curve> result;
+  for (const RunRow* run : runs) {
+    if (const std::optional<double> error = run->metric(early)) {
+      Curve& curve = result[run->key.the_case];
+      curve.steps.push_back(run->key.step);
+      curve.errors.push_back(*error);
     }
   }
+  return result;
+}
+
+ConvergenceRow convergence_of(const Group<RunRow>& runs) {
+  ConvergenceRow row;
+  row.engine = runs.front()->key.engine;
+  row.model = runs.front()->key.model;
   std::vector<double> slopes;
-  std::size_t at_rounding = 0;
-  for (const auto& [name, curve] : by_case) {
-    const auto& [steps, errors] = curve;
-    if (errors.empty()) {
+  for (const auto& [name, curve] : curves(runs)) {
+    const auto [least, most] = std::minmax_element(curve.errors.begin(), curve.errors.end());
+    if (*most <= rounding_error) {
+      ++row.cases_at_rounding;
+    } else if (curve.steps.size() >= 2 && *least > rounding_error) {
+      slopes.push_back(slope(curve.steps, curve.errors));
+    }
+  }
+  row.cases = slopes.size();
+  if (!slopes.empty()) {
+    row.slope = {*std::min_element(slopes.begin(), slopes.end()), median(slopes), largest(slopes)};
+  }
+  return row;
+}
+
+CausesRow causes_row(const Group<RunRow>& runs) {
+  CausesRow row;
+  row.key = setup_of(runs.front()->key);
+  std::vector<double> deviations;
+  std::array<std::vector<double>, causes.size()> shares;
+  double remainder = 0.0;
+  for (const RunRow* run : runs) {
+    if (!run->attribution || !run->attribution->parts) {
       continue;
     }
-    if (*std::max_element(errors.begin(), errors.end()) <= rounding_error) {
-      ++at_rounding;
-    } else if (steps.size() >= 2 &&
-               *std::min_element(errors.begin(), errors.end()) > rounding_error) {
-      slopes.push_back(slope(steps, errors));
+    const Attribution& found = *run->attribution;
+    double all = 0.0;
+    for (const double part : *found.parts) {
+      all += std::abs(part);
+    }
+    for (std::size_t cause = 0; cause < causes.size(); ++cause) {
+      shares[cause].push_back(all > 0.0 ? std::abs((*found.parts)[cause]) / all : 0.0);
+    }
+    deviations.push_back(found.deviation);
+    if (found.deviation > 0.0) {
+      remainder = std::max(remainder, std::abs(found.remainder) / found.deviation);
     }
   }
-  ordered_json json = {{"engine", rows.front()->at("engine")},
-                       {"model", rows.front()->at("model")},
-                       {"cases", slopes.size()},
-                       {"cases_at_rounding", at_rounding},
-                       {"slope", nullptr}};
-  if (!slopes.empty()) {
-    json["slope"] = {{"smallest", *std::min_element(slopes.begin(), slopes.end())},
-                     {"median", median(slopes)},
-                     {"largest", *std::max_element(slopes.begin(), slopes.end())}};
+  row.cases = deviations.size();
+  row.deviation = median_and_worst(deviations);
+  if (row.deviation) {
+    row.shares.emplace();
+    std::transform(shares.begin(), shares.end(), row.shares->begin(), median);
+    row.remainder = remainder;
   }
-  return json;
+  return row;
+}
+
+CostRow cost_row(const Group<TimingRow>& timing) {
+  const auto median_of = [&](double TimingRow::*number) {
+    std::vector<double> values;
+    std::transform(timing.begin(), timing.end(), std::back_inserter(values),
+                   [&](const TimingRow* row) { return row->*number; });
+    return median(std::move(values));
+  };
+  return {setup_of(timing.front()->key), median_of(&TimingRow::cost_ratio),
+          median_of(&TimingRow::second_cost)};
+}
+
+/// `row_of` every group.
+template <class Row, class KeyOf, class RowOf>
+auto rows(const std::vector<Row>& all, const KeyOf& key_of, const RowOf& row_of) {
+  std::vector<decltype(row_of(Group<Row>()))> result;
+  for (const Group<Row>& group : grouped(all, key_of)) {
+    result.push_back(row_of(group));
+  }
+  return result;
 }
 
 }  // namespace
 
-ordered_json costs_json(const ordered_json& timing) {
-  ordered_json costs = ordered_json::array();
-  for (const Group& group : grouped(timing, by_setup)) {
-    const auto median_of = [&group](const char* key) {
-      std::vector<double> values;
-      std::transform(group.begin(), group.end(), std::back_inserter(values),
-                     [key](const ordered_json* row) { return row->at(key).get<double>(); });
-      return median(std::move(values));
-    };
-    costs.push_back({{"engine", group.front()->at("engine")},
-                     {"model", group.front()->at("model")},
-                     {"step", group.front()->at("step")},
-                     {"cost_ratio", median_of("cost_ratio")},
-                     {"second_cost", median_of("second_cost")}});
-  }
-  return costs;
+std::vector<SummaryRow> summary(const std::vector<RunRow>& runs) {
+  return rows(runs, setup, summary_of);
 }
 
-ordered_json summary_json(const ordered_json& runs) {
-  ordered_json summary = ordered_json::array();
-  for (const Group& group : grouped(runs, by_setup)) {
-    summary.push_back(summary_of(group));
-  }
-  return summary;
+std::vector<ConvergenceRow> convergence(const std::vector<RunRow>& runs) {
+  const auto model = [](const RunRow& run) { return std::pair(run.key.engine, run.key.model); };
+  return rows(runs, model, convergence_of);
 }
 
-ordered_json convergence_json(const ordered_json& runs) {
-  const auto key = [](const ordered_json& row) {
-    return std::tuple(text_of(row, "engine"), text_of(row, "model"));
-  };
-  ordered_json convergence = ordered_json::array();
-  for (const Group& group : grouped(runs, key)) {
-    convergence.push_back(convergence_of(group));
-  }
-  return convergence;
+std::vector<CausesRow> causes_of(const std::vector<RunRow>& runs) {
+  return rows(runs, setup, causes_row);
+}
+
+std::vector<CostRow> costs(const std::vector<TimingRow>& timing) {
+  return rows(timing, setup, cost_row);
 }
 
 }  // namespace tautline::bench

@@ -1,201 +1,143 @@
-// The answers of a report on a terminal: as many columns as fit, and the verdict in a word.
-
 #include "bench/report/terminal.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-#include <sstream>
-#include <tuple>
 #include <vector>
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/report/tables.hpp"
+#include "bench/report/tables/answers_table.hpp"
+#include "bench/report/tables/columns.hpp"
+#include "bench/report/tables/tables.hpp"
+#include "bench/report/words.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-using Key = std::tuple<std::string, std::string, double>;  // engine, model, step
+constexpr std::size_t line_length = 80;  // [columns], of sentences
 
-Key key_of(const ordered_json& row) {
-  return {row.at("engine"), row.at("model"), row.at("step").get<double>()};
+/// What the headings of the answers mean, a line each.
+std::string legend(const Report& report) {
+  std::string out;
+  for (const Metric& metric : metric_list()) {
+    if (metric.shown == Shown::by_run_and_over_cases && !metric.brief.empty()) {
+      const char* over = metric.aggregate == Aggregate::typical ? "median" : "worst";
+      out += wrapped(fmt::format("{} ({}): {}", metric.brief, over, metric.meaning), line_length);
+    }
+  }
+  out += wrapped(
+      "match, of: Impacts of the run that have an exact match, of the exact ones, up to "
+      "the horizon.",
+      line_length);
+  if (report.limits) {
+    out += wrapped(fmt::format("verdict: By {}, version {}; flagged breaks a limit, known breaks "
+                               "only limits that it is known to break.",
+                               printable(report.limits->file), printable(report.limits->version)),
+                   line_length);
+  }
+  return out;
 }
 
-/// What the verdicts on one engine, model and step come to, the worst first.
-enum class Word { failed, flagged, known, unsupported, informative, pass, none };
-constexpr const char* words[] = {"failed",      "flagged", "known", "unsupported",
-                                 "informative", "pass",    ""};
-
-Word word_of(const ordered_json& run) {
-  if (run.at("status") == "failed" || run.at("status") == "diverged") {
-    return Word::failed;
-  }
-  const ordered_json verdict = run.value("verdict", ordered_json(nullptr));
-  if (!verdict.is_object()) {
-    return Word::none;
-  }
-  if (verdict.at("word") != "deviation-flagged") {
-    return verdict.at("word") == "pass"          ? Word::pass
-           : verdict.at("word") == "unsupported" ? Word::unsupported
-                                                 : Word::informative;
-  }
-  const auto& checks = verdict.at("checks");
-  const bool all_known = std::all_of(checks.begin(), checks.end(), [](const ordered_json& check) {
-    return check.at("holds").get<bool>() || check.at("known").get<bool>();
-  });
-  return all_known ? Word::known : Word::flagged;
+std::string number_and_unit(double value, const Digits& digits, const std::string& unit) {
+  return number_text(value, digits) + (unit.empty() ? "" : " " + unit);
 }
 
-/// The worst word of some runs, and how many have it.
-struct Tally {
-  Word worst = Word::none;
-  std::size_t count = 0;
-  std::size_t runs = 0;
-
-  void add(Word word) {
-    count = word == worst ? count + 1 : word < worst ? 1 : count;
-    worst = std::min(worst, word);
-    ++runs;
+/// Every metric, with its unit.
+Table metrics_of(const RunRow& run) {
+  Table table({word_column("against the exact motion", ""), number_column("", "", "", ""),
+               word_column("", "")});
+  for (std::size_t place = 0; place < metric_list().size(); ++place) {
+    const Metric& metric = metric_list()[place];
+    table.add(
+        {in_words(metric.name), number_cell(run.metric(place), metric.digits), shown_unit(metric)});
   }
-  [[nodiscard]] std::string text() const {
-    const std::string word = words[static_cast<std::size_t>(worst)];
-    return count == runs ? word : fmt::format("{} {}/{}", word, count, runs);
+  return table;
+}
+
+/// The impacts of each window and how far the run was compared.
+Table windows_of(const RunDetails& details) {
+  Table table({word_column("up to", ""), number_column("instant [s]", "", "", ""),
+               number_column("compared to [s]", "", "", ""),
+               number_column("exact impacts", "", "", ""), number_column("found", "", "", ""),
+               number_column("matched", "", "", "")});
+  for (const Window window : windows) {
+    const RunDetails::OfWindow& of = details.in(window);
+    const char* name = window == Window::early     ? "the first impacts"
+                       : window == Window::horizon ? "the horizon"
+                                                   : "the end";
+    table.add({name, number_cell(of.until, as_instant), number_cell(of.covered, as_instant),
+               count_cell(of.exact), count_cell(of.found), count_cell(of.matched)});
   }
-};
-
-std::map<Key, Tally> tallies(const ordered_json& report) {
-  std::map<Key, Tally> result;
-  for (const ordered_json& run : report.at("runs")) {
-    result[key_of(run)].add(word_of(run));
-  }
-  return result;
+  return table;
 }
 
-Colour colour_of(Word word) {
-  switch (word) {
-    case Word::failed:
-    case Word::flagged:
-      return Colour::red;
-    case Word::known:
-      return Colour::yellow;
-    case Word::pass:
-      return Colour::green;
-    case Word::unsupported:
-    case Word::informative:
-    case Word::none:
-      break;
-  }
-  return Colour::grey;
-}
-
-/// Two digits are what an error is good for.
-std::string error_text(const ordered_json& value) {
-  return value.is_number() ? fmt::format("{:.1e}", value.get<double>()) : "–";
-}
-
-std::string median(const ordered_json& pair) {
-  return pair.is_object() ? error_text(pair.at("median")) : "–";
-}
-
-struct Column {
-  const char* heading;
-  int rank;  // the higher, the sooner it is left out
-  std::string (*cell)(const ordered_json& row);
-};
-
-std::string impacts_text(const ordered_json& row) {
-  const ordered_json& impacts = row.at("impacts");
-  return fmt::format("{}/{}", impacts.at("matched").get<int>(), impacts.at("exact").get<int>());
-}
-
-/// The columns in the order in which they stand; the verdict comes behind them.
-const std::vector<Column>& columns() {
-  static const std::vector<Column> all = {
-      {"engine", 0, [](const ordered_json& row) { return report_text(row.at("engine")); }},
-      {"model", 0, [](const ordered_json& row) { return report_text(row.at("model")); }},
-      {"step", 0,
-       [](const ordered_json& row) { return fmt::format("{:g}", row.at("step").get<double>()); }},
-      {"early", 0, [](const ordered_json& row) { return median(row.at("early_position_error")); }},
-      {"horizon", 3,
-       [](const ordered_json& row) { return median(row.at("horizon_position_error")); }},
-      {"impacts", 1, impacts_text},
-      {"e error", 2,
-       [](const ordered_json& row) { return error_text(row.at("worst_restitution_error")); }},
-      {"stretch", 5, [](const ordered_json& row) { return error_text(row.at("overstretch")); }},
-      {"gain", 4, [](const ordered_json& row) { return error_text(row.at("energy_gain")); }},
+/// What the run found of a number, and what is exact.
+std::string found_and_exact(const std::optional<double>& found, const std::optional<double>& exact,
+                            const std::string& unit, int digits) {
+  const auto text = [&](const std::optional<double>& value) {
+    return value ? number_and_unit(*value, fixed(digits), unit) : std::string("none");
   };
-  return all;
+  return fmt::format("{} (exact: {})", text(found), text(exact));
 }
 
-/// The table with the columns up to `rank`, without colour.
-std::string table_text(const ordered_json& report, const std::map<Key, Tally>& verdicts, int rank) {
-  std::vector<std::string> headings;
-  for (const Column& column : columns()) {
-    if (column.rank <= rank) {
-      headings.emplace_back(column.heading);
-    }
-  }
-  headings.emplace_back("verdict");
-  Table table(headings, 2, 1);
-  for (const ordered_json& row : report.at("summary")) {
-    std::vector<std::string> cells;
-    for (const Column& column : columns()) {
-      if (column.rank <= rank) {
-        cells.push_back(column.cell(row));
-      }
-    }
-    cells.push_back(verdicts.at(key_of(row)).text());
-    table.add(std::move(cells));
-  }
-  return table.plain();
+std::string swing_sentence(const SwingMatch& swing) {
+  return fmt::format("Swing from {:.4f} to {:.4f} s: energy {}, amplitude {}.", swing.from,
+                     swing.until, found_and_exact(swing.energy.found, swing.energy.exact, "J", 8),
+                     found_and_exact(swing.amplitude.found, swing.amplitude.exact, "rad", 5));
 }
 
-std::size_t width_of(const std::string& text) {
-  std::istringstream lines(text);
-  std::size_t widest = 0;
-  for (std::string line; std::getline(lines, line);) {
-    widest = std::max(widest, terminal_width(line));
-  }
-  return widest;
+std::string restitution_sentence(const MeasuredRestitution& measured) {
+  return fmt::format("Restitution of {}: {:.4f} in the mean, from {:.4f} to {:.4f}.",
+                     counted(measured.count, "impact"), measured.mean, measured.smallest,
+                     measured.largest);
 }
 
-/// Colours the verdict that ends each line but the first.
-std::string with_colours(const std::string& text, const ordered_json& report,
-                         const std::map<Key, Tally>& verdicts, const TerminalStyle& style) {
-  std::istringstream lines(text);
-  std::string line;
-  std::getline(lines, line);
-  std::string result = line + "\n";
-  for (const ordered_json& row : report.at("summary")) {
-    const Tally& tally = verdicts.at(key_of(row));
-    std::getline(lines, line);
-    const std::string word = tally.text();
-    result += line.substr(0, line.size() - word.size()) +
-              coloured(word, colour_of(tally.worst), style) + "\n";
+/// Settling, the swing, restitution and what was recorded, a sentence each.
+std::string sentences_of(const RunDetails& details) {
+  std::vector<std::string> sentences;
+  for (const LastImpactMatch& last : details.last_impacts) {
+    sentences.push_back(fmt::format("Last impact faster than {:g} m/s: {}.", last.speed,
+                                    found_and_exact(last.found, last.exact, "s", 4)));
   }
-  return result;
+  if (details.swing) {
+    sentences.push_back(swing_sentence(*details.swing));
+  }
+  if (details.restitution) {
+    sentences.push_back(restitution_sentence(*details.restitution));
+  }
+  sentences.push_back(fmt::format("Recorded: {}.", counted(details.recorded_impacts, "impact")));
+  if (details.slow_impacts > 0) {
+    sentences.push_back(
+        fmt::format("Slower, and only counted: {}.", counted(details.slow_impacts, "impact")));
+  }
+  std::string out;
+  for (const std::string& sentence : sentences) {
+    out += wrapped(sentence, line_length);
+  }
+  return out;
 }
 
 }  // namespace
 
-std::string terminal_answers(const ordered_json& report, const TerminalStyle& style) {
-  const auto verdicts = tallies(report);
-  int rank = 5;  // of the first to go
-  std::string text = table_text(report, verdicts, rank);
-  while (rank > 0 && width_of(text) > style.width) {
-    text = table_text(report, verdicts, --rank);
+std::string report_summary(const Report& report, const TerminalStyle& style) {
+  std::string out = answers_table(report).plain(style) + "\n" + legend(report);
+  if (const std::string stopped = stopped_sentence(report); !stopped.empty()) {
+    out += wrapped(stopped, line_length);
   }
-  std::string left_out;
-  for (const Column& column : columns()) {
-    if (column.rank > rank) {
-      left_out += fmt::format("{}{}", left_out.empty() ? "" : ", ", column.heading);
-    }
+  const Table failures = failures_table(report);
+  return failures.empty() ? out : out + "\n" + failures.plain();
+}
+
+std::string run_text(const RunRow& run) {
+  std::string out =
+      fmt::format("{} on {} {}, step {:g} s: {}{}\n", printable(run.key.the_case),
+                  printable(run.key.engine), printable(run.key.model), run.key.step,
+                  to_string(run.status), run.reason.empty() ? "" : ", " + printable(run.reason));
+  if (run.metrics && run.details) {
+    out += "\n" + metrics_of(run).plain() + "\n" + windows_of(*run.details).plain() + "\n" +
+           sentences_of(*run.details);
   }
-  return with_colours(text, report, verdicts, style) +
-         (left_out.empty() ? "" : "not shown at this width: " + left_out + "\n");
+  return out;
 }
 
 }  // namespace tautline::bench

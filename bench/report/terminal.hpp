@@ -1,16 +1,17 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "bench/base/terminal.hpp"
+#include "bench/report/report.hpp"
 
 namespace tautline::bench {
 
-/// The answers over all cases, by engine, model and step, with a word from the verdicts, in aligned
-/// columns. What does not fit the width is left out, the least important column first, and named
-/// below. Drawn from `report` alone.
-[[nodiscard]] std::string terminal_answers(const nlohmann::ordered_json& report,
-                                           const TerminalStyle& style);
+/// The answers for a terminal: the table over all cases with as many columns as fit, what its words
+/// mean, and the failures. Drawn from `report` alone.
+[[nodiscard]] std::string report_summary(const Report& report, const TerminalStyle& style);
+
+/// One run for a terminal: how it ended and every metric with its unit.
+[[nodiscard]] std::string run_text(const RunRow& run);
 
 }  // namespace tautline::bench

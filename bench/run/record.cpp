@@ -5,157 +5,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/run/impact_detector.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
-/// An impulse below this fraction of mass times speed is a solver's rounding, not a pull [-].
-constexpr double least_impulse = 1e-12;
-
 /// A run is stopped as diverged where the body is further out than this many times the size of the
 /// case [-].
 constexpr double far_away = 1e3;
-
-/// Whether an instant that an engine names is one of the run's, but for rounding.
-bool within_run(const Case& the_case, double time) {
-  constexpr double rounding = 1e-9;  // [-]
-  return time >= 0.0 && time <= the_case.duration * (1.0 + rounding);
-}
-
-/// Turns impulses and located events into impacts, step by step.
-class ImpactDetector {
- public:
-  ImpactDetector(const Case& the_case, double slowest)
-      : case_(the_case),
-        slowest_(slowest),
-        bursts_(the_case.cables.size()),
-        threshold_(least_impulse * the_case.body.mass * speed(the_case)) {}
-
-  /// Takes one step from `before` at `start` to `after`. Throws std::runtime_error if what the
-  /// simulation says of it makes no sense.
-  void take(double start, double dt, const State& before, const State& after,
-            const Simulation& simulation) {
-    if (!simulation.events().empty()) {
-      for (const Event& event : simulation.events()) {
-        take_located(event);
-      }
-      return;
-    }
-    const auto impulses = simulation.impulses();
-    if (impulses.size() != bursts_.size()) {
-      throw std::runtime_error("the engine gave " + std::to_string(impulses.size()) +
-                               " impulses for " + std::to_string(bursts_.size()) + " cables");
-    }
-    const Eigen::Vector3d stray = unexplained(before, after, impulses, dt);
-    for (std::size_t index = 0; index < bursts_.size(); ++index) {
-      if (impulses[index] > threshold_) {
-        extend(index, start, before, after, impulses[index]);
-        bursts_[index]->stray += stray;
-      } else {
-        close(index);
-      }
-    }
-  }
-
-  /// Puts the impacts of the whole run into `run`, in rising time.
-  void finish(Trajectory& run) {
-    for (std::size_t index = 0; index < bursts_.size(); ++index) {
-      close(index);
-    }
-    std::stable_sort(impacts_.begin(), impacts_.end(),
-                     [](const auto& a, const auto& b) { return a.time < b.time; });
-    run.impacts = std::move(impacts_);
-    run.slow_impacts = slow_impacts_;
-  }
-
- private:
-  static double speed(const Case& the_case) {
-    double longest = 0.0;
-    for (const Cable& cable : the_case.cables) {
-      longest = std::max(longest, cable.length);
-    }
-    return speed_scale(the_case, the_case.initial) + std::sqrt(the_case.gravity.norm() * longest);
-  }
-
-  void take_located(const Event& event) {
-    if (event.kind != EventKind::impact) {
-      return;
-    }
-    const auto cables = event.cables.indices();
-    if (cables.empty() || cables.back() >= case_.cables.size() ||
-        event.impulses.size() != static_cast<Eigen::Index>(cables.size()) ||
-        !within_run(case_, event.time)) {
-      throw std::runtime_error("the engine gave an event that is not of this case");
-    }
-    std::vector<double> impulses(case_.cables.size(), 0.0);
-    Eigen::Index row = 0;
-    for (const std::size_t index : cables) {
-      impulses[index] = event.impulses[row++];
-    }
-    const Eigen::Vector3d stray = unexplained(event.before, event.after, impulses, 0.0);
-    for (const std::size_t index : cables) {
-      const Cable& cable = case_.cables[index];
-      keep({event.time, index, impulses[index], gap_rate(cable, event.before),
-            gap_rate(cable, event.after), 0, event.before, event.after, stray});
-    }
-  }
-
-  /// The change of momentum from `before` to `after`, less what gravity gives in `dt` [s] and less
-  /// `impulses` [N s] along the cables as they are at `before`.
-  [[nodiscard]] Eigen::Vector3d unexplained(const State& before, const State& after,
-                                            std::span<const double> impulses, double dt) const {
-    Eigen::Vector3d result;
-    result << case_.body.mass * (after.velocity - before.velocity - dt * case_.gravity),
-        case_.body.inertia * (after.spin - before.spin);
-    for (std::size_t index = 0; index < impulses.size(); ++index) {
-      if (impulses[index] > 0.0) {
-        result -= impulses[index] * gap_gradient(case_.cables[index], before);
-      }
-    }
-    return result;
-  }
-
-  /// The rates are of the engine's own velocities before and after the step, at the pose the step
-  /// started from: an engine bounces the velocity it stores, so this is its restitution as it means
-  /// it.
-  void extend(std::size_t index, double start, const State& before, const State& after,
-              double impulse) {
-    const Cable& cable = case_.cables[index];
-    std::optional<RecordedImpact>& burst = bursts_[index];
-    if (!burst) {
-      burst = RecordedImpact{start, index, 0.0, gap_rate(cable, before), 0.0, 0, before, before};
-    }
-    burst->after = before;
-    burst->after.velocity = after.velocity;
-    burst->after.spin = after.spin;
-    burst->rate_after = gap_rate(cable, burst->after);
-    burst->impulse += impulse;
-    ++burst->steps;
-  }
-
-  void close(std::size_t index) {
-    if (bursts_[index]) {
-      keep(*bursts_[index]);
-      bursts_[index].reset();
-    }
-  }
-
-  void keep(const RecordedImpact& impact) {
-    if (-impact.rate_before >= slowest_) {
-      impacts_.push_back(impact);
-    } else {
-      ++slow_impacts_;
-    }
-  }
-
-  const Case& case_;
-  double slowest_;                                     // [m/s]
-  std::vector<std::optional<RecordedImpact>> bursts_;  // one per cable: the impact now going on
-  double threshold_;                                   // [N s]
-  std::vector<RecordedImpact> impacts_;
-  std::size_t slow_impacts_ = 0;
-};
 
 /// The body is finite and within `far_away` sizes of the case of where it can be.
 bool reasonable(const Case& the_case, const State& state) {
@@ -177,6 +35,12 @@ double worst_overstretch(const Case& the_case, const State& state) {
 }
 
 }  // namespace
+
+bool reaches(const Trajectory& run, double time) {
+  constexpr double near_enough = 0.98;  // [-]
+  const double end = run.stop ? run.stop->time : run.points.back().time;
+  return end >= near_enough * time;
+}
 
 std::size_t step_count(double duration, double step) {
   constexpr double same = 1e-9;  // [-]: 20 / 1e-3 is 20000 steps, not 20001 for a last bit

@@ -1,49 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
 
+#include "bench/run/trajectory.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 
 namespace tautline::bench {
-
-/// One recorded instant of a run.
-struct Point {
-  double time;  // [s]
-  State state;
-};
-
-/// One impact of a run, as the detector saw it.
-struct RecordedImpact {
-  double time;         // [s], when the velocity jumps: exact if located, else the start of the step
-  std::size_t cable;   //
-  double impulse;      // [N s], > 0
-  double rate_before;  // [m/s], gap rate just before; negative when closing
-  double rate_after;   // [m/s], just after, at the same pose
-  std::size_t steps;   // consecutive steps with an impulse; 0 if the simulation located the impact
-  State before;        // where the jump starts
-  State after;         // the same pose, and the velocity that the jump gave
-  /// Change of momentum (x, y, angle) over the impact that neither gravity nor the impulses along
-  /// the cables explain [N s, N s, N m s].
-  Eigen::Vector3d stray = Eigen::Vector3d::Zero();
-};
-
-/// What one run did.
-struct Trajectory {
-  double step = 0.0;                     // [s]
-  std::size_t stride = 1;                // every stride-th step is in `points`
-  std::vector<Point> points;             // the first is the start, the last the end of the run
-  std::vector<RecordedImpact> impacts;   // in rising time, those at least as fast as `slowest`
-  std::size_t slow_impacts = 0;          // the others: chatter of a cable that is as good as taut
-  double overstretch = 0.0;              // [m], the largest, over every step
-  double largest_energy = 0.0;           // [J], over every step
-  std::optional<Simulation::Stop> stop;  // set when the simulation could not go on
-  bool diverged = false;                 // the state left every reasonable range, or is not finite
-};
 
 struct RecordOptions {
   /// More steps than this are thinned to every second, every third, ...; impacts, overstretch and
@@ -62,6 +25,10 @@ struct RecordOptions {
 /// of a cable that is not there, a time outside the run.
 [[nodiscard]] Trajectory record(const Case& the_case, Simulation& simulation, double step,
                                 const RecordOptions& options = {});
+
+/// True where `run` goes on to `time` [s]. It may stop where impacts accumulate, and rounding moves
+/// that instant: a little before is near enough.
+[[nodiscard]] bool reaches(const Trajectory& run, double time);
 
 /// Steps needed for `duration` [s]; the last may be shorter.
 [[nodiscard]] std::size_t step_count(double duration, double step);

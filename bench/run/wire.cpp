@@ -1,34 +1,158 @@
+// A message is a JSON head, then numbers as they are in memory: those of a trajectory are too many
+// for JSON, and some of them may be no numbers.
+
 #include "bench/run/wire.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace tautline {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, name, value, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EngineInfo, name, version, precision, models)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunSettings, step, law)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Simulation::Stop, time, reason)
+
+}  // namespace tautline
 
 namespace tautline::bench {
+
+using nlohmann::json;
+
 namespace {
 
-constexpr std::size_t numbers_per_point = 7;  // time, position, angle, velocity, spin
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-using nlohmann::ordered_json;
-
-ordered_json state_row(const State& state) {
-  return {state.position.x(), state.position.y(), state.angle,
-          state.velocity.x(), state.velocity.y(), state.spin};
-}
-
-/// JSON writes NaN as null; a rate of a run that diverged may be one.
-double number_from(const ordered_json& json) {
-  return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
-State state_from(const ordered_json& row) {
-  return {Vec2(number_from(row.at(0)), number_from(row.at(1))), number_from(row.at(2)),
-          Vec2(number_from(row.at(3)), number_from(row.at(4))), number_from(row.at(5))};
+/// JSON writes what is not finite as null.
+double number_from(const json& value) {
+  return value.is_number() ? value.get<double>() : no_number;
 }
 
 }  // namespace
 
-std::string to_bytes(const Message& message) {
+// What follows is found by its argument's type: it must not be in the unnamed namespace.
+
+static void to_json(json& row, const SettledClaim& one) {
+  row = json::array({one.claim, one.found, one.limit, one.holds, one.sentence});
+}
+
+static void from_json(const json& row, SettledClaim& one) {
+  one = {row.at(0), number_from(row.at(1)), number_from(row.at(2)), row.at(3), row.at(4)};
+}
+
+/// Without its numbers.
+static void to_json(json& stop, const RunAnswer& run) {
+  stop = run.trajectory.stop ? json(*run.trajectory.stop) : json(nullptr);
+}
+
+static void from_json(const json& stop, RunAnswer& run) {
+  if (!stop.is_null()) {
+    run.trajectory.stop = stop.get<Simulation::Stop>();
+  }
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerRequest, task, plugin, memory, model, case_text, settings)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Failure, sentence)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckAnswer, claims, unfinished, digest)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DigestAnswer, digest)
+
+namespace {
+
+/// Takes numbers into a message; what is not finite is no number there.
+struct NumberWriter {
+  std::vector<double>& numbers;
+
+  void operator()(const auto& value) {
+    const auto number = static_cast<double>(value);
+    numbers.push_back(std::isfinite(number) ? number : no_number);
+  }
+  template <class Item>
+  void fit(const std::vector<Item>& items) {
+    (*this)(items.size());
+  }
+};
+
+/// Gives them back in the same order.
+struct NumberReader {
+  std::span<const double> numbers;
+
+  template <class Value>
+  void operator()(Value& value) {
+    if (numbers.empty()) {
+      throw std::out_of_range("a message ends early");
+    }
+    value = static_cast<Value>(numbers.front());
+    numbers = numbers.subspan(1);
+  }
+  template <class Item>
+  void fit(std::vector<Item>& items) {
+    std::size_t count = 0;
+    (*this)(count);
+    items.resize(std::min(count, numbers.size()));
+  }
+};
+
+// Each of these lists the numbers of a type once, for the writer and for the reader.
+
+void pass_state(auto& numbers, auto& state) {
+  numbers(state.position.x());
+  numbers(state.position.y());
+  numbers(state.angle);
+  numbers(state.velocity.x());
+  numbers(state.velocity.y());
+  numbers(state.spin);
+}
+
+void pass_impact(auto& numbers, auto& impact) {
+  numbers(impact.time);
+  numbers(impact.cable);
+  numbers(impact.impulse);
+  numbers(impact.rate_before);
+  numbers(impact.rate_after);
+  numbers(impact.steps);
+  pass_state(numbers, impact.before);
+  pass_state(numbers, impact.after);
+  for (int k = 0; k < 3; ++k) {
+    numbers(impact.stray[k]);
+  }
+}
+
+void pass_run(auto& numbers, auto& run) {
+  numbers(run.cost.step);
+  numbers(run.cost.memory);
+  numbers(run.cost.reference);
+  auto& trajectory = run.trajectory;
+  numbers(trajectory.step);
+  numbers(trajectory.stride);
+  numbers(trajectory.slow_impacts);
+  numbers(trajectory.overstretch);
+  numbers(trajectory.largest_energy);
+  numbers(trajectory.diverged);
+  numbers.fit(trajectory.points);
+  for (auto& point : trajectory.points) {
+    numbers(point.time);
+    pass_state(numbers, point.state);
+  }
+  numbers.fit(trajectory.impacts);
+  for (auto& impact : trajectory.impacts) {
+    pass_impact(numbers, impact);
+  }
+}
+
+struct Message {
+  json head;
+  std::vector<double> numbers;
+};
+
+std::string bytes_of(const Message& message) {
   const std::string head = message.head.dump();
   const std::uint64_t sizes[2] = {head.size(), message.numbers.size()};
   std::string bytes(sizeof sizes, '\0');
@@ -43,7 +167,8 @@ std::string to_bytes(const Message& message) {
   return bytes;
 }
 
-std::optional<Message> from_bytes(std::string_view bytes) {
+/// None if `bytes` is not a whole message.
+std::optional<Message> message_from(std::string_view bytes) {
   std::uint64_t sizes[2] = {};
   if (bytes.size() < sizeof sizes) {
     return std::nullopt;
@@ -54,7 +179,7 @@ std::optional<Message> from_bytes(std::string_view bytes) {
     return std::nullopt;
   }
   Message message;
-  message.head = ordered_json::parse(bytes.substr(0, sizes[0]), nullptr, false);
+  message.head = json::parse(bytes.substr(0, sizes[0]), nullptr, false);
   if (message.head.is_discarded()) {
     return std::nullopt;
   }
@@ -65,94 +190,56 @@ std::optional<Message> from_bytes(std::string_view bytes) {
   return message;
 }
 
-Message trajectory_message(const Trajectory& trajectory) {
+/// The answer of kind `kind`, which is its place in WorkerAnswer.
+template <std::size_t index = 0>
+WorkerAnswer answer_of(std::size_t kind, const json& content) {
+  if constexpr (index < std::variant_size_v<WorkerAnswer>) {
+    return kind == index ? content.get<std::variant_alternative_t<index, WorkerAnswer>>()
+                         : answer_of<index + 1>(kind, content);
+  }
+  throw std::out_of_range("an answer of no known kind");
+}
+
+}  // namespace
+
+std::string to_bytes(const WorkerRequest& request) { return bytes_of({request, {}}); }
+
+WorkerRequest request_from(std::string_view bytes) {
+  const std::optional<Message> message = message_from(bytes);
+  if (!message) {
+    throw std::runtime_error("no whole request came");
+  }
+  WorkerRequest request;
+  message->head.get_to(request);
+  return request;
+}
+
+std::string to_bytes(const WorkerAnswer& answer) {
   Message message;
-  ordered_json impacts = ordered_json::array();
-  for (const RecordedImpact& impact : trajectory.impacts) {
-    impacts.push_back({impact.time,
-                       impact.cable,
-                       impact.impulse,
-                       impact.rate_before,
-                       impact.rate_after,
-                       impact.steps,
-                       state_row(impact.before),
-                       state_row(impact.after),
-                       {impact.stray[0], impact.stray[1], impact.stray[2]}});
+  message.head =
+      json::array({answer.index(), std::visit([](const auto& one) { return json(one); }, answer)});
+  if (const auto* const run = std::get_if<RunAnswer>(&answer)) {
+    NumberWriter writer{message.numbers};
+    pass_run(writer, *run);
   }
-  message.head = {{"step", trajectory.step},
-                  {"stride", trajectory.stride},
-                  {"impacts", std::move(impacts)},
-                  {"slow_impacts", trajectory.slow_impacts},
-                  {"overstretch", trajectory.overstretch},
-                  {"largest_energy", trajectory.largest_energy},
-                  {"diverged", trajectory.diverged}};
-  if (trajectory.stop) {
-    message.head["stop"] = {{"time", trajectory.stop->time}, {"reason", trajectory.stop->reason}};
-  }
-  message.numbers.reserve(trajectory.points.size() * numbers_per_point);
-  for (const auto& [time, state] : trajectory.points) {
-    for (const double value : {time, state.position.x(), state.position.y(), state.angle,
-                               state.velocity.x(), state.velocity.y(), state.spin}) {
-      message.numbers.push_back(value);
-    }
-  }
-  return message;
+  return bytes_of(message);
 }
 
-Trajectory trajectory_from(const Message& message) {
-  const ordered_json& head = message.head;
-  Trajectory result;
-  result.step = head.at("step");
-  result.stride = head.at("stride");
-  for (const ordered_json& row : head.at("impacts")) {
-    result.impacts.push_back(
-        {number_from(row.at(0)), row.at(1), number_from(row.at(2)), number_from(row.at(3)),
-         number_from(row.at(4)), row.at(5), state_from(row.at(6)), state_from(row.at(7)),
-         Eigen::Vector3d(number_from(row.at(8).at(0)), number_from(row.at(8).at(1)),
-                         number_from(row.at(8).at(2)))});
+std::optional<WorkerAnswer> answer_from(std::string_view bytes) {
+  const std::optional<Message> message = message_from(bytes);
+  if (!message) {
+    return std::nullopt;
   }
-  result.slow_impacts = head.at("slow_impacts");
-  result.overstretch = number_from(head.at("overstretch"));
-  result.largest_energy = number_from(head.at("largest_energy"));
-  result.diverged = head.at("diverged");
-  if (head.contains("stop")) {
-    result.stop = {head.at("stop").at("time"), head.at("stop").at("reason")};
-  }
-  const std::vector<double>& n = message.numbers;
-  for (std::size_t i = 0; i + numbers_per_point <= n.size(); i += numbers_per_point) {
-    result.points.push_back(
-        {n[i], {Vec2(n[i + 1], n[i + 2]), n[i + 3], Vec2(n[i + 4], n[i + 5]), n[i + 6]}});
-  }
-  return result;
-}
-
-ordered_json engine_json(const EngineInfo& info) {
-  ordered_json models = ordered_json::array();
-  for (const Model& model : info.models) {
-    ordered_json settings = ordered_json::array();
-    for (const Setting& setting : model.settings) {
-      settings.push_back(
-          {{"name", setting.name}, {"value", setting.value}, {"reason", setting.reason}});
+  try {
+    WorkerAnswer answer = answer_of(message->head.at(0), message->head.at(1));
+    if (auto* const run = std::get_if<RunAnswer>(&answer)) {
+      NumberReader reader{message->numbers};
+      pass_run(reader, *run);
     }
-    models.push_back(
-        {{"name", model.name}, {"sentence", model.sentence}, {"settings", std::move(settings)}});
+    return answer;
+  } catch (const std::exception&) {  // an engine has written into it
+    return Failure{"gave a result that makes no sense"};
   }
-  return {{"name", info.name},
-          {"version", info.version},
-          {"precision", info.precision},
-          {"models", std::move(models)}};
-}
-
-EngineInfo engine_from(const ordered_json& json) {
-  EngineInfo info{json.at("name"), json.at("version"), json.at("precision"), {}};
-  for (const ordered_json& row : json.at("models")) {
-    Model model{row.at("name"), row.at("sentence"), {}};
-    for (const ordered_json& setting : row.at("settings")) {
-      model.settings.push_back({setting.at("name"), setting.at("value"), setting.at("reason")});
-    }
-    info.models.push_back(std::move(model));
-  }
-  return info;
 }
 
 }  // namespace tautline::bench

@@ -1,31 +1,66 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
-#include "bench/run/record.hpp"
+#include "bench/check/settle.hpp"
+#include "bench/run/cost.hpp"
+#include "bench/run/trajectory.hpp"
 #include "tautline/engine.hpp"
 
 namespace tautline::bench {
 
-// How a worker process and the program talk: a JSON object, then raw numbers.
+// How the program and a worker process talk: one request, one answer, each a message of bytes. Both
+// are the same executable.
 
-/// A message: an object and an array of numbers too long for JSON.
-struct Message {
-  nlohmann::ordered_json head;
-  std::vector<double> numbers;
+/// What a worker is asked to do with a plug-in.
+enum class Task { describe, run, check, digest };
+
+struct WorkerRequest {
+  Task task = Task::describe;
+  std::string plugin;          // its file
+  std::size_t memory = 0;      // [bytes] of address space that the worker may take
+  std::string model;           // to run, to check, or to take the digest of
+  std::string case_text;       // to run: a case file
+  RunSettings settings = 0.0;  // to run
 };
 
-[[nodiscard]] std::string to_bytes(const Message& message);
+/// Why there is no answer, in one sentence.
+struct Failure {
+  std::string sentence;
+};
 
-/// None if `bytes` is not a whole message: the writer died.
-[[nodiscard]] std::optional<Message> from_bytes(std::string_view bytes);
+/// A run that came to its end.
+struct RunAnswer {
+  Trajectory trajectory;
+  Cost cost;
+};
 
-[[nodiscard]] Message trajectory_message(const Trajectory& trajectory);
-[[nodiscard]] Trajectory trajectory_from(const Message& message);
+/// The claims about a model that are settled.
+struct CheckAnswer {
+  std::vector<SettledClaim> claims;
+  std::string unfinished;  // the claim that is being measured; none in the last answer
+  std::string digest;      // of the run that `determinism` repeats; none if the engine threw
+};
 
-[[nodiscard]] nlohmann::ordered_json engine_json(const EngineInfo& info);
-[[nodiscard]] EngineInfo engine_from(const nlohmann::ordered_json& json);
+struct DigestAnswer {
+  std::string digest;
+};
+
+/// One for each task, and a failure of any.
+using WorkerAnswer = std::variant<Failure, EngineInfo, RunAnswer, CheckAnswer, DigestAnswer>;
+
+[[nodiscard]] std::string to_bytes(const WorkerRequest& request);
+[[nodiscard]] std::string to_bytes(const WorkerAnswer& answer);
+
+/// Throws std::runtime_error if `bytes` is no request.
+[[nodiscard]] WorkerRequest request_from(std::string_view bytes);
+
+/// None if `bytes` is not a whole message: the writer died. A failure if it makes no sense.
+[[nodiscard]] std::optional<WorkerAnswer> answer_from(std::string_view bytes);
 
 }  // namespace tautline::bench

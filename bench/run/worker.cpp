@@ -1,160 +1,31 @@
 #include "bench/run/worker.hpp"
 
-#include <fcntl.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
+
 #include <algorithm>
-#include <csignal>
-#include <ctime>
-#include <exception>
 #include <limits>
-#include <new>
 #include <system_error>
+#include <utility>
+#include <variant>
 
 #include "bench/base/process.hpp"
 #include "bench/cases/case_file.hpp"
-#include "bench/run/plugin.hpp"
+#include "bench/cases/case_writer.hpp"
+#include "bench/check/claims.hpp"
 #include "bench/run/wire.hpp"
-#include "tautline/flight.hpp"
-#include "tautline/geometry.hpp"
+#include "bench/run/worker_process.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
-constexpr int request_descriptor = 0;
-constexpr int reply_descriptor = 3;
-
-/// The key of a reply that is not the last: an engine may end this process with exit code 0.
-constexpr const char* unfinished_claim = "unfinished claim";
-
-/// The key of the digest of the run that `determinism` repeats.
-constexpr const char* digest_key = "digest";
-
-/// The most steps that are timed: enough to average over impacts, cheap next to the run itself.
-constexpr std::size_t timed_steps = 20'000;
-
-/// Processor time of this thread [s].
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// A second run that is only started and stepped, and beside it as many closed-form flights with
-/// their gaps.
-Cost measure_cost(const Case& the_case, const Engine& engine, const std::string& model,
-                  const RunSettings& settings) {
-  const double step = settings.step;
-  const double start = processor_time();
-  const auto simulation = engine.start(the_case, model, settings);
-  const auto whole_steps = static_cast<std::size_t>(the_case.duration / step);
-  const std::size_t steps = std::max<std::size_t>(1, std::min(whole_steps, timed_steps));
-  const double dt = std::min(step, the_case.duration);
-  std::size_t done = 0;
-  for (; done < steps && !simulation->stopped(); ++done) {
-    simulation->step(dt);
-  }
-  const double middle = processor_time();
-  double sum = 0.0;
-  for (std::size_t index = 0; index < done; ++index) {
-    const State state = fly(the_case.initial, the_case.gravity, static_cast<double>(index) * dt);
-    for (const Cable& cable : the_case.cables) {
-      sum += gap(cable, state);
-    }
-  }
-  const double end = processor_time();
-  [[maybe_unused]] const volatile double keep = sum;  // the loop must not be optimised away
-  const auto count = static_cast<double>(std::max<std::size_t>(1, done));
-  return {(middle - start) / count, peak_memory(), (end - middle) / count};
-}
-
-/// Writes a message in place of the one before, which was never longer. False where it cannot.
-bool write_reply(const Message& reply) {
-  ::lseek(reply_descriptor, 0, SEEK_SET);
-  const std::string text = to_bytes(reply);
-  for (std::string_view bytes = text; !bytes.empty();) {
-    const ssize_t size = ::write(reply_descriptor, bytes.data(), bytes.size());
-    if (size <= 0) {
-      return false;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(size));
-  }
-  return true;
-}
-
-ImpactLaw impact_law(const std::string& name) {
-  const auto law = std::find_if(impact_laws.begin(), impact_laws.end(),
-                                [&](ImpactLaw known) { return to_string(known) == name; });
-  if (law == impact_laws.end()) {
-    throw std::invalid_argument("impact law " + name + " is unknown");
-  }
-  return *law;
-}
-
-Message do_run(const ordered_json& request, const Plugin& plugin) {
-  const auto reading = read_case_text(request.at("case").get<std::string>(), "request");
-  const Case& the_case = reading.the_case.value();
-  const std::string model = request.at("model");
-  const RunSettings settings{request.at("step"), impact_law(request.at("law"))};
-  const auto simulation = plugin.engine().start(the_case, model, settings);
-  Message reply = trajectory_message(record(the_case, *simulation, settings.step));
-  const Cost cost = measure_cost(the_case, plugin.engine(), model, settings);
-  reply.head["cost"] = {cost.step, cost.memory, cost.reference};
-  return reply;
-}
-
-/// Says before each claim which one it is: the program reads that should this process die of it.
-Message do_check(const std::string& model, const Plugin& plugin) {
-  const auto progress = [](std::string_view claim, const std::vector<Finding>& findings) {
-    static_cast<void>(
-        write_reply({{{unfinished_claim, claim}, {"findings", findings_json(findings)}}, {}}));
-  };
-  Message reply{{{"findings", findings_json(check_model(plugin.engine(), model, progress))}}, {}};
-  try {
-    reply.head[digest_key] = run_digest(plugin.engine(), model);
-  } catch (const std::exception&) {  // a finding by now
-    return reply;
-  }
-  return reply;
-}
-
-Message obey(const ordered_json& request) {
-  const Plugin plugin = Plugin::open(request.at("plugin").get<std::string>());
-  if (request.contains("case")) {
-    return do_run(request, plugin);
-  }
-  if (request.contains("check")) {
-    return do_check(request.at("check"), plugin);
-  }
-  if (request.contains(digest_key)) {
-    return {{{digest_key, run_digest(plugin.engine(), request.at(digest_key))}}, {}};
-  }
-  return {engine_json(plugin.engine().info()), {}};
-}
-
-void limit_this_process(std::size_t memory) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a killed program leaves no workers behind
-  const rlimit no_core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &no_core);
-#ifndef TAUTLINE_SANITIZED  // whose shadow memory is terabytes of address space
-  const rlimit space{memory, memory};
-  ::setrlimit(RLIMIT_AS, &space);
-#else
-  (void)memory;
-#endif
-}
-
-/// Sends a request to a worker process; the reply, or what went wrong.
+/// What came back from a worker process.
 struct Exchange {
-  std::optional<Message> message;
-  std::optional<Message> unfinished;  // the last word of a worker that did not come to its end
-  std::string failure;
+  std::optional<WorkerAnswer> answer;     // none if the worker did not come to its end
+  std::optional<WorkerAnswer> last_word;  // of a worker that did not, if there is one
   ProcessEnd end;
+  std::string failure;  // why the answer is none, or a failure; else empty
+
+  [[nodiscard]] bool interrupted() const { return end.kind == ProcessEnd::Kind::interrupted; }
 };
 
 std::string failure_of(const ProcessEnd& end, const WorkerLimits& limits) {
@@ -171,22 +42,71 @@ std::string failure_of(const ProcessEnd& end, const WorkerLimits& limits) {
   return fmt::format("ended by itself with exit code {} and no result", end.code);
 }
 
-Exchange exchange(const ordered_json& request, const WorkerLimits& limits) {
+/// An engine may end its process with exit code 0 in the middle of a check.
+bool is_last(const WorkerAnswer& answer) {
+  const auto* const check = std::get_if<CheckAnswer>(&answer);
+  return check == nullptr || check->unfinished.empty();
+}
+
+WorkerRequest request_for(Task task, const std::filesystem::path& plugin,
+                          const std::string& model) {
+  WorkerRequest request;
+  request.task = task;
+  request.plugin = plugin.string();
+  request.model = model;
+  return request;
+}
+
+/// Sends `request` to a worker process and waits for its answer.
+Exchange exchange(WorkerRequest request, const WorkerLimits& limits) {
+  request.memory = limits.memory;
   Exchange result;
-  const Descriptor input = memory_file(request.dump());
+  const Descriptor input = memory_file(to_bytes(request));
   const Descriptor output = memory_file("");
   result.end = run_process({"/proc/self/exe", worker_command}, input, output, limits.time);
   const bool whole = result.end.kind == ProcessEnd::Kind::exited && result.end.code == 0;
-  std::optional<Message> message = from_bytes(content_of(output));
-  const bool last = whole && message && !message->head.contains(unfinished_claim);
-  (last ? result.message : result.unfinished) = std::move(message);
-  if (!result.message) {
+  std::optional<WorkerAnswer> answer = answer_from(content_of(output));
+  if (!whole || !answer || !is_last(*answer)) {
+    result.last_word = std::move(answer);
     result.failure = failure_of(result.end, limits);
-  } else if (result.message->head.contains("failure")) {
-    result.failure = result.message->head.at("failure");
-    result.message.reset();
+    return result;
   }
+  if (const auto* const failure = std::get_if<Failure>(&*answer)) {
+    result.failure = failure->sentence;
+  }
+  result.answer = std::move(answer);
   return result;
+}
+
+/// The answer to a request of its kind; null if it is none.
+template <class Answer>
+const Answer* answer_as(const std::optional<WorkerAnswer>& answer) {
+  return answer ? std::get_if<Answer>(&*answer) : nullptr;
+}
+
+/// Repeats the run of `determinism` in another process, for what is seeded once in each: the claim
+/// that holds within the first process is settled anew if the digests differ. False if the program
+/// was told to stop.
+bool settle_determinism(const WorkerRequest& check, const WorkerLimits& limits,
+                        const std::string& digest, std::vector<SettledClaim>& claims) {
+  const auto claim = std::find_if(claims.begin(), claims.end(), [](const SettledClaim& one) {
+    return one.claim == "determinism" && one.holds;
+  });
+  if (claim == claims.end()) {
+    return true;
+  }
+  WorkerRequest request = check;
+  request.task = Task::digest;
+  const Exchange other = exchange(std::move(request), limits);
+  const auto* const answer = answer_as<DigestAnswer>(other.answer);
+  if (answer == nullptr) {
+    *claim = unmeasured("determinism", "the run in another process: " + other.failure);
+  } else if (answer->digest != digest) {
+    claim->holds = false;
+    claim->found = std::numeric_limits<double>::infinity();
+    claim->sentence = "not deterministic: in another process the same case runs otherwise";
+  }
+  return !other.interrupted();
 }
 
 }  // namespace
@@ -194,107 +114,55 @@ Exchange exchange(const ordered_json& request, const WorkerLimits& limits) {
 RunReply run_in_worker(const RunRequest& request) {
   RunReply reply;
   try {
-    const Exchange answer = exchange({{"plugin", request.plugin.string()},
-                                      {"case", write_case(request.the_case)},
-                                      {"model", request.model},
-                                      {"step", request.settings.step},
-                                      {"law", to_string(request.settings.law)},
-                                      {"memory", request.limits.memory}},
-                                     request.limits);
-    reply.failure = answer.failure;
-    reply.output_tail = answer.end.output_tail;
-    reply.printed = answer.end.printed;
-    reply.interrupted = answer.end.kind == ProcessEnd::Kind::interrupted;
-    if (answer.message) {
-      const ordered_json& cost = answer.message->head.at("cost");
-      reply.cost = {cost.at(0), cost.at(1), cost.at(2)};
-      reply.trajectory = trajectory_from(*answer.message);
+    WorkerRequest asked = request_for(Task::run, request.plugin, request.model);
+    asked.case_text = write_case(request.the_case);
+    asked.settings = request.settings;
+    Exchange other = exchange(std::move(asked), request.limits);
+    reply.failure = other.failure;
+    reply.output_tail = other.end.output_tail;
+    reply.printed = other.end.printed;
+    reply.interrupted = other.interrupted();
+    if (other.answer && std::holds_alternative<RunAnswer>(*other.answer)) {
+      auto& run = std::get<RunAnswer>(*other.answer);
+      reply.cost = run.cost;
+      reply.trajectory = std::move(run.trajectory);
     }
   } catch (const std::system_error& error) {
     reply.failure = std::string("cannot run a worker: ") + error.what();
-  } catch (const ordered_json::exception&) {
-    reply.failure = "gave a result that makes no sense";
   }
   return reply;
 }
 
 DescribeReply describe_in_worker(const std::filesystem::path& plugin, const WorkerLimits& limits) {
-  const Exchange answer =
-      exchange({{"plugin", plugin.string()}, {"memory", limits.memory}}, limits);
+  const Exchange other = exchange(request_for(Task::describe, plugin, ""), limits);
   DescribeReply reply;
-  reply.failure = answer.failure;
-  if (answer.message) {
-    reply.info = engine_from(answer.message->head);
+  reply.failure = other.failure;
+  if (const auto* const info = answer_as<EngineInfo>(other.answer)) {
+    reply.info = *info;
   }
   return reply;
 }
-
-namespace {
-
-/// Repeats the run of `determinism` in another process, for what is seeded once in each: the claim
-/// that holds within the first process is settled anew if the digests differ. False if the program
-/// was told to stop.
-bool settle_determinism(const std::filesystem::path& plugin, const std::string& model,
-                        const WorkerLimits& limits, const std::string& digest,
-                        std::vector<Finding>& findings) {
-  const auto finding = std::find_if(findings.begin(), findings.end(), [](const Finding& one) {
-    return one.claim == "determinism" && one.holds;
-  });
-  if (finding == findings.end()) {
-    return true;
-  }
-  const Exchange answer = exchange(
-      {{"plugin", plugin.string()}, {digest_key, model}, {"memory", limits.memory}}, limits);
-  if (!answer.message) {
-    *finding = unmeasured("determinism", "the run in another process: " + answer.failure);
-  } else if (answer.message->head.at(digest_key) != digest) {
-    finding->holds = false;
-    finding->found = std::numeric_limits<double>::infinity();
-    finding->sentence = "not deterministic: in another process the same case runs otherwise";
-  }
-  return answer.end.kind != ProcessEnd::Kind::interrupted;
-}
-
-}  // namespace
 
 CheckReply check_in_worker(const std::filesystem::path& plugin, const std::string& model,
                            const WorkerLimits& limits) {
-  const Exchange answer =
-      exchange({{"plugin", plugin.string()}, {"check", model}, {"memory", limits.memory}}, limits);
+  const WorkerRequest request = request_for(Task::check, plugin, model);
+  const Exchange other = exchange(request, limits);
   CheckReply reply;
-  reply.interrupted = answer.end.kind == ProcessEnd::Kind::interrupted;
-  if (answer.message) {
-    reply.findings = findings_from(answer.message->head.at("findings"));
-    const std::string digest = answer.message->head.value(digest_key, "");
-    reply.interrupted = !settle_determinism(plugin, model, limits, digest, reply.findings);
+  reply.interrupted = other.interrupted();
+  if (const auto* const answer = answer_as<CheckAnswer>(other.answer)) {
+    reply.claims = answer->claims;
+    reply.interrupted = !settle_determinism(request, limits, answer->digest, reply.claims);
   } else {
     std::string claim(claims().front().name);
-    if (answer.unfinished && answer.unfinished->head.contains(unfinished_claim)) {
-      claim = answer.unfinished->head.at(unfinished_claim);
-      reply.findings = findings_from(answer.unfinished->head.at("findings"));
+    const auto* const last_word = answer_as<CheckAnswer>(other.last_word);
+    if (last_word != nullptr && !last_word->unfinished.empty()) {
+      claim = last_word->unfinished;
+      reply.claims = last_word->claims;
     }
-    reply.findings.push_back(unmeasured(claim, answer.failure));
+    reply.claims.push_back(unmeasured(claim, other.failure));
   }
-  reply.findings.push_back(quiet(answer.end.printed, answer.end.output_tail));
+  reply.claims.push_back(settle_quiet(other.end.printed, other.end.output_tail));
   return reply;
-}
-
-int worker_main() {
-  Message reply;
-  try {
-    const auto request = ordered_json::parse(content_of(Descriptor(::dup(request_descriptor))));
-    limit_this_process(request.at("memory"));
-    reply = obey(request);
-  } catch (const std::bad_alloc&) {
-    reply = {{{"failure", "ran out of memory"}}, {}};
-  } catch (const std::exception& error) {
-    reply = {{{"failure", error.what()}}, {}};
-  }
-  if (::ftruncate(reply_descriptor, 0) != 0 || !write_reply(reply)) {
-    return 1;
-  }
-  std::fflush(nullptr);
-  ::_exit(0);  // without static destructors: an engine has nothing to say any more
 }
 
 }  // namespace tautline::bench

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/check/claims.hpp"
-#include "bench/run/record.hpp"
+#include "bench/check/settle.hpp"
+#include "bench/run/cost.hpp"
+#include "bench/run/trajectory.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 
@@ -16,13 +17,6 @@ namespace tautline::bench {
 struct WorkerLimits {
   double time = 60.0;                          // [s]
   std::size_t memory = std::size_t{2} << 30U;  // [bytes] of address space
-};
-
-/// What one step cost, measured on the processor clock of the worker's thread.
-struct Cost {
-  double step = 0.0;       // [s], processor time of one step, with its share of the start
-  double memory = 0.0;     // [bytes], the most the worker held at once
-  double reference = 0.0;  // [s], of one closed-form flight and its gaps, measured side by side
 };
 
 /// One run, to be done by a worker process.
@@ -56,19 +50,12 @@ struct DescribeReply {
                                                const WorkerLimits& limits = {.time = 10.0});
 
 /// Every claim about one model, settled in a worker process, and `determinism` in two. A crash, a
-/// hang and a flood of output are findings too; the claims after a crash or a hang are missing.
+/// hang and a flood of output break a claim too; the claims after a crash or a hang are missing.
 struct CheckReply {
-  std::vector<Finding> findings;
+  std::vector<SettledClaim> claims;
   bool interrupted = false;  // the program was told to stop; the rest is missing
 };
 [[nodiscard]] CheckReply check_in_worker(const std::filesystem::path& plugin,
                                          const std::string& model, const WorkerLimits& limits);
-
-/// The other side: reads a request from descriptor 0, does it, writes the reply to descriptor 3.
-/// Returns the exit code. Called by the program's hidden command.
-[[nodiscard]] int worker_main();
-
-/// The hidden command's name.
-inline constexpr const char* worker_command = "worker-process";
 
 }  // namespace tautline::bench

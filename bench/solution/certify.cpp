@@ -161,7 +161,7 @@ std::optional<std::string> digits_problem(int digits) {
 Certificate certify(const Case& the_case, const SolveOptions& options, const Solution& solution,
                     int digits) {
   assert(!digits_problem(digits));
-  const Digits precision(static_cast<unsigned>(digits));
+  const tautline::Digits precision(static_cast<unsigned>(digits));
   Certificate result;
   result.digits = digits;
   result.completion_error =

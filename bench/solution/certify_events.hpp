@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/solution/certify.hpp"
+#include "bench/solution/certificate.hpp"
 #include "tautline/multiprecision.hpp"
 #include "tautline/solution.hpp"
 

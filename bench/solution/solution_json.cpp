@@ -1,5 +1,8 @@
 #include "bench/solution/solution_json.hpp"
 
+#include <nlohmann/json.hpp>
+#include <utility>
+
 #include "bench/base/text.hpp"
 
 namespace tautline::bench {
@@ -8,6 +11,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json pair_json(const Vec2& value) { return Json::array({value.x(), value.y()}); }
+
+Json state_json(const State& state) {
+  return {{"position", pair_json(state.position)},
+          {"angle", state.angle},
+          {"velocity", pair_json(state.velocity)},
+          {"spin", state.spin}};
+}
 
 Json cable_json(const Cable& cable) {
   Json result = {{"anchor", pair_json(cable.anchor)},
@@ -75,15 +85,6 @@ Json sample_json(double time, const State& state) {
   return result;
 }
 
-}  // namespace
-
-Json state_json(const State& state) {
-  return {{"position", pair_json(state.position)},
-          {"angle", state.angle},
-          {"velocity", pair_json(state.velocity)},
-          {"spin", state.spin}};
-}
-
 Json case_json(const Case& the_case) {
   Json result = {{"name", the_case.name},
                  {"duration", the_case.duration},
@@ -103,7 +104,7 @@ Json case_json(const Case& the_case) {
   return result;
 }
 
-Json settling_json(const Settling& settling) {
+Json settling_object(const Settling& settling) {
   Json impacts = Json::array();
   for (const LastImpact& last : settling.last_impacts) {
     impacts.push_back(
@@ -141,8 +142,10 @@ Json certificate_json(const Certificate& certificate) {
           {"ending", to_string(certificate.ending)},
           {"end_time", certificate.end_time},
           {"energy", ledger_json(certificate.energy)},
-          {"settling", settling_json(certificate.settling)}};
+          {"settling", settling_object(certificate.settling)}};
 }
+
+}  // namespace
 
 std::vector<std::string> sample_problems(const Solution& solution,
                                          std::span<const double> sample_times) {
@@ -157,8 +160,12 @@ std::vector<std::string> sample_problems(const Solution& solution,
   return result;
 }
 
-Json solution_json(const Case& the_case, const SolveOptions& options, const Solution& solution,
-                   const Settling& settling, std::span<const double> sample_times) {
+std::string settling_json(const Settling& settling) { return settling_object(settling).dump(); }
+
+std::string solution_json(const Case& the_case, const SolveOptions& options,
+                          const Solution& solution, const Settling& settling,
+                          std::span<const double> sample_times,
+                          const std::optional<Certificate>& certificate) {
   const State end_state = solution.at(solution.end_time());
   Json result = {{"schema", solution_schema},
                  {"case", case_json(the_case)},
@@ -171,7 +178,7 @@ Json solution_json(const Case& the_case, const SolveOptions& options, const Solu
                  {"end_time", solution.end_time()},
                  {"end_state", state_json(end_state)},
                  {"energy", ledger_json(energy_ledger(the_case, solution))},
-                 {"settling", settling_json(settling)}};
+                 {"settling", settling_object(settling)}};
   for (const Event& event : solution.events()) {
     result["events"].push_back(event_json(event));
   }
@@ -185,7 +192,10 @@ Json solution_json(const Case& the_case, const SolveOptions& options, const Solu
       result["samples"].push_back(sample_json(time, solution.at(time)));
     }
   }
-  return result;
+  if (certificate) {
+    result["certificate"] = certificate_json(*certificate);
+  }
+  return result.dump(2) + "\n";
 }
 
 }  // namespace tautline::bench

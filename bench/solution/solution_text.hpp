@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "bench/solution/certify.hpp"
 #include "tautline/case.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
@@ -12,12 +11,11 @@ namespace tautline::bench {
 /// "0+1"
 [[nodiscard]] std::string cable_list(CableSet cables);
 
-/// How the motion ends, when it settled and what is left of it, in a few lines of plain words.
-[[nodiscard]] std::string summary_text(const Case& the_case, const Solution& solution,
-                                       const Settling& settling);
+/// "cable 0 is", "cables 0+1 are"
+[[nodiscard]] std::string cables_are(CableSet cables);
 
-/// What `certificate` says of `solution`, in a few lines and a table.
-[[nodiscard]] std::string certificate_text(const Certificate& certificate, const Case& the_case,
-                                           const Solution& solution);
+/// How the motion ends, when it settled and what is left of it, in a few lines of plain words.
+[[nodiscard]] std::string solution_text(const Case& the_case, const Solution& solution,
+                                        const Settling& settling);
 
 }  // namespace tautline::bench

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "models.hpp"
+#include "tautline/parabola.hpp"
 #include "world.hpp"
 
 namespace tautline::box2d {
@@ -87,14 +88,14 @@ class DistanceJointSimulation final : public Simulation {
 
 ModelEntry entry(std::string name, std::string sentence, Bounce bounce,
                  const std::vector<Setting>& own) {
-  std::vector<Setting> settings = {{"maxLength", "length", "Without it the joint limits nothing."}};
-  settings.insert(settings.end(), own.begin(), own.end());
-  return {{std::move(name), std::move(sentence), with_world_settings(settings)},
-          [bounce](const Case& the_case,
-                   const RunSettings& /*settings*/) -> std::unique_ptr<Simulation> {
-            return std::make_unique<DistanceJointSimulation>(the_case, bounce);
-          },
-          true};
+  return {.model = {.name = std::move(name),
+                    .sentence = std::move(sentence),
+                    .settings =
+                        joined({world_settings(),
+                                {{"maxLength", "length", "Without it the joint limits nothing."}},
+                                own})},
+          .start = makes<DistanceJointSimulation>(bounce),
+          .follows_speed = true};
 }
 
 }  // namespace
@@ -107,9 +108,7 @@ std::vector<ModelEntry> distance_joint_models() {
           entry("distance-joint-bounce",
                 "The same joint, and after a step in which it pulled an impulse that gives the "
                 "cable's restitution.",
-                Bounce::by_hand,
-                {{"body velocity", "half of gravity's impulse before and after each step",
-                  "Semi-implicit Euler then flies the exact parabola."}})};
+                Bounce::by_hand, {parabola_setting()})};
 }
 
 }  // namespace tautline::box2d

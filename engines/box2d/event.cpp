@@ -63,18 +63,13 @@ class Box2dEventAdapter final : public EventAdapter {
 }  // namespace
 
 std::vector<ModelEntry> event_models() {
-  return {
-      {{"event",
-        "Box2D flies, the event driver finds the instants: each impact is solved by hand at the "
-        "exact pose, in Box2D's mass and inertia.",
-        with_world_settings(
-            {parabola_setting(),
-             {"Step", "in parts where the body would move by 1.8 m or turn by 1.4 rad",
-              "Box2D slows a body down to 2 m and pi/2 in a step."}})},
-       [](const Case& the_case, const RunSettings& run) {
-         return drive_by_events(the_case, std::make_unique<Box2dEventAdapter>(the_case), run.law);
-       },
-       true}};
+  return {event_model<Box2dEventAdapter>(
+      "Box2D flies, the event driver finds the instants: each impact is solved by hand at the "
+      "exact pose, in Box2D's mass and inertia.",
+      joined({world_settings(),
+              {parabola_setting(),
+               {"Step", "in parts where the body would move by 1.8 m or turn by 1.4 rad",
+                "Box2D slows a body down to 2 m and pi/2 in a step."}}}))};
 }
 
 }  // namespace tautline::box2d

@@ -16,14 +16,14 @@ std::string version() {
          std::to_string(b2_version.revision);
 }
 
-class Box2dEngine final : public TableEngine {
- public:
-  Box2dEngine()
-      : TableEngine("box2d", version(), precision_of<float>,
-                    {distance_joint_models(), event_models()}) {}
-};
+EngineTable table() {
+  return {.name = "box2d",
+          .version = version(),
+          .precision = precision_of<float>,
+          .families = {distance_joint_models(), event_models()}};
+}
 
 }  // namespace
 }  // namespace tautline::box2d
 
-TAUTLINE_PLUGIN(tautline::box2d::Box2dEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::box2d::table>)

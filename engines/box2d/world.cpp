@@ -113,10 +113,4 @@ std::vector<Setting> world_settings() {
   };
 }
 
-std::vector<Setting> with_world_settings(const std::vector<Setting>& settings) {
-  std::vector<Setting> result = world_settings();
-  result.insert(result.end(), settings.begin(), settings.end());
-  return result;
-}
-
 }  // namespace tautline::box2d

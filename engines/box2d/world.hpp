@@ -55,7 +55,4 @@ class World {
 /// The settings every model needs: those of `World`.
 [[nodiscard]] std::vector<Setting> world_settings();
 
-/// `settings` of the world and of a model.
-[[nodiscard]] std::vector<Setting> with_world_settings(const std::vector<Setting>& settings);
-
 }  // namespace tautline::box2d

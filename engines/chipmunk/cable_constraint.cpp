@@ -14,13 +14,19 @@ CableConstraint& self(cpConstraint* constraint) {
 const cpConstraintClass CableConstraint::callbacks = {prepare, apply_cached, apply_once,
                                                       impulse_of};
 
-CableConstraint::CableConstraint(World& world, const Cable& cable) : cable_(cable) {
+CableConstraint::CableConstraint(World& world) {
   cpConstraintInit(&constraint_, &callbacks, world.ground(), world.body());
   cpConstraintSetUserData(&constraint_, this);
 }
 
-void CableConstraint::pull(double rate) {
-  row_ = cable_row(cable_, state_of(constraint_.b));
+CableConstraint::~CableConstraint() {
+  if (constraint_.space != nullptr) {
+    cpSpaceRemoveConstraint(constraint_.space, &constraint_);
+  }
+}
+
+void CableConstraint::pull(const CableRow& row, double rate) {
+  row_ = row;
   rate_ = rate;
   impulse_ = 0.0;
   acts_ = true;
@@ -48,18 +54,8 @@ double CableConstraint::apply() {
   return impulse * response;
 }
 
-/// Chipmunk calls this after the body has moved and before gravity has changed its velocity.
-void CableConstraint::prepare(cpConstraint* constraint, cpFloat dt) {
-  CableConstraint& cable = self(constraint);
-  cable.let_go();
-  if (!cable.how_) {
-    return;
-  }
-  const CableRow row = cable_row(cable.cable_, state_of(constraint->b));
-  if (acts(row, cable.how_->activation, dt)) {
-    cable.pull(wanted_rate(row, restitution(cable.cable_, row.rate), cable.how_->correction));
-  }
-}
+/// The row is told what it asks for before this.
+void CableConstraint::prepare(cpConstraint* /*constraint*/, cpFloat /*dt*/) {}
 
 /// The impulse of a bounce is no guess for the next step.
 void CableConstraint::apply_cached(cpConstraint* /*constraint*/, cpFloat /*dt*/) {}
@@ -70,13 +66,10 @@ void CableConstraint::apply_once(cpConstraint* constraint, cpFloat /*dt*/) {
 
 cpFloat CableConstraint::impulse_of(cpConstraint* constraint) { return self(constraint).impulse_; }
 
-std::vector<std::unique_ptr<CableConstraint>> cable_constraints(const Case& the_case,
-                                                                World& world) {
-  std::vector<std::unique_ptr<CableConstraint>> result;
-  for (const Cable& cable : the_case.cables) {
-    result.push_back(std::make_unique<CableConstraint>(world, cable));
+CableConstraints::CableConstraints(const Case& the_case, World& world) {
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    rows_.push_back(std::make_unique<CableConstraint>(world));
   }
-  return result;
 }
 
 }  // namespace tautline::chipmunk

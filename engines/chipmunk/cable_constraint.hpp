@@ -8,26 +8,20 @@
 
 namespace tautline::chipmunk {
 
-/// How a cable acts by itself in a step of a space.
-struct FixedStepCable {
-  Activation activation;
-  double correction;  // [1/s], part of the overstretch
-};
-
 /// A one-sided constraint row between the ground and the body, as Chipmunk's own joints are made: a
 /// `cpConstraintClass` whose impulses the space accumulates.
 class CableConstraint {
  public:
-  CableConstraint(World& world, const Cable& cable);
+  explicit CableConstraint(World& world);
   CableConstraint(const CableConstraint&) = delete;
   CableConstraint& operator=(const CableConstraint&) = delete;
-  ~CableConstraint() = default;
+  ~CableConstraint();
 
-  /// From now on it looks at the cable in every step of the space and acts where it should.
-  void act_in_steps(const FixedStepCable& how) { how_ = how; }
+  /// Lets the space of `world` ask it in steps, until it ends.
+  void join(World& world) { cpSpaceAddConstraint(world.space(), &constraint_); }
 
-  /// Lets it act at the present pose: the gap opens with at least `rate` [m/s].
-  void pull(double rate);
+  /// From now on it acts: the gap of `row` opens with at least `rate` [m/s].
+  void pull(const CableRow& row, double rate);
   void let_go();
 
   /// One iteration of Chipmunk's solver on this row. Returns the change of the gap rate [m/s].
@@ -36,7 +30,10 @@ class CableConstraint {
   /// [N s], >= 0, since it began to act.
   [[nodiscard]] double impulse() const { return impulse_; }
 
-  [[nodiscard]] cpConstraint* constraint() { return &constraint_; }
+  /// Chipmunk is to call this before it asks.
+  void set_before_solve(cpConstraintPreSolveFunc function) {
+    cpConstraintSetPreSolveFunc(&constraint_, function);
+  }
 
  private:
   static void prepare(cpConstraint* constraint, cpFloat dt);
@@ -47,16 +44,26 @@ class CableConstraint {
   static const cpConstraintClass callbacks;
 
   cpConstraint constraint_{};
-  Cable cable_;
-  std::optional<FixedStepCable> how_;
   bool acts_ = false;
   CableRow row_{};
   double rate_ = 0.0;     // [m/s], wanted
   double impulse_ = 0.0;  // [N s]
 };
 
-/// One constraint per cable of `the_case`, not in the space yet.
-[[nodiscard]] std::vector<std::unique_ptr<CableConstraint>> cable_constraints(const Case& the_case,
-                                                                              World& world);
+/// One constraint per cable of a case, not in the space: the `Rows` of adapter/row_model.hpp.
+class CableConstraints {
+ public:
+  CableConstraints(const Case& the_case, World& world);
+
+  void pull(std::size_t index, const CableRow& row, double rate) { rows_[index]->pull(row, rate); }
+  void let_go(std::size_t index) { rows_[index]->let_go(); }
+  [[nodiscard]] double impulse(std::size_t index) const { return rows_[index]->impulse(); }
+
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  [[nodiscard]] CableConstraint& operator[](std::size_t index) { return *rows_[index]; }
+
+ private:
+  std::vector<std::unique_ptr<CableConstraint>> rows_;
+};
 
 }  // namespace tautline::chipmunk

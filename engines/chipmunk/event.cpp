@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "adapter/row_model.hpp"
 #include "cable_constraint.hpp"
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 /// One cable takes two iterations. Nearly dependent cables hit together take up to some ten
 /// thousand.
-constexpr int iterations = 100'000;
+constexpr int event_iterations = 100'000;
 
 /// A solve ends when no row changes its rate by more than this part of the speeds [-].
 constexpr double solve_rounding = 1e-15;
@@ -23,7 +24,7 @@ constexpr double solve_rounding = 1e-15;
 class ChipmunkEventAdapter final : public EventAdapter {
  public:
   explicit ChipmunkEventAdapter(const Case& the_case)
-      : case_(the_case), world_(the_case), cables_(cable_constraints(the_case, world_)) {}
+      : case_(the_case), world_(the_case), rows_(the_case, world_) {}
 
   [[nodiscard]] State state() const override { return world_.state(); }
   void place(const State& state) override { world_.place(state); }
@@ -35,51 +36,38 @@ class ChipmunkEventAdapter final : public EventAdapter {
   }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
-    Eigen::Index position = 0;
-    for (const std::size_t index : cables) {
-      cables_[index]->pull(rates[position++]);
-    }
-    const double enough = solve_rounding * speed_scale(case_, world_.state());
-    for (int iteration = 0; iteration < iterations; ++iteration) {
-      double change = 0.0;
-      for (const std::size_t index : cables) {
-        change = std::max(change, std::abs(cables_[index]->apply()));
-      }
-      if (change <= enough) {
-        break;
-      }
-    }
-    CableVector impulses(rates.size());
-    position = 0;
-    for (const std::size_t index : cables) {
-      impulses[position++] = cables_[index]->impulse();
-      cables_[index]->let_go();
-    }
-    return impulses;
+    return solve_rows(rows_, case_, world_.state(), cables, rates, [&] { iterate(cables); });
   }
 
  private:
+  void iterate(CableSet cables) {
+    const double enough = solve_rounding * speed_scale(case_, world_.state());
+    for (int iteration = 0; iteration < event_iterations; ++iteration) {
+      double change = 0.0;
+      for (const std::size_t index : cables) {
+        change = std::max(change, std::abs(rows_[index].apply()));
+      }
+      if (change <= enough) {
+        return;
+      }
+    }
+  }
+
   const Case case_;
   World world_;
-  std::vector<std::unique_ptr<CableConstraint>> cables_;  // not in the space: they act in solves
+  CableConstraints rows_;  // not in the space: they act in solves
 };
 
 }  // namespace
 
 std::vector<ModelEntry> event_models() {
-  return {{{"event",
-            "Chipmunk flies and solves, the event driver finds the instants: each impact is the "
-            "solver's "
-            "iteration at the exact pose.",
-            {{"iterations", std::to_string(iterations),
-              "Nearly dependent cables hit together converge slowly; one cable takes two."},
-             {"body velocity", "half of gravity's impulse more before each step, and less after it",
-              "Chipmunk moves a body before gravity acts; it then flies the exact parabola."}}},
-           [](const Case& the_case, const RunSettings& settings) {
-             return drive_by_events(the_case, std::make_unique<ChipmunkEventAdapter>(the_case),
-                                    settings.law);
-           },
-           true}};
+  return {event_model<ChipmunkEventAdapter>(
+      "Chipmunk flies and solves, the event driver finds the instants: each impact is the solver's "
+      "iteration at the exact pose.",
+      {{"iterations", std::to_string(event_iterations),
+        "Nearly dependent cables hit together converge slowly; one cable takes two."},
+       {"body velocity", "half of gravity's impulse more before each step, and less after it",
+        "Chipmunk moves a body before gravity acts; it then flies the exact parabola."}})};
 }
 
 }  // namespace tautline::chipmunk

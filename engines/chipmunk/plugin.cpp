@@ -8,14 +8,14 @@
 namespace tautline::chipmunk {
 namespace {
 
-class ChipmunkEngine final : public TableEngine {
- public:
-  ChipmunkEngine()
-      : TableEngine("chipmunk", cpVersionString, precision_of<cpFloat>,
-                    {row_models(), slide_joint_models(), event_models()}) {}
-};
+EngineTable table() {
+  return {.name = "chipmunk",
+          .version = cpVersionString,
+          .precision = precision_of<cpFloat>,
+          .families = {row_models(), slide_joint_models(), event_models()}};
+}
 
 }  // namespace
 }  // namespace tautline::chipmunk
 
-TAUTLINE_PLUGIN(tautline::chipmunk::ChipmunkEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::chipmunk::table>)

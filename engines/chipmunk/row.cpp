@@ -2,8 +2,9 @@
 // overstretched where a step has taken the body (`row`), or already when the next step would
 // overstretch it (`early`).
 
-#include <algorithm>
+#include <functional>
 
+#include "adapter/row_model.hpp"
 #include "cable_constraint.hpp"
 #include "models.hpp"
 
@@ -11,59 +12,57 @@ namespace tautline::chipmunk {
 namespace {
 
 /// Two coupled rows converge by a factor per iteration; Chipmunk's 10 leave an order of cables.
-constexpr int iterations = 50;
+constexpr int row_iterations = 50;
 
-class RowSimulation final : public Simulation {
+class RowWorld {
  public:
-  RowSimulation(const Case& the_case, Activation activation, double step)
-      : world_(the_case), impulses_(the_case.cables.size()) {
-    cables_ = cable_constraints(the_case, world_);
-    cpSpaceSetIterations(world_.space(), iterations);
-    for (const auto& cable : cables_) {
-      cable->act_in_steps({activation, usual_correction / step});
-      world_.add(cable->constraint());
+  explicit RowWorld(const Case& the_case) : world_(the_case), rows_(the_case, world_) {
+    cpSpaceSetIterations(world_.space(), row_iterations);
+    cpSpaceSetUserData(world_.space(), this);
+    for (std::size_t index = 0; index < rows_.size(); ++index) {
+      rows_[index].join(world_);
+    }
+    if (rows_.size() > 0) {
+      rows_[0].set_before_solve(before_solve);
     }
   }
+  RowWorld(const RowWorld&) = delete;
+  RowWorld& operator=(const RowWorld&) = delete;
+  ~RowWorld() = default;
 
-  [[nodiscard]] State state() const override { return world_.state(); }
-  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] State state() const { return world_.state(); }
 
-  void step(double dt) override {
+  void advance(double dt, const std::function<void()>& look) {
+    look_ = &look;
     world_.advance(dt);
-    std::transform(cables_.begin(), cables_.end(), impulses_.begin(),
-                   [](const auto& cable) { return cable->impulse(); });
   }
 
- private:
-  std::vector<std::unique_ptr<CableConstraint>> cables_;  // the world points to them: they go last
-  World world_;
-  std::vector<double> impulses_;
-};
+  void pull(std::size_t index, const CableRow& row, double rate) { rows_.pull(index, row, rate); }
+  void let_go(std::size_t index) { rows_.let_go(index); }
+  [[nodiscard]] double impulse(std::size_t index) const { return rows_.impulse(index); }
 
-ModelEntry entry(std::string name, std::string sentence, Activation activation) {
-  return {
-      {std::move(name),
-       std::move(sentence),
-       {{"cpSpaceSetIterations", "50",
-         "Two coupled rows converge slowly: with Chipmunk's 10 the order of the cables shows."}}},
-      [activation](const Case& the_case,
-                   const RunSettings& settings) -> std::unique_ptr<Simulation> {
-        return std::make_unique<RowSimulation>(the_case, activation, settings.step);
-      },
-      true};
-}
+ private:
+  /// Chipmunk calls this for the first constraint of all, after the body has moved and before
+  /// gravity has changed its velocity.
+  static void before_solve(cpConstraint* /*first*/, cpSpace* space) {
+    (*static_cast<RowWorld*>(cpSpaceGetUserData(space))->look_)();
+  }
+
+  World world_;
+  CableConstraints rows_;                        // leave the space before it goes
+  const std::function<void()>* look_ = nullptr;  // during a step
+};
 
 }  // namespace
 
 std::vector<ModelEntry> row_models() {
-  return {
-      entry("row",
-            "A constraint of its own class while the cable is overstretched where a step has "
-            "moved the body; it asks for the larger of the bounce and 0.2 of the overstretch "
-            "per step.",
-            Activation::overstretched),
-      entry("early", "The same constraint already when the next step would overstretch the cable.",
-            Activation::crossing)};
+  return row_and_early<RowWorld>(
+      {{"cpSpaceSetIterations", "50",
+        "Two coupled rows converge slowly: with Chipmunk's 10 the order of the cables shows."}},
+      {.row = "A constraint of its own class while the cable is overstretched where a step has "
+              "moved the body; it asks for the larger of the bounce and 0.2 of the overstretch "
+              "per step.",
+       .early = "The same constraint already when the next step would overstretch the cable."});
 }
 
 }  // namespace tautline::chipmunk

@@ -16,7 +16,7 @@ namespace {
 enum class Bounce { none, by_hand };
 
 /// Two coupled cables converge by a factor per iteration; a few leave an order of cables.
-constexpr int iterations = 50;
+constexpr int joint_iterations = 50;
 
 class SlideJointSimulation final : public Simulation {
  public:
@@ -56,7 +56,7 @@ class SlideJointSimulation final : public Simulation {
   /// `before`, the pose and velocity with which the joints began to pull.
   void bounce(const State& before) {
     std::vector<double> given(joints_.size());
-    for (int iteration = 0; iteration < iterations; ++iteration) {
+    for (int iteration = 0; iteration < joint_iterations; ++iteration) {
       for (std::size_t index = 0; index < joints_.size(); ++index) {
         if (impulses_[index] > 0.0) {
           const Cable& cable = case_.cables[index];
@@ -86,15 +86,13 @@ class SlideJointSimulation final : public Simulation {
 };
 
 ModelEntry entry(std::string name, std::string sentence, Bounce bounce) {
-  return {{std::move(name),
-           std::move(sentence),
-           {{"cpSlideJointNew min, max", "0, length",
-             "The distance between anchor and attachment is all that is limited."}}},
-          [bounce](const Case& the_case,
-                   const RunSettings& /*settings*/) -> std::unique_ptr<Simulation> {
-            return std::make_unique<SlideJointSimulation>(the_case, bounce);
-          },
-          true};
+  return {.model = {.name = std::move(name),
+                    .sentence = std::move(sentence),
+                    .settings = {{"cpSlideJointNew min, max", "0, length",
+                                  "The distance between anchor and attachment is all that is "
+                                  "limited."}}},
+          .start = makes<SlideJointSimulation>(bounce),
+          .follows_speed = true};
 }
 
 }  // namespace

@@ -16,26 +16,21 @@ World::World(const Case& the_case)
 }
 
 World::~World() {
-  for (cpConstraint* constraint : constraints_) {
-    cpSpaceRemoveConstraint(space_, constraint);
-  }
   cpSpaceRemoveBody(space_, body_);
   cpBodyFree(body_);
   cpSpaceFree(space_);
 }
 
-State state_of(const cpBody* body) {
-  const cpVect position = cpBodyGetPosition(body);
-  const cpVect velocity = cpBodyGetVelocity(body);
+State World::state() const {
+  const cpVect position = cpBodyGetPosition(body_);
+  const cpVect velocity = cpBodyGetVelocity(body_);
   State result;
   result.position = Vec2(position.x, position.y);
-  result.angle = cpBodyGetAngle(body);
+  result.angle = cpBodyGetAngle(body_);
   result.velocity = Vec2(velocity.x, velocity.y);
-  result.spin = cpBodyGetAngularVelocity(body);
+  result.spin = cpBodyGetAngularVelocity(body_);
   return result;
 }
-
-State World::state() const { return state_of(body_); }
 
 void World::place(const State& state) {
   cpBodySetAngle(body_, state.angle);
@@ -49,10 +44,5 @@ void World::kick(const Vec2& change) {
 }
 
 void World::advance(double dt) { cpSpaceStep(space_, dt); }
-
-void World::add(cpConstraint* constraint) {
-  cpSpaceAddConstraint(space_, constraint);
-  constraints_.push_back(constraint);
-}
 
 }  // namespace tautline::chipmunk

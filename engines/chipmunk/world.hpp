@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "chipmunk.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
@@ -29,9 +27,6 @@ class World {
   /// One `cpSpaceStep` of `dt` [s]: Chipmunk moves the body first and then changes its velocity.
   void advance(double dt);
 
-  /// Adds a constraint, which the caller keeps alive as long as this.
-  void add(cpConstraint* constraint);
-
   [[nodiscard]] cpSpace* space() { return space_; }
   [[nodiscard]] cpBody* body() { return body_; }
   [[nodiscard]] cpBody* ground() { return cpSpaceGetStaticBody(space_); }
@@ -39,10 +34,6 @@ class World {
  private:
   cpSpace* space_;
   cpBody* body_;
-  std::vector<cpConstraint*> constraints_;
 };
-
-/// The state of a Chipmunk body.
-[[nodiscard]] State state_of(const cpBody* body);
 
 }  // namespace tautline::chipmunk

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "adapter/row_model.hpp"
 #include "models.hpp"
 #include "tautline/event_driver.hpp"
 #include "tautline/parabola.hpp"
@@ -32,18 +33,9 @@ class DartEventAdapter final : public EventAdapter {
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     const State before = world_.state();
-    Eigen::Index position = 0;
-    for (const std::size_t index : cables) {
-      world_.pull(index, cable_row(case_.cables[index], before), rates[position++]);
-    }
-    world_.solve_here({iterations, solve_rounding, least_impulse(before)});
-    CableVector impulses(rates.size());
-    position = 0;
-    for (const std::size_t index : cables) {
-      impulses[position++] = world_.impulse(index);
-      world_.let_go(index);
-    }
-    return impulses;
+    return solve_rows(world_, case_, before, cables, rates, [&] {
+      world_.solve_here({iterations, solve_rounding, least_impulse(before)});
+    });
   }
 
  private:
@@ -60,26 +52,20 @@ class DartEventAdapter final : public EventAdapter {
 }  // namespace
 
 std::vector<ModelEntry> event_models() {
-  return {
-      {{"event",
-        "DART flies and solves, the event driver finds the instants: each impact is one solve at "
-        "the exact pose.",
-        {{"setBoxedLcpSolver", "PgsBoxedLcpSolver",
-          "Pivoting, DART's choice, fails on three cables that are nearly dependent, and on any "
-          "four."},
-         {"setSecondaryBoxedLcpSolver", "nullptr", "The iteration needs none behind it."},
-         {"mMaxIteration", std::to_string(iterations),
-          "Nearly dependent cables hit together converge slowly; one cable takes two."},
-         {"mDeltaXThreshold, mRelativeDeltaXTolerance", "0, 1e-15",
-          "DART's 1e-6 and 1e-3 leave an impact as inexact as that."},
-         {"mEpsilonForDivision", "1e-15 of the momentum",
-          "The iteration does not wait for smaller impulses; DART's 1e-9 knows no units."},
-         parabola_setting()}},
-       [](const Case& the_case, const RunSettings& settings) {
-         return drive_by_events(the_case, std::make_unique<DartEventAdapter>(the_case),
-                                settings.law);
-       },
-       true}};
+  return {event_model<DartEventAdapter>(
+      "DART flies and solves, the event driver finds the instants: each impact is one solve at the "
+      "exact pose.",
+      {{"setBoxedLcpSolver", "PgsBoxedLcpSolver",
+        "Pivoting, DART's choice, fails on three cables that are nearly dependent, and on any "
+        "four."},
+       {"setSecondaryBoxedLcpSolver", "nullptr", "The iteration needs none behind it."},
+       {"mMaxIteration", std::to_string(iterations),
+        "Nearly dependent cables hit together converge slowly; one cable takes two."},
+       {"mDeltaXThreshold, mRelativeDeltaXTolerance", "0, 1e-15",
+        "DART's 1e-6 and 1e-3 leave an impact as inexact as that."},
+       {"mEpsilonForDivision", "1e-15 of the momentum",
+        "The iteration does not wait for smaller impulses; DART's 1e-9 knows no units."},
+       parabola_setting()})};
 }
 
 }  // namespace tautline::dart_engine

@@ -9,13 +9,14 @@
 namespace tautline::dart_engine {
 namespace {
 
-class DartEngine final : public TableEngine {
- public:
-  DartEngine()
-      : TableEngine("dart", version(), precision_of<double>, {row_models(), event_models()}) {}
-};
+EngineTable table() {
+  return {.name = "dart",
+          .version = version(),
+          .precision = precision_of<double>,
+          .families = {row_models(), event_models()}};
+}
 
 }  // namespace
 }  // namespace tautline::dart_engine
 
-TAUTLINE_PLUGIN(tautline::dart_engine::DartEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::dart_engine::table>)

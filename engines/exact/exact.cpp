@@ -24,9 +24,9 @@ enum class Report { events, impulses_only };
 
 class ExactSimulation final : public Simulation {
  public:
-  ExactSimulation(const Case& the_case, Report report, ImpactLaw law)
+  ExactSimulation(const Case& the_case, const RunSettings& run, Report report)
       : report_(report),
-        solution_(solve(the_case, {.law = law})),
+        solution_(solve(the_case, {.law = run.law})),
         impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] State state() const override {
@@ -79,29 +79,25 @@ class ExactSimulation final : public Simulation {
 };
 
 ModelEntry entry(std::string name, std::string sentence, Report report) {
-  return {
-      {std::move(name), std::move(sentence), {}},
-      [report](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
-        return std::make_unique<ExactSimulation>(the_case, report, settings.law);
-      },
-      true};
+  return {.model = {.name = std::move(name), .sentence = std::move(sentence), .settings = {}},
+          .start = makes<ExactSimulation>(report),
+          .follows_speed = true};
 }
 
-class ExactEngine final : public TableEngine {
- public:
-  ExactEngine()
-      : TableEngine(
-            "exact", TAUTLINE_VERSION, "float64",
-            {{entry("event", "The exact event-driven solution, evaluated at every step.",
-                    Report::events),
-              entry("sampled",
-                    "The same states with the impulses of each step but not its events: what is "
-                    "wrong with its impacts is what detecting them from such steps costs any "
-                    "engine.",
-                    Report::impulses_only)}}) {}
-};
+EngineTable table() {
+  return {.name = "exact",
+          .version = TAUTLINE_VERSION,
+          .precision = precision_of<double>,
+          .families = {{entry("event", "The exact event-driven solution, evaluated at every step.",
+                              Report::events),
+                        entry("sampled",
+                              "The same states with the impulses of each step but not its events: "
+                              "what is wrong with its impacts is what detecting them from such "
+                              "steps costs any engine.",
+                              Report::impulses_only)}}};
+}
 
 }  // namespace
 }  // namespace tautline
 
-TAUTLINE_PLUGIN(tautline::ExactEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::table>)

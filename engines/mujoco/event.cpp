@@ -32,15 +32,10 @@ class MujocoEventAdapter final : public EventAdapter {
 }  // namespace
 
 std::vector<ModelEntry> event_models() {
-  return {{{"event",
-            "MuJoCo flies and gives tendons and masses, the event driver finds the instants: each "
-            "impact is solved by hand at the exact pose.",
-            with_world_settings({parabola_setting()})},
-           [](const Case& the_case, const RunSettings& run) {
-             return drive_by_events(the_case, std::make_unique<MujocoEventAdapter>(the_case),
-                                    run.law);
-           },
-           true}};
+  return {event_model<MujocoEventAdapter>(
+      "MuJoCo flies and gives tendons and masses, the event driver finds the instants: each impact "
+      "is solved by hand at the exact pose.",
+      joined({world_settings(), {parabola_setting()}}))};
 }
 
 }  // namespace tautline::mujoco

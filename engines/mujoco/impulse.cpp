@@ -9,9 +9,9 @@ namespace {
 
 class ImpulseSimulation final : public Simulation {
  public:
-  ImpulseSimulation(const Case& the_case, double step)
+  ImpulseSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case),
-        correction_(usual_correction / step),
+        correction_(usual_correction / run.step),
         world_(the_case, Integrator::rk4),
         impulses_(the_case.cables.size()) {}
 
@@ -56,16 +56,15 @@ class ImpulseSimulation final : public Simulation {
 }  // namespace
 
 std::vector<ModelEntry> impulse_models() {
-  return {
-      {{"impulse",
-        "Impulses by hand before the steps that start overstretched, for the larger of the bounce "
-        "and 0.2 of the overstretch per step; MuJoCo flies and gives tendons and masses.",
-        with_world_settings(
-            {{"integrator", "RK4", "It flies the exact parabola between the impulses."}})},
-       [](const Case& the_case, const RunSettings& run) -> std::unique_ptr<Simulation> {
-         return std::make_unique<ImpulseSimulation>(the_case, run.step);
-       },
-       true}};
+  return {{.model = {.name = "impulse",
+                     .sentence = "Impulses by hand before the steps that start overstretched, for "
+                                 "the larger of the bounce and 0.2 of the overstretch per step; "
+                                 "MuJoCo flies and gives tendons and masses.",
+                     .settings = joined({world_settings(),
+                                         {{"integrator", "RK4",
+                                           "It flies the exact parabola between the impulses."}}})},
+           .start = makes<ImpulseSimulation>(),
+           .follows_speed = true}};
 }
 
 }  // namespace tautline::mujoco

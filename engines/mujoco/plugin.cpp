@@ -10,16 +10,15 @@
 namespace tautline::mujoco {
 namespace {
 
-class MujocoEngine final : public TableEngine {
- public:
-  MujocoEngine()
-      : TableEngine("mujoco", mj_versionString(), precision_of<mjtNum>,
-                    {tendon_limit_models(), impulse_models(), event_models()}) {
-    use_library();
-  }
-};
+EngineTable table() {
+  use_library();
+  return {.name = "mujoco",
+          .version = mj_versionString(),
+          .precision = precision_of<mjtNum>,
+          .families = {tendon_limit_models(), impulse_models(), event_models()}};
+}
 
 }  // namespace
 }  // namespace tautline::mujoco
 
-TAUTLINE_PLUGIN(tautline::mujoco::MujocoEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::mujoco::table>)

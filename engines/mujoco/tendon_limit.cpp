@@ -61,8 +61,8 @@ std::vector<TendonLimit> limits_of(const Case& the_case, double step) {
 
 class TendonLimitSimulation final : public Simulation {
  public:
-  TendonLimitSimulation(const Case& the_case, Integrator integrator, double step)
-      : world_(the_case, integrator, limits_of(the_case, step)),
+  TendonLimitSimulation(const Case& the_case, const RunSettings& run, Integrator integrator)
+      : world_(the_case, integrator, limits_of(the_case, run.step)),
         impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] State state() const override { return world_.state(); }
@@ -80,21 +80,21 @@ class TendonLimitSimulation final : public Simulation {
   std::vector<double> impulses_;
 };
 
+std::vector<Setting> limit_settings() {
+  return {{"limited, range", "true, 0 to length", "A cable limits a distance."},
+          {"solreflimit", "-k, -b: k = (pi / (20 step))^2, b from the cable's restitution",
+           "A bounce lasts 20 steps, and ends, where the pull does, with the restitution."},
+          {"solimplimit", "0.9999 0.9999 1 0.5 1",
+           "MuJoCo's 0.9 to 0.95 would give less pull than the limit asks for; more than 0.9999 is "
+           "not allowed."}};
+}
+
 ModelEntry entry(std::string name, std::string sentence, Integrator integrator,
                  const std::vector<Setting>& own) {
-  std::vector<Setting> settings = {
-      {"limited, range", "true, 0 to length", "A cable limits a distance."},
-      {"solreflimit", "-k, -b: k = (pi / (20 step))^2, b from the cable's restitution",
-       "A bounce lasts 20 steps, and ends, where the pull does, with the restitution."},
-      {"solimplimit", "0.9999 0.9999 1 0.5 1",
-       "MuJoCo's 0.9 to 0.95 would give less pull than the limit asks for; more than 0.9999 is not "
-       "allowed."}};
-  settings.insert(settings.end(), own.begin(), own.end());
-  return {
-      {std::move(name), std::move(sentence), with_world_settings(settings)},
-      [integrator](const Case& the_case, const RunSettings& run) -> std::unique_ptr<Simulation> {
-        return std::make_unique<TendonLimitSimulation>(the_case, integrator, run.step);
-      }};
+  return {.model = {.name = std::move(name),
+                    .sentence = std::move(sentence),
+                    .settings = joined({world_settings(), limit_settings(), own})},
+          .start = makes<TendonLimitSimulation>(integrator)};
 }
 
 }  // namespace

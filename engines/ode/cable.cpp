@@ -111,33 +111,32 @@ class CableEventsSimulation final : public Simulation {
   ImpactsBetweenParts impacts_;
 };
 
-template <class CablesInWorld>
-ModelEntry entry(std::string name, std::string sentence, const std::vector<Setting>& own) {
-  std::vector<Setting> settings = world_settings();
-  settings.push_back(
-      {"dCableSetBounce", "the cable's restitution", "A cable does not rebound unless it is set."});
-  settings.insert(settings.end(), own.begin(), own.end());
-  return {{std::move(name), std::move(sentence), std::move(settings)},
-          [](const Case& the_case, const RunSettings& /*run*/) -> std::unique_ptr<Simulation> {
-            return std::make_unique<CablesInWorld>(the_case);
-          }};
+std::vector<Setting> settings(const std::vector<Setting>& own) {
+  return joined({world_settings(),
+                 {{"dCableSetBounce", "the cable's restitution",
+                   "A cable does not rebound unless it is set."}},
+                 own});
 }
 
 }  // namespace
 
 std::vector<ModelEntry> cable_models() {
-  return {
-      entry<CableSimulation>("cable",
-                             "tautline's dCable, the drop-in cable for a world of one's own, in "
-                             "dWorldStep with ODE's own settings.",
-                             {}),
-      entry<CableEventsSimulation>(
-          "cable-events",
-          "The same dCable with dStepWithCables, which splits a step at its impacts.",
-          {{"dStepWithCables", "instead of dCableAddContacts, with its own 8 parts a step",
-            "Impacts are solved at zero gap and in no time."},
-           {"dBodySetFiniteRotationMode", "1",
-            "The default turns the body to first order only, and no event mends that."}})};
+  return {{.model = {.name = "cable",
+                     .sentence = "tautline's dCable, the drop-in cable for a world of one's own, "
+                                 "in dWorldStep with ODE's own settings.",
+                     .settings = settings({})},
+           .start = makes<CableSimulation>()},
+          {.model = {.name = "cable-events",
+                     .sentence = "The same dCable with dStepWithCables, which splits a step at its "
+                                 "impacts.",
+                     .settings = settings(
+                         {{"dStepWithCables",
+                           "instead of dCableAddContacts, with its own 8 parts a step",
+                           "Impacts are solved at zero gap and in no time."},
+                          {"dBodySetFiniteRotationMode", "1",
+                           "The default turns the body to first order only, and no event mends "
+                           "that."}})},
+           .start = makes<CableEventsSimulation>()}};
 }
 
 }  // namespace tautline::ode

@@ -83,37 +83,28 @@ class OdeEventAdapter final : public EventAdapter {
 }  // namespace
 
 std::vector<ModelEntry> event_models() {
-  std::vector<Setting> settings = world_settings();
-  settings.push_back({"dWorldSetCFM",
-                      "0; 3e-15 of the largest diagonal entry for cables hit together",
-                      "ODE's 1e-10 softens every row a little; its solver fails on dependent rows "
-                      "without any."});
-  settings.push_back({"dBodySetFiniteRotationMode", "1",
-                      "The default turns the body to first order only and renormalises."});
-  settings.push_back(
+  const std::vector<Setting> own = {
+      {"dWorldSetCFM", "0; 3e-15 of the largest diagonal entry for cables hit together",
+       "ODE's 1e-10 softens every row a little; its solver fails on dependent rows without any."},
+      {"dBodySetFiniteRotationMode", "1",
+       "The default turns the body to first order only and renormalises."},
       {"dContactMotionN, motionN", "the rate that the bounce, or a taut cable, asks for",
-       "One row for impacts and for taut cables; dContactBounce is only for impacts."});
-  settings.push_back({"motionN of several cables", "1e-14 of the speed more, where it is needed",
-                      "ODE's solver may give up where a row is satisfied exactly."});
-  settings.push_back({"dContactSoftERP, soft_erp", "0",
-                      "At the instant of an impact there is no overstretch for ODE's 0.2 to take "
-                      "out."});
-  settings.push_back({"dWorldStep", "1 s for an impact",
-                      "No force acts, so that any step will do; a small one would lose digits."});
-  settings.push_back({"dWorldSetGravity", "0 while an impact is solved",
-                      "No time passes in an impact; the case's gravity is put back after it."});
-  settings.push_back({"dBodySetPosition, dBodySetQuaternion", "the pose before an impact",
-                      "The solve of an impact must not move the body."});
-  settings.push_back(parabola_setting());
-  return {
-      {{"event",
-        "ODE flies and solves, the event driver finds the instants: each impact is one solve at "
-        "the exact pose.",
-        std::move(settings)},
-       [](const Case& the_case, const RunSettings& run) {
-         return drive_by_events(the_case, std::make_unique<OdeEventAdapter>(the_case), run.law);
-       },
-       true}};
+       "One row for impacts and for taut cables; dContactBounce is only for impacts."},
+      {"motionN of several cables", "1e-14 of the speed more, where it is needed",
+       "ODE's solver may give up where a row is satisfied exactly."},
+      {"dContactSoftERP, soft_erp", "0",
+       "At the instant of an impact there is no overstretch for ODE's 0.2 to take out."},
+      {"dWorldStep", "1 s for an impact",
+       "No force acts, so that any step will do; a small one would lose digits."},
+      {"dWorldSetGravity", "0 while an impact is solved",
+       "No time passes in an impact; the case's gravity is put back after it."},
+      {"dBodySetPosition, dBodySetQuaternion", "the pose before an impact",
+       "The solve of an impact must not move the body."},
+      parabola_setting()};
+  return {event_model<OdeEventAdapter>(
+      "ODE flies and solves, the event driver finds the instants: each impact is one solve at the "
+      "exact pose.",
+      joined({world_settings(), own}))};
 }
 
 }  // namespace tautline::ode

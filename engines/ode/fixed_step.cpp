@@ -27,8 +27,8 @@ constexpr Choice contact{Activation::overstretched, World::Rotation::infinitesim
 
 class FixedStepSimulation final : public Simulation {
  public:
-  FixedStepSimulation(const Case& the_case, const Choice& choice, double step)
-      : case_(the_case), choice_(choice), step_(step), world_(the_case, choice.rotation) {
+  FixedStepSimulation(const Case& the_case, const RunSettings& run, const Choice& choice)
+      : case_(the_case), choice_(choice), step_(run.step), world_(the_case, choice.rotation) {
     if (choice.cfm) {
       dWorldSetCFM(world_.id(), *choice.cfm);
     }
@@ -81,17 +81,13 @@ std::vector<Setting> surface_settings(const Choice& choice) {
            "a large speed."}};
 }
 
-ModelEntry entry(std::string name, std::string sentence, std::vector<Setting> own,
+ModelEntry entry(std::string name, std::string sentence, const std::vector<Setting>& own,
                  const Choice& choice) {
-  std::vector<Setting> settings = world_settings();
-  const std::vector<Setting> surface = surface_settings(choice);
-  settings.insert(settings.end(), surface.begin(), surface.end());
-  settings.insert(settings.end(), own.begin(), own.end());
-  return {{std::move(name), std::move(sentence), std::move(settings)},
-          [choice](const Case& the_case, const RunSettings& run) -> std::unique_ptr<Simulation> {
-            return std::make_unique<FixedStepSimulation>(the_case, choice, run.step);
-          },
-          true};
+  return {.model = {.name = std::move(name),
+                    .sentence = std::move(sentence),
+                    .settings = joined({world_settings(), surface_settings(choice), own})},
+          .start = makes<FixedStepSimulation>(choice),
+          .follows_speed = true};
 }
 
 std::vector<Setting> exact_row_settings() {

@@ -8,14 +8,14 @@
 namespace tautline::ode {
 namespace {
 
-class OdeEngine final : public TableEngine {
- public:
-  OdeEngine()
-      : TableEngine("ode", TAUTLINE_ODE_VERSION, precision(),
-                    {fixed_step_models(), cable_models(), event_models()}) {}
-};
+EngineTable table() {
+  return {.name = "ode",
+          .version = TAUTLINE_ODE_VERSION,
+          .precision = precision(),
+          .families = {fixed_step_models(), cable_models(), event_models()}};
+}
 
 }  // namespace
 }  // namespace tautline::ode
 
-TAUTLINE_PLUGIN(tautline::ode::OdeEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::ode::table>)

@@ -85,9 +85,9 @@ std::shared_ptr<EventDriven> event_driven(const System& system, double dt) {
 
 class EventDrivenSimulation final : public Simulation {
  public:
-  EventDrivenSimulation(const Case& the_case, double step)
+  EventDrivenSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case), now_(the_case.initial), impulses_(the_case.cables.size()) {
-    begin(step);
+    begin(run.step);
   }
 
   [[nodiscard]] State state() const override { return now_; }
@@ -183,20 +183,24 @@ class EventDrivenSimulation final : public Simulation {
 }  // namespace
 
 std::vector<ModelEntry> event_driven_models() {
-  return {{{"event-driven",
-            "EventDriven with LsodarOSI: Siconos itself locates impacts and follows taut cables.",
-            {{"setToleranceED", "1e-9",
-              "The default of 2.2e-12 is less than an overstretch of rounding in a long run."},
-             {"NewtonImpactNSL e", "0 below 1e-8 m/s",
-              "Rebounds of about the tolerance on coupled cables would keep each other alive."},
-             {"LCP::compute", "overridden for impacts, ends the run where the solver fails",
-              "Siconos goes on with what the solver has left."},
-             {"LsodarOSI::computeFreeOutput", "overridden, with the relation's Jacobians of now",
-              "Siconos calls past the relation's own rate of the Jacobian and takes an old one."}}},
-           [](const Case& the_case, const RunSettings& settings) -> std::unique_ptr<Simulation> {
-             return std::make_unique<EventDrivenSimulation>(the_case, settings.step);
-           },
-           true}};
+  return {
+      {.model =
+           {.name = "event-driven",
+            .sentence = "EventDriven with LsodarOSI: Siconos itself locates impacts and follows "
+                        "taut cables.",
+            .settings =
+                {{"setToleranceED", "1e-9",
+                  "The default of 2.2e-12 is less than an overstretch of rounding in a long run."},
+                 {"NewtonImpactNSL e", "0 below 1e-8 m/s",
+                  "Rebounds of about the tolerance on coupled cables would keep each other alive."},
+                 {"LCP::compute", "overridden for impacts, ends the run where the solver fails",
+                  "Siconos goes on with what the solver has left."},
+                 {"LsodarOSI::computeFreeOutput",
+                  "overridden, with the relation's Jacobians of now",
+                  "Siconos calls past the relation's own rate of the Jacobian and takes an old "
+                  "one."}}},
+       .start = makes<EventDrivenSimulation>(),
+       .follows_speed = true}};
 }
 
 }  // namespace tautline::siconos_engine

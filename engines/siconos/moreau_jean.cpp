@@ -48,12 +48,12 @@ std::shared_ptr<TimeStepping> stepping(const System& system, double dt, Projecti
 
 class MoreauJeanSimulation final : public Simulation {
  public:
-  MoreauJeanSimulation(const Case& the_case, Projection projection, double step)
+  MoreauJeanSimulation(const Case& the_case, const RunSettings& run, Projection projection)
       : case_(the_case),
         projection_(projection),
         now_(the_case.initial),
         impulses_(the_case.cables.size()) {
-    begin(step);
+    begin(run.step);
   }
 
   [[nodiscard]] State state() const override { return now_; }
@@ -106,15 +106,13 @@ class MoreauJeanSimulation final : public Simulation {
 };
 
 ModelEntry entry(std::string name, std::string sentence, Projection projection) {
-  return {{std::move(name),
-           std::move(sentence),
-           {{"LCP::compute", "overridden, ends the run where the solver fails",
-             "Siconos prints a line and goes on with what the solver has left."}}},
-          [projection](const Case& the_case,
-                       const RunSettings& settings) -> std::unique_ptr<Simulation> {
-            return std::make_unique<MoreauJeanSimulation>(the_case, projection, settings.step);
-          },
-          true};
+  return {.model = {.name = std::move(name),
+                    .sentence = std::move(sentence),
+                    .settings = {{"LCP::compute", "overridden, ends the run where the solver fails",
+                                  "Siconos prints a line and goes on with what the solver has "
+                                  "left."}}},
+          .start = makes<MoreauJeanSimulation>(projection),
+          .follows_speed = true};
 }
 
 }  // namespace

@@ -30,14 +30,14 @@ std::string library_version() {
   return "unknown";
 }
 
-class SiconosEngine final : public TableEngine {
- public:
-  SiconosEngine()
-      : TableEngine("siconos", library_version(), precision_of<double>,
-                    {moreau_jean_models(), event_driven_models()}) {}
-};
+EngineTable table() {
+  return {.name = "siconos",
+          .version = library_version(),
+          .precision = precision_of<double>,
+          .families = {moreau_jean_models(), event_driven_models()}};
+}
 
 }  // namespace
 }  // namespace tautline::siconos_engine
 
-TAUTLINE_PLUGIN(tautline::siconos_engine::SiconosEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::siconos_engine::table>)

@@ -101,23 +101,26 @@ class EventHandlerSimulation final : public Simulation {
 }  // namespace
 
 std::vector<ModelEntry> event_handler_models() {
-  return {
-      {{"event-handler",
-        "RungeKuttaMersonIntegrator finds the instants by event handlers of our own, which solve "
-        "impacts by Newton's law, all cables at once, and switch rods on while cables are taut.",
-        {{"setAccuracy", "1e-10",
-          "The default 1e-3 finds an instant to 1e-9 s, and leaves 1e-7 m on the standard case."},
-         {"setRequiredLocalizationTimeWindow", "1e-3",
-          "In units of the accuracy times 0.1 s: the default 0.1 leaves 1e-12 s."},
-         {"setAllowInterpolation", "false",
-          "A step of the integrator is then no longer than one of the run: it sees a cable that "
-          "is at its length at the end of a step, not one that was in between."},
-         {"Constraint::Rod", "on while a cable is taut",
-          "A rebound slower than 1e-6 m/s is none; the rod is off again when its tension ends."}}},
-       [](const Case& the_case, const RunSettings& /*settings*/) {
-         return std::make_unique<EventHandlerSimulation>(the_case);
-       },
-       true}};
+  return {{.model = {.name = "event-handler",
+                     .sentence = "RungeKuttaMersonIntegrator finds the instants by event handlers "
+                                 "of our own, which solve "
+                                 "impacts by Newton's law, all cables at once, and switch rods on "
+                                 "while cables are taut.",
+                     .settings =
+                         {{"setAccuracy", "1e-10",
+                           "The default 1e-3 finds an instant to 1e-9 s, and leaves 1e-7 m on the "
+                           "standard case."},
+                          {"setRequiredLocalizationTimeWindow", "1e-3",
+                           "In units of the accuracy times 0.1 s: the default 0.1 leaves 1e-12 s."},
+                          {"setAllowInterpolation", "false",
+                           "A step of the integrator is then no longer than one of the run: it "
+                           "sees a cable that "
+                           "is at its length at the end of a step, not one that was in between."},
+                          {"Constraint::Rod", "on while a cable is taut",
+                           "A rebound slower than 1e-6 m/s is none; the rod is off again when its "
+                           "tension ends."}}},
+           .start = makes<EventHandlerSimulation>(),
+           .follows_speed = true}};
 }
 
 }  // namespace tautline::simbody

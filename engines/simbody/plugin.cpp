@@ -18,14 +18,14 @@ std::string version() {
   return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(build);
 }
 
-class SimbodyEngine final : public TableEngine {
- public:
-  SimbodyEngine()
-      : TableEngine("simbody", version(), precision_of<SimTK::Real>,
-                    {rope_models(), event_handler_models()}) {}
-};
+EngineTable table() {
+  return {.name = "simbody",
+          .version = version(),
+          .precision = precision_of<SimTK::Real>,
+          .families = {rope_models(), event_handler_models()}};
+}
 
 }  // namespace
 }  // namespace tautline::simbody
 
-TAUTLINE_PLUGIN(tautline::simbody::SimbodyEngine)
+TAUTLINE_PLUGIN(tautline::EngineOf<tautline::simbody::table>)

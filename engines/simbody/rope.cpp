@@ -98,19 +98,20 @@ class RopeSimulation final : public Simulation {
 
 std::vector<ModelEntry> rope_models() {
   return {
-      {{"rope",
-        "SimTK::Rope in SemiExplicitEulerTimeStepper: a bounce in the step after the cable is "
-        "overstretched, and then the step's gravity.",
-        {{"setRestitutionModel", "Newton", "Simbody's default is Poisson's law."},
-         {"setConstraintTolerance", "1e-8",
-          "A rope acts from this gap on; with the default 1e-4 the error stops shrinking there."},
-         {"setImpulseSolver", "PLUSImpulseSolver, summed up",
-          "The default solver; the time-stepper does not tell its impulses."},
-         {"std::cout, stdout", "dropped while it steps",
-          "Debian's build prints a page of every step."}}},
-       [](const Case& the_case, const RunSettings& /*settings*/) {
-         return std::make_unique<RopeSimulation>(the_case);
-       }}};
+      {.model = {.name = "rope",
+                 .sentence = "SimTK::Rope in SemiExplicitEulerTimeStepper: a bounce in the step "
+                             "after the cable is overstretched, and then the step's gravity.",
+                 .settings = {{"setRestitutionModel", "Newton",
+                               "Simbody's default is Poisson's law."},
+                              {"setConstraintTolerance", "1e-8",
+                               "A rope acts from this gap on; with the default 1e-4 the error "
+                               "stops shrinking there."},
+                              {"setImpulseSolver", "PLUSImpulseSolver, summed up",
+                               "The default solver; the time-stepper does not tell its "
+                               "impulses."},
+                              {"std::cout, stdout", "dropped while it steps",
+                               "Debian's build prints a page of every step."}}},
+       .start = makes<RopeSimulation>()}};
 }
 
 }  // namespace tautline::simbody

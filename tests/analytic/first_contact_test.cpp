@@ -19,7 +19,7 @@ constexpr int arcs = 20'000;  // sanitizers slow this down twentyfold
 #else
 constexpr int arcs = 1'000'000;
 #endif
-constexpr std::uint64_t seed = 1001;
+constexpr std::uint64_t flight_seed = 1001;
 constexpr double horizon = 3.0;
 constexpr int coarse = 300;  // samples: ten per radian at the fastest spin
 constexpr int fine = 20'000;
@@ -49,7 +49,7 @@ std::optional<Case> tangent_arc(Random& random, double apart, double above) {
 }
 
 /// What went wrong over many arcs.
-struct Tally {
+struct FlightTally {
   int searched = 0;
   int skipped = 0;      // roots passed over
   int invented = 0;     // roots where there is none
@@ -59,15 +59,15 @@ struct Tally {
   double worst_time = 0.0;  // [s], error of a root with gap rate above 0.01
 };
 
-void print(const Tally& tally) {
-  std::cout << "  seed " << seed << ": " << tally.searched << " arcs, " << tally.skipped
+void print(const FlightTally& tally) {
+  std::cout << "  seed " << flight_seed << ": " << tally.searched << " arcs, " << tally.skipped
             << " skipped, " << tally.invented << " invented, " << tally.undecidable
             << " undecidable, " << static_cast<double>(tally.steps) / std::max(1, tally.searched)
             << " steps on average, " << tally.most_steps << " at most\n";
 }
 
 /// Compares one arc with the dense method.
-void compare(const Case& the_case, Tally& tally) {
+void compare(const Case& the_case, FlightTally& tally) {
   const FirstContactSearch search = first_contact(the_case, the_case.initial, {}, horizon);
   ++tally.searched;
   tally.steps += search.steps;
@@ -111,8 +111,8 @@ void compare(const Case& the_case, Tally& tally) {
 }
 
 TEST(FirstContact, SkipsNoRootOfAMillionRandomArcs) {
-  Random random(seed);
-  Tally tally;
+  Random random(flight_seed);
+  FlightTally tally;
   for (int arc = 0; arc < arcs; ++arc) {
     compare(random_arc(random), tally);
   }
@@ -126,8 +126,8 @@ TEST(FirstContact, SkipsNoRootOfAMillionRandomArcs) {
 
 TEST(FirstContact, SeparatesTwoRootsDownTo1e7Apart) {
   for (const double apart : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 3e-7, 1e-7}) {
-    Random random(seed);
-    Tally tally;
+    Random random(flight_seed);
+    FlightTally tally;
     for (int arc = 0; arc < arcs / 50; ++arc) {
       if (const auto the_case = tangent_arc(random, apart, 0.0)) {
         compare(*the_case, tally);
@@ -142,8 +142,8 @@ TEST(FirstContact, SeparatesTwoRootsDownTo1e7Apart) {
 
 TEST(FirstContact, PassesAMinimumOfTheGapThatStaysAboveZero) {
   for (const double above : {1e-4, 1e-8, 1e-12}) {
-    Random random(seed);
-    Tally tally;
+    Random random(flight_seed);
+    FlightTally tally;
     for (int arc = 0; arc < arcs / 50; ++arc) {
       if (const auto the_case = tangent_arc(random, 0.0, above)) {
         compare(*the_case, tally);

@@ -10,7 +10,7 @@
 namespace tautline::test {
 namespace {
 
-constexpr std::uint64_t seed = 31;
+constexpr std::uint64_t lcp_seed = 31;
 
 /// A random matrix J J^T of rank <= 3 with rows of length near one.
 CableMatrix random_delassus(Random& random, Eigen::Index count, double scale) {
@@ -47,7 +47,7 @@ CableVector by_relaxation(const CableMatrix& m, const CableVector& q) {
 class Lcp : public ::testing::TestWithParam<int> {};
 
 TEST_P(Lcp, IsSolvedWheneverAllCablesClose) {
-  Random random(seed);
+  Random random(lcp_seed);
   const Eigen::Index count = GetParam();
   double worst = 0.0;
   for (int sample = 0; sample < 3000; ++sample) {
@@ -59,16 +59,16 @@ TEST_P(Lcp, IsSolvedWheneverAllCablesClose) {
     }
     const CableVector q = -(m * pull);
     const auto z = solve_lcp(m, q);
-    ASSERT_TRUE(z.has_value()) << "seed " << seed << " sample " << sample;
+    ASSERT_TRUE(z.has_value()) << "seed " << lcp_seed << " sample " << sample;
     worst = std::max(worst, violation(m, q, *z));
   }
-  std::cout << "  seed " << seed << '\n';
+  std::cout << "  seed " << lcp_seed << '\n';
   constexpr double rounding = 1e-10;  // 1e-16 times the condition of three random rows, up to 1e6
   expect_within("violation", worst, rounding);
 }
 
 TEST_P(Lcp, HasTheRatesOfAnUnrelatedMethod) {
-  Random random(seed);
+  Random random(lcp_seed);
   const Eigen::Index count = GetParam();
   double worst = 0.0;
   for (int sample = 0; sample < 20; ++sample) {

@@ -15,7 +15,7 @@
 namespace tautline::test {
 namespace {
 
-constexpr std::uint64_t seed = 20240607;
+constexpr std::uint64_t system_seed = 20240607;
 #ifdef TAUTLINE_SANITIZED
 constexpr int systems_per_count = 100;  // sanitizers slow this down tenfold
 #else
@@ -30,7 +30,7 @@ constexpr std::array laws = {ImpactLaw::simultaneous, ImpactLaw::poisson, Impact
                              ImpactLaw::energetic};
 
 /// What became of many systems.
-struct Tally {
+struct SystemTally {
   std::array<int, 7> endings{};  // by Ending
   double overstretch = 0.0;      // [-], of a cable's length
   double drift = 0.0;            // [-], of a taut cable's gap, of its length
@@ -42,7 +42,7 @@ struct Tally {
 };
 
 /// Samples `solution` at even times.
-void measure_samples(const Case& the_case, const Solution& solution, Tally& tally) {
+void measure_samples(const Case& the_case, const Solution& solution, SystemTally& tally) {
   constexpr int samples = 400;
   for (int k = 0; k <= samples; ++k) {
     const double part = std::min(1.0, static_cast<double>(k) / samples);
@@ -54,7 +54,7 @@ void measure_samples(const Case& the_case, const Solution& solution, Tally& tall
 }
 
 /// Checks that the cables an arc says are taut are held by tensions at its start.
-void measure_taut_arcs(const Case& the_case, const Solution& solution, Tally& tally) {
+void measure_taut_arcs(const Case& the_case, const Solution& solution, SystemTally& tally) {
   for (const Arc& arc : solution.arcs()) {
     if (arc.taut.empty()) {
       continue;
@@ -80,7 +80,7 @@ void measure_taut_arcs(const Case& the_case, const Solution& solution, Tally& ta
 }
 
 /// An ending must be what it says.
-void expect_truthful(const Case& the_case, const Solution& solution, Tally& tally) {
+void expect_truthful(const Case& the_case, const Solution& solution, SystemTally& tally) {
   ++tally.endings[static_cast<std::size_t>(solution.ending())];
   switch (solution.ending()) {
     case Ending::reached_duration:
@@ -118,7 +118,7 @@ void expect_truthful(const Case& the_case, const Solution& solution, Tally& tall
 }
 
 /// No event adds energy, and none comes or goes between events.
-void measure_energy(const Case& the_case, const Solution& solution, Tally& tally) {
+void measure_energy(const Case& the_case, const Solution& solution, SystemTally& tally) {
   const double scale = energy_scale(the_case);
   double last = energy(the_case, the_case.initial);
   for (const Event& event : solution.events()) {
@@ -133,8 +133,8 @@ void measure_energy(const Case& the_case, const Solution& solution, Tally& tally
 class RandomSystems : public ::testing::TestWithParam<int> {};
 
 TEST_P(RandomSystems, EndTruthfullyInTimeWithoutOverstretch) {
-  Random random(seed + static_cast<std::uint64_t>(GetParam()));
-  Tally tally;
+  Random random(system_seed + static_cast<std::uint64_t>(GetParam()));
+  SystemTally tally;
   SolveOptions options;
   options.max_events = event_limit;
   for (int sample = 0; sample < systems_per_count; ++sample) {
@@ -155,7 +155,7 @@ TEST_P(RandomSystems, EndTruthfullyInTimeWithoutOverstretch) {
     measure_energy(the_case, solution, tally);
     expect_truthful(the_case, solution, tally);
   }
-  std::cout << "  seed " << seed << " + " << GetParam() << '\n';
+  std::cout << "  seed " << system_seed << " + " << GetParam() << '\n';
   for (std::size_t ending = 0; ending < tally.endings.size(); ++ending) {
     std::cout << "  " << to_string(static_cast<Ending>(ending)) << ": " << tally.endings[ending]
               << '\n';

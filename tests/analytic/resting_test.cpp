@@ -11,14 +11,14 @@
 namespace tautline::test {
 namespace {
 
-constexpr std::uint64_t seed = 47;
-constexpr int samples = 2000;
+constexpr std::uint64_t resting_seed = 47;
+constexpr int resting_samples = 2000;
 
 TEST(Geometry, GapRateIsTheDerivativeOfTheGap) {
-  Random random(seed);
+  Random random(resting_seed);
   double worst = 0.0;
   constexpr double dt = 1e-5;
-  for (int sample = 0; sample < samples; ++sample) {
+  for (int sample = 0; sample < resting_samples; ++sample) {
     const Case the_case = random_case(random, {1, 0.1, 0.0});
     const Cable& cable = the_case.cables.front();
     if ((attachment_point(the_case.initial, cable) - cable.anchor).norm() < 0.3) {
@@ -37,9 +37,9 @@ TEST(Geometry, GapRateIsTheDerivativeOfTheGap) {
 }
 
 TEST(Geometry, GapGradientTimesVelocityIsTheGapRate) {
-  Random random(seed);
+  Random random(resting_seed);
   double worst = 0.0;
-  for (int sample = 0; sample < samples; ++sample) {
+  for (int sample = 0; sample < resting_samples; ++sample) {
     const Case the_case = random_case(random, {1, 0.1, 0.0});
     const Cable& cable = the_case.cables.front();
     const State& q = the_case.initial;

@@ -81,6 +81,14 @@ double difference(const State& a, const State& b) {
                    (a.velocity - b.velocity).cwiseAbs().maxCoeff(), std::abs(a.spin - b.spin)});
 }
 
+CableSet all_cables(const Case& the_case) {
+  CableSet result;
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    result.insert(index);
+  }
+  return result;
+}
+
 double energy_scale(const Case& the_case) {
   Case still = the_case;
   still.gravity.setZero();

@@ -31,6 +31,9 @@ void expect_always(const std::string& claim, const std::function<void()>& proper
 /// The largest difference of one of the six numbers of two states, each in its own unit.
 [[nodiscard]] double difference(const State& a, const State& b);
 
+/// Every cable of a case.
+[[nodiscard]] CableSet all_cables(const Case& the_case);
+
 /// A measure of the energies that come and go in a case [J]: what its energy errors are relative
 /// to. Kinetic energy at the start, and a fall by the longest cable.
 [[nodiscard]] double energy_scale(const Case& the_case);

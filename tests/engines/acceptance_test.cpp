@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "analytic/support.hpp"
-#include "engine_support.hpp"
+#include "engines/engine_support.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solve.hpp"

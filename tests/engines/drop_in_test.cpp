@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "analytic/support.hpp"
-#include "engine_support.hpp"
+#include "engines/engine_support.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/sensitivity.hpp"
 #include "tautline/solve.hpp"

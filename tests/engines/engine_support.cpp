@@ -1,4 +1,4 @@
-#include "engine_support.hpp"
+#include "engines/engine_support.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "bench/run/wire.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 
@@ -23,7 +22,10 @@ bench::RegisteredEngine engine_from_list(const ordered_json& row) {
   engine.failure = row.at("failure");
   engine.missing = row.at("missing");
   if (row.contains("models")) {
-    engine.info = bench::engine_from(row);
+    engine.info = {row.at("name"), row.at("version"), row.at("precision"), {}};
+    for (const ordered_json& model : row.at("models")) {
+      engine.info->models.push_back({model.at("name"), model.at("sentence"), {}});
+    }
   }
   return engine;
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/check/subject.hpp"
+#include "bench/check/stepping.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/registry.hpp"
 #include "tautline/case.hpp"

@@ -20,6 +20,9 @@ export const benchPage = () => {
   return process.env.TAUTLINE_PAGE;
 };
 
+/// Every page of the program that these tests have: the report and, if it was made, the chapter.
+export const pages = () => [benchPage(), process.env.TAUTLINE_CHAPTER_PAGE].filter(Boolean);
+
 export const reportOf = (file) => JSON.parse(
   /<script type="application\/json" id="report-data">([^<]*)/.exec(readFileSync(file, 'utf8'))[1]);
 

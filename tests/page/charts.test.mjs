@@ -45,7 +45,7 @@ test('the points of error against step are the numbers of the report', async () 
       return runs.filter((run) => {
         const trace = body._fullData.find((one) => one.name === `${run.engine} ${run.model}`);
         const at = [...trace.x].indexOf(run.step);
-        const error = run.metrics.early.position_error;
+        const error = run.metrics.early_position_error;
         // rounding, up to 1e-9 m, is drawn at the foot
         return error > 1e-9 ? trace.y[at] !== error : trace.y[at] > Math.min(...trace.y);
       }).map((run) => `${run.engine} ${run.model} ${run.step}`);
@@ -60,12 +60,12 @@ test('the points of error against cost over all cases are the medians of the rep
     const { wrong, compared } = await page.evaluate(() => {
       const { report } = tautline;
       const { body } = tautline.charts['chart-cost'];
-      const rows = report.summary.filter((row) => row.early_position_error?.median > 1e-9); // the rest is at the foot
+      const rows = report.summary.filter((row) => row.metrics.early_position_error?.median > 1e-9); // the rest is at the foot
       return { compared: rows.length, wrong: rows.filter((row) => {
         const same = (one) => one.engine === row.engine && one.model === row.model && one.step === row.step;
         const trace = body._fullData.find((one) => one.name === `${row.engine} ${row.model}`);
         const at = [...trace.x].indexOf(report.context.costs.find(same).second_cost);
-        return trace.y[at] !== row.early_position_error.median;
+        return trace.y[at] !== row.metrics.early_position_error.median;
       }).map((row) => `${row.engine} ${row.model} ${row.step}`) };
     });
     assert.ok(compared > 2);

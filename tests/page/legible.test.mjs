@@ -1,13 +1,16 @@
 import assert from 'node:assert/strict';
+import { basename } from 'node:path';
 import test from 'node:test';
-import { benchPage, drawAll, withPage } from './browser.mjs';
+import { drawAll, pages, withPage } from './browser.mjs';
 
 /// The least contrast of text, by WCAG 2 (level AA).
 const leastContrast = 4.5;
 
-for (const width of [400, 1600]) {
-  test(`at ${width} px nothing makes the page scroll sideways, and no chart is cut`, async () => {
-    await withPage(benchPage(), async ({ page }) => {
+const each = (list) => pages().flatMap((file) => list.map((one) => [file, basename(file), one]));
+
+for (const [file, name, width] of each([400, 1600])) {
+  test(`${name} at ${width} px: nothing makes the page scroll sideways, and no chart is cut`, async () => {
+    await withPage(file, async ({ page }) => {
       await drawAll(page);
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width);
       const cut = await page.evaluate(() => Object.entries(tautline.charts).filter(([, { body, element }]) =>
@@ -61,16 +64,16 @@ function pale(least) {
   return [...bad].slice(0, 20).map((one) => one.join(': '));
 }
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`every text has a contrast of ${leastContrast} in the ${colorScheme} scheme, in charts too`, async () => {
-    await withPage(benchPage(), async ({ page }) => {
+for (const [file, name, colorScheme] of each(['light', 'dark'])) {
+  test(`${name}: every text has a contrast of ${leastContrast} in the ${colorScheme} scheme, in charts too`, async () => {
+    await withPage(file, async ({ page }) => {
       await drawAll(page);
       assert.deepEqual(await page.evaluate(pale, leastContrast), []);
     }, { colorScheme });
   });
 
-  test(`curves stand out from the paper by 3:1 in the ${colorScheme} scheme`, async () => {
-    await withPage(benchPage(), async ({ page }) => {
+  test(`${name}: curves stand out from the paper by 3:1 in the ${colorScheme} scheme`, async () => {
+    await withPage(file, async ({ page }) => {
       const weak = await page.evaluate(() => {
         const channel = (hex, at) => {
           const value = parseInt(hex.slice(at, at + 2), 16) / 255;

@@ -79,11 +79,14 @@ const causes = ['flight_bias', 'event_lag', 'late_rate', 'position_correction', 
 const partsOf = (size, seed) => Object.fromEntries(causes.map((cause, i) =>
   [cause, six(size * (1 + Math.sin(3 * seed + 2 * i)) / 8)]));
 
-function windowOf(until, error, exact, found) {
-  return { until, covered: until, position_error: six(error), angle_error: six(error), velocity_error: six(error),
-    impacts: { exact, found, matched: Math.min(exact, found), missed: Math.max(0, exact - found),
-      first_time_error: six(error), worst_time_error: six(error) } };
-}
+const windowOf = (until, exact, found) => ({ until, covered: until, exact, found, matched: Math.min(exact, found) });
+
+/// Of the metrics, those that the page's scripts read and a few more.
+const units = { early_position_error: 'm', horizon_position_error: 'm', whole_position_error: 'm',
+  restitution_error: '1', overstretch: 'm', energy_gain: 'J' };
+const metricsOf = (error) => ({ early_position_error: six(error), horizon_position_error: six(4 * error),
+  whole_position_error: six(20 * error), restitution_error: 0.05, overstretch: six(error / 3),
+  energy_gain: six(error / 10) });
 
 function runOf(the, engine, model, step, which, settings) {
   const order = model.startsWith('event') || engine === 'exact' ? 2 : 1;
@@ -91,27 +94,24 @@ function runOf(the, engine, model, step, which, settings) {
   const bias = engine === 'exact' ? 0 : 1 / (1 + which % 5);
   const { path, hits } = simulate(the.system, settings.duration, Math.max(settings.finest, step), settings.samples, bias);
   const parts = partsOf(error, which);
-  return { case: the.name, engine, model, step, status: 'finished', reason: '', output_tail: null,
-    stride: 1, recorded_impacts: hits.length, slow_impacts: 0, path, impacts: impactColumns(hits, bias),
-    metrics: { early: windowOf(0.3 * settings.duration, error, 5, 5),
-      horizon: windowOf(0.6 * settings.duration, 4 * error, 20, hits.length),
-      whole: windowOf(settings.duration, 20 * error, 30, hits.length), overstretch: error / 3,
-      settling: { last_impacts: [], later_impacts: 0, swing: null }, long_impacts: 0,
-      energy: { largest_gain: error / 10, error: -error },
-      restitution: { count: hits.length, smallest: 0.8, mean: 0.85, largest: 0.9, worst_error: 0.05 } },
+  return { case: the.name, engine, model, step, status: 'finished', reason: '', metrics: metricsOf(error),
+    details: { early: windowOf(0.3 * settings.duration, 5, 5), horizon: windowOf(0.6 * settings.duration, 20, hits.length),
+      whole: windowOf(settings.duration, 30, hits.length), last_impacts: [], swing: null,
+      restitution: { count: hits.length, smallest: 0.8, mean: 0.85, largest: 0.9 }, stride: 1,
+      recorded_impacts: hits.length, slow_impacts: 0 },
+    path, impacts: impactColumns(hits, bias),
     audit: { ladder: which % 3 ? null : { cable: 0, exact_ratio: 0.81,
       heights: [1, 0.8, 0.63, 0.5, 0.38].map((h) => six(h * (1 - bias * step))),
       exact: [1, 0.81, 0.6561, 0.531441, 0.430467] },
     scatter: { count: hits.length, mean: 0.85, standard_deviation: 0.01, smallest: 0.8, largest: 0.9 } },
     attribution: error > 0 ? { until: 5, deviation: error, parts, remainder: 0.01 * error, arcs: 9, impacts: 8,
-      reason: '' } : null,
-    verdict: { word: error < 0.01 ? 'pass' : 'deviation-flagged', checks: [] } };
+      reason: '' } : null };
 }
 
 function caseOf(name, index, settings) {
   const made = system(index);
   const { path, hits } = simulate(made, settings.duration, settings.finest, 2 * settings.samples, 0);
-  return { system: made, row: { name, cables: 2, duration: settings.duration, ending: 'reached_duration',
+  return { system: made, row: { name, title: 'two cables', cables: 2, duration: settings.duration, ending: 'reached_duration',
     end_time: settings.duration, horizon: 0.6 * settings.duration, counted_impacts: hits.length, start_energy: 0.1,
     end_energy: 0.02, settling: { last_impacts: [], lock: null }, body: made.body, gravity: made.gravity,
     geometry: made.geometry, path, events: { time: hits.map((h) => six(h.time)), kind: hits.map(() => 'impact'),
@@ -127,29 +127,26 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
   const runs = made.flatMap((the) => models.flatMap(({ engine, model }, which) =>
     steps.map((step) => runOf(the, engine, model, step, which, settings))));
   const groups = models.flatMap(({ engine, model }, which) => steps.map((step) => ({ engine, model, step, which })));
-  return { schema: 3, program: { name: 'tautline', version: 'synthetic' }, complete: true, planned_runs: runs.length,
+  return { schema: 4, program: { name: 'tautline', version: 'synthetic' }, complete: true, planned_runs: runs.length,
     options: { steps, law: 'simultaneous', count_speed: 0.01, early_impacts: 5, time_limit: 60, memory_limit: 1e9 },
+    metrics: Object.entries(units).map(([name, unit]) => ({ name, unit, meaning: 'Synthetic.' })),
     engines: [...engines.map((name) => ({ name, version: '1', precision: 'float64', problem: null, missing: false,
       models: modelNames[name].map((model) => ({ name: model, sentence: 'Synthetic.', settings: [] })) })),
     { name: 'absent', problem: 'its library was not found', missing: true }],
     cases: made.map((the) => the.row), runs,
     summary: groups.map(({ engine, model, step }) => {
-      const errors = runs.filter((run) => run.engine === engine && run.model === model && run.step === step);
-      const over = (window) => ({ median: errors[0].metrics[window].position_error,
-        worst: errors[0].metrics[window].position_error });
-      return { engine, model, step, cases: cases.length, failed: 0, early_position_error: over('early'),
-        horizon_position_error: over('horizon') };
+      const { metrics } = runs.find((run) => run.engine === engine && run.model === model && run.step === step);
+      return { engine, model, step, cases: cases.length, failed: 0, impacts: { exact: 20, found: 20, matched: 20 },
+        settled: { exact: 0, found: 0 }, metrics: Object.fromEntries(Object.entries(metrics).map(([name, value]) =>
+          [name, { median: value, worst: value }])) };
     }),
     convergence: models.map(({ engine, model }, which) => ({ engine, model, cases: cases.length, cases_at_rounding: 0,
       slope: engine === 'exact' ? null : { smallest: 0.9, median: 1 + (which % 2), largest: 2.1 } })),
     findings: [{ engine: 'bullet64', model: 'row', kind: 'threshold', sentence: 'bounces slower than 0.2 m/s are lost',
       value: 0.2, unit: 'm/s', evidence: { runs: 3, impacts: 30 } }],
-    attribution_summary: groups.map(({ engine, model, step, which }) => ({ engine, model, step, cases: cases.length,
-      deviation: { median: step, worst: 3 * step }, shares: engine === 'exact' ? {} : partsOf(1, which), remainder: 0.01 })),
+    causes: groups.map(({ engine, model, step, which }) => ({ engine, model, step, cases: cases.length,
+      deviation: { median: step, worst: 3 * step }, shares: engine === 'exact' ? null : partsOf(1, which), remainder: 0.01 })),
     limits: null,
-    chapter: { tables: [], corrections: [], figures: [{ name: '5.6', title: 'Angle of the first case', x: 'time [s]',
-      y: 'angle [rad]', curves: [{ name: 'angle', x: made[0].row.path.time, y: made[0].row.path.angle }],
-      boundary: null, marks: [{ time: 4, meaning: 'the cables stay taut' }], chapter: 'It rests.', truth: 'It swings.' }] },
     context: { command: 'synthetic', started: '2026-01-01T00:00:00Z', elapsed: 1, program_memory: 1, worker_memory: 1,
       kept_runs: 0, processor: 'none', cores: 1, compiler: 'none', build_type: 'none', flags: '', commit: 'unknown',
       costs: groups.map(({ engine, model, step }) => ({ engine, model, step, cost_ratio: 100,

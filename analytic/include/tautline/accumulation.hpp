@@ -16,24 +16,25 @@ struct CompletionLimits {
   std::optional<double> speed;
 };
 
-/// An accumulation of impacts: infinitely many bounces that end within a finite time.
+/// What an accumulation of impacts, infinitely many bounces that end within a finite time, comes
+/// to.
 template <class Real>
-struct BasicCapture {
+struct BasicCompletion {
   CableSet cables;         // taut when it is over
   bool ends;               // false: an elastic cable goes on bouncing, too low to matter
   Real remaining;          // [s] to the limit of the impact times, if it ends
   Real uncertainty;        // [s] of `remaining`
   BasicState<Real> after;  // projected onto the taut cables, M-orthogonally (Eq. 18)
 };
-using Capture = BasicCapture<double>;
+using Completion = BasicCompletion<double>;
 
-/// The accumulation that the bounces of the cables in `touching` have come to at `state`. None if
-/// they rest already, will leave, still bounce faster than `limits` allow, or if the certificate of
+/// The completion of the bounces of the cables in `touching` from `state` on. None if they rest
+/// already, will leave, still bounce faster than `limits` allow, or if the certificate of
 /// analytic/README.md section 5 fails.
 template <class Real>
-[[nodiscard]] std::optional<BasicCapture<Real>> capture(const BasicCase<Real>& the_case,
-                                                        const BasicState<Real>& state,
-                                                        const BasicTouching<Real>& touching,
-                                                        const CompletionLimits& limits = {});
+[[nodiscard]] std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
+                                                              const BasicState<Real>& state,
+                                                              const BasicTouching<Real>& touching,
+                                                              const CompletionLimits& limits = {});
 
 }  // namespace tautline

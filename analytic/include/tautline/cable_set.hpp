@@ -61,6 +61,9 @@ class CableSet {
   friend constexpr CableSet operator|(CableSet a, CableSet b) {
     return CableSet(a.bits_ | b.bits_);
   }
+  friend constexpr CableSet operator&(CableSet a, CableSet b) {
+    return CableSet(a.bits_ & b.bits_);
+  }
 
  private:
   explicit constexpr CableSet(unsigned bits) : bits_(bits) {}

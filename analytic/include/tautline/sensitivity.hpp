@@ -7,16 +7,11 @@
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
+#include "tautline/state_matrix.hpp"
 
 namespace tautline {
 
 // How the motion depends on its start (analytic/README.md, section "Sensitivity").
-
-/// Derivatives of the six numbers x, y [m], angle [rad], x velocity, y velocity [m/s] and spin
-/// [rad/s], one a row, with respect to the same six of an earlier state, one a column.
-template <class Real>
-using BasicStateMatrix = Eigen::Matrix<Real, 6, 6>;
-using StateMatrix = BasicStateMatrix<double>;
 
 /// What the events of one instant do to a small difference of states (Eqs. 41 to 44).
 template <class Real>

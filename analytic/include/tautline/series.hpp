@@ -57,7 +57,8 @@ class Polynomial {
 
 /// The motion from `start` with the cables of `taut` held at zero gap, as Taylor series in the time
 /// since then (analytic/README.md section 6). The rows of `taut` are independent, their gaps and
-/// gap rates zero. With an empty set it is free flight.
+/// gap rates zero. With an empty set it is free flight. The library has the definitions for double;
+/// those for another scalar are in series_impl.hpp.
 template <class Real>
 class TautSeries {
  public:
@@ -131,5 +132,3 @@ class TautSeries {
 };
 
 }  // namespace tautline
-
-#include "tautline/series_impl.hpp"

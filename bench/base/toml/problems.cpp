@@ -6,17 +6,17 @@
 
 namespace tautline::bench {
 
-Findings::Findings(const std::string& source_name) {
+FileProblems::FileProblems(const std::string& source_name) {
   constexpr std::size_t longest_path = 1024;
   source_ = source_name.empty() ? "\"\"" : printable(source_name, longest_path);
 }
 
-void Findings::add(std::size_t line, const std::string& sentence) {
+void FileProblems::add(std::size_t line, const std::string& sentence) {
   found_.emplace_back(line,
                       source_ + (line > 0 ? ":" + std::to_string(line) : "") + ": " + sentence);
 }
 
-std::vector<std::string> Findings::sentences() const {
+std::vector<std::string> FileProblems::sentences() const {
   constexpr std::size_t enough = 100;
   auto sorted = found_;
   std::stable_sort(sorted.begin(), sorted.end(),

@@ -8,9 +8,9 @@
 namespace tautline::bench {
 
 /// What is wrong with one file, in sentences that start with `file:line: `.
-class Findings {
+class FileProblems {
  public:
-  explicit Findings(const std::string& source_name);
+  explicit FileProblems(const std::string& source_name);
 
   /// `line` counts from 1; 0 where no line can be named.
   void add(std::size_t line, const std::string& sentence);

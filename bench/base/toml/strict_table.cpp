@@ -22,8 +22,8 @@ const Range zero_or_above = {"a finite number, 0 or above",
                              [](double x) { return std::isfinite(x) && x >= 0.0; }};
 const Range zero_to_one = {"in [0, 1]", [](double x) { return x >= 0.0 && x <= 1.0; }};
 
-StrictTable::StrictTable(const toml::table* table, std::string path, Findings& findings)
-    : table_(table), path_(std::move(path)), findings_(&findings) {}
+StrictTable::StrictTable(const toml::table* table, std::string path, FileProblems& wrong)
+    : table_(table), path_(std::move(path)), wrong_(&wrong) {}
 
 std::string StrictTable::text(std::string_view key) {
   const std::string right = "must be a string that is not empty";
@@ -134,7 +134,7 @@ StrictTable StrictTable::table(std::string_view key) {
   if (node != nullptr && !node->is_table()) {
     refuse(*node, full_name(key), "is " + type_name(*node) + ", must be a table");
   }
-  return {node != nullptr ? node->as_table() : nullptr, full_name(key), *findings_};
+  return {node != nullptr ? node->as_table() : nullptr, full_name(key), *wrong_};
 }
 
 std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t most,
@@ -158,7 +158,7 @@ std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t m
     const toml::node& entry = *array->get(index);
     const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
     if (const toml::table* table = entry.as_table()) {
-      result.emplace_back(table, name, *findings_);
+      result.emplace_back(table, name, *wrong_);
     } else {
       refuse(entry, name, "is " + type_name(entry) + ", must be a table");
     }
@@ -180,9 +180,9 @@ void StrictTable::refuse_unknown_keys() {
       continue;
     }
     const std::string near = suggestion(key.str(), known_);
-    findings_->add(key.source().begin.line,
-                   full_name(printable(key.str())) + quoted_value(node) + ": unknown key" +
-                       (near.empty() ? ", must be " + joined(known_, "or") : near));
+    wrong_->add(key.source().begin.line,
+                full_name(printable(key.str())) + quoted_value(node) + ": unknown key" +
+                    (near.empty() ? ", must be " + joined(known_, "or") : near));
   }
 }
 
@@ -197,7 +197,7 @@ const toml::node* StrictTable::find_required(std::string_view key, const std::st
   const toml::node* node = find(key);
   if (node == nullptr) {
     // the file itself has no line to point at
-    findings_->add(path_.empty() ? 0 : line_of(table_), full_name(key) + ": is missing, " + right);
+    wrong_->add(path_.empty() ? 0 : line_of(table_), full_name(key) + ": is missing, " + right);
   }
   return node;
 }
@@ -232,7 +232,7 @@ Vec2 StrictTable::checked_pair(const toml::node& node, const std::string& name,
 }
 
 void StrictTable::refuse(const toml::node& node, const std::string& name, const std::string& why) {
-  findings_->add(line_of(&node), name + quoted_value(node) + ": " + why);
+  wrong_->add(line_of(&node), name + quoted_value(node) + ": " + why);
 }
 
 std::string StrictTable::full_name(std::string_view key) const {

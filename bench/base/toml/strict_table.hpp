@@ -28,7 +28,7 @@ class StrictTable {
  public:
   /// `path` is the table's full key, "" for the file itself; a `table` that is null lacks every
   /// key.
-  StrictTable(const toml::table* table, std::string path, Findings& findings);
+  StrictTable(const toml::table* table, std::string path, FileProblems& wrong);
 
   [[nodiscard]] std::string text(std::string_view key);
   [[nodiscard]] std::optional<std::string> optional_text(std::string_view key);
@@ -73,7 +73,7 @@ class StrictTable {
 
   const toml::table* table_;
   std::string path_;
-  Findings* findings_;
+  FileProblems* wrong_;
   std::vector<std::string> known_;
 };
 

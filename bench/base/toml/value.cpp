@@ -13,15 +13,15 @@ namespace {
 constexpr std::size_t longest_line = 4096;
 
 /// Adds a finding for text that the parser need not see.
-void check_lines(std::string_view text, Findings& findings) {
+void check_lines(std::string_view text, FileProblems& wrong) {
   std::size_t line = 1;
-  while (!text.empty() && findings.empty()) {
+  while (!text.empty() && wrong.empty()) {
     const std::size_t length = std::min(text.find('\n'), text.size());
     if (text.substr(0, length).find('\0') != std::string_view::npos) {
-      findings.add(line, "holds a zero byte: must be a text file (TOML)");
+      wrong.add(line, "holds a zero byte: must be a text file (TOML)");
     } else if (length > longest_line) {
-      findings.add(line, "is " + std::to_string(length) + " bytes long, a line has at most " +
-                             std::to_string(longest_line));
+      wrong.add(line, "is " + std::to_string(length) + " bytes long, a line has at most " +
+                          std::to_string(longest_line));
     }
     text.remove_prefix(std::min(length + 1, text.size()));
     ++line;
@@ -47,17 +47,16 @@ std::string value_text(const toml::node& node) {
 
 }  // namespace
 
-std::optional<toml::table> parse_toml(std::string_view text, Findings& findings) {
-  check_lines(text, findings);
-  if (!findings.empty()) {
+std::optional<toml::table> parse_toml(std::string_view text, FileProblems& wrong) {
+  check_lines(text, wrong);
+  if (!wrong.empty()) {
     return std::nullopt;
   }
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    findings.add(error.source().begin.line, "column " +
-                                                std::to_string(error.source().begin.column) +
-                                                ": not TOML: " + printable(error.description()));
+    wrong.add(error.source().begin.line, "column " + std::to_string(error.source().begin.column) +
+                                             ": not TOML: " + printable(error.description()));
     return std::nullopt;
   }
 }

@@ -11,7 +11,7 @@
 namespace tautline::bench {
 
 /// The table the text stands for; none, and a finding, where it is not TOML.
-[[nodiscard]] std::optional<toml::table> parse_toml(std::string_view text, Findings& findings);
+[[nodiscard]] std::optional<toml::table> parse_toml(std::string_view text, FileProblems& wrong);
 
 /// The line of a node, from 1; 0 for null.
 [[nodiscard]] std::size_t line_of(const toml::node* node);

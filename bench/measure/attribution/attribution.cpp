@@ -12,6 +12,7 @@
 #include "bench/measure/attribution/chain.hpp"
 #include "bench/measure/attribution/scheme.hpp"
 #include "bench/measure/attribution/segments.hpp"
+#include "bench/measure/impact_match.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -257,28 +258,6 @@ Attribution nothing(std::string reason) {
 }
 
 }  // namespace
-
-std::string_view to_string(Cause cause) {
-  switch (cause) {
-    case Cause::flight_bias:
-      return "flight_bias";
-    case Cause::event_lag:
-      return "event_lag";
-    case Cause::late_rate:
-      return "late_rate";
-    case Cause::position_correction:
-      return "position_correction";
-    case Cause::threshold:
-      return "threshold";
-    case Cause::solver_residual:
-      return "solver_residual";
-    case Cause::taut_drift:
-      return "taut_drift";
-    case Cause::amplification:
-      return "amplification";
-  }
-  return "unknown";
-}
 
 double noise_of(std::string_view precision) {
   constexpr double of_double = 1e-9;

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "bench/measure/compare.hpp"
+#include "bench/measure/attribution/cause.hpp"
 #include "bench/run/record.hpp"
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
@@ -49,26 +48,6 @@ namespace tautline::bench {
 // the run's last sample before the horizon. It is the last at which amplification of defects above
 // the noise is no more than a tenth of all; if there is none, the first at which it is no more than
 // half.
-
-enum class Cause {
-  flight_bias,          // the integrator's path between impacts: semi-implicit Euler, -g t dt / 2
-  event_lag,            // the impact came before or after its instant, at another pose
-  late_rate,            // restitution of a rate that is not the one at the instant of the impact
-  position_correction,  // overstretch pushed out: by velocity on top of the bounce, or as a shift
-  threshold,            // slow impacts do not rebound, or none at any speed
-  solver_residual,      // what else the impulse did: wrong size, wrong direction
-  taut_drift,           // motion on taut cables
-  amplification,        // what the exact motion makes of defects beyond first order, or of rounding
-};
-inline constexpr std::array causes = {
-    Cause::flight_bias, Cause::event_lag,       Cause::late_rate,  Cause::position_correction,
-    Cause::threshold,   Cause::solver_residual, Cause::taut_drift, Cause::amplification};
-
-/// The name used in files: "flight_bias", and so on.
-[[nodiscard]] std::string_view to_string(Cause cause);
-
-/// One number per cause [m].
-using CauseParts = std::array<double, causes.size()>;
 
 struct AttributionOptions {
   ImpactLaw law = ImpactLaw::simultaneous;

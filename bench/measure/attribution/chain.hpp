@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bench/measure/attribution/attribution.hpp"
+#include "bench/measure/attribution/cause.hpp"
 #include "bench/measure/attribution/scheme.hpp"
 #include "bench/measure/attribution/segments.hpp"
 

@@ -1,44 +1,32 @@
-// Goes over the runs of a report by model and asks each what it does to impacts.
+// Reads one run at a time, then asks each model what it does to impacts.
 
 #include "bench/measure/audit/audit.hpp"
 
 #include <map>
 #include <utility>
 
-#include "bench/measure/audit/impacts.hpp"
-#include "bench/report/replay_data.hpp"
+#include "bench/measure/audit/impulse.hpp"
+#include "bench/measure/audit/model.hpp"
+#include "bench/measure/audit/restitution.hpp"
+#include "bench/measure/audit/sleep.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
-/// The models of a report with their impacts, in the order of their first runs.
-std::vector<AuditedModel> audited_models(ordered_json& report) {
-  std::map<std::string, const ordered_json*> cases;
-  for (const ordered_json& row : report.at("cases")) {
-    cases[row.at("name")] = &row;
-  }
+/// The models with all that their runs show, in the order of their first runs.
+std::vector<AuditedModel> audited_models(const std::vector<AuditedRun>& runs) {
   std::vector<AuditedModel> models;
   std::map<std::pair<std::string, std::string>, std::size_t> places;
-  for (ordered_json& run : report.at("runs")) {
-    if (run.at("impacts").is_null()) {
-      continue;
-    }
-    const ordered_json& the_case = *cases.at(run.at("case"));
-    run["audit"] = run_audit(run, the_case);
-    const std::pair<std::string, std::string> key = {run.at("engine"), run.at("model")};
-    const auto [place, is_new] = places.emplace(key, models.size());
+  for (const AuditedRun& run : runs) {
+    const auto [place, is_new] = places.try_emplace({run.engine, run.model}, models.size());
     if (is_new) {
-      models.push_back({key.first, key.second, 0, {}, {}});
+      models.push_back({run.engine, run.model, 0, {}, {}});
     }
     AuditedModel& model = models[place->second];
     ++model.runs;
-    for (const AuditedImpact& impact : audited_impacts(run, the_case)) {
-      model.impacts.push_back(impact);
-    }
-    if (auto freeze = freeze_of(run, the_case)) {
-      model.freezes.push_back(std::move(*freeze));
+    model.impacts.insert(model.impacts.end(), run.audit->impacts.begin(), run.audit->impacts.end());
+    if (run.audit->freeze) {
+      model.freezes.push_back({run.the_case, *run.audit->freeze});
     }
   }
   return models;
@@ -46,22 +34,24 @@ std::vector<AuditedModel> audited_models(ordered_json& report) {
 
 }  // namespace
 
-void add_audit(ordered_json& report) {
-  ordered_json rows = ordered_json::array();
-  for (const AuditedModel& model : audited_models(report)) {
+RunAudit audit(const ReferenceCase& reference, const Trajectory& run, double count_speed) {
+  RunAudit result;
+  result.impacts = audited_impacts(reference, run, count_speed);
+  result.ladder = ladder_of(reference, run, count_speed);
+  result.scatter = scatter_of(result.impacts);
+  result.freeze = freeze_of(reference, run);
+  return result;
+}
+
+std::vector<Finding> findings(const std::vector<AuditedRun>& runs) {
+  std::vector<Finding> all;
+  for (const AuditedModel& model : audited_models(runs)) {
     for (const auto& look : {restitution_findings, impulse_findings, sleep_findings}) {
-      for (const AuditFinding& finding : look(model)) {
-        rows.push_back({{"engine", model.engine},
-                        {"model", model.model},
-                        {"kind", finding.kind},
-                        {"sentence", finding.sentence},
-                        {"value", finding.value ? rounded(*finding.value) : ordered_json(nullptr)},
-                        {"unit", finding.unit},
-                        {"evidence", {{"runs", finding.runs}, {"impacts", finding.impacts}}}});
-      }
+      std::vector<Finding> found = look(model);
+      std::move(found.begin(), found.end(), std::back_inserter(all));
     }
   }
-  report["findings"] = std::move(rows);
+  return all;
 }
 
 }  // namespace tautline::bench

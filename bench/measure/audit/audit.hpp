@@ -1,12 +1,37 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/measure/audit/finding.hpp"
+#include "bench/measure/audit/freeze.hpp"
+#include "bench/measure/audit/impacts.hpp"
+#include "bench/measure/reference.hpp"
+#include "bench/run/record.hpp"
 
 namespace tautline::bench {
 
-/// Adds the restitution audit to `report`, an object of bench/report/report.schema.json with its
-/// cases and runs: "audit" of every run, and "findings", what the models do to impacts. Drawn from
-/// `report` alone: from the impacts and paths of its runs.
-void add_audit(nlohmann::ordered_json& report);
+/// What the restitution audit reads from one run, from all its samples and impacts.
+struct RunAudit {
+  std::optional<Ladder> ladder;
+  std::optional<Scatter> scatter;
+  std::vector<AuditedImpact> impacts;
+  std::optional<Freeze> freeze;
+};
+[[nodiscard]] RunAudit audit(const ReferenceCase& reference, const Trajectory& run,
+                             double count_speed);
+
+/// The audit of a run, and whose run it is.
+struct AuditedRun {
+  std::string the_case;
+  std::string engine;
+  std::string model;
+  const RunAudit* audit = nullptr;
+};
+
+/// What the models do to impacts, in the order of their first runs.
+[[nodiscard]] std::vector<Finding> findings(const std::vector<AuditedRun>& runs);
 
 }  // namespace tautline::bench

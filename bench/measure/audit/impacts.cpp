@@ -7,60 +7,48 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/report/replay_data.hpp"
+#include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
 /// An impact counts where what a step does to its rates is at most this part of them [-].
 constexpr double readable = 0.1;
 
-double norm(const ordered_json& pair) {
-  return std::hypot(pair.at(0).get<double>(), pair.at(1).get<double>());
-}
+/// No more bounces of a ladder are told: nobody climbs them.
+constexpr std::size_t longest_ladder = 300;
 
-double shortest_cable(const ordered_json& the_case) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const ordered_json& cable : the_case.at("geometry")) {
-    shortest = std::min(shortest, cable.at("length").get<double>());
-  }
-  return shortest;
-}
-
-/// The largest kinetic energy of the exact motion at its samples [J].
-double largest_kinetic_energy(const ordered_json& the_case) {
-  const ordered_json& path = the_case.at("path");
-  const double mass = the_case.at("body").at("mass");
-  const ordered_json& g = the_case.at("gravity");
-  double largest = 0.0;
-  for (std::size_t i = 0; i < path.at("time").size(); ++i) {
-    const double fall = g.at(0).get<double>() * path.at("x").at(i).get<double>() +
-                        g.at(1).get<double>() * path.at("y").at(i).get<double>();
-    largest = std::max(largest, path.at("energy").at(i).get<double>() + mass * fall);
-  }
-  return largest;
+double kinetic_energy(const Body& body, const State& state) {
+  return 0.5 * (body.mass * state.velocity.squaredNorm() + body.inertia * state.spin * state.spin);
 }
 
 /// The size of accelerations in the exact motion [m/s^2]: gravity and turning on a cable. A rate
 /// that is read a step early or late is off by a step of it.
-double acceleration(const ordered_json& the_case) {
-  const double mass = the_case.at("body").at("mass");
-  return norm(the_case.at("gravity")) +
-         2.0 * largest_kinetic_energy(the_case) / mass / shortest_cable(the_case);
+double acceleration(const ReferenceCase& reference) {
+  const Case& the_case = reference.the_case;
+  double largest = 0.0;  // [J], of kinetic energy
+  for (const Point& point : samples(reference)) {
+    largest = std::max(largest, kinetic_energy(the_case.body, point.state));
+  }
+  return the_case.gravity.norm() + 2.0 * largest / the_case.body.mass / shortest_cable(the_case);
 }
 
-/// The `index`-th entry of a column; NaN where it is null.
-double entry(const ordered_json& columns, const char* name, std::size_t index) {
-  const ordered_json& value = columns.at(name).at(index);
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+/// The impacts of `run` that close faster than `count_speed`.
+std::vector<const RecordedImpact*> counted(const Trajectory& run, double count_speed) {
+  std::vector<const RecordedImpact*> result;
+  for (const RecordedImpact& impact : run.impacts) {
+    if (-impact.rate_before > count_speed) {
+      result.push_back(&impact);
+    }
+  }
+  return result;
 }
 
 /// True where no other impact of the run is at the same time: those share one velocity jump.
-bool alone(const ordered_json& times, std::size_t index) {
-  return (index == 0 || times.at(index - 1) != times.at(index)) &&
-         (index + 1 == times.size() || times.at(index + 1) != times.at(index));
+bool alone(const std::vector<const RecordedImpact*>& impacts, std::size_t index) {
+  const double time = impacts[index]->time;
+  return (index == 0 || impacts[index - 1]->time != time) &&
+         (index + 1 == impacts.size() || impacts[index + 1]->time != time);
 }
 
 /// `momentum` less what a step explains, as a part of `impulse`.
@@ -68,125 +56,130 @@ double excess(double momentum, double explained, double impulse) {
   return std::max(0.0, std::abs(momentum) - explained) / impulse;
 }
 
+AuditedImpact audited(const Case& the_case, const RecordedImpact& impact, double floor) {
+  const Cable& cable = the_case.cables[impact.cable];
+  const Eigen::Vector3d pull = gap_gradient(cable, impact.before);
+  AuditedImpact result;
+  result.speed = -impact.rate_before;
+  result.requested = restitution(cable, impact.rate_before);
+  result.effective = impact.rate_after / result.speed;
+  result.arm = pull[2];
+  result.rate_floor = floor;
+  result.steps = impact.steps;
+  const auto& [mass, inertia] = the_case.body;
+  const double inverse = 1.0 / mass + (inertia > 0.0 ? pull[2] * pull[2] / inertia : 0.0);
+  const double impulse = result.speed * (1.0 + std::abs(result.effective)) / inverse;
+  const double explained = mass * floor * std::max(1.0, static_cast<double>(impact.steps));
+  const double across = perpendicular(Vec2(pull.head<2>())).dot(Vec2(impact.stray.head<2>()));
+  const double gyration = std::sqrt(inertia / mass);  // [m]
+  result.across = excess(across, explained, impulse);
+  result.turning = gyration > 0.0 ? excess(impact.stray[2] / gyration, explained, impulse) : 0.0;
+  return result;
+}
+
 /// True where the exact motion stays on one line through the only cable's anchor, and so do its
 /// bounces: the body falls back as high as it rose.
-bool bounces_straight(const ordered_json& the_case) {
-  constexpr double straight = 1e-6;  // [-], of the length: the digits of the path
-  if (the_case.at("geometry").size() != 1) {
+bool bounces_straight(const ReferenceCase& reference) {
+  constexpr double straight = 1e-6;  // [-], of the length
+  const Case& the_case = reference.the_case;
+  if (the_case.cables.size() != 1) {
     return false;
   }
-  const ordered_json& cable = the_case.at("geometry").front();
-  const ordered_json& g = the_case.at("gravity");
-  const ordered_json& path = the_case.at("path");
-  const double allowed = straight * cable.at("length").get<double>();
-  if (norm(cable.at("attachment")) > allowed || norm(g) == 0.0) {
+  const Cable& cable = the_case.cables.front();
+  const double allowed = straight * cable.length;
+  const double weight = the_case.gravity.norm();
+  if (cable.attachment.norm() > allowed || weight == 0.0) {
     return false;
   }
-  for (std::size_t i = 0; i < path.at("time").size(); ++i) {
-    const double x = path.at("x").at(i).get<double>() - cable.at("anchor").at(0).get<double>();
-    const double y = path.at("y").at(i).get<double>() - cable.at("anchor").at(1).get<double>();
-    const double aside = x * g.at(1).get<double>() - y * g.at(0).get<double>();
-    if (std::abs(aside) > allowed * norm(g)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-ordered_json ladder(const ordered_json& run, const ordered_json& the_case) {
-  const ordered_json& impacts = run.at("impacts");
-  const ordered_json& requested = the_case.at("geometry").front().at("restitution");
-  if (!bounces_straight(the_case) || impacts.at("time").empty() || requested.is_null() ||
-      impacts.at("left_out") != 0) {
-    return nullptr;
-  }
-  const double e = requested.get<double>();
-  const double fall = entry(impacts, "rate_before", 0);
-  ordered_json heights = ordered_json::array();
-  ordered_json exact = ordered_json::array();
-  double ratio = 1.0;
-  for (std::size_t i = 0; i < impacts.at("time").size(); ++i) {
-    const double rebound = entry(impacts, "rate_after", i) / fall;
-    ratio *= e * e;
-    if (!std::isfinite(rebound)) {
-      break;
-    }
-    heights.push_back(rounded(rebound * rebound));  // v^2 = 2 g h
-    exact.push_back(rounded(ratio));
-  }
-  return {{"cable", 0}, {"exact_ratio", e * e}, {"heights", heights}, {"exact", exact}};
-}
-
-ordered_json scatter(const std::vector<AuditedImpact>& impacts) {
-  if (impacts.empty()) {
-    return nullptr;
-  }
-  double sum = 0.0;
-  double smallest = std::numeric_limits<double>::infinity();
-  double largest = -smallest;
-  for (const AuditedImpact& impact : impacts) {
-    sum += impact.deviation();
-    smallest = std::min(smallest, impact.deviation());
-    largest = std::max(largest, impact.deviation());
-  }
-  const double mean = sum / static_cast<double>(impacts.size());
-  double squares = 0.0;
-  for (const AuditedImpact& impact : impacts) {
-    squares += (impact.deviation() - mean) * (impact.deviation() - mean);
-  }
-  return {{"count", impacts.size()},
-          {"mean", rounded(mean)},
-          {"standard_deviation", rounded(std::sqrt(squares / static_cast<double>(impacts.size())))},
-          {"smallest", rounded(smallest)},
-          {"largest", rounded(largest)}};
+  const auto points = samples(reference);
+  return std::all_of(points.begin(), points.end(), [&](const Point& point) {
+    const Vec2 away = point.state.position - cable.anchor;
+    return std::abs(perpendicular(the_case.gravity).dot(away)) <= allowed * weight;
+  });
 }
 
 }  // namespace
 
-std::vector<AuditedImpact> audited_impacts(const ordered_json& run, const ordered_json& the_case) {
-  const ordered_json& impacts = run.at("impacts");
-  const ordered_json& times = impacts.at("time");
-  const ordered_json& lock = the_case.at("settling").at("lock");
-  const double end =
-      lock.is_null() ? the_case.at("end_time").get<double>() : lock.at("time").get<double>();
-  const double mass = the_case.at("body").at("mass");
-  const double inertia = the_case.at("body").at("inertia");
-  const double gyration = std::sqrt(inertia / mass);  // [m]
-  const double floor = acceleration(the_case) * run.at("step").get<double>();
+std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const Trajectory& run,
+                                           double count_speed) {
+  const auto& lock = reference.settling.lock;
+  const double end = lock ? lock->time : reference.solution.end_time();
+  const double floor = acceleration(reference) * run.step;
+  const auto impacts = counted(run, count_speed);
   std::vector<AuditedImpact> result;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    AuditedImpact impact{};
-    impact.speed = -entry(impacts, "rate_before", i);
-    impact.requested = entry(impacts, "requested", i);
-    impact.effective = entry(impacts, "rate_after", i) / impact.speed;
-    impact.arm = entry(impacts, "arm", i);
-    impact.rate_floor = floor;
-    impact.steps = impacts.at("steps").at(i);
-    if (entry(impacts, "time", i) > end || !alone(times, i) ||
-        !std::isfinite(impact.effective * impact.requested) || floor > readable * impact.speed) {
+  for (std::size_t index = 0; index < impacts.size(); ++index) {
+    if (impacts[index]->time > end || !alone(impacts, index)) {
       continue;
     }
-    const double inverse = 1.0 / mass + (inertia > 0.0 ? impact.arm * impact.arm / inertia : 0.0);
-    const double impulse = impact.speed * (1.0 + std::abs(impact.effective)) / inverse;
-    const double steps = std::max<double>(1.0, static_cast<double>(impact.steps));
-    const double explained = mass * floor * steps;
-    impact.across = excess(entry(impacts, "tangential_error", i), explained, impulse);
-    impact.turning = gyration > 0.0
-                         ? excess(entry(impacts, "angular_error", i) / gyration, explained, impulse)
-                         : 0.0;
-    result.push_back(impact);
+    const AuditedImpact impact = audited(reference.the_case, *impacts[index], floor);
+    if (std::isfinite(impact.effective * impact.requested) && floor <= readable * impact.speed) {
+      result.push_back(impact);
+    }
   }
   return result;
 }
 
-ordered_json run_audit(const ordered_json& run, const ordered_json& the_case) {
-  return {{"ladder", ladder(run, the_case)}, {"scatter", scatter(audited_impacts(run, the_case))}};
+std::optional<Ladder> ladder_of(const ReferenceCase& reference, const Trajectory& run,
+                                double count_speed) {
+  const auto impacts = counted(run, count_speed);
+  if (impacts.empty() || !bounces_straight(reference) ||
+      depends_on_speed(reference.the_case.cables.front())) {
+    return std::nullopt;
+  }
+  const double e = reference.the_case.cables.front().restitution;
+  Ladder ladder;
+  ladder.exact_ratio = e * e;
+  double ratio = 1.0;
+  for (std::size_t index = 0; index < std::min(impacts.size(), longest_ladder); ++index) {
+    const double rebound = impacts[index]->rate_after / impacts.front()->rate_before;
+    if (!std::isfinite(rebound)) {
+      break;
+    }
+    ratio *= ladder.exact_ratio;
+    ladder.heights.push_back(rebound * rebound);  // v^2 = 2 g h
+    ladder.exact.push_back(ratio);
+  }
+  return ladder;
 }
 
-double quantile(std::vector<double> values, double part) {
-  const auto place = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
+std::optional<Scatter> scatter_of(const std::vector<AuditedImpact>& impacts) {
+  if (impacts.empty()) {
+    return std::nullopt;
+  }
+  Scatter result;
+  result.count = impacts.size();
+  result.smallest = result.largest = impacts.front().deviation();
+  const auto count = static_cast<double>(impacts.size());
+  double sum = 0.0;
+  for (const AuditedImpact& impact : impacts) {
+    sum += impact.deviation();
+    result.smallest = std::min(result.smallest, impact.deviation());
+    result.largest = std::max(result.largest, impact.deviation());
+  }
+  result.mean = sum / count;
+  double squares = 0.0;
+  for (const AuditedImpact& impact : impacts) {
+    squares += (impact.deviation() - result.mean) * (impact.deviation() - result.mean);
+  }
+  result.standard_deviation = std::sqrt(squares / count);
+  return result;
+}
+
+Scatter pooled(const Scatter& one, const Scatter& other) {
+  const auto n = static_cast<double>(one.count);
+  const auto m = static_cast<double>(other.count);
+  const auto square = [](const Scatter& scatter) {
+    return scatter.mean * scatter.mean + scatter.standard_deviation * scatter.standard_deviation;
+  };
+  Scatter result;
+  result.count = one.count + other.count;
+  result.mean = (n * one.mean + m * other.mean) / (n + m);
+  const double variance =
+      (n * square(one) + m * square(other)) / (n + m) - result.mean * result.mean;
+  result.standard_deviation = std::sqrt(std::max(0.0, variance));
+  result.smallest = std::min(one.smallest, other.smallest);
+  result.largest = std::max(one.largest, other.largest);
+  return result;
 }
 
 }  // namespace tautline::bench

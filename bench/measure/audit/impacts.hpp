@@ -1,23 +1,25 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "bench/measure/reference.hpp"
+#include "bench/run/record.hpp"
 
 namespace tautline::bench {
 
 /// An impact of a run as the audit sees it.
 struct AuditedImpact {
-  double speed;       // [m/s], > 0, at which the cable closed
-  double requested;   // [-], the cable's restitution at that speed
-  double effective;   // [-], what came back
-  double arm;         // [m]
-  double across;      // [-], unexplained momentum across the cable, as part of the impulse
-  double turning;     // [-], unexplained spin, as part of the impulse at the radius of gyration
-  double rate_floor;  // [m/s], what a step does to rates: less says nothing
-  std::size_t steps;  // with an impulse; 0 if located
+  double speed = 0.0;      // [m/s], > 0, at which the cable closed
+  double requested = 0.0;  // [-], the cable's restitution at that speed
+  double effective = 0.0;  // [-], what came back
+  double arm = 0.0;        // [m]
+  double across = 0.0;     // [-], unexplained momentum across the cable, as part of the impulse
+  double turning = 0.0;  // [-], unexplained spin, as part of the impulse at the radius of gyration
+  double rate_floor = 0.0;  // [m/s], what a step does to rates: less says nothing
+  std::size_t steps = 0;    // with an impulse; 0 if located
 
   /// Effective less requested restitution.
   [[nodiscard]] double deviation() const { return effective - requested; }
@@ -25,57 +27,35 @@ struct AuditedImpact {
   [[nodiscard]] double floors() const { return deviation() * speed / rate_floor; }
 };
 
-/// A run that freezes: the body stops in one go where the exact motion swings on.
-struct Freeze {
-  std::string case_name;
-  double moving;  // [s], of the last sample before
-  double time;    // [s], of the first sample from which on nothing moves
-  double lost;    // [J], of energy between the two
+/// The impacts of `run` that say something of restitution: those of one cable alone, counted, up to
+/// the lock of the exact motion, and fast enough for the run's step.
+[[nodiscard]] std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference,
+                                                         const Trajectory& run, double count_speed);
+
+/// Heights of consecutive bounces on one cable through the centre of mass, as parts of the first
+/// fall.
+struct Ladder {
+  std::size_t cable = 0;
+  double exact_ratio = 0.0;     // [-], of one height to the next: e^2
+  std::vector<double> heights;  // [-], h_n / h_0, n = 1, 2, ...
+  std::vector<double> exact;    // [-], e^(2n)
 };
 
-/// All runs of one model.
-struct AuditedModel {
-  std::string engine;
-  std::string model;
-  std::size_t runs = 0;
-  std::vector<AuditedImpact> impacts;
-  std::vector<Freeze> freezes;
+/// The ladder of `run`; none where its bounces do not stay on one line.
+[[nodiscard]] std::optional<Ladder> ladder_of(const ReferenceCase& reference, const Trajectory& run,
+                                              double count_speed);
+
+/// Effective less requested restitution over impacts.
+struct Scatter {
+  std::size_t count = 0;
+  double mean = 0.0;
+  double standard_deviation = 0.0;
+  double smallest = 0.0;
+  double largest = 0.0;
 };
+[[nodiscard]] std::optional<Scatter> scatter_of(const std::vector<AuditedImpact>& impacts);
 
-/// What a model does to impacts: a "finding" of bench/report/report.schema.json.
-struct AuditFinding {
-  std::string kind;
-  std::string sentence;
-  std::optional<double> value;
-  std::string unit;
-  std::size_t runs = 0;
-  std::size_t impacts = 0;
-};
-
-/// The impacts of `run`, a row of a report, that say something of restitution: those of one cable
-/// alone, up to the lock of the exact motion of `the_case`, the row of its case, and fast enough
-/// for the run's step.
-[[nodiscard]] std::vector<AuditedImpact> audited_impacts(const nlohmann::ordered_json& run,
-                                                         const nlohmann::ordered_json& the_case);
-
-/// "audit" of `run`: bounce ladder and scatter.
-[[nodiscard]] nlohmann::ordered_json run_audit(const nlohmann::ordered_json& run,
-                                               const nlohmann::ordered_json& the_case);
-
-/// Whether and when `run` freezes.
-[[nodiscard]] std::optional<Freeze> freeze_of(const nlohmann::ordered_json& run,
-                                              const nlohmann::ordered_json& the_case);
-
-/// The `part` (0 to 1) of `values`, which are not empty.
-[[nodiscard]] double quantile(std::vector<double> values, double part);
-
-/// Restitution that is ignored, cut off, spread, too large or too small; impacts of several steps.
-[[nodiscard]] std::vector<AuditFinding> restitution_findings(const AuditedModel& model);
-
-/// Impulses that do not point along the cable, or turn the body by other than their arm.
-[[nodiscard]] std::vector<AuditFinding> impulse_findings(const AuditedModel& model);
-
-/// Bodies put to sleep.
-[[nodiscard]] std::vector<AuditFinding> sleep_findings(const AuditedModel& model);
+/// The scatter of both together.
+[[nodiscard]] Scatter pooled(const Scatter& one, const Scatter& other);
 
 }  // namespace tautline::bench

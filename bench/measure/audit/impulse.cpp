@@ -1,12 +1,14 @@
 // A cable pulls along itself and turns the body by its lever arm. What else an impact changes is
 // the engine's own.
 
+#include "bench/measure/audit/impulse.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
 
-#include "bench/measure/audit/impacts.hpp"
+#include "bench/base/statistics.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -17,9 +19,9 @@ constexpr std::size_t least_impacts = 8;
 /// A model is told of where more than half of its impacts have more of this in them [-].
 constexpr double notable = 0.05;
 
-std::optional<AuditFinding> finding(const AuditedModel& model, const std::string& kind,
-                                    const std::string& sentence,
-                                    const std::function<double(const AuditedImpact&)>& part) {
+std::optional<Finding> unexplained(const AuditedModel& model, const std::string& kind,
+                                   const std::string& sentence,
+                                   const std::function<double(const AuditedImpact&)>& part) {
   std::vector<double> parts;
   for (const AuditedImpact& impact : model.impacts) {
     parts.push_back(part(impact));
@@ -28,28 +30,27 @@ std::optional<AuditFinding> finding(const AuditedModel& model, const std::string
     return std::nullopt;
   }
   const double middle = quantile(parts, 0.5);
-  return AuditFinding{kind,
-                      fmt::format("{} {:.2g} of the impulse (median; {:.2g} in 5 % of the impacts)",
-                                  sentence, middle, quantile(parts, 0.95)),
-                      middle,
-                      "",
-                      model.runs,
-                      parts.size()};
+  Finding finding = finding_of(model, kind);
+  finding.sentence = fmt::format("{} {:.2g} of the impulse (median; {:.2g} in 5 % of the impacts)",
+                                 sentence, middle, quantile(parts, 0.95));
+  finding.value = middle;
+  return finding;
 }
 
 }  // namespace
 
-std::vector<AuditFinding> impulse_findings(const AuditedModel& model) {
-  std::vector<AuditFinding> findings;
+std::vector<Finding> impulse_findings(const AuditedModel& model) {
+  std::vector<Finding> findings;
   if (auto across =
-          finding(model, "tangential-impulse", "impacts push the body across the cable, by",
-                  [](const AuditedImpact& impact) { return impact.across; })) {
+          unexplained(model, "tangential-impulse", "impacts push the body across the cable, by",
+                      [](const AuditedImpact& impact) { return impact.across; })) {
     findings.push_back(std::move(*across));
   }
-  if (auto turning = finding(model, "angular-impulse",
-                             "impacts turn the body by other than impulse times lever arm, at its "
-                             "radius of gyration by",
-                             [](const AuditedImpact& impact) { return impact.turning; })) {
+  if (auto turning =
+          unexplained(model, "angular-impulse",
+                      "impacts turn the body by other than impulse times lever arm, at its "
+                      "radius of gyration by",
+                      [](const AuditedImpact& impact) { return impact.turning; })) {
     findings.push_back(std::move(*turning));
   }
   return findings;

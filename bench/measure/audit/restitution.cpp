@@ -1,13 +1,15 @@
 // What a model makes of restitution, from the impacts of all its runs. Each question leaves aside
 // what the one before has explained: what is cut off does not spread.
 
+#include "bench/measure/audit/restitution.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "bench/measure/audit/impacts.hpp"
+#include "bench/base/statistics.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -16,7 +18,7 @@ using Impacts = std::vector<AuditedImpact>;
 
 /// Fewer impacts say nothing of a model: of those that speak for a finding, and of all.
 constexpr std::size_t least_on_a_side = 3;
-constexpr std::size_t least_impacts = 8;
+constexpr std::size_t least_for_restitution = 8;
 
 /// An impact asks for a rebound from this restitution on, and is lost below this part of it [-]: a
 /// correction of the overstretch may push a lost one a little.
@@ -69,14 +71,20 @@ std::string range_text(const std::vector<double>& numbers) {
                          : fmt::format("{:.3g} to {:.3g}", *least, *most);
 }
 
-AuditFinding ignored(const AuditedModel& model, const Impacts& asked, double e) {
-  return {"restitution-ignored",
-          fmt::format("restitution is ignored: e is {:.2g} (median) where {} is requested", e,
-                      range_text(values(asked, requested_of))),
-          e,
-          "",
-          model.runs,
-          asked.size()};
+/// What `impacts` of `model` show.
+Finding from(const AuditedModel& model, const Impacts& impacts, const std::string& kind,
+             double value, const std::string& sentence) {
+  Finding finding = finding_of(model, kind);
+  finding.sentence = sentence;
+  finding.value = value;
+  finding.impacts = impacts.size();
+  return finding;
+}
+
+Finding ignored(const AuditedModel& model, const Impacts& asked, double e) {
+  return from(model, asked, "restitution-ignored", e,
+              fmt::format("restitution is ignored: e is {:.2g} (median) where {} is requested", e,
+                          range_text(values(asked, requested_of))));
 }
 
 /// Effective restitutions this near are the same, and requested ones this far apart are not [-].
@@ -84,8 +92,8 @@ constexpr double alike = 0.05;
 constexpr double different = 0.2;
 
 /// Everything comes back with one restitution, whatever is requested.
-std::optional<AuditFinding> constant(const AuditedModel& model, const Impacts& asked) {
-  if (asked.size() < least_impacts) {
+std::optional<Finding> constant(const AuditedModel& model, const Impacts& asked) {
+  if (asked.size() < least_for_restitution) {
     return std::nullopt;
   }
   const double middle = quantile(values(asked, effective_of), 0.5);
@@ -103,7 +111,7 @@ std::optional<AuditFinding> constant(const AuditedModel& model, const Impacts& a
 }
 
 /// Nothing rebounds.
-std::optional<AuditFinding> nothing(const AuditedModel& model, const Impacts& asked) {
+std::optional<Finding> nothing_rebounds(const AuditedModel& model, const Impacts& asked) {
   if (asked.size() < least_on_a_side || share(asked, lost) < 1.0 - contrary) {
     return std::nullopt;
   }
@@ -127,7 +135,7 @@ std::size_t best_cut(const Impacts& sorted) {
 }
 
 /// A speed below which nothing rebounds.
-std::optional<AuditFinding> threshold(const AuditedModel& model, Impacts asked) {
+std::optional<Finding> threshold(const AuditedModel& model, Impacts asked) {
   std::sort(asked.begin(), asked.end(),
             [](const AuditedImpact& a, const AuditedImpact& b) { return a.speed < b.speed; });
   const std::size_t cut = best_cut(asked);
@@ -141,17 +149,15 @@ std::optional<AuditFinding> threshold(const AuditedModel& model, Impacts asked) 
   const double slower = below.back().speed;
   const double faster = above.front().speed;
   const double value = 0.5 * (slower + faster);
-  return AuditFinding{
-      "threshold",
-      fmt::format("bounces slower than {:.2g} m/s are lost: {} of {} impacts up to "
-                  "{:.3g} m/s do not rebound, {} of {} from {:.3g} m/s on do",
-                  value, std::count_if(below.begin(), below.end(), lost), below.size(), slower,
-                  std::count_if(above.begin(), above.end(), std::not_fn(lost)), above.size(),
-                  faster),
-      value,
-      "m/s",
-      model.runs,
-      asked.size()};
+  Finding finding =
+      from(model, asked, "threshold", value,
+           fmt::format("bounces slower than {:.2g} m/s are lost: {} of {} impacts up to "
+                       "{:.3g} m/s do not rebound, {} of {} from {:.3g} m/s on do",
+                       value, std::count_if(below.begin(), below.end(), lost), below.size(), slower,
+                       std::count_if(above.begin(), above.end(), std::not_fn(lost)), above.size(),
+                       faster));
+  finding.unit = "m/s";
+  return finding;
 }
 
 /// True where an offset by `middle` is no chance: it is far larger than what a step does, or than
@@ -162,7 +168,7 @@ bool sure(const Impacts& bounces, const std::vector<double>& deviations, double 
 }
 
 /// Rebounds that are too fast or too slow, one like the other.
-std::optional<AuditFinding> offset(const AuditedModel& model, const Impacts& bounces) {
+std::optional<Finding> offset(const AuditedModel& model, const Impacts& bounces) {
   const auto deviations = values(bounces, deviation_of);
   const double middle = quantile(deviations, 0.5);
   const double one_side = quantile(deviations, middle > 0.0 ? 0.25 : 0.75);
@@ -171,16 +177,11 @@ std::optional<AuditFinding> offset(const AuditedModel& model, const Impacts& bou
     return std::nullopt;
   }
   const double outer = quantile(deviations, middle > 0.0 ? 0.95 : 0.05);
-  return AuditFinding{
-      middle > 0.0 ? "gain" : "offset",
-      fmt::format("rebounds are too {}: e is {:.2g} {} the requested one (median), and "
-                  "{:.2g} in 5 % of the impacts",
-                  middle > 0.0 ? "fast" : "slow", std::abs(middle),
-                  middle > 0.0 ? "above" : "below", std::abs(outer)),
-      middle,
-      "",
-      model.runs,
-      bounces.size()};
+  return from(model, bounces, middle > 0.0 ? "gain" : "offset", middle,
+              fmt::format("rebounds are too {}: e is {:.2g} {} the requested one (median), and "
+                          "{:.2g} in 5 % of the impacts",
+                          middle > 0.0 ? "fast" : "slow", std::abs(middle),
+                          middle > 0.0 ? "above" : "below", std::abs(outer)));
 }
 
 /// The width of the middle 90 % of errors of e less `offset`, in units of what a step does.
@@ -193,7 +194,7 @@ double width(const Impacts& bounces, double offset) {
 
 /// Restitution that spreads by more than sampling explains, and not only as one error of e does
 /// that is the same at all speeds: in units of a step that grows with the speed.
-std::optional<AuditFinding> spread(const AuditedModel& model, const Impacts& bounces) {
+std::optional<Finding> spread(const AuditedModel& model, const Impacts& bounces) {
   const auto deviations = values(bounces, deviation_of);
   if (std::min(width(bounces, 0.0), width(bounces, quantile(deviations, 0.5))) < wide) {
     return std::nullopt;
@@ -210,19 +211,14 @@ std::optional<AuditFinding> spread(const AuditedModel& model, const Impacts& bou
     return std::nullopt;
   }
   const auto [least, most] = std::minmax_element(deviations.begin(), deviations.end());
-  return AuditFinding{
-      "scatter",
-      fmt::format("e scatters around the requested one: off by {:+.2g} in the mean, with "
-                  "a standard deviation of {:.2g}, between {:+.2g} and {:+.2g}",
-                  mean, sd, *least, *most),
-      sd,
-      "",
-      model.runs,
-      deviations.size()};
+  return from(model, bounces, "scatter", sd,
+              fmt::format("e scatters around the requested one: off by {:+.2g} in the mean, with "
+                          "a standard deviation of {:.2g}, between {:+.2g} and {:+.2g}",
+                          mean, sd, *least, *most));
 }
 
 /// Rebounds that take several steps.
-std::optional<AuditFinding> several_steps(const AuditedModel& model, const Impacts& bounces) {
+std::optional<Finding> several_steps(const AuditedModel& model, const Impacts& bounces) {
   const Impacts longer =
       those(bounces, [](const AuditedImpact& impact) { return impact.steps > 1; });
   if (2 * longer.size() < bounces.size()) {
@@ -231,20 +227,18 @@ std::optional<AuditFinding> several_steps(const AuditedModel& model, const Impac
   const auto steps =
       values(longer, [](const AuditedImpact& impact) { return static_cast<double>(impact.steps); });
   const double middle = quantile(steps, 0.5);
-  return AuditFinding{"several-steps",
-                      fmt::format("an impact takes {:.0f} steps (median; {:.0f} in the longest)",
-                                  middle, quantile(steps, 1.0)),
-                      middle,
-                      "steps",
-                      model.runs,
-                      bounces.size()};
+  Finding finding = from(model, bounces, "several-steps", middle,
+                         fmt::format("an impact takes {:.0f} steps (median; {:.0f} in the longest)",
+                                     middle, quantile(steps, 1.0)));
+  finding.unit = "steps";
+  return finding;
 }
 
 }  // namespace
 
-std::vector<AuditFinding> restitution_findings(const AuditedModel& model) {
-  std::vector<AuditFinding> findings;
-  const auto note = [&](std::optional<AuditFinding> finding) {
+std::vector<Finding> restitution_findings(const AuditedModel& model) {
+  std::vector<Finding> findings;
+  const auto note = [&](std::optional<Finding> finding) {
     if (finding) {
       findings.push_back(std::move(*finding));
     }
@@ -258,16 +252,16 @@ std::vector<AuditFinding> restitution_findings(const AuditedModel& model) {
   double slowest = 0.0;  // [m/s], that is not cut off
   if (note(threshold(model, asked))) {
     slowest = *findings.back().value;
-  } else if (note(nothing(model, asked))) {
+  } else if (note(nothing_rebounds(model, asked))) {
     return findings;
   }
   const Impacts fast =
       those(model.impacts, [&](const AuditedImpact& impact) { return impact.speed >= slowest; });
-  if (fast.size() >= least_impacts && !note(offset(model, fast))) {
+  if (fast.size() >= least_for_restitution && !note(offset(model, fast))) {
     note(spread(model, fast));
   }
   const Impacts bounces = those(asked, bounced);
-  if (bounces.size() >= least_impacts) {
+  if (bounces.size() >= least_for_restitution) {
     note(several_steps(model, bounces));
   }
   return findings;

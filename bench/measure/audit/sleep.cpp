@@ -1,105 +1,99 @@
 // A body that an engine puts to sleep stays where it is, in the air or in the middle of a swing.
 // One that has lost its energy and hangs at rest is not asleep.
 
+#include "bench/measure/audit/sleep.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bench/base/text.hpp"
-#include "bench/measure/audit/impacts.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
-/// Parts of the shortest cable, and radians [-]: what the body moves at least between the sample
-/// before a freeze and the freeze, where one that comes to rest by itself hardly moves any more;
-/// and what the exact motion moves at least after it.
+/// Parts of the shortest cable, and radians [-]: what the body moves at least in the moment before
+/// a freeze, where one that comes to rest by itself hardly moves any more; and what the exact
+/// motion moves at least after it.
 constexpr double moved_before = 3e-4;
 constexpr double moves_after = 1e-2;
 
-/// A stretch without motion is a freeze from this many samples on, and this part of the run.
-constexpr std::size_t least_samples = 4;
+/// A moment, and the shortest freeze, as parts of the run [-].
+constexpr double moment = 0.01;
 constexpr double least_part = 0.05;
 
-struct Pose {
-  double x;
-  double y;
-  double angle;
-};
+/// A freeze lasts for this many samples at least.
+constexpr std::size_t least_frozen = 4;
 
-Pose pose(const ordered_json& path, std::size_t index) {
-  return {path.at("x").at(index), path.at("y").at(index), path.at("angle").at(index)};
-}
-
-/// Distance of two poses in lengths of `cable` [m] and in radians, whichever is larger.
-double distance(const Pose& a, const Pose& b, double cable) {
-  return std::max(std::hypot(a.x - b.x, a.y - b.y) / cable, std::abs(a.angle - b.angle));
-}
-
-bool same(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y && a.angle == b.angle; }
-
-/// The first of the samples from which on no number of the pose changes.
-std::size_t first_frozen(const ordered_json& path) {
-  std::size_t first = path.at("time").size() - 1;
-  const Pose last = pose(path, first);
-  while (first > 0 && same(pose(path, first - 1), last)) {
-    --first;
-  }
-  return first;
-}
-
-/// True where the exact motion moves between `from` and `until` [s].
-bool exact_moves(const ordered_json& the_case, double from, double until, double cable) {
-  const ordered_json& path = the_case.at("path");
-  std::vector<Pose> poses;
-  for (std::size_t i = 0; i < path.at("time").size(); ++i) {
-    const double time = path.at("time").at(i);
-    if (time >= from && time <= until) {
-      poses.push_back(pose(path, i));
-    }
-  }
-  return std::any_of(poses.begin(), poses.end(), [&](const Pose& other) {
-    return distance(poses.front(), other, cable) > moves_after;
-  });
-}
-
-/// True where the run has an impact at `time` [s], as written: a body that sticks to its cable
-/// there has not been put to sleep.
-bool hits_at(const ordered_json& run, const ordered_json& time) {
-  const ordered_json& times = run.at("impacts").at("time");
-  return std::find(times.begin(), times.end(), time) != times.end();
-}
-
-/// A cable with a gap up to this part of its length is taut [-]: a path has six digits.
+/// A cable with a gap up to this part of its length is taut [-]: some engines leave a slop.
 constexpr double taut_gap = 1e-4;
 
 /// A weight is carried but for this part of it [-]: of a swing, the sine of its angle. What has
 /// come to rest by itself has none left; what is stopped in a swing has mostly more.
 constexpr double carried = 0.01;
 
+/// Distance of two poses in lengths of `cable` [m] and in radians, whichever is larger.
+double distance(const State& a, const State& b, double cable) {
+  return std::max((a.position - b.position).norm() / cable, std::abs(a.angle - b.angle));
+}
+
+bool same_pose(const State& a, const State& b) {
+  return a.position == b.position && a.angle == b.angle;  // to the bit: nothing moves it
+}
+
+/// The first of the points from which on the pose is the last one's.
+std::vector<Point>::const_iterator first_frozen(const std::vector<Point>& points) {
+  auto first = points.end() - 1;
+  while (first != points.begin() && same_pose((first - 1)->state, points.back().state)) {
+    --first;
+  }
+  return first;
+}
+
+/// The pose that the body had `moment` of the run before `time` [s].
+const State& state_before(const std::vector<Point>& points, double time) {
+  const double earlier = time - moment * points.back().time;
+  const auto after = std::upper_bound(points.begin(), points.end(), earlier,
+                                      [](double t, const Point& point) { return t < point.time; });
+  return after == points.begin() ? after->state : (after - 1)->state;
+}
+
+/// True where the exact motion moves between `from` and `until` [s].
+bool exact_moves(const ReferenceCase& reference, double from, double until, double cable) {
+  std::vector<State> poses;
+  for (const Point& point : samples(reference)) {
+    if (point.time >= from && point.time <= until) {
+      poses.push_back(point.state);
+    }
+  }
+  return std::any_of(poses.begin(), poses.end(), [&](const State& other) {
+    return distance(poses.front(), other, cable) > moves_after;
+  });
+}
+
+/// True where the run has an impact in the step that leads to `frozen` or begins there: a body that
+/// sticks to its cable has not been put to sleep.
+bool sticks(const Trajectory& run, const Point& frozen) {
+  const double rounding = 1e-9 * run.points.back().time;  // [s]
+  return std::any_of(run.impacts.begin(), run.impacts.end(), [&](const RecordedImpact& impact) {
+    return impact.time >= frozen.time - run.step - rounding &&
+           impact.time <= frozen.time + rounding;
+  });
+}
+
 /// What a cable does to a body with its unit of tension, and what it has to do: a force [N], and a
 /// moment [N m] over the longest arm.
 using Wrench = Eigen::Vector3d;
 
-Vec2 vector(const ordered_json& pair) {
-  return {pair.at(0).get<double>(), pair.at(1).get<double>()};
-}
-
-/// The wrenches of the cables that are taut at `at`.
-std::vector<Wrench> pulls(const ordered_json& the_case, const Pose& at) {
+/// The wrenches of the cables that are taut at `state`.
+std::vector<Wrench> pulls(const Case& the_case, const State& state) {
   std::vector<Wrench> result;
   double longest = 0.0;  // [m]
-  for (const ordered_json& row : the_case.at("geometry")) {
-    Cable cable;
-    cable.anchor = vector(row.at("anchor"));
-    cable.attachment = vector(row.at("attachment"));
-    cable.length = row.at("length");
+  for (const Cable& cable : the_case.cables) {
     longest = std::max(longest, cable.attachment.norm());
-    const State state{{at.x, at.y}, at.angle, Vec2::Zero(), 0.0};
     if (gap(cable, state) <= taut_gap * cable.length) {
       result.emplace_back(gap_gradient(cable, state));
     }
@@ -110,14 +104,14 @@ std::vector<Wrench> pulls(const ordered_json& the_case, const Pose& at) {
   return result;
 }
 
-/// True where taut cables carry the weight of a body at `at`: there it may hang at rest for good.
-/// The least squares of what is left of the weight, over tensions that are not negative, by one
-/// tension after the other.
-bool hangs(const ordered_json& the_case, const Pose& at) {
+/// True where taut cables carry the weight of a body at `state`: there it may hang at rest for
+/// good. The least squares of what is left of the weight, over tensions that are not negative, by
+/// one tension after the other.
+bool hangs(const Case& the_case, const State& state) {
   constexpr int sweeps = 1000;     // cables a few degrees apart have converged
   Wrench weight = Wrench::Zero();  // of a mass of 1
-  weight.head<2>() = vector(the_case.at("gravity"));
-  const std::vector<Wrench> cables = pulls(the_case, at);
+  weight.head<2>() = the_case.gravity;
+  const std::vector<Wrench> cables = pulls(the_case, state);
   std::vector<double> tensions(cables.size(), 0.0);
   Wrench left = weight;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -132,52 +126,51 @@ bool hangs(const ordered_json& the_case, const Pose& at) {
 
 }  // namespace
 
-std::optional<Freeze> freeze_of(const ordered_json& run, const ordered_json& the_case) {
-  const ordered_json& path = run.at("path");
-  const ordered_json& times = path.at("time");
-  if (times.size() < 2 * least_samples || run.at("status") == "diverged") {
+std::optional<Freeze> freeze_of(const ReferenceCase& reference, const Trajectory& run) {
+  const std::vector<Point>& points = run.points;
+  if (run.diverged || points.size() < 2 * least_frozen) {
     return std::nullopt;
   }
-  double cable = the_case.at("geometry").front().at("length");
-  for (const ordered_json& other : the_case.at("geometry")) {
-    cable = std::min(cable, other.at("length").get<double>());
-  }
-  const std::size_t first = first_frozen(path);
-  const double time = times.at(first);
-  const double end = times.back();
-  const bool lasts = times.size() - first >= least_samples && end - time >= least_part * end;
-  if (!lasts || first == 0) {
+  const auto frozen = first_frozen(points);
+  const double end = points.back().time;
+  if (frozen == points.begin() || static_cast<std::size_t>(points.end() - frozen) < least_frozen ||
+      end - frozen->time < least_part * end) {
     return std::nullopt;
   }
-  if (distance(pose(path, first - 1), pose(path, first), cable) < moved_before ||
-      hits_at(run, times.at(first)) || !exact_moves(the_case, time, end, cable) ||
-      hangs(the_case, pose(path, first))) {
+  const Case& the_case = reference.the_case;
+  const double cable = shortest_cable(the_case);
+  const State& before = state_before(points, frozen->time);
+  if (distance(before, frozen->state, cable) < moved_before || sticks(run, *frozen) ||
+      !exact_moves(reference, frozen->time, end, cable) || hangs(the_case, frozen->state)) {
     return std::nullopt;
   }
-  const double lost =
-      path.at("energy").at(first - 1).get<double>() - path.at("energy").at(first).get<double>();
-  return Freeze{run.at("case"), times.at(first - 1), time, lost};
+  const Point& moving = *(frozen - 1);
+  return Freeze{moving.time, frozen->time,
+                energy(the_case, moving.state) - energy(the_case, points.back().state)};
 }
 
-std::vector<AuditFinding> sleep_findings(const AuditedModel& model) {
+std::vector<Finding> sleep_findings(const AuditedModel& model) {
   if (model.freezes.empty()) {
     return {};
   }
   const auto earliest =
       std::min_element(model.freezes.begin(), model.freezes.end(),
-                       [](const Freeze& a, const Freeze& b) { return a.time < b.time; });
+                       [](const auto& a, const auto& b) { return a.freeze.time < b.freeze.time; });
   const auto costliest =
       std::max_element(model.freezes.begin(), model.freezes.end(),
-                       [](const Freeze& a, const Freeze& b) { return a.lost < b.lost; });
-  return {
-      {"sleeping",
-       fmt::format(
-           "the body is put to sleep: it stands still to the end in {} of {} runs where "
-           "the exact motion goes on, first in {}, from between t = {:.3g} and {:.3g} s on; up to "
-           "{:.2g} J are lost at once (in {})",
-           model.freezes.size(), model.runs, printable(earliest->case_name), earliest->moving,
-           earliest->time, costliest->lost, printable(costliest->case_name)),
-       earliest->time, "s", model.freezes.size(), 0}};
+                       [](const auto& a, const auto& b) { return a.freeze.lost < b.freeze.lost; });
+  Finding finding = finding_of(model, "sleeping");
+  finding.sentence = fmt::format(
+      "the body is put to sleep: it stands still to the end in {} of {} runs where the exact "
+      "motion "
+      "goes on, first in {}, from t = {:.3g} s on; up to {:.2g} J are lost at once (in {})",
+      model.freezes.size(), model.runs, printable(earliest->the_case), earliest->freeze.time,
+      costliest->freeze.lost, printable(costliest->the_case));
+  finding.value = earliest->freeze.time;
+  finding.unit = std::string("s");
+  finding.runs = model.freezes.size();
+  finding.impacts = 0;
+  return {finding};
 }
 
 }  // namespace tautline::bench

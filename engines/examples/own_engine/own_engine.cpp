@@ -61,10 +61,10 @@ struct Toy {
 /// Fixed steps: a cable has a row in a step that starts with it overstretched.
 class RowSimulation final : public Simulation {
  public:
-  RowSimulation(const Case& the_case, double step)
+  RowSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case),
         toy_{the_case.body, the_case.gravity, the_case.initial, {}},
-        correction_(usual_correction / step),
+        correction_(usual_correction / run.step),
         impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] State state() const override { return toy_.now; }
@@ -136,25 +136,22 @@ class ToyAdapter final : public EventAdapter {
 
 /// What `tautline engines` prints and every report holds. Name every setting of your engine that is
 /// not its default, and say why.
-class OwnEngine final : public TableEngine {
- public:
-  OwnEngine()
-      : TableEngine(
-            "own-engine", "1.0", precision_of<double>,
-            {{{{"row", "A one-sided row in the steps that start with the cable overstretched.", {}},
-               [](const Case& the_case, const RunSettings& run) -> std::unique_ptr<Simulation> {
-                 return std::make_unique<RowSimulation>(the_case, run.step);
-               },
-               true},
-              {{"event",
-                "The engine flies and solves, tautline finds the instants of the impacts.",
-                {}},
-               [](const Case& the_case, const RunSettings& run) {
-                 return drive_by_events(the_case, std::make_unique<ToyAdapter>(the_case), run.law);
-               },
-               true}}}) {}
-};
+EngineTable own_engine() {
+  return {
+      .name = "own-engine",
+      .version = "1.0",
+      .precision = precision_of<double>,
+      .families = {
+          {{.model = {.name = "row",
+                      .sentence = "A one-sided row in the steps that start with the cable "
+                                  "overstretched.",
+                      .settings = {}},
+            .start = makes<RowSimulation>(),
+            .follows_speed = true},
+           event_model<ToyAdapter>(
+               "The engine flies and solves, tautline finds the instants of the impacts.", {})}}};
+}
 
 }  // namespace
 
-TAUTLINE_PLUGIN(OwnEngine)
+TAUTLINE_PLUGIN(EngineOf<own_engine>)

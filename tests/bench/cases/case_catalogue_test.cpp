@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "bench/cases/case_file.hpp"
+#include "bench/cases/case_writer.hpp"
 #include "tautline/scenarios.hpp"
 #include "tests/bench/support.hpp"
 

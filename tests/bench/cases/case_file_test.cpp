@@ -1,4 +1,5 @@
 #include "bench/cases/case_file.hpp"
+#include "bench/cases/case_writer.hpp"
 
 #include <gtest/gtest.h>
 

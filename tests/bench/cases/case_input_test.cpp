@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "bench/cases/case_file.hpp"
+#include "bench/cases/case_writer.hpp"
 #include "tautline/scenarios.hpp"
 #include "tests/bench/support.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/cases/case_file.hpp"
+#include "bench/cases/case_writer.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 #include "tests/bench/support.hpp"

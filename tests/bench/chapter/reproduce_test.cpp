@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "bench/chapter/print.hpp"
+#include "bench/chapter/tables/print.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
-#include "tests/bench/program.hpp"
+#include "tests/bench/chapter/reproduced.hpp"
 
 namespace tautline::test {
 namespace {
@@ -19,95 +16,7 @@ namespace {
 using bench::test::names_in;
 using nlohmann::json;
 
-/// A CSV file by columns; cells that are no number are nan.
-struct Csv {
-  explicit Csv(const std::filesystem::path& path) {
-    std::istringstream text(content_of(path));
-    std::string line;
-    std::getline(text, line);
-    headings = split(line);
-    while (std::getline(text, line)) {
-      rows.push_back(split(line));
-    }
-  }
-
-  static std::vector<std::string> split(const std::string& line) {
-    std::istringstream cells(line + ",");
-    std::vector<std::string> result;
-    for (std::string cell; std::getline(cells, cell, ',');) {
-      result.push_back(cell);
-    }
-    return result;
-  }
-
-  [[nodiscard]] std::size_t column(const std::string& heading) const {
-    const auto found = std::find(headings.begin(), headings.end(), heading);
-    EXPECT_NE(found, headings.end()) << heading;
-    return static_cast<std::size_t>(found - headings.begin());
-  }
-
-  [[nodiscard]] double number(std::size_t row, const std::string& heading) const {
-    return std::stod(rows.at(row).at(column(heading)));
-  }
-
-  std::vector<std::string> headings;
-  std::vector<std::vector<std::string>> rows;
-};
-
-/// One run of the program for all tests: it takes a while.
-class Reproduce : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = new TemporaryFolder;
-    outcome_ = new Outcome(program({"reproduce", "--out", out().string()}));
-    ASSERT_EQ(outcome_->code, 0) << outcome_->errors;
-    chapter_ = new json(json::parse(content_of(out() / "chapter.json")));
-  }
-  static void TearDownTestSuite() {
-    delete chapter_;
-    delete outcome_;
-    delete folder_;
-  }
-
-  static std::filesystem::path out() { return folder_->path() / "r"; }
-  static const json& chapter() { return *chapter_; }
-
-  static const json& entry(const char* list, const char* key, const std::string& value) {
-    for (const json& one : chapter().at(list)) {
-      if (one.at(key) == value) {
-        return one;
-      }
-    }
-    throw std::out_of_range("no " + value + " among the " + list);
-  }
-  static Csv data(const std::string& figure) {
-    return Csv(out() / "chapter" / entry("figures", "name", figure).at("file").get<std::string>());
-  }
-  /// The cell of a table's row whose first cells are `keys`.
-  static json cell(const std::string& table, const std::vector<std::string>& keys,
-                   const std::string& heading) {
-    const json& found = entry("tables", "name", table);
-    std::size_t column = 0;
-    while (found.at("columns").at(column).at("name") != heading) {
-      ++column;
-    }
-    for (const json& row : found.at("rows")) {
-      bool same = true;
-      for (std::size_t index = 0; index < keys.size(); ++index) {
-        same = same && row.at(index) == keys[index];
-      }
-      if (same) {
-        return row.at(column);
-      }
-    }
-    throw std::out_of_range("no such row in " + table);
-  }
-
- private:
-  static inline TemporaryFolder* folder_ = nullptr;
-  static inline Outcome* outcome_ = nullptr;
-  static inline json* chapter_ = nullptr;
-};
+using Reproduce = Reproduced;
 
 TEST_F(Reproduce, WritesEveryFileThatItNames) {
   EXPECT_EQ(chapter().at("schema"), 1);
@@ -323,7 +232,7 @@ TEST_F(Reproduce, ASecondRunWritesTheSameBytes) {
   const Outcome outcome = program({"reproduce", "--out", folder.path().string(), "--json", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, content_of(out() / "chapter.json"));
-  for (const char* file : {"chapter.md", "chapter.json"}) {
+  for (const char* file : {"chapter.md", "chapter.html", "chapter.json"}) {
     EXPECT_EQ(content_of(folder.path() / file), content_of(out() / file)) << file;
   }
   const auto names = names_in(out() / "chapter");

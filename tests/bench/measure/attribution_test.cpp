@@ -1,5 +1,6 @@
 #include "bench/measure/attribution/attribution.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/report/attribution_json.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
@@ -15,120 +15,17 @@
 #include "tautline/scenarios.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
+#include "tests/bench/measure/planted_run.hpp"
 
 namespace tautline::bench {
 namespace {
 
-constexpr double step = 1e-3;  // [s]
-
-/// The flight of a planted run: a parabola that an integrator's `bias` [m/s] moves faster than its
-/// velocity says, under a gravity that may be wrong.
-struct Flight {
-  Vec2 gravity;
-  Vec2 bias = Vec2::Zero();
-
-  [[nodiscard]] State start(State state) const {
-    state.velocity += bias;
-    return state;
-  }
-  State operator()(const State& state, double dt) const {
-    State result = fly(start(state), gravity, dt);
-    result.velocity -= bias;
-    return result;
-  }
-};
-
-/// Where a planted impact is, against the exact contact of its flight, and the gap rate after it.
-struct Planted {
-  using Rate = std::function<double(const Case&, std::size_t cable, const State& at_contact,
-                                    const State& at_jump)>;
-  double delay = 0.0;                                              // [s]
-  Rate rate = nullptr;                                             // [m/s]; the exact one without
-  std::function<void(State&, std::size_t count)> spoil = nullptr;  // the state after
-};
-
-double exact_rate(const Case& the_case, std::size_t cable, const State& at_contact) {
-  const double rate = gap_rate(the_case.cables[cable], at_contact);
-  return -restitution(the_case.cables[cable], rate) * rate;
-}
-
-State bounced(const Case& the_case, const State& before, std::size_t cable, double rate) {
-  CableVector change(1);
-  change[0] = rate - gap_rate(the_case.cables[cable], before);
-  const CableSet only = CableSet::of(cable);
-  return with_impulses<double>(the_case, before, only,
-                               multipliers<double>(the_case, before, only, change));
-}
-
-/// A run made of exact flights and exact impacts but for what is planted, sampled every step up to
-/// `end`. Impacts are named at their instants.
-Trajectory planted_run(const Case& the_case, double end, const Planted& planted,
-                       const Flight& flight) {
-  Trajectory run;
-  run.step = step;
-  State state = the_case.initial;
-  double time = 0.0;  // of `state`, the start of the flight
-  run.points.push_back({0.0, state});
-  std::size_t next = 1;
-  const auto sample_until = [&](double until) {
-    for (; static_cast<double>(next) * step < until; ++next) {
-      const double now = static_cast<double>(next) * step;
-      run.points.push_back({now, flight(state, now - time)});
-    }
-  };
-  Touching touching;
-  Case flown = the_case;
-  flown.gravity = flight.gravity;
-  while (time < end) {
-    const auto search = first_contact(flown, flight.start(state), touching, end - time);
-    if (!search.contact) {
-      break;
-    }
-    const double wait = std::max(0.0, search.contact->dt + planted.delay);
-    const std::size_t cable = search.contact->cables.indices().front();
-    sample_until(time + wait);
-    const State at_contact = flight(state, search.contact->dt);
-    const State before = flight(state, wait);
-    State after = bounced(the_case, before, cable,
-                          planted.rate ? planted.rate(the_case, cable, at_contact, before)
-                                       : exact_rate(the_case, cable, at_contact));
-    if (planted.spoil) {
-      planted.spoil(after, run.impacts.size());
-    }
-    time += wait;
-    run.impacts.push_back({time, cable, 1.0, gap_rate(the_case.cables[cable], before),
-                           gap_rate(the_case.cables[cable], after), 0, before, after});
-    if (gap_rate(the_case.cables[cable], after) < 1e-8) {  // it sticks: the rest is exact
-      Case rest = the_case;
-      rest.initial = after;
-      rest.duration = end - time;
-      const Solution solution = solve(rest);
-      for (; static_cast<double>(next) * step < end; ++next) {
-        const double now = static_cast<double>(next) * step;
-        run.points.push_back({now, solution.at(now - time)});
-      }
-      return run;
-    }
-    state = after;
-    touching = {};
-    if (gap(the_case.cables[cable], state) <= 1e-13) {
-      touching.cables.insert(cable);
-      // out of the overstretch of a late impact, before the next contact is looked for
-      double out = 0.0;
-      while (gap(the_case.cables[cable], flight(state, out)) < -1e-13) {
-        out += 1e-3 * step;
-      }
-      if (out > 0.0) {
-        sample_until(time + out);
-        state = flight(state, out);
-        time += out;
-        touching = {};
-      }
-    }
-  }
-  sample_until(end);
-  return run;
-}
+using test::bounced;
+using test::exact_rate;
+using test::Flight;
+using test::Planted;
+using test::planted_run;
+using test::step;
 
 struct Outcome {
   Attribution attribution;
@@ -136,7 +33,12 @@ struct Outcome {
 };
 
 std::string described(const Attribution& attribution) {
-  return attribution_json(attribution).dump();
+  std::string text = fmt::format("{} m at {} s, {}\n", attribution.deviation, attribution.until,
+                                 attribution.reason);
+  for (std::size_t index = 0; attribution.parts && index < causes.size(); ++index) {
+    text += fmt::format("{}: {}\n", to_string(causes[index]), (*attribution.parts)[index]);
+  }
+  return text;
 }
 
 /// Attributes the planted run and checks that its parts are the whole.
@@ -455,7 +357,7 @@ TEST(Attribution, SaysWhyThereAreNoParts) {
   const auto reason = [&](const Trajectory& run) {
     const Attribution found = attribute(the_case, solution, 3.0, run);
     EXPECT_FALSE(found.parts);
-    EXPECT_TRUE(attribution_json(found).at("parts").is_null());
+    EXPECT_FALSE(found.parts);
     EXPECT_EQ(found.deviation, 0.0);
     return found.reason;
   };

@@ -7,7 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "bench/measure/audit/impacts.hpp"
+#include "bench/cases/catalogue.hpp"
+#include "bench/measure/audit/sleep.hpp"
+#include "bench/measure/reference.hpp"
+#include "bench/run/plugin.hpp"
+#include "bench/run/record.hpp"
 #include "tests/bench/program.hpp"
 
 namespace tautline::test {
@@ -36,23 +40,35 @@ json found(const json& report, const std::string& model, const std::string& kind
   return result;
 }
 
-/// The only run of a case in `report` with every `stride`-th sample of its path, and the ends.
-nlohmann::ordered_json thinned_run(const json& report, std::size_t stride) {
-  nlohmann::ordered_json run = report.at("runs").at(0);
-  for (auto& [name, column] : run.at("path").items()) {
-    nlohmann::ordered_json kept = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      if (i % stride == 0 || i + 1 == column.size()) {
-        kept.push_back(column.at(i));
+/// A run of the point mass, whose exact motion goes on and on, sampled at every `stride`-th step.
+struct SampledRun {
+  bench::ReferenceCase reference;
+  bench::Trajectory run;
+
+  [[nodiscard]] std::optional<bench::Freeze> freeze(std::size_t stride) const {
+    bench::Trajectory thinned = run;
+    thinned.points.clear();
+    for (std::size_t i = 0; i < run.points.size(); ++i) {
+      if (i % stride == 0 || i + 1 == run.points.size()) {
+        thinned.points.push_back(run.points[i]);
       }
     }
-    column = kept;
+    return bench::freeze_of(reference, thinned);
   }
-  return run;
+};
+
+SampledRun run_of_the_point_mass(const std::string& engine, const std::string& model, double step) {
+  const std::string name = "breakwater/1900461100";
+  const Case the_case = bench::select_cases({&name, 1}).cases.front();
+  const bench::Plugin plugin =
+      bench::Plugin::open(TAUTLINE_ENGINE_DIR "/tautline-engine-" + engine + ".so");
+  const auto simulation = plugin.engine().start(the_case, model, step);
+  return {bench::solve_cases({the_case}, ImpactLaw::simultaneous).front(),
+          bench::record(the_case, *simulation, step)};
 }
 
-/// Strides that leave 400, 200, 100, 67 and 45 samples of 400.
-constexpr std::size_t strides[] = {1, 2, 4, 6, 9};
+/// Strides from every step to a sample each half second or so of 20.
+constexpr std::size_t strides[] = {1, 2, 5, 20, 40};
 
 bool built(const std::string& engine) { return built_engines().contains(engine); }
 
@@ -86,24 +102,15 @@ TEST(AuditOfBullet, FindsItsDeactivation) {
   EXPECT_NEAR(asleep[0].at("value").get<double>(), 2.0, 0.1);
 }
 
-/// The report of one model on the point mass, whose exact motion goes on and on.
-json report_of_the_point_mass(const std::string& engine, const std::string& model,
-                              const std::string& step) {
-  const TemporaryFolder out;
-  static_cast<void>(program({"bench", "breakwater/1900461100", "--engines", engine, "--models",
-                             model, "--steps", step, "--out", (out.path() / "r").string()}));
-  return json::parse(content_of(out.path() / "r/report.json"));
-}
-
 TEST(AuditOfBullet, FindsItsDeactivationInAPathOfAnySampling) {
   if (!built("bullet64")) {
     GTEST_SKIP() << "bullet64 is not built";
   }
-  const json report = report_of_the_point_mass("bullet64", "row-sleeping", "1e-2");
-  const auto finest = bench::freeze_of(report.at("runs").at(0), report.at("cases").at(0));
+  const SampledRun slept = run_of_the_point_mass("bullet64", "row-sleeping", 1e-2);
+  const auto finest = slept.freeze(1);
   ASSERT_TRUE(finest);
   for (const std::size_t stride : strides) {
-    const auto freeze = bench::freeze_of(thinned_run(report, stride), report.at("cases").at(0));
+    const auto freeze = slept.freeze(stride);
     ASSERT_TRUE(freeze) << stride;
     EXPECT_LE(freeze->moving, finest->moving) << stride;
     EXPECT_GE(freeze->time, finest->time) << stride;
@@ -137,11 +144,10 @@ TEST(AuditOfBox2d, ABodyThatHangsAtRestIsNotAsleepInAPathOfAnySampling) {
   if (!built("box2d")) {
     GTEST_SKIP() << "box2d is not built";
   }
-  for (const char* step : {"1e-2", "1e-3"}) {
-    const json report = report_of_the_point_mass("box2d", "distance-joint", step);
-    EXPECT_TRUE(found(report, "distance-joint", "sleeping").empty()) << report.at("findings");
+  for (const double step : {1e-2, 1e-3}) {
+    const SampledRun hanging = run_of_the_point_mass("box2d", "distance-joint", step);
     for (const std::size_t stride : strides) {
-      const auto freeze = bench::freeze_of(thinned_run(report, stride), report.at("cases").at(0));
+      const auto freeze = hanging.freeze(stride);
       EXPECT_FALSE(freeze) << step << ' ' << stride << " at " << freeze->time;
     }
   }

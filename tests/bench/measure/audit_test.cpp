@@ -7,17 +7,14 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/report/rows.hpp"
-#include "bench/suite/suite.hpp"
+#include "bench/measure/compare.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
 namespace {
 
-using nlohmann::ordered_json;
-
-constexpr double step = 1e-3;  // [s]
+constexpr double run_step = 1e-3;  // [s]
 
 /// Changes an impact of an exact motion; the first argument counts them from 0.
 using Change = std::function<void(std::size_t index, const Case& the_case, RecordedImpact& impact)>;
@@ -36,7 +33,7 @@ double requested(const Case& the_case, const RecordedImpact& impact) {
 /// The exact motion as an engine's run, with changed impacts.
 Trajectory exact_run(const ReferenceCase& reference, const Change& change) {
   Trajectory run;
-  run.step = step;
+  run.step = run_step;
   const Case& the_case = reference.the_case;
   const Solution& solution = reference.solution;
   for (std::size_t i = 0; static_cast<double>(i) * 0.01 < solution.end_time(); ++i) {
@@ -80,44 +77,55 @@ const std::vector<ReferenceCase>& references() {
   return solved;
 }
 
-/// A report of one model that ran every case, as `run_of` made it.
-ordered_json report_of(const std::function<Trajectory(const ReferenceCase&)>& run_of,
-                       double at_step = step) {
-  const EngineInfo engine{"planted", "1", "float64", {}};
-  ordered_json report = {{"cases", ordered_json::array()}, {"runs", ordered_json::array()}};
+/// One model that ran every case, as `run_of` made it.
+struct Audits {
+  std::vector<RunAudit> runs;  // by reference
+  std::vector<Finding> findings;
+};
+
+Audits audits_of(const std::function<Trajectory(const ReferenceCase&)>& run_of,
+                 double at_step = run_step) {
+  Audits result;
   for (const ReferenceCase& reference : references()) {
-    RunReply reply;
-    reply.trajectory = run_of(reference);
-    const PlannedRun run{0, 0, {"model", "A model.", {}}, at_step, 400};
-    report["cases"].push_back(case_row(reference, {}));
-    report["runs"].push_back(run_row(reference, engine, run, reply, {}));
+    Trajectory run = run_of(reference);
+    run.step = at_step;
+    result.runs.push_back(audit(reference, run, CompareOptions().count_speed));
   }
-  add_audit(report);
-  return report;
+  std::vector<AuditedRun> runs;
+  for (std::size_t index = 0; index < references().size(); ++index) {
+    runs.push_back({references()[index].the_case.name, "planted", "model", &result.runs[index]});
+  }
+  result.findings = findings(runs);
+  return result;
 }
 
-ordered_json findings_of(const Change& change, double at_step = step) {
-  return report_of([&](const ReferenceCase& reference) { return exact_run(reference, change); },
+std::vector<Finding> findings_of(const Change& change, double at_step = run_step) {
+  return audits_of([&](const ReferenceCase& reference) { return exact_run(reference, change); },
                    at_step)
-      .at("findings");
+      .findings;
+}
+
+std::string told(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& finding : findings) {
+    text += finding.kind + ": " + finding.sentence + "\n";
+  }
+  return text;
 }
 
 /// The only finding, or an empty one where there is none or another; what there is is told.
-ordered_json only(const ordered_json& findings, const std::string& kind) {
-  EXPECT_EQ(findings.size(), 1U) << findings.dump(1);
-  if (findings.size() != 1 || findings.front().at("kind") != kind) {
-    ADD_FAILURE() << "no " << kind << " alone: " << findings.dump(1);
-    return {{"value", nullptr}, {"sentence", ""}};
+Finding only(const std::vector<Finding>& findings, const std::string& kind) {
+  if (findings.size() != 1 || findings.front().kind != kind) {
+    ADD_FAILURE() << "no " << kind << " alone: " << told(findings);
+    return {};
   }
   return findings.front();
 }
 
-double value_of(const ordered_json& finding) {
-  return finding.at("value").is_number() ? finding.at("value").get<double>() : NAN;
-}
+double value_of(const Finding& finding) { return finding.value.value_or(NAN); }
 
 TEST(Audit, FindsNothingInExactMotions) {
-  EXPECT_EQ(findings_of([](auto, const auto&, auto&) {}), ordered_json::array());
+  EXPECT_EQ(told(findings_of([](auto, const auto&, auto&) {})), "");
 }
 
 TEST(Audit, FindsTheSpeedBelowWhichBouncesAreLost) {
@@ -129,7 +137,7 @@ TEST(Audit, FindsTheSpeedBelowWhichBouncesAreLost) {
                               }),
                               "threshold");
     EXPECT_NEAR(value_of(finding), threshold, 0.1 * threshold);
-    EXPECT_TRUE(finding.at("sentence").get<std::string>().starts_with("bounces slower than"));
+    EXPECT_TRUE(finding.sentence.starts_with("bounces slower than"));
   }
 }
 
@@ -181,13 +189,13 @@ TEST(Audit, AnErrorInProportionIsNoScatter) {
 }
 
 TEST(Audit, SaysNothingOfAnErrorThatIsSmall) {
-  EXPECT_EQ(findings_of(
+  EXPECT_EQ(told(findings_of(
                 [](std::size_t index, const Case& the_case, RecordedImpact& impact) {
                   const double off = index % 2 == 0 ? 0.01 : -0.005;
                   rebound(the_case, impact, requested(the_case, impact) + off);
                 },
-                fine_step),
-            ordered_json::array());
+                fine_step)),
+            "");
 }
 
 TEST(Audit, FindsImpactsOfSeveralSteps) {
@@ -214,12 +222,12 @@ TEST(Audit, FindsMomentumThatNoCableGives) {
 }
 
 TEST(Audit, SaysNothingOfTwoImpacts) {
-  EXPECT_EQ(findings_of([](std::size_t index, const Case& the_case, RecordedImpact& impact) {
+  EXPECT_EQ(told(findings_of([](std::size_t index, const Case& the_case, RecordedImpact& impact) {
               if (the_case.name == "bouncing-ball" && index < 2) {
                 rebound(the_case, impact, 0.0);
               }
-            }),
-            ordered_json::array());
+            })),
+            "");
 }
 
 /// The exact run, standing still from `time` [s] on where it is then.
@@ -237,13 +245,12 @@ Trajectory frozen_run(const ReferenceCase& reference, double time) {
 }
 
 TEST(Audit, FindsABodyThatIsPutToSleep) {
-  const auto finding = only(report_of([](const ReferenceCase& reference) {
-                              return frozen_run(reference, 4.3);
-                            }).at("findings"),
-                            "sleeping");
-  EXPECT_NEAR(value_of(finding), 4.3, 0.06);  // the next sample of 400 in 20 s
+  const auto finding = only(
+      audits_of([](const ReferenceCase& reference) { return frozen_run(reference, 4.3); }).findings,
+      "sleeping");
+  EXPECT_NEAR(value_of(finding), 4.3, 0.011);  // the next sample
   // the ball has come to rest by then, in the exact motion too
-  EXPECT_EQ(finding.at("evidence").at("runs"), references().size() - 1);
+  EXPECT_EQ(finding.runs, references().size() - 1);
 }
 
 TEST(Audit, ABodyThatComesToRestIsNotAsleep) {
@@ -257,29 +264,30 @@ TEST(Audit, ABodyThatComesToRestIsNotAsleep) {
     }
     return run;
   };
-  for (const ordered_json& finding : report_of(slowing).at("findings")) {
-    EXPECT_NE(finding.at("kind"), "sleeping") << finding;
+  for (const Finding& finding : audits_of(slowing).findings) {
+    EXPECT_NE(finding.kind, "sleeping") << finding.sentence;
   }
 }
 
 TEST(Audit, TheLadderOfTheBallIsThatOfItsRestitution) {
-  const ordered_json report = report_of([](const ReferenceCase& reference) {
+  const Audits audits = audits_of([](const ReferenceCase& reference) {
     return exact_run(reference, [](auto, const auto&, auto&) {});
   });
   std::size_t ladders = 0;
-  for (const ordered_json& run : report.at("runs")) {
-    const ordered_json& ladder = run.at("audit").at("ladder");
-    if (run.at("case") != "bouncing-ball") {
-      EXPECT_TRUE(ladder.is_null());
+  for (std::size_t index = 0; index < references().size(); ++index) {
+    const std::optional<Ladder>& ladder = audits.runs[index].ladder;
+    if (references()[index].the_case.name != "bouncing-ball") {
+      EXPECT_FALSE(ladder);
       continue;
     }
     ++ladders;
-    EXPECT_EQ(ladder.at("exact_ratio"), 0.25);
-    ASSERT_GE(ladder.at("heights").size(), 5U);
-    for (std::size_t n = 0; n < ladder.at("heights").size(); ++n) {
+    ASSERT_TRUE(ladder);
+    EXPECT_EQ(ladder->exact_ratio, 0.25);
+    ASSERT_GE(ladder->heights.size(), 5U);
+    for (std::size_t n = 0; n < ladder->heights.size(); ++n) {
       const double exact = std::pow(0.25, static_cast<double>(n + 1));
-      EXPECT_NEAR(ladder.at("exact").at(n).get<double>(), exact, 1e-5 * exact);
-      EXPECT_NEAR(ladder.at("heights").at(n).get<double>(), exact, 1e-4 * exact);
+      EXPECT_NEAR(ladder->exact.at(n), exact, 1e-12 * exact);
+      EXPECT_NEAR(ladder->heights[n], exact, 1e-9 * exact);
     }
   }
   EXPECT_EQ(ladders, 1U);

@@ -38,7 +38,7 @@ TEST_P(BadEngines, GiveOneClearRowAndHarmNothingElse) {
   ASSERT_FALSE(runs.empty());
   EXPECT_EQ(runs.at(0).at("engine"), "exact");
   EXPECT_EQ(runs.at(0).at("status"), "finished");
-  EXPECT_EQ(runs.at(0).at("metrics").at("whole").at("position_error"), 0.0);
+  EXPECT_EQ(runs.at(0).at("metrics").at("whole_position_error"), 0.0);
   if (status.empty()) {
     EXPECT_EQ(runs.size(), exact_runs);
     EXPECT_NE(report.at("engines").at(1).at("problem").get<std::string>().find(reason),

@@ -106,7 +106,7 @@ TEST(Resume, DoesNotKeepARunOfOtherSettings) {
   ASSERT_EQ(program(shorter).code, 0);
   const json report = json::parse(content_of(out / "report.json"));
   EXPECT_EQ(report.at("context").at("kept_runs"), 0);
-  EXPECT_EQ(report.at("runs").at(0).at("metrics").at("whole").at("until"), 1.0);
+  EXPECT_EQ(report.at("runs").at(0).at("details").at("whole").at("until"), 1.0);
 }
 
 TEST(Suite, RunTwiceGivesAnIdenticalReportButForItsContext) {

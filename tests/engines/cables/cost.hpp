@@ -6,7 +6,7 @@
 #include <chrono>
 #include <limits>
 
-#include "scene.hpp"
+#include "engines/cables/scene.hpp"
 
 namespace tautline::test {
 

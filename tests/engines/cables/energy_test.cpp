@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "measure.hpp"
+#include "engines/cables/measure.hpp"
 
 namespace tautline::test {
 namespace {

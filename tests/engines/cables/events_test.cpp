@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "measure.hpp"
+#include "engines/cables/measure.hpp"
 
 namespace tautline::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "measure.hpp"
+#include "engines/cables/measure.hpp"
 
 namespace tautline::test {
 namespace {

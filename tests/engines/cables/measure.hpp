@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "scene.hpp"
+#include "engines/cables/scene.hpp"
 
 #include <array>
 #include <ostream>

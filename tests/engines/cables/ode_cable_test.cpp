@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene.hpp"
+#include "engines/cables/scene.hpp"
 #include "tautline/ode/dCable.h"
 
 namespace tautline::test {

@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "cost.hpp"
-#include "measure.hpp"
+#include "engines/cables/cost.hpp"
+#include "engines/cables/measure.hpp"
 
 namespace tautline::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure.hpp"
+#include "engines/cables/measure.hpp"
 
 namespace tautline::test {
 namespace {

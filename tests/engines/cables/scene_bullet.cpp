@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "scene.hpp"
+#include "engines/cables/scene.hpp"
 #include "tautline/bullet/btStepWithCables.h"
 
 namespace tautline::test {

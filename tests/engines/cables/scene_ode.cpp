@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "scene.hpp"
+#include "engines/cables/scene.hpp"
 #include "tautline/ode/dStepWithCables.h"
 
 namespace tautline::test {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "cases.hpp"
-#include "measure.hpp"
+#include "engines/cables/worlds/cases.hpp"
+#include "engines/cables/measure.hpp"
 
 namespace tautline::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <ostream>
 #include <string>
 
-#include "random_world.hpp"
-#include "run.hpp"
+#include "engines/cables/worlds/random_world.hpp"
+#include "engines/cables/worlds/run.hpp"
 
 namespace tautline::test {
 namespace {

@@ -1,0 +1,202 @@
+#include "linearised.hpp"
+
+#include <Eigen/LU>
+
+#include "dual.hpp"
+#include "instantiate.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/projection.hpp"
+#include "tautline/series_impl.hpp"
+
+namespace tautline {
+namespace {
+
+/// Two cables whose delays differ by less than this fraction close at the same instant near the
+/// state too: ropes side by side, for which the difference is rounding [-].
+constexpr double same_delay = 1e-9;
+
+template <class Real>
+BasicStateMatrix<Real> slopes(const BasicState<Dual<Real>>& state) {
+  BasicStateMatrix<Real> result;
+  result << state.position.x().slopes.transpose(), state.position.y().slopes.transpose(),
+      state.angle.slopes.transpose(), state.velocity.x().slopes.transpose(),
+      state.velocity.y().slopes.transpose(), state.spin.slopes.transpose();
+  return result;
+}
+
+/// Those of `cables` that pull in `impact`.
+template <class Real>
+CableSet pulled(const BasicEvent<Real>& impact) {
+  CableSet result;
+  Eigen::Index row = 0;
+  for (const std::size_t index : impact.cables) {
+    if (impact.impulses[row++] > 0) {
+      result.insert(index);
+    }
+  }
+  return result;
+}
+
+/// A largest independent subset of `cables`: the others follow these.
+template <class Real>
+CableSet basis(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
+  CableSet result;
+  for (const std::size_t index : cables) {
+    if (independent(the_case, state, result | CableSet::of(index))) {
+      result.insert(index);
+    }
+  }
+  return result;
+}
+
+/// The state after impulses that turn the rates of `cables`, as Newton's law says.
+template <class Real>
+BasicState<Real> rebound(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                         CableSet cables) {
+  BasicCableVector<Real> q = gap_rates(the_case, state, cables);
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    q[row] *= 1 + restitution(the_case.cables[index], q[row]);
+    ++row;
+  }
+  const BasicCableMatrix<Real> inverse = delassus(the_case, state, cables).inverse();
+  return with_impulses<Real>(the_case, state, cables, -inverse * q);
+}
+
+template <class Real>
+Eigen::Matrix<Real, 6, 1> numbers(const BasicState<Real>& state) {
+  Eigen::Matrix<Real, 6, 1> result;
+  result << state.position, state.angle, state.velocity, state.spin;
+  return result;
+}
+
+/// `state` with one of its six numbers changed.
+template <class Real>
+BasicState<Real> changed(BasicState<Real> state, int axis, const Real& by) {
+  Real* const number[] = {&state.position.x(), &state.position.y(), &state.angle,
+                          &state.velocity.x(), &state.velocity.y(), &state.spin};
+  *number[axis] += by;
+  return state;
+}
+
+/// A step of central differences [-] for which rounding and curvature balance, unless it would
+/// change the rate of a cable of `hit` by more than a thousandth: all laws are linear nearby.
+template <class Real>
+Real difference_step(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet hit) {
+  Real slowest = speed_scale(the_case, state);
+  const Real fastest = max(Real(1), slowest);
+  for (const std::size_t index : hit) {
+    slowest = min(slowest, Real(abs(gap_rate(the_case.cables[index], state))));
+  }
+  return min(Real(pow(Real(epsilon<Real>()), Real(1) / 3)), Real(slowest / fastest / 1000));
+}
+
+/// The derivative of any law's resolved impact, by central differences. Their steps keep the rates
+/// of `held` zero.
+template <class Real>
+BasicStateMatrix<Real> difference_quotients(const BasicCase<Real>& the_case, ImpactLaw law,
+                                            const BasicEvent<Real>& impact, CableSet held) {
+  const Real step = difference_step(the_case, impact.before, impact.cables - held);
+  const auto after = [&](int axis, const Real& by) {
+    const BasicState<Real> state = changed(impact.before, axis, by);
+    const BasicState<Real> start = held.empty() ? state : with_zero_rates(the_case, state, held);
+    return numbers(resolve_impact(law, the_case, start, impact.cables).after);
+  };
+  BasicStateMatrix<Real> result;
+  for (int axis = 0; axis < 6; ++axis) {
+    result.col(axis) = (after(axis, step) - after(axis, -step)) / (2 * step);
+  }
+  return result;
+}
+
+}  // namespace
+
+template <class Real>
+BasicStateMatrix<Real> rebound_derivative(const BasicCase<Real>& the_case, ImpactLaw law,
+                                          const BasicEvent<Real>& impact, CableSet held) {
+  if (law != ImpactLaw::simultaneous && impact.cables.size() > 1) {
+    return difference_quotients(the_case, law, impact, held);
+  }
+  const CableSet active = pulled(impact);
+  if (active.empty()) {
+    return BasicStateMatrix<Real>::Identity();
+  }
+  return slopes(rebound(lifted(the_case), variables(impact.before), active));
+}
+
+template <class Real>
+BasicStateMatrix<Real> projection_derivative(const BasicCase<Real>& the_case,
+                                             const BasicState<Real>& state, CableSet cables) {
+  using Number = Dual<Real>;
+  constexpr int enough = 8;  // as in with_zero_gaps, and none is left out: slopes converge last
+  const BasicCase<Number> dual_case = lifted(the_case);
+  const CableSet rows = basis(the_case, state, cables);
+  BasicState<Number> now = variables(state);
+  for (int iteration = 0; iteration < enough; ++iteration) {
+    BasicCableVector<Number> gaps(static_cast<Eigen::Index>(rows.size()));
+    Eigen::Index row = 0;
+    for (const std::size_t index : rows) {
+      gaps[row++] = gap(dual_case.cables[index], now);
+    }
+    const BasicCableMatrix<Number> inverse = delassus(dual_case, now, rows).inverse();
+    BasicState<Number> step;
+    step.position = now.position;
+    step.angle = now.angle;
+    step = with_impulses<Number>(dual_case, step, rows, -inverse * gaps);
+    now.position += step.velocity;
+    now.angle += step.spin;
+  }
+  const BasicCableMatrix<Number> inverse = delassus(dual_case, now, rows).inverse();
+  const BasicCableVector<Number> impulses = -inverse * gap_rates(dual_case, now, rows);
+  return slopes(with_impulses<Number>(dual_case, now, rows, impulses));
+}
+
+template <class Real>
+std::vector<Eigen::Matrix<Real, 3, 6>> flow_derivative(const BasicCase<Real>& the_case,
+                                                       const BasicState<Real>& start,
+                                                       CableSet pulling, std::size_t order) {
+  using Number = Dual<Real>;
+  const BasicCase<Number> dual_case = lifted(the_case);
+  const TautSeries<Number> motion(dual_case, variables(start), pulling, order);
+  std::vector<Eigen::Matrix<Real, 3, 6>> result(order + 1);
+  for (std::size_t k = 0; k <= order; ++k) {
+    result[k].row(0) = motion.x()[k].slopes.transpose();
+    result[k].row(1) = motion.y()[k].slopes.transpose();
+    result[k].row(2) = motion.angle()[k].slopes.transpose();
+  }
+  return result;
+}
+
+template <class Real>
+std::optional<Eigen::Matrix<Real, 1, 6>> delay_derivative(const BasicCase<Real>& the_case,
+                                                          const BasicState<Real>& state,
+                                                          CableSet hit) {
+  std::optional<Eigen::Matrix<Real, 1, 6>> result;
+  for (const std::size_t index : hit) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    const Real rate = gap_rate(cable, state);
+    if (!(rate < 0)) {
+      return std::nullopt;
+    }
+    Eigen::Matrix<Real, 1, 6> row = Eigen::Matrix<Real, 1, 6>::Zero();
+    row.template head<3>() = -gap_gradient(cable, state).transpose() / rate;
+    if (result && (row - *result).norm() > same_delay * row.norm()) {
+      return std::nullopt;
+    }
+    result = row;
+  }
+  return result;
+}
+
+template BasicStateMatrix<Instance> rebound_derivative(const BasicCase<Instance>&, ImpactLaw,
+                                                       const BasicEvent<Instance>&, CableSet);
+template BasicStateMatrix<Instance> projection_derivative(const BasicCase<Instance>&,
+                                                          const BasicState<Instance>&, CableSet);
+template std::vector<Eigen::Matrix<Instance, 3, 6>> flow_derivative(const BasicCase<Instance>&,
+                                                                    const BasicState<Instance>&,
+                                                                    CableSet, std::size_t);
+template std::optional<Eigen::Matrix<Instance, 1, 6>> delay_derivative(const BasicCase<Instance>&,
+                                                                       const BasicState<Instance>&,
+                                                                       CableSet);
+
+}  // namespace tautline

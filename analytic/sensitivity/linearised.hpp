@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "tautline/case.hpp"
+#include "tautline/impact.hpp"
+#include "tautline/solution.hpp"
+#include "tautline/state_matrix.hpp"
+
+namespace tautline {
+
+// Derivatives of the maps that a motion is made of. Equation numbers are those of
+// analytic/README.md.
+
+/// d state after / d state before of an impact that happens at a given instant (Eq. 43).
+/// `held` are those of its cables that were taut before: the differences keep them so.
+template <class Real>
+[[nodiscard]] BasicStateMatrix<Real> rebound_derivative(const BasicCase<Real>& the_case,
+                                                        ImpactLaw law,
+                                                        const BasicEvent<Real>& impact,
+                                                        CableSet held);
+
+/// d projected(state) / d state, onto taut `cables` (Eq. 44), without the momentum term of Eq. 18:
+/// its derivative is of the size of the gaps, 1e-12 m and less.
+template <class Real>
+[[nodiscard]] BasicStateMatrix<Real> projection_derivative(const BasicCase<Real>& the_case,
+                                                           const BasicState<Real>& state,
+                                                           CableSet cables);
+
+/// Taylor coefficients 0 to `order` of d pose / d start, in the time since then, for the motion
+/// with the independent cables `pulling` taut.
+template <class Real>
+[[nodiscard]] std::vector<Eigen::Matrix<Real, 3, 6>> flow_derivative(
+    const BasicCase<Real>& the_case, const BasicState<Real>& start, CableSet pulling,
+    std::size_t order);
+
+/// The row d dt / d state [s per unit], where dt is the delay of the instant at which `hit`, at
+/// zero gap and closing, become taut: -grad g / rate. None where the delay has no derivative: a
+/// cable that grazes, or several that close together at `state` but not near it.
+template <class Real>
+[[nodiscard]] std::optional<Eigen::Matrix<Real, 1, 6>> delay_derivative(
+    const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet hit);
+
+}  // namespace tautline

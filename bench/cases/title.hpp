@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "tautline/case.hpp"
+
+namespace tautline::bench {
+
+/// What tells a case from others, in words and few digits: "e = 0.9, box 0.2 x 0.2, two cables of
+/// 1.5", in the case's own units. A start at an angle or with a spin is named, and gravity that
+/// does not point down.
+[[nodiscard]] std::string title_of(const Case& the_case);
+
+}  // namespace tautline::bench

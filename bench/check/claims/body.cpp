@@ -1,0 +1,172 @@
+// No gravity: before and after the hit nothing changes but position and angle. The body comes along
+// the cable and does not spin, so its pose at the hit does not depend on the step in which it is
+// noticed.
+
+#include "bench/check/claims/body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bench/check/cases.hpp"
+#include "bench/check/hit.hpp"
+#include "bench/check/stepping.hpp"
+#include "tautline/geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+constexpr double hit_step = 1e-4;     // [s]
+constexpr double hit_end = 0.04;      // [s], long after the hit
+constexpr double way_to_go = 0.0203;  // [m], at 1 m/s: no whole number of steps
+
+/// A contact that takes `longest_contact` steps turns the body by up to 5e-3 rad meanwhile, and the
+/// moment with it; rounding to float is well below.
+constexpr double body_limit = 0.02;
+
+constexpr double not_hit = std::numeric_limits<double>::infinity();
+constexpr const char* not_hit_sentence = "the cable is never hit: no impulse is reported";
+
+/// A body of `mass` and `inertia` at `angle` on the way to be hit along its cable.
+Case hit_at(double angle, const Body& body, const Vec2& attachment) {
+  const Vec2 towards(0.28, 0.96);  // a unit vector, in no special direction
+  Case result;
+  result.name = "hit";
+  result.body = body;
+  result.gravity = Vec2::Zero();
+  result.duration = hit_end;
+  result.initial.angle = angle;
+  result.initial.velocity = -towards;
+  Cable cable{Vec2::Zero(), attachment, 1.0, 0.5};
+  cable.anchor = attachment_point(result.initial, cable) + (1.0 - way_to_go) * towards;
+  result.cables = {cable};
+  return result;
+}
+
+/// The spin a hit gives, over the one its impulse should give about the declared arm [-].
+double turn_ratio(const Subject& subject, double angle, double inertia) {
+  const Case the_case = hit_at(angle, {1.0, inertia}, Vec2(0.3, 0.2));
+  const std::optional<Hit> hit = first_hit(subject, the_case, hit_step, hit_end);
+  if (!hit) {
+    return std::nan("");
+  }
+  const double moment = gap_gradient(the_case.cables.front(), the_case.initial)[2];
+  return inertia * (hit->after.spin - hit->before.spin) / (hit->impulse * moment);
+}
+
+constexpr double inertias[] = {0.05, 0.4};  // [kg m^2], of 1 kg
+
+/// [rad]; the arm is 0.23 m or more at all of them, and 0.23 m at angle 0
+constexpr double angles[] = {-0.9, 1.8, 3.0, -2.0};
+
+/// The momentum about the anchor of cable 0 [N m s].
+double momentum_about_anchor(const Case& the_case, const State& state) {
+  const Vec2 from_anchor = state.position - the_case.cables.front().anchor;
+  return the_case.body.mass * cross(from_anchor, state.velocity) +
+         the_case.body.inertia * state.spin;
+}
+
+}  // namespace
+
+Measure measure_mass(const Subject& subject) {
+  double found = 0.0;
+  std::string sentence;
+  for (const double mass : {1.0, 3.0}) {
+    const Case the_case = hit_at(0.0, {mass, 0.4}, Vec2::Zero());
+    const std::optional<Hit> hit = first_hit(subject, the_case, hit_step, hit_end);
+    if (!hit) {
+      return {not_hit, body_limit, not_hit_sentence};
+    }
+    const double shown = hit->impulse / (hit->after.velocity - hit->before.velocity).norm();
+    const double error = worse(0.0, std::abs(shown / mass - 1.0));
+    if (error >= found) {
+      found = error;
+      sentence = fmt::format(
+          "a central hit changes the velocity as the reported impulse does that of {:.4g} kg, "
+          "declared are {:g} kg",
+          shown, mass);
+    }
+  }
+  return {found, body_limit, sentence};
+}
+
+Measure measure_inertia(const Subject& subject) {
+  double found = 0.0;
+  double shown = 1.0;
+  for (const double inertia : inertias) {
+    const double ratio = turn_ratio(subject, 0.0, inertia);
+    if (std::isnan(ratio)) {
+      return {not_hit, body_limit, not_hit_sentence};
+    }
+    if (!(std::abs(ratio - 1.0) < found)) {
+      found = std::abs(ratio - 1.0);
+      shown = ratio;
+    }
+  }
+  return {found, body_limit,
+          fmt::format("an off-centre hit at angle 0 turns the body as if its inertia were {:.4g} "
+                      "times the declared one",
+                      1.0 / shown)};
+}
+
+Measure measure_arm(const Subject& subject) {
+  double found = 0.0;
+  double worst = angles[0];
+  double worst_ratio = 1.0;
+  for (const double inertia : inertias) {
+    const double at_zero = turn_ratio(subject, 0.0, inertia);
+    for (const double angle : angles) {
+      const double ratio = turn_ratio(subject, angle, inertia) / at_zero;
+      if (std::isnan(ratio)) {
+        return {not_hit, body_limit, not_hit_sentence};
+      }
+      if (std::abs(ratio - 1.0) > found) {
+        found = std::abs(ratio - 1.0);
+        worst = angle;
+        worst_ratio = ratio;
+      }
+    }
+  }
+  if (found <= body_limit) {
+    return {found, body_limit, "an impulse has the same arm at every angle of the body"};
+  }
+  return {found, body_limit,
+          fmt::format("the arm of an impulse is wrong: at angle {:g} it is {:.3g} times what it "
+                      "should be by that at angle 0; it does not turn with the body",
+                      worst, worst_ratio)};
+}
+
+Measure measure_angular_momentum(const Subject& subject) {
+  Case the_case = spinning_on_one_cable(0.05);
+  the_case.gravity = Vec2::Zero();
+  const auto simulation = subject.start(the_case, hit_step);
+  std::optional<State> before;  // the first step with an impulse
+  State after;                  // the last one of the same contact
+  bool over = false;
+  run_whole(*simulation, hit_step, 0.25, [&](const Moment& moment) {
+    const bool hit = simulation->impulses()[0] > 0.0;
+    over = over || (before && !hit);
+    if (hit && !over) {
+      before = before.value_or(moment.before);
+      after = moment.after;
+    }
+  });
+  if (!before) {
+    return {not_hit, body_limit, not_hit_sentence};
+  }
+  const double change =
+      momentum_about_anchor(the_case, after) - momentum_about_anchor(the_case, *before);
+  const double turned = the_case.body.inertia * std::abs(after.spin - before->spin);
+  const double found = std::abs(change) / turned;
+  return {found, body_limit,
+          found <= body_limit
+              ? "a hit leaves the angular momentum about the anchor as it is"
+              : fmt::format("a hit changes the angular momentum about the anchor, by {:.2g} of "
+                            "what it turns the body by: the impulse does not act along the cable, "
+                            "or on another inertia",
+                            found)};
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,146 @@
+#include "bench/gate/broken.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "bench/base/text.hpp"
+#include "bench/gate/verdict.hpp"
+#include "bench/measure/metric_list.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string with_unit(double value, std::string_view metric) {
+  const std::optional<std::size_t> place = place_of(metric);
+  const std::string_view unit = place ? metric_list()[*place].unit : "1";
+  return unit == "1" ? fmt::format("{:.3g}", value) : fmt::format("{:.3g} {}", value, unit);
+}
+
+/// Engines whose plug-in is there and does not work.
+void add_engines(const Report& report, std::vector<BrokenRow>& rows) {
+  for (const EngineRow& engine : report.engines) {
+    if (engine.problem && !engine.missing) {
+      rows.push_back({printable(engine.name), "", "", "", std::string(failure), "no runs", "",
+                      printable(*engine.problem)});
+    }
+  }
+}
+
+/// A check of a run that does not hold.
+BrokenRow broken_row(const RunRow& run, const Check& check) {
+  return {printable(run.key.engine),
+          printable(run.key.model),
+          printable(run.key.the_case),
+          fmt::format("{:g}", run.key.step),
+          printable(check.metric),
+          check.value ? with_unit(*check.value, check.metric) : to_string(run.status),
+          check.limit ? with_unit(*check.limit, check.metric) : "",
+          printable(check.reason)};
+}
+
+void add_runs(const Report& report, std::vector<BrokenRow>& rows) {
+  for (const RunRow& run : report.runs) {
+    const Verdict& verdict = run.verdict.value();
+    for (const Check& check : verdict.checks) {
+      // runs that are not judged may say what they like, but not fail
+      const bool judged = verdict.word == Word::flagged || check.metric == failure;
+      if (judged && !check.holds && !check.known) {
+        rows.push_back(broken_row(run, check));
+      }
+    }
+  }
+}
+
+/// What the runs of a report say of one known deviation.
+struct Evidence {
+  const RunKey* run = nullptr;  // the last one that it is about; or null
+  bool limited = false;         // one of them has a limit on its metric
+  bool measured = false;        // and could be held against it
+  bool still = false;           // and breaks it
+};
+
+Evidence evidence_on(const KnownDeviation& known, const Report& report, const Limits& limits,
+                     const Precisions& precisions) {
+  Evidence evidence;
+  for (const RunRow& run : report.runs) {
+    const std::string precision = precisions.of(run.key);
+    if (!known.runs.holds(run.key, precision)) {
+      continue;
+    }
+    evidence.run = &run.key;
+    evidence.limited =
+        evidence.limited || known.metric == failure ||
+        std::any_of(limits.limits.begin(), limits.limits.end(), [&](const Limit& limit) {
+          return limit.metric == known.metric && limit.runs.holds(run.key, precision);
+        });
+    for (const Check& check : run.verdict.value().checks) {
+      if (check.metric == known.metric) {
+        evidence.measured = true;
+        evidence.still = evidence.still || !check.holds;
+      }
+    }
+  }
+  return evidence;
+}
+
+/// Known deviations that the report could show and that no run of it does, or that no limit tells.
+void add_passing(const Report& report, const Limits& limits, const Precisions& precisions,
+                 std::vector<BrokenRow>& rows) {
+  for (const KnownDeviation& known : limits.known) {
+    const Evidence evidence = evidence_on(known, report, limits, precisions);
+    const bool unlimited = evidence.run != nullptr && !evidence.limited;
+    if (!unlimited && (!evidence.measured || evidence.still)) {
+      continue;
+    }
+    rows.push_back({printable(evidence.run->engine), printable(evidence.run->model),
+                    printable(known.runs.the_case),
+                    known.runs.step ? fmt::format("{:g}", *known.runs.step) : "", known.metric,
+                    unlimited ? "not checked" : "holds", unlimited ? "" : "known not to",
+                    (unlimited ? "no limit is on this metric of these runs, so that it cannot be "
+                                 "known to break one; there: "
+                               : "has started to hold: take it out of the manifest; there: ") +
+                        printable(known.reason)});
+  }
+}
+
+/// A gate that judges nothing: no limit is on any run, as a name in the file is wrong, or the file
+/// says of every run that it is not judged.
+void add_idle(const Report& report, const Limits& limits, const Precisions& precisions,
+              std::vector<BrokenRow>& rows) {
+  bool checked = false;
+  for (const RunRow& run : report.runs) {
+    if (run.verdict.value().checks.empty()) {
+      continue;
+    }
+    checked = true;
+    const std::string precision = precisions.of(run.key);
+    const bool judged =
+        std::none_of(limits.unjudged.begin(), limits.unjudged.end(),
+                     [&](const Unjudged& entry) { return entry.runs.holds(run.key, precision); });
+    if (judged) {
+      return;
+    }
+  }
+  rows.push_back({"", "", "", "", "", "no checks", "",
+                  checked ? "every run is informative or unsupported: the file judges none"
+                          : "no limit of the file is on any run: see its names of engines and "
+                            "models"});
+}
+
+}  // namespace
+
+std::vector<BrokenRow> broken_rows(const Report& report, const Limits& limits) {
+  const Precisions precisions(report);
+  std::vector<BrokenRow> rows;
+  add_engines(report, rows);
+  add_runs(report, rows);
+  add_passing(report, limits, precisions, rows);
+  add_idle(report, limits, precisions, rows);
+  return rows;
+}
+
+}  // namespace tautline::bench

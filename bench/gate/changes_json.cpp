@@ -1,0 +1,89 @@
+#include "bench/gate/changes_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+namespace tautline::bench {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The number of the form: its key `schema`.
+constexpr int changes_schema = 1;
+
+template <class Value>
+ordered_json or_null(const std::optional<Value>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json row_of(const RunKey& run) {
+  return {{"case", run.the_case}, {"engine", run.engine}, {"model", run.model}, {"step", run.step}};
+}
+
+ordered_json row_of(const VersionChange& change) {
+  return {
+      {"what", change.what}, {"before", or_null(change.before)}, {"after", or_null(change.after)}};
+}
+
+ordered_json row_of(const StatusChange& change) {
+  ordered_json row = row_of(change.key);
+  row["before"] = to_string(change.before);
+  row["after"] = to_string(change.after);
+  row["reason"] = change.reason;
+  return row;
+}
+
+ordered_json row_of(const MetricChange& change) {
+  const Metric& metric = metric_list()[change.metric];
+  ordered_json row = row_of(change.key);
+  row["metric"] = metric.name;
+  row["unit"] = metric.unit;
+  row["before"] = or_null(change.before);
+  row["after"] = or_null(change.after);
+  return row;
+}
+
+ordered_json row_of(const CostChange& change) {
+  return {{"engine", change.key.engine},
+          {"model", change.key.model},
+          {"step", change.key.step},
+          {"cases", change.cases},
+          {"factor", change.factor}};
+}
+
+ordered_json object_of(const Noise& noise) {
+  return {{"relative", noise.relative}, {"early_rounding", noise.early_rounding},
+          {"growth", noise.growth},     {"extremes", noise.extremes},
+          {"impacts", noise.impacts},   {"cost", noise.cost}};
+}
+
+template <class Row>
+ordered_json rows_of(const std::vector<Row>& rows) {
+  ordered_json result = ordered_json::array();
+  for (const Row& row : rows) {
+    result.push_back(row_of(row));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string changes_json(const Changes& changes) {
+  const ordered_json json = {{"schema", changes_schema},
+                             {"compared", changes.compared},
+                             {"worse", changes.worse()},
+                             {"noise", object_of(changes.noise)},
+                             {"versions", rows_of(changes.versions)},
+                             {"new_failures", rows_of(changes.new_failures)},
+                             {"recovered", rows_of(changes.recovered)},
+                             {"got_worse", rows_of(changes.got_worse)},
+                             {"got_better", rows_of(changes.got_better)},
+                             {"only_before", rows_of(changes.only_before)},
+                             {"only_after", rows_of(changes.only_after)},
+                             {"other_case", rows_of(changes.other_case)},
+                             {"costs", rows_of(changes.costs)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace tautline::bench

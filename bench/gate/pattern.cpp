@@ -1,0 +1,33 @@
+#include "bench/gate/pattern.hpp"
+
+#include <fnmatch.h>
+
+#include <cmath>
+
+namespace tautline::bench {
+namespace {
+
+/// Patterns have * and ? alone: what else is special for fnmatch stands for itself.
+bool matches(const std::string& pattern, const std::string& name) {
+  std::string escaped;
+  for (const char letter : pattern) {
+    if (letter == '[' || letter == ']' || letter == '\\') {
+      escaped += '\\';
+    }
+    escaped += letter;
+  }
+  return ::fnmatch(escaped.c_str(), name.c_str(), 0) == 0;
+}
+
+/// Steps this near are the same: 0.001 from a file and from a command line [-].
+constexpr double same_step = 1e-9;
+
+}  // namespace
+
+bool RunPattern::holds(const RunKey& run, const std::string& precision_of_run) const {
+  return matches(engine, run.engine) && matches(model, run.model) &&
+         matches(the_case, run.the_case) && matches(precision, precision_of_run) &&
+         (!step || std::abs(*step - run.step) <= same_step * run.step);
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,76 @@
+#include "bench/measure/settling_match.hpp"
+
+#include <algorithm>
+
+#include "tautline/geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Fewer samples in a period do not show an amplitude: with n of them the largest angle is missed
+/// by up to (pi / n)^2 / 2 of it, here 1 % [-].
+constexpr std::ptrdiff_t least_samples = 20;
+
+/// The last impact of `run` faster than `speed` and not after `end`.
+std::optional<double> last_impact(const Trajectory& run, double speed, double end) {
+  std::optional<double> last;
+  for (const RecordedImpact& impact : run.impacts) {
+    if (-impact.rate_before > speed && impact.time <= end) {
+      last = impact.time;
+    }
+  }
+  return last;
+}
+
+}  // namespace
+
+std::vector<LastImpactMatch> match_last_impacts(const Settling& settling, const Trajectory& run,
+                                                double end) {
+  std::vector<LastImpactMatch> result;
+  for (const LastImpact& exact : settling.last_impacts) {
+    LastImpactMatch match{exact.speed, {}, {}};
+    if (settling.lock) {
+      match.exact = exact.time;
+      if (reaches(run, exact.time.value_or(0.0))) {
+        match.found = last_impact(run, exact.speed, end);
+      }
+    }
+    result.push_back(match);
+  }
+  return result;
+}
+
+std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,
+                                      const Settling& settling, const Trajectory& run) {
+  if (run.diverged || !settling.lock || !settling.lock->permanent || !settling.lock->swing) {
+    return std::nullopt;
+  }
+  const Swing& exact = *settling.lock->swing;
+  const double until = std::min(run.points.back().time, solution.end_time());
+  const double from = until - exact.period;
+  if (from < settling.lock->time) {
+    return std::nullopt;
+  }
+  const auto before = [](const Point& point, double time) { return point.time < time; };
+  const auto first = std::lower_bound(run.points.begin(), run.points.end(), from, before);
+  const auto last =
+      std::upper_bound(first, run.points.end(), until,
+                       [](double time, const Point& point) { return time < point.time; });
+  if (last - first < least_samples) {
+    return std::nullopt;
+  }
+  const double equilibrium = energy(the_case, solution.at(solution.end_time())) - exact.energy;
+  double sum = 0.0;  // [J]
+  for (auto point = first; point != last; ++point) {
+    sum += energy(the_case, point->state) - equilibrium;
+  }
+  const auto [least, largest] = std::minmax_element(
+      first, last,
+      [](const Point& one, const Point& other) { return one.state.angle < other.state.angle; });
+  return SwingMatch{from,
+                    until,
+                    {exact.energy, sum / static_cast<double>(last - first)},
+                    {exact.amplitude, 0.5 * (largest->state.angle - least->state.angle)}};
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bench/measure/metrics.hpp"
+#include "bench/run/record.hpp"
+#include "tautline/case.hpp"
+#include "tautline/settling.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline::bench {
+
+/// The last fast impacts of `run` next to those of `settling`, up to `end` [s].
+[[nodiscard]] std::vector<LastImpactMatch> match_last_impacts(const Settling& settling,
+                                                              const Trajectory& run, double end);
+
+/// The swing of `run` next to the one that `settling` of `solution` ends in.
+[[nodiscard]] std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,
+                                                    const Settling& settling,
+                                                    const Trajectory& run);
+
+}  // namespace tautline::bench

@@ -1,0 +1,67 @@
+#include "bench/page/document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/base/html.hpp"
+
+namespace tautline::bench {
+namespace {
+
+// Nothing is fetched from anywhere: what the page may do is what stands in it.
+constexpr std::string_view policy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
+    "blob:; base-uri 'none'; form-action 'none'";
+
+std::string head(std::string_view title, std::string_view style) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n"
+      "<link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style>\n</head>\n",
+      policy, title, style);
+}
+
+/// A text of several lines as it stands.
+std::string preformatted(std::string_view text) {
+  std::string out = "<pre>";
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out += html_text(text.substr(0, end)) + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out + "</pre>";
+}
+
+std::string foot(std::string_view command, const PageAssets& assets) {
+  std::string out = fmt::format("<footer>\n<p>Made by <code>{}</code> {}.</p>\n", command,
+                                html_text(TAUTLINE_VERSION));
+  if (!assets.plotly.empty()) {
+    out += "<details><summary>Charts are drawn by Plotly.js, under the MIT licence.</summary>\n" +
+           preformatted(assets.licence) + "</details>\n";
+  }
+  return out + "</footer>\n";
+}
+
+/// The data, then what reads them. The parser comes to them last: the page is legible before.
+std::string scripts(const PageContent& page, std::string_view plotly) {
+  std::string out = fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n",
+                                page.data_id, page.data);
+  if (!plotly.empty()) {
+    out += fmt::format("<script id=\"plotly\">{}</script>\n", plotly);
+  }
+  return out + fmt::format("<script id=\"page-scripts\">\n{}</script>\n", page.scripts);
+}
+
+}  // namespace
+
+std::string html_document(const PageContent& page, const PageAssets& assets) {
+  const bool charts = !assets.plotly.empty();
+  return head(page.title, assets.style) +
+         fmt::format("<body{}>\n", charts ? "" : " class=\"no-charts\"") + page.content +
+         foot(page.command, assets) + scripts(page, assets.plotly) + "</body>\n</html>\n";
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "bench/base/table.hpp"
+#include "bench/cases/case_writer.hpp"
+#include "bench/cases/title.hpp"
+#include "bench/chapter/source.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// What `tautline cases` was asked: the list of shipped cases, or one of them as a case file.
+struct CasesCommand {
+  std::string the_case;
+};
+
+std::string case_list() {
+  Table table({"case", "inertia", "duration", "title"}, 1, 1);
+  for (const Case& the_case : shipped_cases()) {
+    table.add({the_case.name, fmt::format("{:.4g}", the_case.body.inertia),
+               fmt::format("{:g}", the_case.duration), title_of(the_case)});
+  }
+  return table.plain();
+}
+
+int cases_command(const CasesCommand& command) {
+  if (command.the_case.empty()) {
+    fmt::print("{}\n{}", case_list(), case_number_text());
+    return exit_done;
+  }
+  const std::optional<Case> the_case = one_case(command.the_case);
+  if (!the_case) {
+    return exit_usage;
+  }
+  fmt::print("{}", write_case(*the_case));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_cases(CLI::App& app, int& code) {
+  CLI::App* const command = app.add_subcommand(
+      "cases", "A list of the shipped cases, or one of them as a case file to start from");
+  const auto asked = std::make_shared<CasesCommand>();
+  command->add_option("CASE", asked->the_case, "the name of a shipped case");
+  command->callback([asked, &code] { code = cases_command(*asked); });
+}
+
+}  // namespace tautline::bench

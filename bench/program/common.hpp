@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tautline/case.hpp"
+
+namespace tautline::bench {
+
+/// Exit codes of the program.
+inline constexpr int exit_done = 0;
+inline constexpr int exit_failed = 1;  // a run failed or diverged, or a result could not be written
+inline constexpr int exit_usage = 2;   // wrong usage or input
+
+/// The one case that `argument` means; none, after complaining, if that is not one.
+[[nodiscard]] std::optional<Case> one_case(const std::string& argument);
+
+/// Prints each sentence to standard error as "tautline: ...".
+void complain(const std::vector<std::string>& sentences);
+
+/// Writes `text` to the file `target`, or to standard output for "-".
+void write_output(const std::string& target, const std::string& text);
+
+}  // namespace tautline::bench

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "bench/base/text.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/run/json.hpp"
+#include "bench/run/registry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// What `tautline engines` was asked.
+struct EnginesCommand {
+  std::string json;
+};
+
+void print_engine(const RegisteredEngine& engine) {
+  if (!engine.info) {
+    const std::string why = engine.missing.empty() ? engine.failure : "not here: " + engine.missing;
+    const std::string package =
+        engine.missing.empty() || engine.package.empty() ? "" : " (package " + engine.package + ")";
+    fmt::print("{}  {}{}\n\n", engine.name, printable(why), package);
+    return;
+  }
+  fmt::print("{}  version {}, {}\n", engine.info->name, printable(engine.info->version),
+             engine.info->precision);
+  std::size_t longest = 0;
+  for (const Model& model : engine.info->models) {
+    longest = std::max(longest, model.name.size());
+  }
+  for (const Model& model : engine.info->models) {
+    fmt::print("  {:<{}}  {}\n", model.name, longest, printable(model.sentence, 1000));
+  }
+  fmt::print("\n");
+}
+
+int engines_command(const EnginesCommand& command) {
+  const auto engines = registered_engines();
+  if (!command.json.empty()) {
+    write_output(command.json, engines_json(engines));
+    return exit_done;
+  }
+  for (const RegisteredEngine& engine : engines) {
+    print_engine(engine);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_engines(CLI::App& app, int& code) {
+  CLI::App* const command = app.add_subcommand(
+      "engines", "The engines that are here, their models, and the engines that are missing");
+  const auto asked = std::make_shared<EnginesCommand>();
+  command->add_option("--json", asked->json,
+                      "write the list as JSON to this file, or to stdout: -");
+  command->callback([asked, &code] { code = engines_command(*asked); });
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,31 @@
+#include "bench/program/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+namespace tautline::bench {
+namespace {
+
+std::map<std::string, ImpactLaw> law_names() {
+  std::map<std::string, ImpactLaw> names;
+  for (const ImpactLaw law : impact_laws) {
+    names.emplace(to_string(law), law);
+  }
+  return names;
+}
+
+}  // namespace
+
+void add_law(CLI::App& command, ImpactLaw& law, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          "--law", [&law](const std::string& name) { law = law_names().at(name); }, help)
+      ->check(CLI::IsMember(law_names()))
+      ->default_str("simultaneous");
+}
+
+std::string named_file(const std::string& name) {
+  return name.empty() ? "must be the name of a file, or -" : "";
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,160 @@
+#include "bench/report/html/sections.hpp"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+#include "bench/base/html.hpp"
+#include "bench/report/tables/answers_table.hpp"
+#include "bench/report/tables/runs_table.hpp"
+#include "bench/report/tables/tables.hpp"
+#include "bench/report/words.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string section(const std::string& id, const std::string& heading, const std::string& html) {
+  return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, heading, html);
+}
+
+std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n"; }
+
+std::string note(const std::string& html) { return "<p class=\"note\">" + html + "</p>\n"; }
+
+/// A name beside what it stands for.
+std::string entry(const std::string& name, const std::string& html) {
+  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, html);
+}
+
+/// A place for a chart: what it shows, which a reader without script is told.
+std::string chart_place(const std::string& id, const std::string& shows) {
+  return fmt::format(
+      "<div class=\"chart\" id=\"{0}\" role=\"figure\" aria-label=\"{1}\">"
+      "<p class=\"no-script\">{1} Drawn by script only.</p></div>\n",
+      id, html_text(shows));
+}
+
+std::string finding_item(const Finding& finding) {
+  return fmt::format(
+      "<li data-kind=\"{}\"><b>{} {}</b> {} <span class=\"evidence\">{}</span></li>\n",
+      html_text(finding.kind), html_text(finding.engine), html_text(finding.model),
+      html_prose(finding.sentence), evidence_text(finding));
+}
+
+std::string model_html(const Model& model, const std::string& id) {
+  const Table settings = settings_table(model);
+  return fmt::format("<h4>{}</h4>\n", html_text(model.name)) +
+         paragraph(html_text(model.sentence, longest_sentence)) +
+         (settings.empty()
+              ? note("Every setting is the engine’s default.")
+              : html_table(settings, id, "Settings that are not the engine’s default."));
+}
+
+}  // namespace
+
+std::string answers_section(const Report& report) {
+  constexpr std::size_t longest_list = 2000;  // [bytes], of all models that stopped
+  const std::string stopped = stopped_sentence(report);
+  return section("answers", "Answers",
+                 html_table(answers_table(report), "answers-table",
+                            "Over all cases, by engine, model and step. The exact motion through "
+                            "the same comparison, as a control, stands apart. Cost: of one step, "
+                            "in closed-form flights.") +
+                     (stopped.empty() ? "" : note(html_text(stopped, longest_list))));
+}
+
+std::string runs_section(const Report& report) {
+  return section("cases", "Every run",
+                 html_table(runs_table(report), "cases-table",
+                            "By case, engine, model and step; the exact motion as a control below. "
+                            "Cost: of one step, in closed-form flights."));
+}
+
+std::string error_section(const Report& report) {
+  return section(
+      "error", "Error and cost",
+      chart_place("chart-cost", "Position error over the cost of a simulated second.") +
+          chart_place("chart-step", "Position error over the step, with fitted slopes.") +
+          html_table(convergence_table(report), "slopes-table",
+                     "Slope of log error over log step of the early position error, over the "
+                     "cases: 1 is first order, 0 does not converge."));
+}
+
+std::string audit_section(const Report& report) {
+  std::string list;
+  for (const Finding& finding : report.findings) {
+    list += finding_item(finding);
+  }
+  const std::string found =
+      list.empty()
+          ? paragraph("No threshold, sleeping or lost restitution was found in these runs.")
+          : paragraph("Found in the impacts of these runs, by program:") +
+                "<ul class=\"findings\">\n" + list + "</ul>\n";
+  return section("audit", "Restitution, impact by impact",
+                 found +
+                     "<div id=\"audit-app\"><p class=\"no-script\">The charts of single impacts "
+                     "need script. The impacts are in <code>report.json</code>.</p></div>\n");
+}
+
+std::string causes_section(const Report& report) {
+  const std::string heading = "What the errors come from";
+  const Table table = causes_table(report);
+  if (table.empty()) {
+    return section("attribution", heading, paragraph("No deviation was taken apart."));
+  }
+  std::string meanings;
+  for (const Cause cause : causes) {
+    const CauseWords words = words_of(cause);
+    meanings += entry(words.heading, words.meaning);
+  }
+  return section(
+      "attribution", heading,
+      paragraph(html_prose(how_to_read_causes())) +
+          html_table(table, "attribution-table",
+                     "What deviations come from, by engine, model and step.") +
+          chart_place("chart-attribution", "Shares of the causes, by engine, model and step.") +
+          "<dl>\n" + meanings + "</dl>\n");
+}
+
+std::string models_section(const Report& report) {
+  std::string out;
+  std::size_t table = 0;
+  for (const EngineRow& engine : report.engines) {
+    out += fmt::format("<h3>{}</h3>\n", html_text(engine.name));
+    if (engine.problem) {
+      out += note((engine.missing ? "Not here: " : "") + html_text(*engine.problem));
+    }
+    if (!engine.info) {
+      continue;
+    }
+    out += note(fmt::format("Version {}, {}.", html_text(engine.info->version),
+                            html_text(engine.info->precision)));
+    for (const Model& model : engine.info->models) {
+      out += model_html(model, fmt::format("settings-{}", ++table));
+    }
+  }
+  return section("models", "How each engine models a cable", out);
+}
+
+std::string reading_section(const Report& report) {
+  std::string items;
+  for (const std::string& item : how_to_read(report)) {
+    items += "<li>" + html_prose(item) + "</li>\n";
+  }
+  return section("reading", "How to read this page",
+                 "<ul class=\"reading\">\n" + items + "</ul>\n" +
+                     paragraph("The source chapter has a page of its own: <code>tautline "
+                               "reproduce</code> makes <code>chapter.html</code>."));
+}
+
+std::string context_section(const Report& report) {
+  std::string list =
+      entry("data", "<a href=\"report.json\">report.json</a>, <a href=\"report.md\">report.md</a>");
+  for (const Fact& fact : context_facts(report)) {
+    const std::string text = html_text(fact.text, longest_sentence);
+    list += entry(fact.name, fact.as_typed ? "<code>" + text + "</code>" : text);
+  }
+  return section("context", "Context", "<dl>\n" + list + "</dl>\n");
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,194 @@
+#include "bench/report/json/json.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bench/base/text.hpp"
+#include "bench/report/json/fields.hpp"
+#include "bench/report/json/reader.hpp"
+#include "bench/report/json/writer.hpp"
+#include "bench/report/motion.hpp"
+#include "bench/report/thinning.hpp"
+#include "report_schema.inc"
+
+namespace tautline::bench {
+namespace {
+
+Json metrics_json() {
+  Json list = Json::array();
+  for (const Metric& metric : metric_list()) {
+    list.push_back({{"name", metric.name}, {"unit", metric.unit}, {"meaning", metric.meaning}});
+  }
+  return list;
+}
+
+/// `report` with its motions thinned and rounded for a drawing.
+Json whole(const Report& report) {
+  Report drawn = report;
+  const std::size_t impacts = impacts_per_run(report.runs.size());
+  for (RunRow& run : drawn.runs) {
+    run = drawable(run, impacts);
+  }
+  for (CaseRow& row : drawn.cases) {
+    row = drawable(row);
+  }
+  Json json = {{"schema", report_schema},
+               {"program", {{"name", "tautline"}, {"version", report.version}}}};
+  Json rows = json_of(drawn);
+  for (auto& [key, value] : rows.items()) {
+    if (key == "engines") {  // before it, with the options: what the numbers below mean
+      json["metrics"] = metrics_json();
+    }
+    json[key] = std::move(value);
+  }
+  return json;
+}
+
+std::string on_one_line(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// Objects this deep have a line for every key, tables one deeper a line for every row: indented to
+/// its leaves, a report would be mostly blanks.
+constexpr std::size_t deepest_object = 1;
+
+bool has_lines(const Json& value, std::size_t depth) {
+  if (value.empty()) {
+    return false;
+  }
+  if (value.is_object()) {
+    return depth <= deepest_object;
+  }
+  return value.is_array() && value.front().is_object() && depth <= deepest_object + 1;
+}
+
+void write_lines(const Json& value, std::size_t depth, std::string& out) {
+  if (!has_lines(value, depth)) {
+    out += on_one_line(value);
+    return;
+  }
+  out += value.is_object() ? '{' : '[';
+  bool first = true;
+  for (const auto& [key, member] : value.items()) {
+    out += first ? "\n" : ",\n";
+    first = false;
+    out.append(depth + 1, ' ');
+    if (value.is_object()) {
+      out += on_one_line(key) + ": ";
+    }
+    write_lines(member, depth + 1, out);
+  }
+  out += '\n';
+  out.append(depth, ' ');
+  out += value.is_object() ? '}' : ']';
+}
+
+/// The metrics of a schema: a property for each of the list.
+Json properties(const Json& value) {
+  Json result = {{"type", {"object", "null"}}, {"additionalProperties", false}};
+  for (const Metric& metric : metric_list()) {
+    Json property = value;
+    property["description"] = fmt::format("{} [{}]", metric.meaning, metric.unit);
+    result["required"].push_back(metric.name);
+    result["properties"][std::string(metric.name)] = std::move(property);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string report_json(const Report& report) {
+  std::string out;
+  write_lines(whole(report), 0, out);
+  return out + "\n";
+}
+
+std::string page_json(const Report& report) {
+  Report light = report;
+  for (RunRow& run : light.runs) {
+    run.verdict.reset();
+    run.output_tail.reset();
+  }
+  return on_one_line(whole(light));
+}
+
+ReportReading report_from(std::string_view text, const std::string& name) {
+  try {
+    const Json json = Json::parse(text);
+    if (!json.is_object() || !json.contains("schema") || !json.contains("runs")) {
+      return {std::nullopt,
+              {name + ": is not a report of `tautline bench`: must be its report.json"}};
+    }
+    if (json.at("schema") != report_schema) {
+      return {std::nullopt,
+              {fmt::format("{}: has schema {}, must be {}: run `tautline bench` of this version "
+                           "for it",
+                           name, printable(json.at("schema").dump()), report_schema)}};
+    }
+    Report report;
+    read(json, report);
+    for (EngineRow& engine : report.engines) {
+      if (engine.info) {
+        engine.info->name = engine.name;  // which stands once in the file
+      }
+    }
+    report.version = json.at("program").at("version").get<std::string>();
+    return {std::move(report), {}};
+  } catch (const Json::parse_error& error) {
+    const bool ends = error.byte > text.size();
+    return {std::nullopt,
+            {fmt::format("{}: is not JSON, or not all of it: {} at byte {} of {}", name,
+                         ends ? "it ends too early," : "what it holds makes no sense", error.byte,
+                         text.size())}};
+  } catch (const Json::exception& error) {
+    return {std::nullopt,
+            {fmt::format("{}: is not a report of `tautline bench`: {}", name,
+                         printable(error.what()))}};
+  }
+}
+
+std::string report_schema_json() {
+  Json schema = Json::parse(report_schema_text);
+  Json& definitions = schema["definitions"];
+  definitions["metrics"] = properties({{"type", {"number", "null"}}});
+  definitions["summary_metrics"] = properties({{"$ref", "#/definitions/median_and_worst"}});
+  return schema.dump(2) + "\n";
+}
+
+std::string run_json(const RunRow& run) {
+  return json_of(drawable(run, most_impacts)).dump(2, ' ', false, Json::error_handler_t::replace) +
+         "\n";
+}
+
+std::string settings_json(const EngineInfo& engine, const Model& model, double step) {
+  const Json json = {{"schema", 1},
+                     {"engine", engine.name},
+                     {"version", engine.version},
+                     {"precision", engine.precision},
+                     {"model", model.name},
+                     {"sentence", model.sentence},
+                     {"step", step},
+                     {"settings", json_of(model.settings)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string record_json(const RunRecord& record, const std::string& fingerprint) {
+  return on_one_line({{"fingerprint", fingerprint}, {"record", json_of(record)}}) + "\n";
+}
+
+std::optional<RunRecord> record_from(std::string_view text, const std::string& fingerprint) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || json.value("fingerprint", "") != fingerprint) {
+    return std::nullopt;
+  }
+  try {
+    RunRecord record;
+    read(json.at("record"), record);
+    return record;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/base/text.hpp"
+#include "bench/report/json/fields.hpp"
+
+// From JSON back to the rows of a report. Throws nlohmann's exceptions where it is no such JSON.
+
+namespace tautline::bench {
+
+using Json = nlohmann::ordered_json;
+
+/// The words that stand for an enumerator.
+template <class Enum, std::size_t count>
+Enum from_word(const std::array<Enum, count>& all, const std::string& word) {
+  for (const Enum one : all) {
+    if (to_string(one) == word) {
+      return one;
+    }
+  }
+  throw Json::other_error::create(501, "unknown word " + printable(word), nullptr);
+}
+inline constexpr std::array statuses = {Status::finished, Status::stopped, Status::diverged,
+                                        Status::failed};
+inline constexpr std::array words = {Word::pass, Word::flagged, Word::informative,
+                                     Word::unsupported};
+
+inline void read(const Json& json, double& value) {
+  value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+inline void read(const Json& json, std::size_t& value) { value = json.get<std::size_t>(); }
+inline void read(const Json& json, bool& value) { value = json.get<bool>(); }
+inline void read(const Json& json, std::string& value) { value = json.get<std::string>(); }
+inline void read(const Json& json, Status& value) {
+  value = from_word(statuses, json.get<std::string>());
+}
+inline void read(const Json& json, Word& value) {
+  value = from_word(words, json.get<std::string>());
+}
+inline void read(const Json& json, Vec2& value) {
+  value = {json.at(0).get<double>(), json.at(1).get<double>()};
+}
+
+inline void read(const Json& json, CableSet& value) {
+  value = CableSet();
+  for (const Json& index : json) {
+    value.insert(index.get<std::size_t>());
+  }
+}
+
+inline void read(const Json& json, CauseParts& parts) {
+  for (std::size_t index = 0; index < causes.size(); ++index) {
+    read(json.at(std::string(to_string(causes[index]))), parts[index]);
+  }
+}
+
+template <class Value>
+void read(const Json& json, std::optional<Value>& value);
+template <class Value>
+void read(const Json& json, std::vector<Value>& values);
+template <class Row>
+void read(const Json& json, Row& row);
+
+/// Fills the members that `fields` shows it from an object.
+class Reader {
+ public:
+  explicit Reader(const Json& object) : object_(object) {}
+
+  template <class Value>
+  void operator()(const char* key, Value& value) {
+    read(object_.at(key), value);
+  }
+
+  template <class Members>
+  void group(const char* key, const Members& members) {
+    Reader inside(object_.at(key));
+    members(inside);
+  }
+
+  template <class Value>
+  void by_metric(const char* key, std::vector<Value>& values) {
+    values.clear();
+    for (const Metric& metric : metric_list()) {
+      read(object_.at(key).at(std::string(metric.name)), values.emplace_back());
+    }
+  }
+
+  template <class Value>
+  void by_metric(const char* key, std::optional<std::vector<Value>>& values) {
+    values.reset();
+    if (!object_.at(key).is_null()) {
+      by_metric(key, values.emplace());
+    }
+  }
+
+  template <class Value, class Members>
+  void unless_missing(const char* first, std::optional<Value>& value, const Members& members) {
+    value.reset();
+    if (object_.contains(first)) {
+      members(*this, value.emplace());
+    }
+  }
+
+ private:
+  const Json& object_;
+};
+
+template <class Value>
+void read(const Json& json, std::optional<Value>& value) {
+  value.reset();
+  if (!json.is_null()) {
+    read(json, value.emplace());
+  }
+}
+
+template <class Value>
+void read(const Json& json, std::vector<Value>& values) {
+  values.clear();
+  if (!json.is_array()) {
+    throw Json::other_error::create(501, "a list must be an array", nullptr);
+  }
+  for (const Json& one : json) {
+    read(one, values.emplace_back());
+  }
+}
+
+template <class Row>
+void read(const Json& json, Row& row) {
+  Reader reader(json);
+  fields(reader, row);
+}
+
+}  // namespace tautline::bench

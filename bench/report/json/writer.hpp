@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/report/json/fields.hpp"
+
+// From the rows of a report to JSON, which has no number that is not finite: it becomes null.
+
+namespace tautline::bench {
+
+using Json = nlohmann::ordered_json;
+
+inline Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+inline Json json_of(std::size_t value) { return value; }
+inline Json json_of(bool value) { return value; }
+inline Json json_of(const std::string& value) { return value; }
+inline Json json_of(Status value) { return to_string(value); }
+inline Json json_of(Word value) { return to_string(value); }
+inline Json json_of(const Vec2& value) { return Json::array({value.x(), value.y()}); }
+inline Json json_of(CableSet value) { return value.indices(); }
+
+inline Json json_of(const CauseParts& parts) {
+  Json object = Json::object();
+  for (std::size_t index = 0; index < causes.size(); ++index) {
+    object[std::string(to_string(causes[index]))] = json_of(parts[index]);
+  }
+  return object;
+}
+
+template <class Value>
+Json json_of(const std::optional<Value>& value);
+template <class Value>
+Json json_of(const std::vector<Value>& values);
+template <class Row>
+Json json_of(const Row& row);
+
+/// A count is an integer, as it is written.
+inline Json json_of(const Metric& metric, const std::optional<double>& value) {
+  const bool counts = metric.digits.kind == Digits::Kind::shortest;
+  return counts && value ? Json(static_cast<std::size_t>(*value)) : json_of(value);
+}
+
+inline Json json_of(const Metric& /*metric*/, const std::optional<MedianAndWorst>& value) {
+  return json_of(value);
+}
+
+/// Makes an object of the members that `fields` shows it.
+class Writer {
+ public:
+  template <class Value>
+  void operator()(const char* key, const Value& value) {
+    object_[key] = json_of(value);
+  }
+
+  template <class Members>
+  void group(const char* key, const Members& members) {
+    Writer inside;
+    members(inside);
+    object_[key] = std::move(inside.object_);
+  }
+
+  template <class Value>
+  void by_metric(const char* key, const std::vector<Value>& values) {
+    Json object = Json::object();
+    for (std::size_t place = 0; place < values.size(); ++place) {
+      const Metric& metric = metric_list()[place];
+      object[std::string(metric.name)] = json_of(metric, values[place]);
+    }
+    object_[key] = std::move(object);
+  }
+
+  template <class Value>
+  void by_metric(const char* key, const std::optional<std::vector<Value>>& values) {
+    values ? by_metric(key, *values) : void(object_[key] = nullptr);
+  }
+
+  template <class Value, class Members>
+  void unless_missing(const char* /*first*/, std::optional<Value>& value, const Members& members) {
+    if (value) {
+      members(*this, *value);
+    }
+  }
+
+  [[nodiscard]] Json object() && { return std::move(object_); }
+
+ private:
+  Json object_ = Json::object();
+};
+
+template <class Value>
+Json json_of(const std::optional<Value>& value) {
+  return value ? json_of(*value) : Json(nullptr);
+}
+
+template <class Value>
+Json json_of(const std::vector<Value>& values) {
+  Json array = Json::array();
+  for (const Value& value : values) {
+    array.push_back(json_of(value));
+  }
+  return array;
+}
+
+template <class Row>
+Json json_of(const Row& row) {
+  Writer writer;
+  fields(writer, const_cast<Row&>(row));  // NOLINT: a writer only looks
+  return std::move(writer).object();
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "bench/measure/audit/audit.hpp"
+#include "bench/report/report.hpp"
+
+namespace tautline::bench {
+
+/// All that a run left: its row, and what the report draws from all runs together.
+struct RunRecord {
+  RunRow row;
+  std::optional<TimingRow> timing;  // none if nothing was measured
+  std::optional<RunAudit> audit;    // none without a trajectory
+};
+
+}  // namespace tautline::bench

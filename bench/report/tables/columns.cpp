@@ -1,0 +1,81 @@
+#include "bench/report/tables/columns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bench/base/text.hpp"
+#include "bench/report/words.hpp"
+
+namespace tautline::bench {
+
+Column word_column(std::string heading, std::string key) {
+  Column column;
+  column.heading = std::move(heading);
+  column.key = std::move(key);
+  column.numbers = false;
+  return column;
+}
+
+Column number_column(std::string heading, std::string unit, std::string group, std::string key) {
+  return number_column(std::move(heading), std::move(unit), std::move(group), std::move(key), "",
+                       0);
+}
+
+Column number_column(std::string heading, std::string unit, std::string group, std::string key,
+                     std::string brief, int rank) {
+  return {std::move(heading),
+          std::move(unit),
+          std::move(group),
+          std::move(key),
+          std::move(brief),
+          true,
+          rank};
+}
+
+Cell word_cell(std::string_view text) { return printable(text); }
+
+Cell sentence_cell(std::string_view text) { return printable(text, longest_sentence); }
+
+Cell count_cell(std::size_t count) { return number_cell(static_cast<double>(count), as_count); }
+
+std::vector<Column> setup_columns() {
+  return {word_column("engine", "engine"), word_column("model", "model"),
+          number_column("step", "s", "", "step")};
+}
+
+std::vector<Cell> setup_cells(const SetupKey& key) {
+  return {word_cell(key.engine), word_cell(key.model), number_cell(key.step, as_count)};
+}
+
+std::string shown_unit(const Metric& metric) {
+  return metric.unit == "1" ? "" : std::string(metric.unit);
+}
+
+std::string column_key(const Metric& metric) {
+  std::string key(metric.name);
+  std::replace(key.begin(), key.end(), '_', '-');
+  return key;
+}
+
+std::string last_impact_heading(const Report& report) {
+  if (report.cases.empty() || report.cases.front().settling.last_impacts.empty()) {
+    return "last impact";
+  }
+  return fmt::format("last impact > {:g} m/s",
+                     report.cases.front().settling.last_impacts.front().speed);
+}
+
+void add_rows(Table& table, std::vector<Row> rows, ControlPlace place) {
+  const std::string first = place == ControlPlace::before ? body_of(control) : "";
+  std::stable_partition(rows.begin(), rows.end(),
+                        [&](const Row& row) { return row.body == first; });
+  for (Row& row : rows) {
+    table.add(std::move(row));
+  }
+}
+
+std::string body_of(const std::string& engine) { return engine == control ? "control" : ""; }
+
+}  // namespace tautline::bench

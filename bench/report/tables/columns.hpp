@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/base/table.hpp"
+#include "bench/measure/metric_list.hpp"
+#include "bench/report/report.hpp"
+
+namespace tautline::bench {
+
+// What the tables of a report have in common.
+
+/// The engine that is the exact solution itself; its rows stand apart.
+inline constexpr const char* control = "exact";
+
+/// A column of words that a page can sort by `key`.
+[[nodiscard]] Column word_column(std::string heading, std::string key);
+
+/// How instants are shown [s].
+inline constexpr Digits as_instant = fixed(4);
+
+/// A column of numbers; `unit` and `group` may be empty.
+[[nodiscard]] Column number_column(std::string heading, std::string unit, std::string group,
+                                   std::string key);
+
+/// The same with a heading and a rank for a terminal.
+[[nodiscard]] Column number_column(std::string heading, std::string unit, std::string group,
+                                   std::string key, std::string brief, int rank);
+
+/// A name or a sentence from outside, fit to be shown.
+[[nodiscard]] Cell word_cell(std::string_view text);
+[[nodiscard]] Cell sentence_cell(std::string_view text);
+
+/// A count.
+[[nodiscard]] Cell count_cell(std::size_t count);
+
+/// Engine, model and step.
+[[nodiscard]] std::vector<Column> setup_columns();
+[[nodiscard]] std::vector<Cell> setup_cells(const SetupKey& key);
+
+/// The unit of a metric as a heading shows it: "" of a ratio or a count.
+[[nodiscard]] std::string shown_unit(const Metric& metric);
+
+/// The key of a metric's column: its name with "-".
+[[nodiscard]] std::string column_key(const Metric& metric);
+
+/// The first threshold of settling as the heading of a group: "last impact > 0.01 m/s".
+[[nodiscard]] std::string last_impact_heading(const Report& report);
+
+/// Adds the rows to `table`, those of the control before or after the others in a body of theirs.
+enum class ControlPlace { before, after };
+void add_rows(Table& table, std::vector<Row> rows, ControlPlace place);
+
+/// The body for the rows of an engine: "control", or "" for the others.
+[[nodiscard]] std::string body_of(const std::string& engine);
+
+}  // namespace tautline::bench

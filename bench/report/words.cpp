@@ -1,0 +1,193 @@
+#include "bench/report/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "bench/base/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string text_of(std::string_view text) { return printable(text, longest_sentence); }
+
+std::string megabytes(double bytes) { return fmt::format("{:.0f} MB", bytes / 1e6); }
+
+constexpr const char* about_control =
+    "The **exact** engine is the control: the exact motion goes through the same loop and the same "
+    "comparison as every engine. Its `event` model names its impacts, as the engines' `event` "
+    "models do. Its `sampled` model gives only the state and the impulses of each step, as models "
+    "with fixed steps do. What `sampled` misses, no comparison at that step can see, and its e "
+    "error is what gravity does within a step to velocities that are exact.";
+
+constexpr const char* about_horizon =
+    "The **horizon** is the instant at which an error of 1e-12 at the start of the exact motion "
+    "can have grown to 1e-3. It follows, to first order, from the derivative of the state along "
+    "the motion. Beyond the horizon a difference says nothing about an engine.";
+
+constexpr const char* about_settling =
+    "**Settling** has three definitions. *Last impact > v* is the instant of the last impact that "
+    "closes faster than v. There is none where the exact motion does not lock, and a run has none "
+    "if it stopped before. The *lock* is the instant at which the final set of cables becomes taut "
+    "in the exact motion; *later impacts* are those of the run after it. The *swing* is the motion "
+    "that is left. Its energy counts from the equilibrium; that of a run is a mean over the last "
+    "period. Its amplitude is half the range of the angle; that of a run is read from its samples. "
+    "A run without a whole period after the lock has no swing.";
+
+constexpr const char* about_restitution =
+    "**Restitution** is the rebound rate of a cable over its closing rate. It is measured at each "
+    "counted impact of a single step, up to the exact lock. Both rates are of the engine's "
+    "velocities, before and after the step, at the pose before it. The *e error* is the largest "
+    "distance from the cable's own restitution.";
+
+constexpr const char* about_energy =
+    "**Overstretch** is the largest length of a cable beyond its own, and **energy gain** the "
+    "largest rise of the energy above the start. Both are taken over every step of a run; a model "
+    "with fixed steps is also looked at after the exact motion has ended. A scheme whose "
+    "velocities belong to the middle of a step shows an offset of half a step of gravity here, "
+    "even if it gains nothing.";
+
+constexpr const char* about_cost =
+    "**Cost** is the processor time of one step, in units of one closed-form flight with its gaps. "
+    "Both are measured side by side in the same process. The start of a run is shared out over its "
+    "steps.";
+
+constexpr const char* about_stops =
+    "A run *stopped* if its own simulation ended it; the simulation says why. Some engines do not "
+    "follow the motion on taut cables, others can go no further. Such a run is compared up to its "
+    "stop. It is a failure only if it stopped well before both the horizon and the first taut "
+    "cable "
+    "of the exact motion.";
+
+constexpr const char* about_verdicts =
+    "A **verdict** holds one run against a file of limits. The limit that decides it stands beside "
+    "the value. Over all cases the worst verdict is shown, and how many runs have it: *flagged* "
+    "breaks a limit, *known* breaks only limits that it is known to break. No engine is ranked: an "
+    "error depends on the model, on the step and on what it is for.";
+
+}  // namespace
+
+std::string in_words(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::vector<std::string> how_to_read(const Report& report) {
+  return {
+      about_control,
+      fmt::format("A **position error** is the largest distance from the exact position. *Early* "
+                  "goes up to impact {} of the exact motion and ends before the next, *to the "
+                  "horizon* up to the predictability horizon. Over all cases the tables give the "
+                  "median and the worst.",
+                  report.options.early_impacts),
+      about_horizon,
+      fmt::format("**Impacts** are counted if they are faster than {:g} m/s. An impact of the run "
+                  "and an exact one are *matched* if they are on the same cable and each is the "
+                  "other's nearest in time.",
+                  report.options.count_speed),
+      about_settling,
+      about_restitution,
+      about_energy,
+      about_cost,
+      about_stops,
+      about_verdicts,
+  };
+}
+
+std::string how_to_read_causes() {
+  return "The exact motion is restarted from the run's own state before and after each flight, "
+         "impact and stretch on taut cables. The difference is what the run did wrong in between. "
+         "The exact motion carries all differences to one instant. There each is a part of the "
+         "deviation, and along the deviation the parts add up to it. Instants are tried after "
+         "impacts 1, 2, 4, 8 and 16 of the exact motion, up to the horizon, and at the end of a "
+         "run with fewer impacts. Taken is the last at which amplification is no more than a tenth "
+         "of all parts, or, if there is none, the first at which it is no more than half. A share "
+         "is the size of a part over the sum of the sizes of all. Over the cases it is the median, "
+         "so a row need not add up to 1.";
+}
+
+CauseWords words_of(Cause cause) {
+  const auto words = [cause](const char* meaning) {
+    return CauseWords{in_words(to_string(cause)), meaning};
+  };
+  switch (cause) {
+    case Cause::flight_bias:
+      return words("the integrator's path in free flight: semi-implicit Euler is g dt t / 2 off");
+    case Cause::event_lag:
+      return words("an impact before or after its instant, at another pose");
+    case Cause::late_rate:
+      return words("restitution of a rate that is not the one at the instant of the impact");
+    case Cause::position_correction:
+      return words("overstretch pushed out, by velocity on top of the bounce or as a shift");
+    case Cause::threshold:
+      return words("slow impacts do not rebound, or no impact does");
+    case Cause::solver_residual:
+      return words("what else the impulse did: a wrong size or a wrong direction");
+    case Cause::taut_drift:
+      return words("what goes wrong on taut cables");
+    case Cause::amplification:
+      return words("what the exact motion makes of all this beyond first order, or of rounding");
+  }
+  return {};
+}
+
+std::string evidence_text(const Finding& finding) {
+  const std::string runs = counted(finding.runs, "run");
+  return finding.impacts == 0 ? runs : counted(finding.impacts, "impact") + " of " + runs;
+}
+
+std::string stopped_sentence(const Report& report) {
+  std::size_t count = 0;
+  std::map<std::string, std::string> reasons;  // of each model
+  for (const RunRow& run : report.runs) {
+    if (run.status == Status::stopped) {
+      ++count;
+      reasons.emplace(printable(run.key.engine) + " " + printable(run.key.model),
+                      printable(run.reason));
+    }
+  }
+  if (count == 0) {
+    return "";
+  }
+  std::vector<std::string> models;
+  for (const auto& [model, reason] : reasons) {
+    models.push_back(fmt::format("{} ({})", model, reason));
+  }
+  return fmt::format(
+      "{} of {} stopped before the end. This is no failure, and such a run is compared up to "
+      "there. "
+      "Stopped: {}.",
+      count, counted(report.runs.size(), "run"), joined(models, "and"));
+}
+
+std::vector<Fact> context_facts(const Report& report) {
+  const Context& context = report.context;
+  std::vector<Fact> facts = {
+      {"command", text_of(context.command), true},
+      {"started",
+       fmt::format("{}, took {:.1f} s; {} of {} kept from before", text_of(context.started),
+                   context.elapsed, context.kept_runs, counted(report.planned_runs, "run"))},
+      {"tautline", fmt::format("{}, commit {}", text_of(report.version),
+                               context.commit.empty() ? "unknown" : text_of(context.commit))},
+      {"built by", fmt::format("{}, {}", text_of(context.compiler), text_of(context.build_type))},
+      {"flags", text_of(context.flags), true},
+      {"machine",
+       fmt::format("{}, {}", text_of(context.processor), counted(context.cores, "core"))},
+      {"memory", fmt::format("at most {} in the program and {} in a worker",
+                             megabytes(context.program_memory), megabytes(context.worker_memory))},
+  };
+  if (report.limits) {
+    facts.push_back({"limits", fmt::format("{}, version {}", text_of(report.limits->file),
+                                           text_of(report.limits->version))});
+  }
+  std::erase_if(facts, [](const Fact& fact) { return fact.text.empty(); });
+  return facts;
+}
+
+std::string counted(std::size_t count, const std::string& one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/report/report.hpp"
+
+namespace tautline::bench {
+
+// What a report says in sentences, for Markdown and for a page: *stressed*, **strong** and `code`
+// words are marked as in Markdown.
+
+/// Sentences of plug-ins and files are cut after this many bytes.
+inline constexpr std::size_t longest_sentence = 1000;
+
+/// A name of the report's files in words: "early_position_error" is "early position error".
+[[nodiscard]] std::string in_words(std::string_view name);
+
+/// What the words of the tables mean, an item each.
+[[nodiscard]] std::vector<std::string> how_to_read(const Report& report);
+
+/// How to read the table of causes, in a paragraph.
+[[nodiscard]] std::string how_to_read_causes();
+
+/// A cause of deviations: its column and what it is.
+struct CauseWords {
+  std::string heading;  // "flight bias"
+  std::string meaning;
+};
+[[nodiscard]] CauseWords words_of(Cause cause);
+
+/// What a finding is drawn from: "17 impacts of 3 runs".
+[[nodiscard]] std::string evidence_text(const Finding& finding);
+
+/// Says which models stopped before their end, each with its first reason, and that this is no
+/// failure; "" without one. Not marked up.
+[[nodiscard]] std::string stopped_sentence(const Report& report);
+
+/// What made the report, a name and a text each. Not marked up.
+struct Fact {
+  std::string name;
+  std::string text;
+  bool as_typed = false;  // is code: a command or its like
+};
+[[nodiscard]] std::vector<Fact> context_facts(const Report& report);
+
+/// "1 run", "2 runs".
+[[nodiscard]] std::string counted(std::size_t count, const std::string& one);
+
+}  // namespace tautline::bench

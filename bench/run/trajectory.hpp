@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tautline/case.hpp"
+#include "tautline/engine.hpp"
+
+namespace tautline::bench {
+
+/// One recorded instant of a run.
+struct Point {
+  double time;  // [s]
+  State state;
+};
+
+/// One impact of a run, as the detector saw it.
+struct RecordedImpact {
+  double time;         // [s], when the velocity jumps: exact if located, else the start of the step
+  std::size_t cable;   //
+  double impulse;      // [N s], > 0
+  double rate_before;  // [m/s], gap rate just before; negative when closing
+  double rate_after;   // [m/s], just after, at the same pose
+  std::size_t steps;   // consecutive steps with an impulse; 0 if the simulation located the impact
+  State before;        // where the jump starts
+  State after;         // the same pose, and the velocity that the jump gave
+  /// Change of momentum (x, y, angle) over the impact that neither gravity nor the impulses along
+  /// the cables explain [N s, N s, N m s].
+  Eigen::Vector3d stray = Eigen::Vector3d::Zero();
+};
+
+/// What one run did.
+struct Trajectory {
+  double step = 0.0;                     // [s]
+  std::size_t stride = 1;                // every stride-th step is in `points`
+  std::vector<Point> points;             // the first is the start, the last the end of the run
+  std::vector<RecordedImpact> impacts;   // in rising time, all but the slow ones
+  std::size_t slow_impacts = 0;          // the others: chatter of a cable that is as good as taut
+  double overstretch = 0.0;              // [m], the largest, over every step
+  double largest_energy = 0.0;           // [J], over every step
+  std::optional<Simulation::Stop> stop;  // set when the simulation could not go on
+  bool diverged = false;                 // the state left every reasonable range, or is not finite
+};
+
+}  // namespace tautline::bench

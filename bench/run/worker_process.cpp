@@ -1,0 +1,115 @@
+#include "bench/run/worker_process.hpp"
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bench/base/process.hpp"
+#include "bench/cases/case_file.hpp"
+#include "bench/check/claims/repeat.hpp"
+#include "bench/check/settle.hpp"
+#include "bench/run/cost.hpp"
+#include "bench/run/plugin.hpp"
+#include "bench/run/record.hpp"
+#include "bench/run/wire.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Writes an answer in place of the one before, which was never longer. False where it cannot.
+bool write_answer(const WorkerAnswer& answer) {
+  ::lseek(answer_descriptor, 0, SEEK_SET);
+  const std::string text = to_bytes(answer);
+  for (std::string_view bytes = text; !bytes.empty();) {
+    const ssize_t size = ::write(answer_descriptor, bytes.data(), bytes.size());
+    if (size <= 0) {
+      return false;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(size));
+  }
+  return true;
+}
+
+RunAnswer do_run(const WorkerRequest& request, const Engine& engine) {
+  const CaseReading reading = read_case_text(request.case_text, "request");
+  const Case& the_case = reading.the_case.value();
+  const auto simulation = engine.start(the_case, request.model, request.settings);
+  RunAnswer answer;
+  answer.trajectory = record(the_case, *simulation, request.settings.step);
+  answer.cost = measure_cost(the_case, engine, request.model, request.settings);
+  return answer;
+}
+
+/// Says before each claim which one it is: the program reads that should this process die of it.
+CheckAnswer do_check(const std::string& model, const Engine& engine) {
+  const auto progress = [](std::string_view claim, const std::vector<SettledClaim>& settled) {
+    static_cast<void>(write_answer(CheckAnswer{settled, std::string(claim), ""}));
+  };
+  CheckAnswer answer{check_model(engine, model, progress), "", ""};
+  try {
+    answer.digest = run_digest(engine, model);
+  } catch (const std::exception&) {  // it broke a claim by now
+    return answer;
+  }
+  return answer;
+}
+
+WorkerAnswer obey(const WorkerRequest& request) {
+  const Plugin plugin = Plugin::open(request.plugin);
+  switch (request.task) {
+    case Task::describe:
+      break;
+    case Task::run:
+      return do_run(request, plugin.engine());
+    case Task::check:
+      return do_check(request.model, plugin.engine());
+    case Task::digest:
+      return DigestAnswer{run_digest(plugin.engine(), request.model)};
+  }
+  return plugin.engine().info();
+}
+
+void limit_this_process(std::size_t memory) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a killed program leaves no workers behind
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+#ifndef TAUTLINE_SANITIZED  // whose shadow memory is terabytes of address space
+  const rlimit space{memory, memory};
+  ::setrlimit(RLIMIT_AS, &space);
+#else
+  (void)memory;
+#endif
+}
+
+WorkerAnswer answer_to_request() {
+  try {
+    const WorkerRequest request = request_from(content_of(Descriptor(::dup(request_descriptor))));
+    limit_this_process(request.memory);
+    return obey(request);
+  } catch (const std::bad_alloc&) {
+    return Failure{"ran out of memory"};
+  } catch (const std::exception& error) {
+    return Failure{error.what()};
+  }
+}
+
+}  // namespace
+
+int worker_main() {
+  const WorkerAnswer answer = answer_to_request();
+  if (::ftruncate(answer_descriptor, 0) != 0 || !write_answer(answer)) {
+    return 1;
+  }
+  std::fflush(nullptr);
+  ::_exit(0);  // without static destructors: an engine has nothing to say any more
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "bench/solution/certificate.hpp"
+#include "tautline/case.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline::bench {
+
+/// What `certificate` says of `solution`, in a few lines and a table.
+[[nodiscard]] std::string certificate_text(const Certificate& certificate, const Case& the_case,
+                                           const Solution& solution);
+
+}  // namespace tautline::bench

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/measure/compare.hpp"
+#include "bench/report/report.hpp"
+#include "bench/run/registry.hpp"
+#include "bench/run/worker.hpp"
+#include "tautline/case.hpp"
+#include "tautline/engine.hpp"
+#include "tautline/impact.hpp"
+
+namespace tautline::bench {
+
+/// What is run: every case on every engine, with every model and step.
+struct SuiteOptions {
+  std::vector<Case> cases;
+  std::vector<RegisteredEngine> engines;
+  std::vector<std::string> models;  // of those; empty means all
+  std::vector<double> steps;        // [s]
+  ImpactLaw law = ImpactLaw::simultaneous;
+  std::filesystem::path out;  // a result tree from `open_tree`; empty writes nothing
+  unsigned jobs = 1;          // worker processes at a time
+  bool resume = false;        // keep runs that `out` already has
+  std::size_t samples = 500;  // rows of a trajectory.csv, next to those at impacts
+  WorkerLimits limits;
+  CompareOptions compare;
+};
+
+/// One run of the suite.
+struct PlannedRun {
+  std::size_t the_case;  // index into SuiteOptions::cases
+  std::size_t engine;    // index into SuiteOptions::engines
+  Model model;
+  double step;                   // [s]
+  std::size_t path_samples = 0;  // that the report has of it, next to those at impacts
+};
+[[nodiscard]] RunKey key_of(const SuiteOptions& options, const PlannedRun& run);
+
+/// Every run, in the order in which the report lists them.
+[[nodiscard]] std::vector<PlannedRun> plan(const SuiteOptions& options);
+
+/// Sentences that say why `options` cannot run: no steps, a step that is not above 0 or needs more
+/// than `most_steps` for a case, an output folder that holds something else.
+[[nodiscard]] std::vector<std::string> suite_problems(const SuiteOptions& options);
+
+/// More worker processes than this at a time are refused.
+inline constexpr unsigned most_jobs = 256;
+
+/// More steps than this in one run are refused: at a microsecond each they take 15 minutes.
+inline constexpr double most_steps = 1e9;
+
+}  // namespace tautline::bench

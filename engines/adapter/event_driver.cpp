@@ -1,0 +1,296 @@
+#include "tautline/event_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "taut_step.hpp"
+#include "tautline/accumulation.hpp"
+#include "tautline/cable_row.hpp"
+#include "tautline/clock.hpp"
+#include "tautline/first_contact.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/hold.hpp"
+#include "tautline/impact.hpp"
+#include "tautline/projection.hpp"
+
+namespace tautline {
+namespace {
+
+/// A step with more strikes than this is given up, and so is one with more contacts in a row that
+/// are no impact [-]. From 1 m/s down to the capture speed with restitution 0.99 takes 1400.
+constexpr std::size_t most_strikes = 10'000;
+
+/// A swing to a foretold release is no shorter than this part of what is left of the step, so that
+/// the tension is past zero then [-].
+constexpr double shortest_swing = 1e-9;
+
+/// Corrections of the length of a swing that ends with a contact: Newton's method from a good
+/// guess.
+constexpr int most_corrections = 10;
+
+/// The end of such a swing is known to this part of the step [-].
+constexpr double contact_rounding = 1e-14;
+
+std::string more_than_most(const std::string& what) {
+  return "more than " + std::to_string(most_strikes) + " " + what;
+}
+
+std::string at_time(const std::string& what, double time) {
+  char buffer[32];  // longer than any %.9g
+  (void)std::snprintf(buffer, sizeof(buffer), "%.9g", time);
+  return what + " at t = " + buffer;
+}
+
+class EventDriven final : public Simulation {
+ public:
+  EventDriven(const Case& the_case, std::unique_ptr<EventAdapter> adapter, ImpactLaw law)
+      : case_(the_case),
+        adapter_(std::move(adapter)),
+        law_(law),
+        rounding_(adapter_->rounding()),
+        impulses_(the_case.cables.size()) {
+    // what is completed at once is shorter than the square of that; a rebound near the engine's
+    // rounding would be told from none by chance
+    completion_.speed = std::sqrt(rounding_.rate);
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const Cable& cable = case_.cables[index];
+      if (gap(cable, case_.initial) <= gap_rounding * cable.length) {
+        touching_.insert(index);
+      }
+    }
+  }
+
+  [[nodiscard]] State state() const override { return adapter_->state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] std::span<const Event> events() const override { return events_; }
+  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+
+  /// Flight or swing, strike, and again, until the step is over.
+  void step(double dt) override {
+    std::fill(impulses_.begin(), impulses_.end(), 0.0);
+    events_.clear();
+    double rest = dt;
+    std::size_t idle = 0;  // moves since the latest strike
+    while (rest > 0.0 && !stop_) {
+      const double time = clock_.now() + (dt - rest);
+      complete_accumulation();
+      hold_resting(time);
+      give_up(time, idle);
+      if (stop_) {
+        break;
+      }
+      rest -= held_ ? swing_to_event(rest, time) : fly_to_contact(rest);
+      const std::size_t strikes = events_.size();
+      strike(clock_.now() + (dt - rest));
+      idle = events_.size() > strikes ? 0 : idle + 1;
+    }
+    clock_.advance(dt);
+  }
+
+ private:
+  void stop(const std::string& why, double time) { stop_ = Stop{time, at_time(why, time)}; }
+
+  [[nodiscard]] Touching touching(const State& state) const {
+    return {touching_, rounding_.rate * speed_scale(case_, state)};
+  }
+
+  /// Stops where the step has used up what it may. That says nothing about accumulation: an elastic
+  /// ball needs no more than a long step.
+  void give_up(double time, std::size_t idle) {
+    if (events_.size() > most_strikes) {
+      stop(more_than_most("impacts in one step"), time);
+    } else if (idle > most_strikes) {
+      stop(more_than_most("moves in a row without an impact"), time);
+    }
+  }
+
+  /// Where the bounces of the touching cables accumulate, their end.
+  void complete_accumulation() {
+    if (touching_ == taut_) {
+      return;  // nothing bounces
+    }
+    const State now = adapter_->state();
+    if (const auto done = completion(case_, now, touching(now), completion_)) {
+      adapter_->place(done->after);
+      touching_ = touching_ | done->cables;
+      taut_ = taut_ | done->cables;
+    }
+  }
+
+  /// Finds out which of the cables at zero gap and rate stay taut.
+  void hold_resting(double time) {
+    const State now = adapter_->state();
+    const Touching contacts = touching(now);
+    CableSet resting = taut_;
+    for (const std::size_t index : touching_ - taut_) {
+      if (std::abs(gap_rate(case_.cables[index], now)) <= contacts.rate_rounding) {
+        resting.insert(index);
+      }
+    }
+    held_.reset();
+    if (!resting.empty()) {
+      held_ = hold(case_, now, contacts, resting);
+      if (!held_) {
+        return stop("no motion holds the taut cables", time);
+      }
+    }
+    taut_ = held_ ? held_->taut() : CableSet{};
+    if (held_ && held_->pulling.empty()) {
+      held_.reset();  // a flight
+    }
+  }
+
+  /// Flies to the first contact, at most `rest` [s], and returns how long that took. Leaves in
+  /// `touching_` the cables in contact there: what is known to touch holds for one instant only.
+  double fly_to_contact(double rest) {
+    const State start = adapter_->state();
+    const auto contact = first_contact(case_, start, touching(start), rest).contact;
+    const double dt = contact ? contact->dt : rest;
+    if (dt > 0.0) {
+      adapter_->fly(dt);
+      touching_ = taut_;  // those that follow without a tension
+    }
+    touching_ = contact ? touching_ | contact->cables : touching_;
+    return dt;
+  }
+
+  /// Moves on taut cables to the first contact or release, at most `rest` [s], and returns how long
+  /// that took.
+  double swing_to_event(double rest, double time) {
+    const State start = adapter_->state();
+    auto [dt, contact] = first_change(case_, *held_, rest);
+    if (std::isnan(dt)) {
+      stop("numbers overflow", time);
+      return rest;
+    }
+    dt = std::clamp(dt, shortest_swing * rest, rest);
+    bool holds = taut_step(case_, *adapter_, held_->pulling, dt);
+    // the exact motion foretells the contact of the engine's but for the error of its step
+    for (int pass = 0; holds && pass < most_corrections; ++pass) {
+      const auto [correction, cables] = late_by(contact);
+      const bool near = std::abs(correction) <= contact_rounding * rest;
+      contact = cables;
+      const bool from_the_start = correction >= dt;
+      if (cables.empty() || near || from_the_start || dt - correction > rest) {
+        contact = near || from_the_start ? cables : CableSet{};
+        break;
+      }
+      dt -= correction;
+      adapter_->place(start);
+      holds = taut_step(case_, *adapter_, held_->pulling, dt);
+    }
+    if (!holds) {
+      stop("no impulses hold the taut cables", time);
+      return dt;
+    }
+    touching_ = taut_ | contact;
+    return dt;
+  }
+
+  /// By how long the end of a swing is too late [s] for the contact of `expected`, or of the slack
+  /// cables that are overstretched there, and with which cable.
+  [[nodiscard]] std::pair<double, CableSet> late_by(CableSet expected) const {
+    const State now = adapter_->state();
+    std::pair<double, CableSet> latest{0.0, expected};
+    bool found = false;
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const Cable& cable = case_.cables[index];
+      const double opening = gap(cable, now);
+      const bool over = !taut_.contains(index) && opening < -rounding_.gap * cable.length;
+      const double rate = gap_rate(cable, now);
+      if ((over || expected.contains(index)) && rate < 0.0) {
+        const double late = opening / rate;
+        if (!found || late > latest.first) {
+          latest = {late, CableSet::of(index)};
+          found = true;
+        }
+      }
+    }
+    return found ? latest : std::pair<double, CableSet>{0.0, CableSet{}};
+  }
+
+  /// Strikes the touching cables that close or rest, if one of them closes by more than rounding.
+  void strike(double time) {
+    const State before = adapter_->state();
+    const double rounding = touching(before).rate_rounding;
+    CableSet cables;
+    double fastest = 0.0;  // closing
+    for (const std::size_t index : touching_) {
+      const double rate = gap_rate(case_.cables[index], before);
+      if (rate <= rounding) {
+        cables.insert(index);
+        fastest = std::max(fastest, taut_.contains(index) ? 0.0 : -rate);
+      }
+    }
+    if (fastest <= rounding) {
+      return;
+    }
+    CableVector impulses =
+        law_ == ImpactLaw::sequential ? strike_in_turn(cables, rounding) : strike_at_once(cables);
+    Eigen::Index row = 0;
+    for (const std::size_t index : cables) {
+      impulses_[index] += impulses[row++];
+    }
+    taut_ = {};  // what the impact leaves at rest is found out anew
+    events_.push_back(
+        {time, EventKind::impact, cables, std::move(impulses), before, adapter_->state()});
+  }
+
+  CableVector strike_at_once(CableSet cables) {
+    const State now = adapter_->state();
+    CableVector rates(static_cast<Eigen::Index>(cables.size()));
+    Eigen::Index row = 0;
+    for (const std::size_t index : cables) {
+      const CableRow cable = cable_row(case_.cables[index], now);
+      rates[row++] = rebound_rate(cable, restitution(case_.cables[index], cable.rate));
+    }
+    return adapter_->solve(cables, rates);
+  }
+
+  /// The cable that closes fastest by itself, until none closes by more than `rounding` [m/s].
+  CableVector strike_in_turn(CableSet cables, double rounding) {
+    CableVector impulses = CableVector::Zero(static_cast<Eigen::Index>(cables.size()));
+    const std::vector<std::size_t> indices = cables.indices();
+    for (std::size_t strikes = 0; strikes < most_strikes; ++strikes) {
+      Eigen::Index fastest = 0;
+      if (!(gap_rates(case_, adapter_->state(), cables).minCoeff(&fastest) < -rounding)) {
+        break;
+      }
+      const CableSet one = CableSet::of(indices[static_cast<std::size_t>(fastest)]);
+      impulses[fastest] += strike_at_once(one)[0];
+    }
+    return impulses;
+  }
+
+  const Case case_;
+  std::unique_ptr<EventAdapter> adapter_;
+  ImpactLaw law_;
+  EventAdapter::Rounding rounding_;
+  CompletionLimits completion_;
+  Clock clock_;
+  CableSet touching_;         // at zero gap now
+  CableSet taut_;             // of those, the ones that stay so
+  std::optional<Hold> held_;  // the exact motion from here while cables pull
+  std::vector<double> impulses_;
+  std::vector<Event> events_;
+  std::optional<Stop> stop_;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> drive_by_events(const Case& the_case,
+                                            std::unique_ptr<EventAdapter> adapter, ImpactLaw law) {
+  if (law != ImpactLaw::simultaneous && law != ImpactLaw::sequential) {
+    throw std::invalid_argument(
+        "unsupported: the event driver has the impact laws simultaneous "
+        "and sequential, not " +
+        std::string(to_string(law)));
+  }
+  return std::make_unique<EventDriven>(the_case, std::move(adapter), law);
+}
+
+}  // namespace tautline

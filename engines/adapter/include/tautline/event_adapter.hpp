@@ -1,0 +1,44 @@
+#pragma once
+
+#include "tautline/case.hpp"
+#include "tautline/impact.hpp"
+
+namespace tautline {
+
+/// What the event driver needs of an engine: one body, no cables of the engine's own.
+class EventAdapter {
+ public:
+  EventAdapter() = default;
+  EventAdapter(const EventAdapter&) = delete;
+  EventAdapter& operator=(const EventAdapter&) = delete;
+  virtual ~EventAdapter() = default;
+
+  [[nodiscard]] virtual State state() const = 0;
+
+  /// Puts the body there.
+  virtual void place(const State& state) = 0;
+
+  /// The engine's own step of `dt` [s] with no cable, kicked by half of gravity's impulse before
+  /// and after where the engine's scheme needs it, so that it flies the exact parabola.
+  virtual void fly(double dt) = 0;
+
+  /// One solve by the engine's own solver, at the pose it has and without moving: the gap of each
+  /// of `cables` opens with at least its rate of `rates` [m/s], and no cable is pushed (Eq. 14).
+  /// Returns the impulses [N s]. Both have one entry per cable of `cables`, in rising index order.
+  [[nodiscard]] virtual CableVector solve(CableSet cables, const CableVector& rates) = 0;
+
+  /// What the engine's numbers and its solver leave.
+  struct Rounding {
+    double gap;   // [-], of a gap against the cable's length
+    double rate;  // [-], of a gap rate against the speed of the body
+  };
+
+  /// An engine in double keeps its pose as a matrix or a quaternion and iterates for its impulses:
+  /// about a hundred times the rounding of the closed form.
+  [[nodiscard]] virtual Rounding rounding() const { return {1e-14, 1e-12}; }
+
+  /// What an engine in float leaves, near cables a few metres long: two and some twenty roundings.
+  static constexpr Rounding float_rounding = {3e-7, 3e-6};
+};
+
+}  // namespace tautline

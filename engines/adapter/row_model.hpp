@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tautline/cable_row.hpp"
+#include "tautline/model_table.hpp"
+
+// For engines that take constraint rows of their user's own. `Rows` is what such an engine has: a
+// one-sided row for each cable of a case.
+//
+//   void pull(index, row, rate)  from now on it acts: after a solve the gap of `row` opens with at
+//                                least `rate` [m/s]
+//   void let_go(index)           from now on it does not
+//   double impulse(index)        of the latest step or solve [N s], >= 0
+//
+// A `RowWorld` has them too, and a body that steps:
+//
+//   RowWorld(the_case, own...)
+//   State state() const
+//   void advance(dt, look)       one step of `dt` [s], which calls look() where it wants to know
+//                                what the rows ask for: with the pose and velocity of then
+
+namespace tautline {
+
+/// A cable is a row while `activation` says so; it asks for the larger of the bounce and a part of
+/// the overstretch.
+template <class RowWorld>
+class RowSimulation final : public Simulation {
+ public:
+  template <class... Own>
+  RowSimulation(const Case& the_case, const RunSettings& run, Activation activation,
+                const Own&... own)
+      : case_(the_case),
+        activation_(activation),
+        correction_(usual_correction / run.step),
+        world_(the_case, own...),
+        impulses_(the_case.cables.size()) {}
+
+  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+
+  void step(double dt) override {
+    world_.advance(dt, [this, dt] { look(dt); });
+    for (std::size_t index = 0; index < impulses_.size(); ++index) {
+      impulses_[index] = world_.impulse(index);
+    }
+  }
+
+ private:
+  /// Tells each row what it asks for in a step of `dt` [s].
+  void look(double dt) {
+    const State now = world_.state();
+    for (std::size_t index = 0; index < impulses_.size(); ++index) {
+      const Cable& cable = case_.cables[index];
+      const CableRow row = cable_row(cable, now);
+      if (acts(row, activation_, dt)) {
+        world_.pull(index, row, wanted_rate(row, restitution(cable, row.rate), correction_));
+      } else {
+        world_.let_go(index);
+      }
+    }
+  }
+
+  const Case case_;
+  Activation activation_;
+  double correction_;  // [1/s], part of the overstretch
+  RowWorld world_;
+  std::vector<double> impulses_;
+};
+
+/// A model of such rows; `own` goes to the world.
+template <class RowWorld, class... Own>
+[[nodiscard]] ModelEntry row_model(Model model, Activation activation, Own... own) {
+  return {.model = std::move(model),
+          .start = makes<RowSimulation<RowWorld>>(activation, own...),
+          .follows_speed = true};
+}
+
+/// What `row` and `early` say of themselves where the engine looks at the rows as a step starts.
+struct RowSentences {
+  std::string row =
+      "A one-sided constraint row from the step after the cable is overstretched; it asks for the "
+      "larger of the bounce and 0.2 of the overstretch per step.";
+  std::string early =
+      "The same row already in the step that would overstretch the cable: the bounce comes up to "
+      "one step early.";
+};
+
+/// The models `row` and `early`.
+template <class RowWorld>
+[[nodiscard]] std::vector<ModelEntry> row_and_early(const std::vector<Setting>& settings,
+                                                    const RowSentences& sentences = {}) {
+  return {row_model<RowWorld>({.name = "row", .sentence = sentences.row, .settings = settings},
+                              Activation::overstretched),
+          row_model<RowWorld>({.name = "early", .sentence = sentences.early, .settings = settings},
+                              Activation::crossing)};
+}
+
+/// The impulses [N s] of one solve of the rows of `cables`, which ask for `rates` [m/s] in `state`.
+/// `solve` is the engine's, without moving.
+template <class Rows, class Solve>
+[[nodiscard]] CableVector solve_rows(Rows& rows, const Case& the_case, const State& state,
+                                     CableSet cables, const CableVector& rates, Solve solve) {
+  Eigen::Index position = 0;
+  for (const std::size_t index : cables) {
+    rows.pull(index, cable_row(the_case.cables[index], state), rates[position++]);
+  }
+  solve();
+  CableVector impulses(rates.size());
+  position = 0;
+  for (const std::size_t index : cables) {
+    impulses[position++] = rows.impulse(index);
+    rows.let_go(index);
+  }
+  return impulses;
+}
+
+}  // namespace tautline

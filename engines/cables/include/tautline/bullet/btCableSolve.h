@@ -1,0 +1,397 @@
+// How Bullet's solver solves the cables of btCableConstraint.h.
+//
+// Bullet solves rows one after the other, 10 times, from nothing in every step. That is far from
+// enough for cables in series: 1 kg over 1000 kg takes thousands of times. So a cable has no row of
+// Bullet's. All cables that hang together are solved as one, exactly, in the place that Bullet's
+// solver has for constraints that solve themselves, solveConstraintObsolete: once in each of its
+// iterations, between its joints and its contacts, which in turn answer to the cables. The first of
+// them that Bullet calls, their leader, does it for all.
+//
+// A solver that never calls there, such as btMLCPSolver, is given rows from the second step on.
+
+#ifndef TAUTLINE_BT_CABLE_SOLVE_H
+#define TAUTLINE_BT_CABLE_SOLVE_H
+
+#include <LinearMath/btTransformUtil.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tautline/bullet/btCableConstraint.h"
+#include "tautline/cable_overstretch.h"
+
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
+/// A body's place in the solver's pool; null if the solver does not move it.
+inline btSolverBody* btSolverBodyOf(btSolverBody* pool, const btRigidBody& body) {
+  return btCableMoves(body) ? pool + body.getCompanionId() : nullptr;
+}
+
+/// With the forces of the step, and with what rows have changed so far, or without.
+inline btCableMotion btMotionInSolver(btSolverBody* pool, const btRigidBody& body, bool changed) {
+  const btSolverBody* solved = btSolverBodyOf(pool, body);
+  if (solved == nullptr) {
+    return btCableMotion(body);
+  }
+  btCableMotion motion(solved->m_linearVelocity + solved->m_externalForceImpulse,
+                       solved->m_angularVelocity + solved->m_externalTorqueImpulse);
+  if (changed) {
+    motion.m_velocity += solved->getDeltaLinearVelocity();
+    motion.m_spin += solved->getDeltaAngularVelocity();
+  }
+  return motion;
+}
+
+inline btVector3 btVector3Of(const double* of) {
+  return btVector3(static_cast<btScalar>(of[0]), static_cast<btScalar>(of[1]),
+                   static_cast<btScalar>(of[2]));
+}
+
+/// Where a body is when a step begins. Bullet moves hooks (kinematic bodies) before it solves.
+inline btTransform btPoseBefore(const btRigidBody& body, btScalar timeStep) {
+  btTransform pose = body.getCenterOfMassTransform();
+  if (body.isKinematicObject()) {
+    const btTransform after = pose;
+    btTransformUtil::integrateTransform(after, -body.getLinearVelocity(),
+                                        -body.getAngularVelocity(), timeStep, pose);
+  }
+  return pose;
+}
+
+inline btCableLine btCableConstraint::getLineBefore(btScalar timeStep) const {
+  return btCableLine(btPoseBefore(m_rbA, timeStep), m_pivotInA, btPoseBefore(m_rbB, timeStep),
+                     m_pivotInB);
+}
+
+inline void btCableConstraint::buildJacobian() {
+  if (m_near && !m_solved && !m_asRow) {
+    m_asRow = true;  // this solver calls no constraint by itself
+  }
+  if (m_row.acts) {
+    m_rule.pulled(m_appliedImpulse, m_inverseMass);  // of the last step, which is lost after this
+    m_row.acts = false;
+  }
+  if (hasBroken()) {
+    setEnabled(false);
+  }
+  m_line = getLine();
+  const btScalar gap = m_rule.length - m_line.m_distance;
+  // a hook is where it is to be after the step already: how far it has come is seen in `begin`
+  const bool hook = m_rbA.isKinematicObject() || m_rbB.isKinematicObject();
+  if (!hook && !m_rule.touches(gap)) {
+    m_rule.release();
+  }
+  const bool pulls = hook || (m_rule.touches(gap) && (!m_byEvents || m_rule.held()));
+  const bool moves = btCableMoves(m_rbA) || btCableMoves(m_rbB);
+  m_near = btTypedConstraint::isEnabled() && moves && (pulls || m_rule.length_rate != 0);
+  m_fresh = m_near;
+  m_solved = false;
+}
+
+inline void btCableConstraint::getInfo1(btConstraintInfo1* info) {
+  info->m_numConstraintRows = m_near && m_asRow ? 1 : 0;
+  info->nub = 0;
+  if (m_fresh && !m_asRow) {
+    gather();
+  }
+}
+
+inline void btCableConstraint::gather() {
+  m_together.clear();
+  m_together.push_back(this);
+  m_fresh = false;
+  for (std::size_t next = 0; next < m_together.size(); ++next) {
+    const btCableConstraint& one = *m_together[next];
+    // what does not move couples nothing
+    if (btCableMoves(one.m_rbA)) {
+      gatherFrom(*one.m_onA);
+    }
+    if (btCableMoves(one.m_rbB)) {
+      gatherFrom(*one.m_onB);
+    }
+  }
+  for (btCableConstraint* cable : m_together) {
+    cable->m_leader = this;
+  }
+  m_begun = false;
+}
+
+inline void btCableConstraint::gatherFrom(const btCablesOnBody& list) {
+  for (btCableConstraint* cable : list.cables()) {
+    if (cable->m_fresh && !cable->m_asRow) {
+      cable->m_fresh = false;
+      m_together.push_back(cable);
+    }
+  }
+}
+
+inline void btCableConstraint::solveConstraintObsolete(btSolverBody& bodyA, btSolverBody& bodyB,
+                                                       btScalar timeStep) {
+  if (m_near && !m_asRow && m_leader == this) {
+    // one of them moves, and says where the solver has its bodies
+    const bool byA = btCableMoves(m_rbA);
+    btSolverBody* pool = byA ? &bodyA - m_rbA.getCompanionId() : &bodyB - m_rbB.getCompanionId();
+    const bool first = !m_begun;
+    if (first) {
+      begin(pool, timeStep);
+      m_begun = true;
+    }
+    find(pool, timeStep, first);
+  }
+}
+
+inline void btCableConstraint::fillBlock(btSolverBody* pool) {
+  m_block.begin(m_pulling.size());
+  for (std::size_t index = 0; index < m_pulling.size(); ++index) {
+    tautline::CableBlock::Row& row = m_block.row(index);
+    m_pulling[index]->fill(row);
+    const btRigidBody* bodies[] = {&m_pulling[index]->m_rbA, &m_pulling[index]->m_rbB};
+    for (int side = 0; side < 2; ++side) {
+      const btVector3 spin = btMotionInSolver(pool, *bodies[side], false).m_spin;
+      for (int axis = 0; axis < 3; ++axis) {
+        row.end[side].spin[axis] = spin[axis];
+      }
+    }
+  }
+  m_block.assemble();
+}
+
+/// The cables that pull, as tautline::move_out_of_overstretch needs them.
+class btCableConstraint::Overstretch {
+ public:
+  Overstretch(btCableConstraint& leader, btSolverBody* pool, btScalar timeStep)
+      : m_leader(leader), m_pool(pool), m_timeStep(timeStep) {}
+
+  btScalar distance(std::size_t index) const { return at(index).m_line.m_distance; }
+  btScalar distance_now(std::size_t index) const {
+    return at(index).getLineBefore(m_timeStep).m_distance;
+  }
+  btScalar correction(std::size_t index) const { return at(index).m_correction; }
+  btScalar length(std::size_t index) const { return at(index).m_rule.length; }
+  btScalar& aimed(std::size_t index) { return at(index).m_aimedDistance; }
+  void move(std::size_t index, double push) {
+    at(index).move(m_pool, m_leader.m_block.row(index), push);
+  }
+  void slow_turning() { m_leader.slowTurning(m_pool, m_timeStep); }
+  void look_again() {
+    for (btCableConstraint* cable : m_leader.m_pulling) {
+      cable->m_line = cable->getLineBefore(m_timeStep);
+      const btScalar rate = cable->m_line.rate(cable->m_rbA, cable->m_rbB);
+      cable->m_row.rate = btMin(cable->m_row.rate, -rate - cable->m_rule.length_rate);
+    }
+    m_leader.fillBlock(m_pool);
+  }
+
+ private:
+  btCableConstraint& at(std::size_t index) const { return *m_leader.m_pulling[index]; }
+
+  btCableConstraint& m_leader;
+  btSolverBody* m_pool;
+  btScalar m_timeStep;  // [s]
+};
+
+/// What every cable asks for, and their Delassus matrix.
+inline void btCableConstraint::begin(btSolverBody* pool, btScalar timeStep) {
+  m_pulling.clear();
+  for (btCableConstraint* cable : m_together) {
+    cable->m_line = cable->getLineBefore(timeStep);
+    cable->ask(cable->startOf(pool, timeStep));
+    cable->m_solved = true;
+    if (cable->m_row.acts) {
+      m_pulling.push_back(cable);
+    }
+  }
+  fillBlock(pool);
+  Overstretch overstretch(*this, pool, timeStep);
+  tautline::move_out_of_overstretch<btScalar>(overstretch, m_block, m_pulling.size());
+  m_block.forget();
+  for (std::size_t index = 0; index < m_pulling.size(); ++index) {
+    m_pulling[index]->m_inverseMass = static_cast<btScalar>(m_block.inverse_mass(index));
+  }
+}
+
+/// Takes half of the spin of a body that turns too far in a step for it to follow.
+inline void btCableConstraint::slowTurning(btSolverBody* pool, btScalar timeStep) {
+  m_slowed.clear();
+  for (const btCableConstraint* cable : m_pulling) {
+    for (const btRigidBody* one : {&cable->m_rbA, &cable->m_rbB}) {
+      btSolverBody* body = btSolverBodyOf(pool, *one);
+      const btVector3 spin = btMotionInSolver(pool, *one, true).m_spin;
+      if (body != nullptr && spin.length() * timeStep > Rule::followed() &&
+          std::find(m_slowed.begin(), m_slowed.end(), one) == m_slowed.end()) {
+        body->internalGetDeltaAngularVelocity() -= spin / 2;
+        m_slowed.push_back(one);
+      }
+    }
+  }
+}
+
+inline void btCableConstraint::move(btSolverBody* pool, const tautline::CableBlock::Row& row,
+                                    double push) {
+  const btRigidBody* bodies[] = {&m_rbA, &m_rbB};
+  for (int side = 0; side < 2; ++side) {
+    btSolverBody* body = btSolverBodyOf(pool, *bodies[side]);
+    if (body != nullptr) {
+      const btScalar by = static_cast<btScalar>(push);  // [kg m]
+      btTransform moved;
+      btTransformUtil::integrateTransform(body->m_worldTransform,
+                                          by * btVector3Of(row.end[side].move),
+                                          by * btVector3Of(row.end[side].turn), 1, moved);
+      // the solver writes its own back, or none
+      body->m_worldTransform = moved;
+      body->m_originalBody->setWorldTransform(moved);
+    }
+  }
+}
+
+/// The impulses that go with what joints and contacts have changed so far.
+inline void btCableConstraint::find(btSolverBody* pool, btScalar timeStep, bool first) {
+  bool off = false;
+  for (std::size_t index = 0; index < m_pulling.size(); ++index) {
+    const btCableConstraint& cable = *m_pulling[index];
+    const btScalar rate = cable.rateNow(pool);
+    const double missing = cable.m_row.rate - rate - m_block.give(index);
+    m_block.lacking(index) = missing + m_block.reaction(index);
+    const double rounding = 8 * SIMD_EPSILON * (btFabs(rate) + btFabs(cable.m_row.rate));
+    const double short_of = m_block.impulse(index) > 0 ? std::abs(missing) : missing;
+    off = off || short_of > rounding;
+  }
+  if (!off) {
+    return;
+  }
+  for (std::size_t index = 0; index < m_pulling.size(); ++index) {
+    m_pulling[index]->m_change = -m_block.impulse(index);
+  }
+  if (first) {
+    m_block.solve_stiffly(timeStep);
+  } else {
+    m_block.solve(tautline::CableBlock::velocities);
+  }
+  for (std::size_t index = 0; index < m_pulling.size(); ++index) {
+    m_pulling[index]->m_change += m_block.impulse(index);
+    m_pulling[index]->apply(pool, m_block.row(index), m_block.impulse(index), timeStep);
+  }
+}
+
+inline void btCableConstraint::ask(const Rule::Start& at) {
+  if (!(m_line.m_distance > SIMD_EPSILON)) {
+    m_row = Rule::Row{false, 0};  // pivots that coincide have no direction to be pulled in
+  } else if (m_byEvents) {
+    if (!m_rule.touches(at.gap)) {
+      m_rule.release();
+    }
+    m_row = m_rule.held() ? m_rule.step_by_events(at) : Rule::Row{false, 0};
+  } else {
+    m_row = m_rule.step(at);
+  }
+  // a short part takes out no more than its share
+  const btScalar share = m_byEvents ? btMin(at.dt / m_eventStep, btScalar(1)) : btScalar(1);
+  m_correction = share * m_rule.correction(at);
+  if (m_row.acts && (!m_rule.held() || m_correction > Rule::slack_rounding() * m_rule.length)) {
+    // a load that bounces, or is moved, slower than Bullet's sleeping threshold does not sleep
+    m_rbA.activate();
+    m_rbB.activate();
+  }
+  if (m_rule.length_rate != 0) {
+    m_rule.pay_out(at.dt);
+    wake();
+  }
+}
+
+inline btCableConstraint::Rule::Start btCableConstraint::startOf(btSolverBody* pool,
+                                                                 btScalar timeStep) const {
+  const btCableMotion a = btMotionInSolver(pool, m_rbA, false);
+  const btCableMotion b = btMotionInSolver(pool, m_rbB, false);
+  Rule::Start start;
+  start.gap = m_rule.length - m_line.m_distance;
+  start.rate = m_line.rate(m_rbA, m_rbB) + m_rule.length_rate;
+  start.fall = start.rate - m_line.rate(a, b) - m_rule.length_rate;
+  start.dt = timeStep;
+  tautline::cable_turn(start, m_line.swing(a, b), m_line.m_distance);
+  return start;
+}
+
+inline btScalar btCableConstraint::rateNow(btSolverBody* pool) const {
+  return m_line.rate(btMotionInSolver(pool, m_rbA, true), btMotionInSolver(pool, m_rbB, true)) +
+         m_rule.length_rate;
+}
+
+inline void btFillCableEnd(tautline::CableBlockEnd& end, const btRigidBody& body,
+                           const btVector3& pull, const btVector3& moment) {
+  const bool moves = btCableMoves(body);
+  end.body = moves ? &body : nullptr;
+  if (moves) {
+    const btVector3 move = pull * body.getInvMass() * body.getLinearFactor();
+    const btVector3 turn = (body.getInvInertiaTensorWorld() * moment) * body.getAngularFactor();
+    for (int axis = 0; axis < 3; ++axis) {
+      end.pull[axis] = pull[axis];
+      end.moment[axis] = moment[axis];
+      end.move[axis] = move[axis];
+      end.turn[axis] = turn[axis];
+    }
+  }
+}
+
+inline void btCableConstraint::fill(tautline::CableBlock::Row& row) const {
+  btFillCableEnd(row.end[0], m_rbA, m_line.m_towards, m_line.m_momentA);
+  btFillCableEnd(row.end[1], m_rbB, -m_line.m_towards, -m_line.m_momentB);
+  row.end[0].arm = m_line.m_armA.length();
+  row.end[1].arm = m_line.m_armB.length();
+  row.softness = m_cfm;  // in parts of its own inverse mass, as Bullet has it
+  row.compliance = 0;
+}
+
+inline void btCableConstraint::apply(btSolverBody* pool, const tautline::CableBlock::Row& row,
+                                     double impulse, btScalar timeStep) {
+  const btScalar change = static_cast<btScalar>(m_change);
+  const btRigidBody* bodies[] = {&m_rbA, &m_rbB};
+  for (int side = 0; side < 2; ++side) {
+    btSolverBody* body = btSolverBodyOf(pool, *bodies[side]);
+    if (body != nullptr) {
+      body->internalGetDeltaLinearVelocity() += change * btVector3Of(row.end[side].move);
+      body->internalGetDeltaAngularVelocity() += change * btVector3Of(row.end[side].turn);
+    }
+  }
+  m_appliedImpulse = static_cast<btScalar>(impulse);
+  if (m_jointFeedback != nullptr) {
+    const btScalar tension = m_appliedImpulse / timeStep;
+    m_jointFeedback->m_appliedForceBodyA = tension * m_line.m_towards;
+    m_jointFeedback->m_appliedTorqueBodyA = tension * m_line.m_momentA;
+    m_jointFeedback->m_appliedForceBodyB = -tension * m_line.m_towards;
+    m_jointFeedback->m_appliedTorqueBodyB = -tension * m_line.m_momentB;
+  }
+}
+
+/// For a solver that knows rows alone; overstretch is taken out by velocity there.
+inline void btCableConstraint::getInfo2(btConstraintInfo2* info) {
+  const btScalar timeStep = 1 / info->fps;
+  m_line = getLineBefore(timeStep);
+  for (int axis = 0; axis < 3; ++axis) {
+    info->m_J1linearAxis[axis] = m_line.m_towards[axis];
+    info->m_J1angularAxis[axis] = m_line.m_momentA[axis];
+    info->m_J2linearAxis[axis] = -m_line.m_towards[axis];
+    info->m_J2angularAxis[axis] = -m_line.m_momentB[axis];
+  }
+  const btCableMotion a(m_rbA);
+  const btCableMotion b(m_rbB);
+  Rule::Start start;
+  start.gap = m_rule.length - m_line.m_distance;
+  start.rate = m_line.rate(a, b) + m_rule.length_rate;
+  start.fall = -timeStep * m_line.acceleration(m_rbA, m_rbB);
+  start.dt = timeStep;
+  tautline::cable_turn(start, m_line.swing(a, b), m_line.m_distance);
+  const btScalar rateOfLength = m_rule.length_rate;
+  ask(start);
+  m_inverseMass = m_line.inverseMass(m_rbA, m_rbB);
+  info->m_constraintError[0] =
+      btMax(m_row.rate, m_rule.held() ? m_correction / timeStep : btScalar(0)) - rateOfLength;
+  info->m_lowerLimit[0] = 0;
+  info->m_upperLimit[0] = m_row.acts ? SIMD_INFINITY : btScalar(0);
+  if (m_cfm > 0) {
+    info->cfm[0] = m_cfm;
+  }
+}
+
+// NOLINTEND(modernize-use-nodiscard)
+
+#endif

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "tautline/engine.hpp"
+
+namespace tautline {
+
+/// A model and how to start a run with it: each adapter is a table of these.
+struct ModelEntry {
+  Model model;
+  std::function<std::unique_ptr<Simulation>(const Case& the_case, const RunSettings& settings)>
+      start;
+  /// True where every impact gets `restitution(cable, rate)` at its own rate; a model that takes
+  /// `cable.restitution` once and for all is not started on a case where it is not constant.
+  bool follows_speed = false;
+};
+
+/// What the entries say of themselves, in their order.
+[[nodiscard]] inline std::vector<Model> models(std::span<const ModelEntry> entries) {
+  std::vector<Model> result;
+  for (const ModelEntry& entry : entries) {
+    result.push_back(entry.model);
+  }
+  return result;
+}
+
+/// A run with the entry called `name`. Throws std::invalid_argument if there is none, or if it
+/// cannot do the case.
+[[nodiscard]] inline std::unique_ptr<Simulation> start_model(std::span<const ModelEntry> entries,
+                                                             std::string_view name,
+                                                             const Case& the_case,
+                                                             const RunSettings& settings) {
+  std::string known;
+  for (const ModelEntry& entry : entries) {
+    if (entry.model.name == name) {
+      for (std::size_t index = 0; index < the_case.cables.size() && !entry.follows_speed; ++index) {
+        if (depends_on_speed(the_case.cables[index])) {
+          throw std::invalid_argument("unsupported: model " + entry.model.name +
+                                      " has one restitution for all speeds, cable " +
+                                      std::to_string(index) + " of the case does not");
+        }
+      }
+      return entry.start(the_case, settings);
+    }
+    known += (known.empty() ? "" : ", ") + entry.model.name;
+  }
+  throw std::invalid_argument("model " + std::string(name) + " is unknown; there are " + known);
+}
+
+/// What `EngineInfo` calls the numbers of an engine that computes in `Real`.
+template <class Real>
+inline constexpr const char* precision_of = sizeof(Real) == sizeof(double) ? "float64" : "float32";
+
+/// Settings one after another, as a model tells them.
+[[nodiscard]] inline std::vector<Setting> joined(
+    std::initializer_list<std::vector<Setting>> parts) {
+  std::vector<Setting> result;
+  for (const std::vector<Setting>& part : parts) {
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+/// A `ModelEntry::start` that makes a `Made` of the case, of the settings of the run where it wants
+/// them, and of `own`.
+template <class Made, class... Own>
+[[nodiscard]] auto makes(Own... own) {
+  return [own...](const Case& the_case,
+                  [[maybe_unused]] const RunSettings& run) -> std::unique_ptr<Simulation> {
+    if constexpr (std::is_constructible_v<Made, const Case&, const RunSettings&, const Own&...>) {
+      return std::make_unique<Made>(the_case, run, own...);
+    } else {
+      return std::make_unique<Made>(the_case, own...);
+    }
+  };
+}
+
+/// An engine as a table: what it says of itself, and its models, family after family.
+struct EngineTable {
+  std::string name;
+  std::string version;
+  std::string precision;
+  std::vector<std::vector<ModelEntry>> families;
+};
+
+/// The engine of a table: what a plug-in's class derives from.
+class TableEngine : public Engine {
+ public:
+  explicit TableEngine(EngineTable table)
+      : info_{std::move(table.name), std::move(table.version), std::move(table.precision), {}} {
+    for (const std::vector<ModelEntry>& family : table.families) {
+      entries_.insert(entries_.end(), family.begin(), family.end());
+    }
+    info_.models = models(entries_);
+  }
+  TableEngine(std::string name, std::string version, std::string precision,
+              std::initializer_list<std::vector<ModelEntry>> families)
+      : TableEngine(EngineTable{std::move(name), std::move(version), std::move(precision),
+                                std::vector(families)}) {}
+
+  [[nodiscard]] EngineInfo info() const override { return info_; }
+  [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
+                                                  const RunSettings& settings) const override {
+    return start_model(entries_, model, the_case, settings);
+  }
+
+ private:
+  EngineInfo info_;
+  std::vector<ModelEntry> entries_;
+};
+
+/// The engine that `table()` describes: TAUTLINE_PLUGIN(tautline::EngineOf<my_table>).
+template <auto table>
+class EngineOf final : public TableEngine {
+ public:
+  EngineOf() : TableEngine(table()) {}
+};
+
+}  // namespace tautline

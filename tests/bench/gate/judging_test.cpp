@@ -1,0 +1,217 @@
+// Verdicts on reports made by hand, and what breaks the gate.
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/gate/broken.hpp"
+#include "bench/gate/gate_text.hpp"
+#include "bench/gate/verdict.hpp"
+#include "tests/bench/gate/made_report.hpp"
+
+namespace tautline::bench::test {
+namespace {
+
+RunPattern runs_of(const std::string& engine) {
+  RunPattern runs;
+  runs.engine = engine;
+  return runs;
+}
+
+/// One limit on every run.
+Limits limits_with(const std::string& metric, double limit) {
+  Limits limits;
+  limits.file = "made.toml";
+  limits.version = "1";
+  limits.limits = {{RunPattern(), metric, limit, 0.0, 0.0, "a reason"}};
+  return limits;
+}
+
+/// A report of one run of one engine, "e".
+Report report_of(double value, double step = 1e-3) {
+  Report report = made_report();
+  add_engine(report, "e");
+  add_run(report, "e", value, step);
+  return report;
+}
+
+TEST(Pattern, OnlyStarsAndQuestionMarksAreSpecial) {
+  const auto on = [](const std::string& pattern, const std::string& name) {
+    RunPattern runs;
+    runs.model = pattern;
+    return runs.holds({"c/d", "e", name, 1e-3}, "float64");
+  };
+  EXPECT_TRUE(on("r?w*", "row-early"));
+  EXPECT_TRUE(on("row[2]", "row[2]"));
+  EXPECT_FALSE(on("row[2]", "row2"));
+  EXPECT_TRUE(on("a\\*", "a\\b"));
+  EXPECT_FALSE(on("a\\*", "a*"));
+}
+
+TEST(Pattern, HoldsForAllThatItNamesTogether) {
+  const RunKey run = {"c/d", "e", "row", 1e-3};
+  RunPattern runs;
+  runs.the_case = "c/*";
+  runs.step = 0.1 * 0.01;  // up to rounding
+  runs.precision = "float32";
+  EXPECT_TRUE(runs.holds(run, "float32"));
+  EXPECT_FALSE(runs.holds(run, "float64"));
+  EXPECT_FALSE(runs.holds(run, ""));
+  runs.step = 2e-3;
+  EXPECT_FALSE(runs.holds(run, "float32"));
+}
+
+TEST(Limits, AreOnAnyMetricOfTheListInItsUnit) {
+  for (const Metric& metric : metric_list()) {
+    const std::string name(metric.name);
+    const LimitsReading reading = read_limits_text(
+        "schema = 1\nversion = \"1\"\n[[limits]]\nengine = \"*\"\nmodel = \"*\"\nmetric = \"" +
+            name + "\"\nlimit = 0.5\nunit = \"" + std::string(metric.unit) + "\"\nreason = \"r\"\n",
+        "l.toml");
+    ASSERT_TRUE(reading.limits) << name << reading.problems.front();
+    Report report = report_of(0.6);
+    add_verdicts(report, *reading.limits);
+    const Verdict& verdict = report.runs.front().verdict.value();
+    ASSERT_EQ(verdict.checks.size(), 1U) << name;
+    EXPECT_EQ(verdict.checks.front().metric, name);
+    EXPECT_EQ(verdict.word, Word::flagged) << name;
+  }
+}
+
+TEST(Verdict, AMetricAtItsLimitPassesAndOneThatCouldNotBeMeasuredIsNotChecked) {
+  Limits limits = limits_with("overstretch", 0.25);
+  limits.limits.push_back({RunPattern(), "first_impact_error", 0.25, 0.0, 0.0, "another"});
+  Report report = report_of(0.25);
+  report.runs.front().metrics->at(place("first_impact_error")) = std::nullopt;
+  add_verdicts(report, limits);
+  const Verdict& verdict = report.runs.front().verdict.value();
+  EXPECT_EQ(verdict.word, Word::pass);
+  ASSERT_EQ(verdict.checks.size(), 1U);
+  EXPECT_EQ(verdict.checks.front().metric, "overstretch");
+  EXPECT_EQ(verdict.checks.front().reason, "a reason");
+  ASSERT_TRUE(report.limits);
+  EXPECT_EQ(report.limits->file, "made.toml");
+}
+
+TEST(Verdict, TheLastLimitOnARunCountsAndGrowsWithTheStep) {
+  Limits limits = limits_with("overstretch", 0.5);
+  limits.limits.push_back({runs_of("e"), "overstretch", 0.25, 2.0, 0.001, "the special"});
+  limits.limits.push_back({runs_of("other"), "overstretch", 9.0, 0.0, 0.0, "of another"});
+  Report report = report_of(0.1, 1e-2);
+  add_verdicts(report, limits);
+  const Check& check = report.runs.front().verdict.value().checks.at(0);
+  EXPECT_DOUBLE_EQ(check.limit.value(), 0.25 + 2.0 * 1e-2 + 0.001 / 1e-2);
+  EXPECT_EQ(check.reason, "the special");
+}
+
+TEST(Verdict, WordsFollowFromStatusLimitsAndWhatIsNotJudged) {
+  const Limits none;
+  Report report = report_of(1.0);
+  add_verdicts(report, none);
+  EXPECT_EQ(report.runs.front().verdict->word, Word::informative);
+  Limits limits = limits_with("overstretch", 2.0);
+  add_verdicts(report, limits);
+  EXPECT_EQ(report.runs.front().verdict->word, Word::pass);
+  report.runs.front().status = Status::stopped;
+  add_verdicts(report, limits);
+  EXPECT_EQ(report.runs.front().verdict->word, Word::unsupported);
+  report.runs.front().status = Status::diverged;
+  add_verdicts(report, limits);
+  EXPECT_EQ(report.runs.front().verdict->word, Word::flagged);
+  limits.unjudged = {{runs_of("e"), Word::unsupported, "r"},
+                     {runs_of("e"), Word::informative, "r"}};
+  add_verdicts(report, limits);
+  EXPECT_EQ(report.runs.front().verdict->word, Word::informative);
+}
+
+TEST(Gate, ABrokenLimitIsARowWithValueLimitUnitAndReason) {
+  const Limits limits = limits_with("overstretch", 1e-3);
+  Report report = report_of(0.0125);
+  report.runs.front().key.model = "ro\033w";  // as a plug-in may call it
+  add_verdicts(report, limits);
+  const std::vector<BrokenRow> rows = broken_rows(report, limits);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].model, "ro\\x1bw");
+  EXPECT_EQ(rows[0].metric, "overstretch");
+  EXPECT_EQ(rows[0].value, "0.0125 m");
+  EXPECT_EQ(rows[0].limit, "0.001 m");
+  EXPECT_EQ(rows[0].reason, "a reason");
+  const std::string text = gate_text(report, limits, rows);
+  EXPECT_NE(text.find("The gate is broken by 1 row (made.toml, version 1): 1 deviation-flagged."),
+            std::string::npos)
+      << text;
+}
+
+TEST(Gate, HoldsWhileAKnownDeviationLastsAndIsBrokenWhenItStartsToHold) {
+  Limits limits = limits_with("overstretch", 1e-3);
+  limits.known = {{runs_of("e"), "overstretch", "it stretches"}};
+  Report report = report_of(1.0);
+  add_verdicts(report, limits);
+  EXPECT_TRUE(report.runs.front().verdict->checks.front().known);
+  EXPECT_TRUE(broken_rows(report, limits).empty());
+  EXPECT_EQ(gate_text(report, limits, {}),
+            "The gate holds (made.toml, version 1): 1 deviation-flagged.\n");
+  add_run(report, "e", 0.0, 1e-4);  // another run of the entry holds
+  add_verdicts(report, limits);
+  EXPECT_TRUE(broken_rows(report, limits).empty());
+  report.runs.erase(report.runs.begin());
+  add_verdicts(report, limits);
+  const std::vector<BrokenRow> rows = broken_rows(report, limits);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_NE(rows[0].reason.find("has started to hold"), std::string::npos) << rows[0].reason;
+}
+
+TEST(Gate, AKnownDeviationThatNoLimitTellsOrNoRunShows) {
+  Limits limits = limits_with("overstretch", 1.0);
+  limits.known = {{runs_of("absent"), "overstretch", "r"}};
+  Report report = report_of(0.5);
+  add_verdicts(report, limits);
+  EXPECT_TRUE(broken_rows(report, limits).empty());  // an engine that is not here says nothing
+  limits.known = {{runs_of("e"), "energy_gain", "r"}};
+  add_verdicts(report, limits);
+  ASSERT_EQ(broken_rows(report, limits).size(), 1U);
+  EXPECT_EQ(broken_rows(report, limits)[0].value, "not checked");
+}
+
+TEST(Gate, RunsAndEnginesThatFailBreakItEvenWhereTheyAreNotJudged) {
+  Limits limits = limits_with("overstretch", 1.0);
+  limits.unjudged = {{runs_of("bad"), Word::informative, "r"}};
+  Report report = report_of(0.5);
+  add_engine(report, "bad");
+  add_bad_run(report, "bad", Status::failed, "crashed: SIGSEGV");
+  report.engines.push_back({"broken", std::nullopt, "has no entry point", false});
+  report.engines.push_back({"absent", std::nullopt, "is not here", true});
+  add_verdicts(report, limits);
+  std::vector<BrokenRow> rows = broken_rows(report, limits);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].engine, "broken");
+  EXPECT_EQ(rows[0].value, "no runs");
+  EXPECT_EQ(rows[1].metric, "failure");
+  EXPECT_EQ(rows[1].value, "failed");
+  EXPECT_EQ(rows[1].reason, "crashed: SIGSEGV");
+  limits.known = {{runs_of("bad"), std::string(failure), "it crashes"}};
+  add_verdicts(report, limits);
+  rows = broken_rows(report, limits);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].engine, "broken");
+}
+
+TEST(Gate, OneThatJudgesNoRunIsBroken) {
+  Limits limits = limits_with("overstretch", 1.0);
+  Report report = report_of(0.5);
+  limits.limits[0].runs = runs_of("nobody");
+  add_verdicts(report, limits);
+  ASSERT_EQ(broken_rows(report, limits).size(), 1U);
+  EXPECT_NE(broken_rows(report, limits)[0].reason.find("no limit of the file is on any run"),
+            std::string::npos);
+  limits.limits[0].runs = runs_of("e");
+  limits.unjudged = {{runs_of("e"), Word::informative, "r"}};
+  add_verdicts(report, limits);
+  ASSERT_EQ(broken_rows(report, limits).size(), 1U);
+  EXPECT_NE(broken_rows(report, limits)[0].reason.find("the file judges none"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tautline::bench::test

@@ -1,0 +1,121 @@
+// The motions in a report: thinned, but without losing an impact that is kept, and within a size
+// that a page can hold.
+
+#include "bench/report/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "bench/report/json/json.hpp"
+#include "bench/report/thinning.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::bench {
+namespace {
+
+constexpr double count_speed = 1e-2;  // [m/s]
+
+/// A run of 20 s with `count` impacts, the later the slower.
+Trajectory run_with(std::size_t count) {
+  Trajectory run;
+  run.step = 1e-3;
+  for (std::size_t i = 0; i <= 20'000; ++i) {
+    const double time = static_cast<double>(i) * 1e-3;
+    run.points.push_back({time, {Vec2(std::cos(time), std::sin(time)), time, Vec2::Zero(), 0.0}});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double time = 0.0105 + static_cast<double>(i) * 19.0 / static_cast<double>(count);
+    const double rate = 1.0 - 0.9 * static_cast<double>(i) / static_cast<double>(count + 1);
+    const State state{Vec2(std::cos(time), std::sin(time)), time, Vec2::Zero(), 0.0};
+    run.impacts.push_back({time, 0, 1.0, -rate, 0.5 * rate, 0, state, state});
+  }
+  return run;
+}
+
+std::set<double> numbers(const std::vector<double>& column) {
+  return {column.begin(), column.end()};
+}
+
+RunRow row_of(const Trajectory& run) {
+  const Case the_case = shipped_cases().front();
+  RunRow row;
+  row.path = run_path(the_case, run, 60, count_speed);
+  row.impacts = run_impacts(the_case, run, count_speed);
+  return row;
+}
+
+TEST(Motion, ThinningKeepsTheStartTheEndAndEveryImpact) {
+  const RunRow row = row_of(run_with(200));
+  const Path& path = *row.path;
+  EXPECT_EQ(path.time.front(), 0.0);
+  EXPECT_EQ(path.time.back(), 20.0);
+  EXPECT_EQ(path.time.size(), 260U);
+  EXPECT_TRUE(std::is_sorted(path.time.begin(), path.time.end()));
+  EXPECT_EQ(row.impacts->time.size(), 200U);
+  EXPECT_EQ(row.impacts->left_out, 0U);
+  const std::set<double> times = numbers(path.time);
+  for (const double time : row.impacts->time) {
+    EXPECT_TRUE(times.contains(time)) << time;
+  }
+}
+
+TEST(Motion, OfVeryManyImpactsTheFastestStay) {
+  const RunRow row = row_of(run_with(500));
+  ASSERT_EQ(row.impacts->time.size(), most_impacts);
+  EXPECT_EQ(row.impacts->left_out, 200U);
+  EXPECT_LT(row.impacts->rate_before.back(), -0.4);  // they slow down from 1 to 0.1
+}
+
+TEST(Motion, IsNotRoundedBeforeItIsDrawn) {
+  const RunRow row = row_of(run_with(200));
+  const RunRow drawn = drawable(row, most_impacts);
+  EXPECT_NE(row.impacts->rate_before.at(3), drawn.impacts->rate_before.at(3));
+  EXPECT_NEAR(row.impacts->rate_before.at(3), drawn.impacts->rate_before.at(3), 1e-6);
+  EXPECT_NE(row.path->x.at(100), drawn.path->x.at(100));
+  EXPECT_EQ(row.impacts->time.size(), drawn.impacts->time.size());
+  EXPECT_NEAR(row.path->x.at(100), drawn.path->x.at(100), 1e-5);
+}
+
+TEST(Motion, AReportOfVeryManyRunsHasFewerImpactsInEach) {
+  Report report;
+  const std::size_t runs = 2646;  // 21 cases, 42 models, 3 steps
+  report.runs.assign(runs, row_of(run_with(200)));
+  const RunRow thinned = drawable(report.runs.back(), impacts_per_run(runs));
+  EXPECT_EQ(thinned.impacts->time.size(), 24U);
+  EXPECT_EQ(thinned.impacts->left_out, 176U);
+  const std::set<double> times = numbers(thinned.path->time);
+  EXPECT_EQ(times.size(), 60U + 24U);
+  for (const double time : thinned.impacts->time) {
+    EXPECT_TRUE(times.contains(time)) << time;
+  }
+  // what is left of 25 MB for the page itself and the tables
+  EXPECT_LT(report_json(report).size(), 16'000'000U);
+}
+
+TEST(Motion, ThePathOfTheExactMotionHasEveryEvent) {
+  const ReferenceCase reference =
+      solve_cases({shipped_cases().front()}, ImpactLaw::simultaneous).front();
+  const EventColumns events = exact_events(reference);
+  EXPECT_EQ(events.time.size(), std::min(reference.solution.events().size(), most_impacts));
+  const std::set<double> times = numbers(exact_path(reference).time);
+  for (const double time : events.time) {
+    EXPECT_TRUE(times.contains(time)) << time;
+  }
+}
+
+TEST(ReportJson, HasALineForEveryRowAndReadsBack) {
+  Report report;
+  report.version = "1";
+  report.runs.assign(2, row_of(run_with(3)));
+  report.runs[1].key.the_case = "another";
+  const std::string text = report_json(report);
+  EXPECT_NE(text.find("\n  {\"case\":\"another\",\"engine\":\"\""), std::string::npos) << text;
+  const ReportReading reading = report_from(text, "it");
+  ASSERT_TRUE(reading.report) << (reading.problems.empty() ? "" : reading.problems.front());
+  EXPECT_EQ(report_json(*reading.report), text);
+}
+
+}  // namespace
+}  // namespace tautline::bench

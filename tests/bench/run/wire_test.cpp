@@ -1,0 +1,135 @@
+#include "bench/run/wire.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tautline::bench {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// What the other side reads of `answer`.
+template <class Answer>
+Answer sent(const Answer& answer) {
+  return std::get<Answer>(answer_from(to_bytes(answer)).value());
+}
+
+State some_state() { return {Vec2(0.1, -0.0), 1e-300, Vec2(-1e300, 1.0 / 3.0), 7.0}; }
+
+void expect_same(const State& a, const State& b) {
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.velocity, b.velocity);
+  EXPECT_EQ(a.angle, b.angle);
+  EXPECT_EQ(a.spin, b.spin);
+}
+
+TEST(Wire, ARequestComesAsItWasSent) {
+  const WorkerRequest request{Task::run, "/a path/e.so",   std::size_t{3} << 30U,
+                              "row",     "name = \"a\"\n", {0.1, ImpactLaw::energetic}};
+  const WorkerRequest read = request_from(to_bytes(request));
+  EXPECT_EQ(read.task, request.task);
+  EXPECT_EQ(read.plugin, request.plugin);
+  EXPECT_EQ(read.memory, request.memory);
+  EXPECT_EQ(read.model, request.model);
+  EXPECT_EQ(read.case_text, request.case_text);
+  EXPECT_EQ(read.settings.step, request.settings.step);
+  EXPECT_EQ(read.settings.law, request.settings.law);
+}
+
+TEST(Wire, ARunComesBitForBit) {
+  RunAnswer run;
+  run.cost = {1e-7, 2e8, 3e-9};
+  run.trajectory.step = 0.1;
+  run.trajectory.stride = 3;
+  run.trajectory.points = {{0.0, some_state()}, {0.3, State()}};
+  run.trajectory.impacts = {{0.25, 7, 1.5, -1.0, 0.5, 2, some_state(), State(), {1.0, 2.0, 3.0}}};
+  run.trajectory.slow_impacts = 123'456'789;
+  run.trajectory.overstretch = 1e-9;
+  run.trajectory.largest_energy = 2.0;
+  run.trajectory.stop = Simulation::Stop{0.3, "enough"};
+  run.trajectory.diverged = true;
+  const RunAnswer read = sent(run);
+  EXPECT_EQ(read.cost.step, run.cost.step);
+  EXPECT_EQ(read.cost.memory, run.cost.memory);
+  EXPECT_EQ(read.cost.reference, run.cost.reference);
+  EXPECT_EQ(read.trajectory.step, 0.1);
+  EXPECT_EQ(read.trajectory.stride, 3U);
+  EXPECT_EQ(read.trajectory.slow_impacts, 123'456'789U);
+  EXPECT_EQ(read.trajectory.overstretch, 1e-9);
+  EXPECT_EQ(read.trajectory.largest_energy, 2.0);
+  EXPECT_TRUE(read.trajectory.diverged);
+  ASSERT_TRUE(read.trajectory.stop);
+  EXPECT_EQ(read.trajectory.stop->time, 0.3);
+  EXPECT_EQ(read.trajectory.stop->reason, "enough");
+  ASSERT_EQ(read.trajectory.points.size(), 2U);
+  EXPECT_EQ(read.trajectory.points[1].time, 0.3);
+  expect_same(read.trajectory.points[0].state, some_state());
+  EXPECT_TRUE(std::signbit(read.trajectory.points[0].state.position.y()));
+  ASSERT_EQ(read.trajectory.impacts.size(), 1U);
+  const RecordedImpact& impact = read.trajectory.impacts.front();
+  EXPECT_EQ(impact.time, 0.25);
+  EXPECT_EQ(impact.cable, 7U);
+  EXPECT_EQ(impact.impulse, 1.5);
+  EXPECT_EQ(impact.rate_before, -1.0);
+  EXPECT_EQ(impact.rate_after, 0.5);
+  EXPECT_EQ(impact.steps, 2U);
+  EXPECT_EQ(impact.stray, Eigen::Vector3d(1.0, 2.0, 3.0));
+  expect_same(impact.before, some_state());
+}
+
+TEST(Wire, WhatIsNotFiniteComesAsNoNumber) {
+  RunAnswer run;
+  run.trajectory.overstretch = infinite;
+  run.trajectory.largest_energy = std::nan("");
+  const RunAnswer read = sent(run);
+  EXPECT_TRUE(std::isnan(read.trajectory.overstretch));
+  EXPECT_TRUE(std::isnan(read.trajectory.largest_energy));
+  EXPECT_FALSE(read.trajectory.stop);
+  const CheckAnswer check =
+      sent(CheckAnswer{{{"mass", infinite, 0.02, false, "never hit"}}, "", ""});
+  EXPECT_TRUE(std::isnan(check.claims.front().found));
+  EXPECT_EQ(check.claims.front().limit, 0.02);
+}
+
+TEST(Wire, EveryOtherAnswerComesAsItWasSent) {
+  EXPECT_EQ(sent(Failure{"crashed"}).sentence, "crashed");
+  EXPECT_EQ(sent(DigestAnswer{"0123"}).digest, "0123");
+  const CheckAnswer check =
+      sent(CheckAnswer{{{"mass", 0.0, 0.02, true, "moves"}}, "inertia", "0123"});
+  ASSERT_EQ(check.claims.size(), 1U);
+  EXPECT_EQ(check.claims.front().claim, "mass");
+  EXPECT_TRUE(check.claims.front().holds);
+  EXPECT_EQ(check.claims.front().sentence, "moves");
+  EXPECT_EQ(check.unfinished, "inertia");
+  EXPECT_EQ(check.digest, "0123");
+  const EngineInfo info = sent(
+      EngineInfo{"mine", "1.0", "float64", {{"row", "A row.", {{"erp", "0.2", "The default."}}}}});
+  EXPECT_EQ(info.name, "mine");
+  EXPECT_EQ(info.version, "1.0");
+  EXPECT_EQ(info.precision, "float64");
+  ASSERT_EQ(info.models.size(), 1U);
+  EXPECT_EQ(info.models.front().sentence, "A row.");
+  ASSERT_EQ(info.models.front().settings.size(), 1U);
+  EXPECT_EQ(info.models.front().settings.front().value, "0.2");
+}
+
+TEST(Wire, AMessageThatIsCutIsNone) {
+  RunAnswer run;
+  run.trajectory.points = {{0.0, some_state()}};
+  const std::string bytes = to_bytes(run);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(answer_from(std::string_view(bytes).substr(0, size))) << size;
+  }
+}
+
+TEST(Wire, AMessageThatMakesNoSenseIsAFailure) {
+  std::string bytes = to_bytes(Failure{"a"});
+  bytes.replace(bytes.find("sentence"), 8, "nonsense");
+  EXPECT_EQ(std::get<Failure>(answer_from(bytes).value()).sentence,
+            "gave a result that makes no sense");
+}
+
+}  // namespace
+}  // namespace tautline::bench

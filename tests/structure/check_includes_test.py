@@ -1,0 +1,74 @@
+"""scripts/check-includes finds what is planted in a copy of the sources, and names it."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+FOLDERS = ["analytic", "bench", "engines"]
+
+
+class CheckIncludes(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.copy = temporary.name
+        for folder in FOLDERS:
+            shutil.copytree(os.path.join(ROOT, folder), os.path.join(self.copy, folder),
+                            ignore=shutil.ignore_patterns("node_modules"))
+
+    def write(self, path, text):
+        path = os.path.join(self.copy, path)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def breaches(self):
+        """What it says of the copy, and that it fails for it."""
+        done = subprocess.run([os.path.join(ROOT, "scripts", "check-includes"), self.copy],
+                              stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        return done.stderr
+
+    def test_names_a_circle_that_passes_through_a_source(self):
+        self.write("bench/base/planted.hpp", '#include "bench/base/planted_too.hpp"\n')
+        self.write("bench/base/planted_too.hpp", "#pragma once\n")
+        self.write("bench/base/planted_too.cpp", '#include "bench/base/planted.hpp"\n')
+        self.assertIn("a circle of includes: bench/base/planted -> bench/base/planted_too -> "
+                      "bench/base/planted\n", self.breaches())
+
+    def test_names_a_circle_among_public_headers(self):
+        self.write("analytic/include/tautline/planted.hpp", '#include "tautline/planted_too.hpp"\n')
+        self.write("analytic/include/tautline/planted_too.hpp", '#include "tautline/planted.hpp"\n')
+        self.assertIn("analytic/planted -> analytic/planted_too -> analytic/planted\n", self.breaches())
+
+    def test_names_an_arrow_back_between_rooms(self):
+        self.write("bench/base/planted.cpp", '#include "bench/suite/suite.hpp"\n')
+        self.assertIn("bench/base/planted.cpp includes bench/suite/suite.hpp: "
+                      "bench/base may not use bench/suite\n", self.breaches())
+
+    def test_names_a_room_that_is_not_in_the_table(self):
+        self.write("bench/planted/planted.cpp", "")
+        self.assertIn("bench/planted is no room", self.breaches())
+
+    def test_names_a_long_source_and_a_full_folder(self):
+        self.write("analytic/planted.cpp", "\n" * 401)
+        for number in range(26):
+            self.write(f"engines/planted/{number}.cpp", "")
+        found = self.breaches()
+        self.assertIn("analytic/planted.cpp has 401 lines, 400 at most\n", found)
+        self.assertIn("engines/planted/ has 26 files, 25 at most\n", found)
+
+    def test_names_json_in_a_header_and_in_too_many_files(self):
+        for number in range(9):
+            self.write(f"bench/base/planted{number}.cpp", "#include <nlohmann/json.hpp>\n")
+        self.write("bench/base/planted.hpp", "#include <nlohmann/json_fwd.hpp>\n")
+        found = self.breaches()
+        self.assertIn("bench/base/planted.hpp brings nlohmann's JSON to all who include it", found)
+        self.assertIn("files of bench/ include nlohmann's JSON, 8 at most", found)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)

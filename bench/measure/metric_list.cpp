@@ -50,6 +50,11 @@ Value always(const Metrics& metrics) {
   return static_cast<double>(metrics.*number);
 }
 
+template <Value Metrics::*number>
+Value optional_number(const Metrics& metrics) {
+  return metrics.*number;
+}
+
 constexpr std::string_view position = "position error";
 constexpr std::string_view angle = "angle error";
 constexpr std::string_view velocity = "velocity error";
@@ -124,6 +129,15 @@ constexpr std::array list = {
     Metric{"restitution_error", "e error", "", "e error", "1",
            "Largest distance of a measured restitution from the cable's own.", restitution_error,
            as_error, Aggregate::extreme, NoiseKind::extreme, Shown::by_run_and_over_cases, 2},
+    Metric{"impulse_error", "impulse", "impacts off by", "", "%",
+           "How far the worst matched impulse up to the horizon is off, of the exact impulse.",
+           optional_number<&Metrics::impulse_error>, as_error, Aggregate::typical, NoiseKind::any,
+           Shown::by_run_and_over_cases},
+    Metric{"energy_loss_error", "energy loss", "impacts off by", "", "J",
+           "How far the energy that a matched impact of one step loses is off at worst, up to the "
+           "horizon.",
+           optional_number<&Metrics::energy_loss_error>, as_error, Aggregate::typical,
+           NoiseKind::any, Shown::by_run_and_over_cases},
     Metric{"overstretch", "overstretch", "", "stretch", "m",
            "Largest length of a cable beyond its own.", always<&Metrics::overstretch>, as_error,
            Aggregate::extreme, NoiseKind::extreme, Shown::by_run_and_over_cases, 5},

@@ -74,6 +74,8 @@ struct Metrics {
   double energy_gain = 0.0;         // [J], largest rise above the start
   double energy_error = 0.0;        // [J], against exact at the end of Window::whole
   std::optional<MeasuredRestitution> restitution;  // none if no impact was counted
+  std::optional<double> impulse_error;             // [%] of the exact impulse, at worst
+  std::optional<double> energy_loss_error;         // [J] of one impact, at worst
 
   [[nodiscard]] const Deviation& deviation_in(Window window) const {
     return deviation[static_cast<std::size_t>(window)];

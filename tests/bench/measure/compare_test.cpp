@@ -29,10 +29,12 @@ Trajectory as_run(const Case& the_case, const Solution& solution, double delay, 
     if (event.kind != EventKind::impact) {
       continue;
     }
+    Eigen::Index row = 0;
     for (const std::size_t index : event.cables) {
       const Cable& cable = the_case.cables[index];
-      run.impacts.push_back({event.time + delay, index, 1.0, gap_rate(cable, event.before),
-                             gap_rate(cable, event.after), 0, event.before, event.after});
+      run.impacts.push_back({event.time + delay, index, event.impulses[row++],
+                             gap_rate(cable, event.before), gap_rate(cable, event.after), 0,
+                             event.before, event.after});
     }
   }
   run.largest_energy = energy(the_case, the_case.initial);
@@ -167,6 +169,27 @@ TEST_F(StandardCase, ARunThatStoppedBeforeHasNoSettlingTime) {
   const Metrics before = cut(5.0);
   EXPECT_FALSE(before.last_impacts[0].found);
   EXPECT_TRUE(before.last_impacts[0].exact);
+}
+
+TEST_F(StandardCase, ImpulsesAndEnergyLossesAreHeldAgainstTheExactOnes) {
+  Trajectory run = as_run(the_case, solution, 0.0, 0.0);
+  const Metrics exact = compare(the_case, solution, settled, 6.0, run);
+  EXPECT_LT(exact.impulse_error.value(), 1e-9);
+  EXPECT_LT(exact.energy_loss_error.value(), 1e-14);
+  constexpr double stronger = 1.02;
+  constexpr double more = 0.01;  // [m/s], of the speed after
+  RecordedImpact& impact = run.impacts.at(2);
+  const double lost = energy(the_case, impact.before) - energy(the_case, impact.after);
+  impact.impulse *= stronger;
+  impact.after.velocity *= 1.0 + more;
+  const double now = energy(the_case, impact.before) - energy(the_case, impact.after);
+  const Metrics spoilt = compare(the_case, solution, settled, 6.0, run);
+  EXPECT_NEAR(spoilt.impulse_error.value(), 2.0, 1e-9);
+  EXPECT_NEAR(spoilt.energy_loss_error.value(), std::abs(now - lost), 1e-14);
+  impact.steps = 3;  // a push over several steps loses energy along its way
+  EXPECT_LT(compare(the_case, solution, settled, 6.0, run).energy_loss_error.value(), 1e-14);
+  run.impacts.clear();
+  EXPECT_FALSE(compare(the_case, solution, settled, 6.0, run).impulse_error);
 }
 
 TEST_F(StandardCase, SwingIsMeasuredOverTheLastPeriod) {

@@ -1,0 +1,77 @@
+#include "bench/measure/impact_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tautline/geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// What an impact of one cable did, on either side.
+struct Effect {
+  double impulse;      // [N s], of the cable
+  double energy_loss;  // [J], of the whole velocity jump
+  bool is_jump;        // all of it happened at one pose
+};
+
+double energy_loss(const Case& the_case, const State& before, const State& after) {
+  return energy(the_case, before) - energy(the_case, after);
+}
+
+/// In the order of `counted_impacts`.
+std::vector<Effect> effects(const Case& the_case, const Solution& solution, double count_speed) {
+  std::vector<Effect> result;
+  for (const Event& event : solution.events()) {
+    const double lost = energy_loss(the_case, event.before, event.after);
+    Eigen::Index row = 0;
+    for (const std::size_t cable : event.cables) {
+      const double impulse = event.impulses[row++];
+      if (event.kind == EventKind::impact &&
+          -gap_rate(the_case.cables[cable], event.before) > count_speed) {
+        result.push_back({impulse, lost, true});
+      }
+    }
+  }
+  return result;
+}
+
+/// The same of a run.
+std::vector<Effect> effects(const Case& the_case, const Trajectory& run, double count_speed) {
+  std::vector<Effect> result;
+  for (const RecordedImpact& impact : run.impacts) {
+    if (-impact.rate_before > count_speed) {
+      result.push_back(
+          {impact.impulse, energy_loss(the_case, impact.before, impact.after), impact.steps <= 1});
+    }
+  }
+  return result;
+}
+
+void worsen(std::optional<double>& worst, double error) {
+  worst = std::max(worst.value_or(0.0), error);
+}
+
+}  // namespace
+
+ImpactErrors impact_errors(const Case& the_case, const Solution& solution, const Trajectory& run,
+                           double count_speed, double end) {
+  const auto exact = counted_impacts(the_case, solution, count_speed);
+  const auto pairs = match_impacts(exact, counted_impacts(run, count_speed));
+  const auto wanted = effects(the_case, solution, count_speed);
+  const auto found = effects(the_case, run, count_speed);
+  ImpactErrors errors;
+  for (const auto& [i, j] : pairs) {
+    if (exact[i].time > end) {
+      continue;
+    }
+    worsen(errors.impulse, 100.0 * std::abs(found[j].impulse / wanted[i].impulse - 1.0));
+    if (found[j].is_jump) {
+      worsen(errors.energy_loss, std::abs(found[j].energy_loss - wanted[i].energy_loss));
+    }
+  }
+  return errors;
+}
+
+}  // namespace tautline::bench

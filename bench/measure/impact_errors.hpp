@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "bench/measure/impact_match.hpp"
+#include "bench/run/trajectory.hpp"
+#include "tautline/case.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline::bench {
+
+/// How far the matched impacts of a run are from the exact ones, at worst.
+struct ImpactErrors {
+  std::optional<double> impulse;      // [%] of the exact impulse of the cable
+  std::optional<double> energy_loss;  // [J], of impacts of a single step
+};
+
+/// Over the pairs of `match_impacts` up to `end` [s]; none without a pair.
+[[nodiscard]] ImpactErrors impact_errors(const Case& the_case, const Solution& solution,
+                                         const Trajectory& run, double count_speed, double end);
+
+}  // namespace tautline::bench

@@ -15,8 +15,8 @@
 
 namespace tautline::bench {
 
-// A report: what a suite leaves, row by row. report/json/json.hpp writes and reads it; all tables, the
-// gate and the comparison of two reports are drawn from it alone.
+// A report: what a suite leaves, row by row. report/json/json.hpp writes and reads it; all tables,
+// the gate and the comparison of two reports are drawn from it alone.
 
 /// The number of the report's form: its key `schema`.
 inline constexpr int report_schema = 4;
@@ -160,7 +160,8 @@ struct EventColumns {
   std::vector<double> time;                      // [s]
   std::vector<std::string> kind;                 // "impact", "taut", "slack"
   std::vector<std::vector<std::size_t>> cables;  //
-  std::vector<std::optional<double>> rate;  // [m/s], of the fastest cable; none of what is no impact
+  std::vector<std::optional<double>>
+      rate;  // [m/s], of the fastest cable; none of what is no impact
 };
 
 /// What the exact solution says of a case, and what a page needs to draw it.
@@ -201,10 +202,10 @@ struct MedianAndWorst {
 struct SummaryRow {
   SetupKey key;
   std::size_t cases = 0;
-  std::size_t failed = 0;   // of them
-  std::size_t exact = 0;    // impacts up to the horizon
-  std::size_t found = 0;    //
-  std::size_t matched = 0;  //
+  std::size_t failed = 0;         // of them
+  std::size_t exact = 0;          // impacts up to the horizon
+  std::size_t found = 0;          //
+  std::size_t matched = 0;        //
   std::size_t exact_settled = 0;  // cases whose exact motion locks: see LastImpactMatch
   std::size_t found_settled = 0;  // runs that have the last impact
   std::vector<std::optional<MedianAndWorst>> metrics;  // of the list; none without a value

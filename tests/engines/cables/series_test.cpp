@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "engines/cables/worlds/cases.hpp"
 #include "engines/cables/measure.hpp"
+#include "engines/cables/worlds/cases.hpp"
 
 namespace tautline::test {
 namespace {

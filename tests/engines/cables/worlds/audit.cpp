@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engines/cables/worlds/impact.hpp"
 #include "engines/cables/measure.hpp"
+#include "engines/cables/worlds/impact.hpp"
 
 namespace tautline::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engines/cables/cost.hpp"
-#include "engines/cables/worlds/ledger.hpp"
 #include "engines/cables/measure.hpp"
+#include "engines/cables/worlds/ledger.hpp"
 
 namespace tautline::test {
 namespace {

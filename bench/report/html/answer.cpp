@@ -59,6 +59,13 @@ std::string endings_sentence(const Report& report) {
   return joined(parts, "and") + ".";
 }
 
+/// What the comparison makes of the exact motion itself.
+std::string control_clause(double largest) {
+  return "the exact motion, compared with itself as a control, " +
+         (largest == 0.0 ? "shows no deviation"
+                         : fmt::format("deviates by up to {} m", number_text(largest, as_error)));
+}
+
 std::string errors_sentence(const Report& report) {
   const auto engines = median_errors(report, false);
   const auto exact = median_errors(report, true);
@@ -69,10 +76,7 @@ std::string errors_sentence(const Report& report) {
              " At the smallest step the median distance from the exact position, up to the "
              "predictability horizon, is between {} and {} m, by engine and model",
              number_text(engines->smallest, as_error), number_text(engines->largest, as_error)) +
-         (exact ? fmt::format("; the exact motion, put through the same comparison as a control, "
-                              "is at most {} m off.",
-                              number_text(exact->largest, as_error))
-                : ".");
+         (exact ? "; " + control_clause(exact->largest) + "." : ".");
 }
 
 std::string missing_sentence(const Report& report) {

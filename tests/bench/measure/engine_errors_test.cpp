@@ -63,7 +63,7 @@ Errors errors(const std::vector<std::string>& steps) {
   const json report = json::parse(content_of(folder.path() / "report.json"));
   for (const json& run : report["runs"]) {
     result[{run["engine"], run["model"], run["step"]}] =
-        run["metrics"]["whole"]["position_error"].get<double>();
+        run["metrics"]["whole_position_error"].get<double>();
   }
   return result;
 }

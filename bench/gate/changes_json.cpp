@@ -10,7 +10,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// The number of the form: its key `schema`.
-constexpr int changes_schema = 1;
+constexpr int changes_schema = 2;
 
 template <class Value>
 ordered_json or_null(const std::optional<Value>& value) {

@@ -14,6 +14,7 @@ struct Effect {
   double impulse;      // [N s], of the cable
   double energy_loss;  // [J], of the whole velocity jump
   bool is_jump;        // all of it happened at one pose
+  bool is_alone;       // no other cable was hit at the same instant
 };
 
 double energy_loss(const Case& the_case, const State& before, const State& after) {
@@ -30,7 +31,7 @@ std::vector<Effect> effects(const Case& the_case, const Solution& solution, doub
       const double impulse = event.impulses[row++];
       if (event.kind == EventKind::impact &&
           -gap_rate(the_case.cables[cable], event.before) > count_speed) {
-        result.push_back({impulse, lost, true});
+        result.push_back({impulse, lost, true, event.cables.size() == 1});
       }
     }
   }
@@ -40,10 +41,13 @@ std::vector<Effect> effects(const Case& the_case, const Solution& solution, doub
 /// The same of a run.
 std::vector<Effect> effects(const Case& the_case, const Trajectory& run, double count_speed) {
   std::vector<Effect> result;
-  for (const RecordedImpact& impact : run.impacts) {
-    if (-impact.rate_before > count_speed) {
-      result.push_back(
-          {impact.impulse, energy_loss(the_case, impact.before, impact.after), impact.steps <= 1});
+  const auto& all = run.impacts;  // in rising time
+  for (auto impact = all.begin(); impact != all.end(); ++impact) {
+    const bool alone = (impact == all.begin() || (impact - 1)->time != impact->time) &&
+                       (impact + 1 == all.end() || (impact + 1)->time != impact->time);
+    if (-impact->rate_before > count_speed) {
+      result.push_back({impact->impulse, energy_loss(the_case, impact->before, impact->after),
+                        impact->steps <= 1, alone});
     }
   }
   return result;
@@ -63,7 +67,7 @@ ImpactErrors impact_errors(const Case& the_case, const Solution& solution, const
   const auto found = effects(the_case, run, count_speed);
   ImpactErrors errors;
   for (const auto& [i, j] : pairs) {
-    if (exact[i].time > end) {
+    if (exact[i].time > end || !wanted[i].is_alone || !found[j].is_alone) {
       continue;
     }
     worsen(errors.impulse, 100.0 * std::abs(found[j].impulse / wanted[i].impulse - 1.0));

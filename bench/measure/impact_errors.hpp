@@ -9,7 +9,8 @@
 
 namespace tautline::bench {
 
-/// How far the matched impacts of a run are from the exact ones, at worst.
+/// How far the matched impacts of a run are from the exact ones, at worst; of those of one cable
+/// alone, as what several share is one velocity jump.
 struct ImpactErrors {
   std::optional<double> impulse;      // [%] of the exact impulse of the cable
   std::optional<double> energy_loss;  // [J], of impacts of a single step

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace tautline::bench {
 namespace {
@@ -130,12 +129,13 @@ constexpr std::array list = {
            "Largest distance of a measured restitution from the cable's own.", restitution_error,
            as_error, Aggregate::extreme, NoiseKind::extreme, Shown::by_run_and_over_cases, 2},
     Metric{"impulse_error", "impulse", "impacts off by", "", "%",
-           "How far the worst matched impulse up to the horizon is off, of the exact impulse.",
+           "How far an impulse is off, of the exact impulse: the worst matched impact of one cable "
+           "alone up to the horizon.",
            optional_number<&Metrics::impulse_error>, as_error, Aggregate::typical, NoiseKind::any,
            Shown::by_run_and_over_cases},
     Metric{"energy_loss_error", "energy loss", "impacts off by", "", "J",
-           "How far the energy that a matched impact of one step loses is off at worst, up to the "
-           "horizon.",
+           "How far the energy is off that an impact loses: the worst matched impact of one cable "
+           "alone, in one step, up to the horizon.",
            optional_number<&Metrics::energy_loss_error>, as_error, Aggregate::typical,
            NoiseKind::any, Shown::by_run_and_over_cases},
     Metric{"overstretch", "overstretch", "", "stretch", "m",
@@ -162,8 +162,11 @@ std::optional<std::size_t> place_of(std::string_view name) {
 
 MetricValues values_of(const Metrics& metrics) {
   MetricValues values;
-  std::transform(list.begin(), list.end(), std::back_inserter(values),
-                 [&](const Metric& metric) { return metric.of(metrics); });
+  for (const Metric& metric : list) {
+    const Value value = metric.of(metrics);
+    // what is not finite says that something could not be measured
+    values.push_back(value && std::isfinite(*value) ? value : std::nullopt);
+  }
   return values;
 }
 

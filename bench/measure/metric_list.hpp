@@ -30,7 +30,7 @@ enum class NoiseKind {
   horizon,  // rounding, amplified as the horizon allows
   extreme,  // one draw of a chaotic motion where the run goes beyond the horizon
   share,    // a share of the counted impacts, of which one may change sides
-  any,      // never compared: it says nothing beyond the horizon
+  any,      // not compared: a worst of many impacts, or of what lies beyond the horizon
 };
 
 /// One number that a run is measured by; the smaller, the better.

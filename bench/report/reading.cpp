@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -32,9 +33,18 @@ std::set<std::string> names(const std::vector<Row>& rows) {
 std::string contradiction(const Report& report) {
   const std::set<std::string> engines = names(report.engines);
   const std::set<std::string> cases = names(report.cases);
+  const bool whole = std::all_of(report.cases.begin(), report.cases.end(), [](const CaseRow& row) {
+    return std::isfinite(row.horizon + row.duration + row.start_energy);
+  });
+  if (!whole || !std::isfinite(report.options.count_speed)) {
+    return "lacks a number that every case or its options must have";
+  }
   std::set<RunKey> seen;
   for (const RunRow& run : report.runs) {
     const RunKey& key = run.key;
+    if (!(std::isfinite(key.step) && key.step > 0.0)) {
+      return "has a run whose step is no number above 0";
+    }
     if (!engines.contains(key.engine) || !cases.contains(key.the_case)) {
       return "has a run whose engine or case it does not list";
     }

@@ -124,7 +124,10 @@ ReportReading report_from(std::string_view text, const std::string& name) {
       return {std::nullopt,
               {fmt::format("{}: has schema {}, must be {}: run `tautline bench` of this version "
                            "for it",
-                           name, printable(json.at("schema").dump()), report_schema)}};
+                           name,
+                           printable(json.at("schema").is_primitive() ? json.at("schema").dump()
+                                                                      : "a list or an object"),
+                           report_schema)}};
     }
     Report report;
     read(json, report);
@@ -178,11 +181,11 @@ std::string record_json(const RunRecord& record, const std::string& fingerprint)
 }
 
 std::optional<RunRecord> record_from(std::string_view text, const std::string& fingerprint) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || json.value("fingerprint", "") != fingerprint) {
-    return std::nullopt;
-  }
   try {
+    const Json json = Json::parse(text);
+    if (json.at("fingerprint") != fingerprint) {
+      return std::nullopt;
+    }
     RunRecord record;
     read(json.at("record"), record);
     return record;

@@ -10,8 +10,8 @@
 
 namespace tautline::bench {
 
-// The one place in which a report becomes JSON and is read back. Motions are thinned and rounded
-// here, and nowhere before.
+// The one place in which a report becomes JSON and is read back. Motions are rounded here, and
+// thinned to what a page can hold, and nowhere before; they have been sampled by motion.hpp.
 
 /// `report` as bench/report/report.schema.json describes it, a line for every row.
 [[nodiscard]] std::string report_json(const Report& report);

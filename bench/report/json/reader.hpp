@@ -35,7 +35,12 @@ inline constexpr std::array words = {Word::pass, Word::flagged, Word::informativ
 inline void read(const Json& json, double& value) {
   value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
-inline void read(const Json& json, std::size_t& value) { value = json.get<std::size_t>(); }
+inline void read(const Json& json, std::size_t& value) {
+  if (!json.is_number_unsigned()) {
+    throw Json::other_error::create(501, "a count must be a whole number, 0 or above", nullptr);
+  }
+  value = json.get<std::size_t>();
+}
 inline void read(const Json& json, bool& value) { value = json.get<bool>(); }
 inline void read(const Json& json, std::string& value) { value = json.get<std::string>(); }
 inline void read(const Json& json, Status& value) {
@@ -51,7 +56,12 @@ inline void read(const Json& json, Vec2& value) {
 inline void read(const Json& json, CableSet& value) {
   value = CableSet();
   for (const Json& index : json) {
-    value.insert(index.get<std::size_t>());
+    std::size_t cable = 0;
+    read(index, cable);
+    if (cable >= max_cables) {
+      throw Json::other_error::create(501, "no case has so many cables", nullptr);
+    }
+    value.insert(cable);
   }
 }
 

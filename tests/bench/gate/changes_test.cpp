@@ -191,6 +191,10 @@ TEST(Compare, WhatIsNoReportIsRefusedInASentence) {
   law.at("options").at("law") = "poisson";
   ordered_json stranger = sound();
   stranger.at("engines").clear();
+  ordered_json stepless = sound();
+  stepless.at("runs").at(0).at("step") = nullptr;
+  ordered_json endless = sound();
+  endless.at("cases").at(0).at("horizon") = nullptr;
   struct Bad {
     std::string text;
     const char* sentence;
@@ -207,6 +211,8 @@ TEST(Compare, WhatIsNoReportIsRefusedInASentence) {
       {twice.dump(), "has two rows of"},
       {bare.dump(), "is not a report of `tautline bench`"},
       {law.dump(), "measure different things: law"},
+      {stepless.dump(), "whose step is no number above 0"},
+      {endless.dump(), "lacks a number"},
       {stranger.dump(), "does not list"}};
   for (const Bad& bad : all) {
     const Compared outcome = compared(bad.text, good);

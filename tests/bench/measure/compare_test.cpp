@@ -1,12 +1,15 @@
 #include "bench/measure/compare.hpp"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 #include <rapidcheck/gtest.h>
 
 #include <set>
 
 #include "bench/measure/horizon.hpp"
 #include "bench/measure/impact_match.hpp"
+#include "bench/measure/metric_list.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/settling.hpp"
@@ -190,6 +193,26 @@ TEST_F(StandardCase, ImpulsesAndEnergyLossesAreHeldAgainstTheExactOnes) {
   EXPECT_LT(compare(the_case, solution, settled, 6.0, run).energy_loss_error.value(), 1e-14);
   run.impacts.clear();
   EXPECT_FALSE(compare(the_case, solution, settled, 6.0, run).impulse_error);
+}
+
+TEST_F(StandardCase, WhatSeveralCablesShareIsNoErrorOfOneOfThem) {
+  Trajectory run = as_run(the_case, solution, 0.0, 0.0);
+  RecordedImpact shared = run.impacts.at(2);
+  run.impacts.at(2).impulse *= 2.0;
+  shared.cable = 1 - shared.cable;
+  run.impacts.insert(run.impacts.begin() + 3, shared);
+  EXPECT_LT(compare(the_case, solution, settled, 6.0, run).impulse_error.value(), 1e-9);
+}
+
+TEST(MetricList, WhatIsNotFiniteWasNotMeasured) {
+  Metrics metrics;
+  metrics.overstretch = std::numeric_limits<double>::infinity();
+  metrics.energy_gain = std::numeric_limits<double>::quiet_NaN();
+  metrics.energy_error = 0.5;
+  const MetricValues values = values_of(metrics);
+  EXPECT_FALSE(values.at(place_of("overstretch").value()));
+  EXPECT_FALSE(values.at(place_of("energy_gain").value()));
+  EXPECT_EQ(values.at(place_of("energy_error").value()), 0.5);
 }
 
 TEST_F(StandardCase, SwingIsMeasuredOverTheLastPeriod) {

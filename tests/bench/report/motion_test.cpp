@@ -117,5 +117,26 @@ TEST(ReportJson, HasALineForEveryRowAndReadsBack) {
   EXPECT_EQ(report_json(*reading.report), text);
 }
 
+TEST(ReportJson, RefusesWhatIsNoReportInASentence) {
+  Report report;
+  report.version = "1";
+  report.runs.assign(1, row_of(run_with(3)));
+  const std::string text = report_json(report);
+  const auto problem_of = [](std::string changed, const std::string& from, const std::string& to) {
+    const std::size_t at = changed.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    const ReportReading reading = report_from(changed.replace(at, from.size(), to), "it");
+    return reading.report ? "" : reading.problems.front();
+  };
+  const std::string schema = "\"schema\": " + std::to_string(report_schema);
+  EXPECT_NE(problem_of(text, schema, "\"schema\": [[[]]]"), "");
+  EXPECT_NE(problem_of(text, "\"planned_runs\": 0", "\"planned_runs\": -1"), "");
+  EXPECT_NE(problem_of(text, "\"status\":\"finished\"", "\"status\":\"lost\""), "");
+  EXPECT_NE(problem_of(text, "\"runs\": [", "\"runs\": 3, \"more\": ["), "");
+  EXPECT_FALSE(record_from("{\"fingerprint\": 3}", "3"));
+  EXPECT_FALSE(record_from("{\"fingerprint\": \"3\"}", "3"));
+  EXPECT_FALSE(record_from("[", "3"));
+}
+
 }  // namespace
 }  // namespace tautline::bench

@@ -59,8 +59,9 @@ SUMMARY = {
 }
 # Computed otherwise since schema 3: by name, why.
 REDEFINED = {
-    "audit/scatter": "from all counted impacts and before rounding, not from the fastest 300 in six digits",
-    "audit/ladder": "before rounding",
+    "audit/scatter": "from all counted impacts and before rounding, not from the fastest 300 in six digits; "
+                     "impacts share a velocity jump where their times are the same, not alike in six digits",
+    "audit/ladder": "before rounding; of more than 300 bounces the first 300, not none",
     "findings": "before rounding; quantiles are linear between neighbours",
     "settling/error": "of the runs that did their work, as every median",
 }

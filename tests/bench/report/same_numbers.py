@@ -114,8 +114,10 @@ class Comparison:
     def redefine(self, name, one, two):
         changed, largest, total = self.redefined.get(name, (0, 0.0, 0))
         difference = largest_difference(one, two)
-        finite = difference if math.isfinite(difference) else largest
-        self.redefined[name] = (changed + (difference != 0.0), max(largest, finite), total + 1)
+        if math.isinf(difference):
+            self.differences.append(f"redefined {name}: {json.dumps(one)[:120]} became {json.dumps(two)[:120]}")
+            difference = 0.0
+        self.redefined[name] = (changed + (difference != 0.0), max(largest, difference), total + 1)
 
     def hold_rows(self, what, old, new, names):
         others = {key_of(row): row for row in new}
@@ -148,7 +150,8 @@ def main():
     same_keys = lambda rows: [(name, name) for name in (rows[0] if rows else ())]
     for what, renamed in (("convergence", "convergence"), ("attribution_summary", "causes")):
         list(comparison.hold_rows(renamed, old[what], new[renamed], same_keys(old[what])))
-    comparison.hold("cases", old["cases"], new["cases"])
+    untitled = [{key: value for key, value in row.items() if key != "title"} for row in new["cases"]]
+    comparison.hold("cases", old["cases"], untitled)  # titles are new
     comparison.hold("options", old["options"], new["options"])
     by_kind = lambda rows: {(row["engine"], row["model"], row["kind"]): row for row in rows}
     one, two = by_kind(old["findings"]), by_kind(new["findings"])

@@ -47,7 +47,7 @@ ordered_json table_json(const ChapterTable& table) {
           {"columns", columns}, {"rows", std::move(rows)}, {"notes", table.notes}};
 }
 
-ordered_json marks_json(const std::vector<Mark>& marks) {
+ordered_json marks_json(const std::vector<FigureMark>& marks) {
   ordered_json list = ordered_json::array();
   for (const auto& [time, meaning] : marks) {
     list.push_back({{"time", time}, {"meaning", meaning}});

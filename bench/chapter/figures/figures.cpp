@@ -68,8 +68,8 @@ double last_printed_impact() {
 }
 
 /// From where the chapter and the exact motion part, for a plot to show.
-std::vector<Mark> marks(const ChapterStudy& study, const ChapterCase& solved) {
-  std::vector<Mark> result;
+std::vector<FigureMark> marks(const ChapterStudy& study, const ChapterCase& solved) {
+  std::vector<FigureMark> result;
   if (is_point_mass(solved.the_case) || &solved == &study.rigid_point) {
     result.push_back({last_printed_impact(), "the chapter's last impact"});
   }

@@ -11,7 +11,7 @@
 namespace tautline::bench {
 
 /// An instant that a plot should show.
-struct Mark {
+struct FigureMark {
   double time;  // [sqrt(S/g)]
   std::string meaning;
 };
@@ -34,7 +34,7 @@ struct ChapterFigure {
   std::string case_number;        //
   std::string chapter;            // what the chapter says of it
   std::string truth;              // where the exact motion differs, or goes on
-  std::vector<Mark> marks;        //
+  std::vector<FigureMark> marks;  //
   std::optional<Boundary> boundary;
 };
 

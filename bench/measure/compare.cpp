@@ -102,8 +102,8 @@ Metrics compare(const Case& the_case, const Solution& solution, const Settling& 
       std::abs(energy(the_case, last->state) - energy(the_case, solution.at(last->time)));
   add_run_impacts(the_case, run, settling.lock ? settling.lock->time : end, options.count_speed,
                   metrics);
-  const ImpactErrors errors = impact_errors(the_case, solution, run, options.count_speed,
-                                            ends[static_cast<std::size_t>(Window::horizon)]);
+  const ImpactErrors errors = impact_errors(the_case, solution, run, options.count_speed, exact,
+                                            pairs, ends[static_cast<std::size_t>(Window::horizon)]);
   metrics.impulse_error = errors.impulse;
   metrics.energy_loss_error = errors.energy_loss;
   return metrics;

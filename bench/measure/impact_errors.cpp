@@ -60,9 +60,8 @@ void worsen(std::optional<double>& worst, double error) {
 }  // namespace
 
 ImpactErrors impact_errors(const Case& the_case, const Solution& solution, const Trajectory& run,
-                           double count_speed, double end) {
-  const auto exact = counted_impacts(the_case, solution, count_speed);
-  const auto pairs = match_impacts(exact, counted_impacts(run, count_speed));
+                           double count_speed, const std::vector<CountedImpact>& exact,
+                           const ImpactPairs& pairs, double end) {
   const auto wanted = effects(the_case, solution, count_speed);
   const auto found = effects(the_case, run, count_speed);
   ImpactErrors errors;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "bench/measure/impact_match.hpp"
 #include "bench/run/trajectory.hpp"
@@ -16,8 +17,11 @@ struct ImpactErrors {
   std::optional<double> energy_loss;  // [J], of impacts of a single step
 };
 
-/// Over the pairs of `match_impacts` up to `end` [s]; none without a pair.
+/// Over `pairs` of the impacts of `solution` and `run` that close faster than `count_speed` [m/s],
+/// as `match_impacts` gave them for `exact`, up to `end` [s]; none without a pair.
 [[nodiscard]] ImpactErrors impact_errors(const Case& the_case, const Solution& solution,
-                                         const Trajectory& run, double count_speed, double end);
+                                         const Trajectory& run, double count_speed,
+                                         const std::vector<CountedImpact>& exact,
+                                         const ImpactPairs& pairs, double end);
 
 }  // namespace tautline::bench

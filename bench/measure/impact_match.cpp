@@ -72,12 +72,20 @@ std::vector<CountedImpact> counted_impacts(const Case& the_case, const Solution&
   return result;
 }
 
-std::vector<CountedImpact> counted_impacts(const Trajectory& run, double count_speed) {
-  std::vector<CountedImpact> result;
+std::vector<const RecordedImpact*> counted(const Trajectory& run, double count_speed) {
+  std::vector<const RecordedImpact*> result;
   for (const RecordedImpact& impact : run.impacts) {
     if (-impact.rate_before > count_speed) {
-      result.push_back({impact.time, impact.cable});
+      result.push_back(&impact);
     }
+  }
+  return result;
+}
+
+std::vector<CountedImpact> counted_impacts(const Trajectory& run, double count_speed) {
+  std::vector<CountedImpact> result;
+  for (const RecordedImpact* impact : counted(run, count_speed)) {
+    result.push_back({impact->time, impact->cable});
   }
   return result;
 }

@@ -29,7 +29,10 @@ using ImpactPairs = std::vector<std::pair<std::size_t, std::size_t>>;
                                                          const Solution& solution,
                                                          double count_speed);
 
-/// The impacts of a run that close faster than `count_speed`.
+/// The impacts of `run` that close faster than `count_speed` [m/s], in rising time.
+[[nodiscard]] std::vector<const RecordedImpact*> counted(const Trajectory& run, double count_speed);
+
+/// The same, reduced to what matching needs.
 [[nodiscard]] std::vector<CountedImpact> counted_impacts(const Trajectory& run, double count_speed);
 
 /// The impacts up to `end` [s]. Pairs belong to the window of their exact impact: one that the run

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/measure/impact_match.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -52,18 +53,7 @@ void keep_fastest(std::vector<Event>& events, const Speed& speed) {
   events = std::move(kept);
 }
 
-/// The counted impacts of `run`, all of them.
-std::vector<const RecordedImpact*> counted(const Trajectory& run, double count_speed) {
-  std::vector<const RecordedImpact*> impacts;
-  for (const RecordedImpact& impact : run.impacts) {
-    if (-impact.rate_before > count_speed) {
-      impacts.push_back(&impact);
-    }
-  }
-  return impacts;
-}
-
-/// Those that the report has, in rising time.
+/// The counted impacts that the report has, in rising time.
 std::vector<const RecordedImpact*> kept_impacts(const Trajectory& run, double count_speed) {
   std::vector<const RecordedImpact*> impacts = counted(run, count_speed);
   keep_fastest(impacts, [](const RecordedImpact* impact) { return -impact->rate_before; });

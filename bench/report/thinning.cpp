@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -48,10 +49,14 @@ void round_path(Path& path) {
   }
 }
 
+/// The columns of impacts that hold numbers.
+std::array<std::vector<double>*, 7> numbers(ImpactColumns& impacts) {
+  return {&impacts.time, &impacts.requested,        &impacts.rate_before,  &impacts.rate_after,
+          &impacts.arm,  &impacts.tangential_error, &impacts.angular_error};
+}
+
 void round_impacts(ImpactColumns& impacts) {
-  for (std::vector<double>* column :
-       {&impacts.time, &impacts.requested, &impacts.rate_before, &impacts.rate_after, &impacts.arm,
-        &impacts.tangential_error, &impacts.angular_error}) {
+  for (std::vector<double>* column : numbers(impacts)) {
     round_all(*column);
   }
 }
@@ -82,9 +87,7 @@ void keep(std::vector<Value>& column, const Places& places) {
 }
 
 void keep(ImpactColumns& impacts, const Places& places) {
-  for (std::vector<double>* column :
-       {&impacts.time, &impacts.requested, &impacts.rate_before, &impacts.rate_after, &impacts.arm,
-        &impacts.tangential_error, &impacts.angular_error}) {
+  for (std::vector<double>* column : numbers(impacts)) {
     keep(*column, places);
   }
   keep(impacts.cable, places);
@@ -134,8 +137,7 @@ double rounded(double value, int digits) {
                               : value;
 }
 
-RunRow drawable(const RunRow& row, std::size_t impacts) {
-  RunRow result = row;
+RunRow drawable(RunRow result, std::size_t impacts) {
   if (!result.path || !result.impacts) {
     return result;
   }
@@ -151,8 +153,7 @@ RunRow drawable(const RunRow& row, std::size_t impacts) {
   return result;
 }
 
-CaseRow drawable(const CaseRow& row) {
-  CaseRow result = row;
+CaseRow drawable(CaseRow result) {
   round_path(result.path);
   round_all(result.events.time);
   for (std::optional<double>& rate : result.events.rate) {

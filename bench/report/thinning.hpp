@@ -9,8 +9,8 @@ namespace tautline::bench {
 
 /// `row` with the digits that a drawing needs, and with no more than `impacts` impacts, the
 /// fastest; the others leave the path too.
-[[nodiscard]] RunRow drawable(const RunRow& row, std::size_t impacts);
-[[nodiscard]] CaseRow drawable(const CaseRow& row);
+[[nodiscard]] RunRow drawable(RunRow row, std::size_t impacts);
+[[nodiscard]] CaseRow drawable(CaseRow row);
 
 /// Impacts of one run of a report of `runs` runs, so that all of them have about 4 MB.
 [[nodiscard]] std::size_t impacts_per_run(std::size_t runs);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bench/measure/impact_match.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -31,17 +32,6 @@ double acceleration(const ReferenceCase& reference) {
     largest = std::max(largest, kinetic_energy(the_case.body, point.state));
   }
   return the_case.gravity.norm() + 2.0 * largest / the_case.body.mass / shortest_cable(the_case);
-}
-
-/// The impacts of `run` that close faster than `count_speed`.
-std::vector<const RecordedImpact*> counted(const Trajectory& run, double count_speed) {
-  std::vector<const RecordedImpact*> result;
-  for (const RecordedImpact& impact : run.impacts) {
-    if (-impact.rate_before > count_speed) {
-      result.push_back(&impact);
-    }
-  }
-  return result;
 }
 
 /// True where no other impact of the run is at the same time: those share one velocity jump.

@@ -28,10 +28,10 @@ Json whole(const Report& report) {
   Report drawn = report;
   const std::size_t impacts = impacts_per_run(report.runs.size());
   for (RunRow& run : drawn.runs) {
-    run = drawable(run, impacts);
+    run = drawable(std::move(run), impacts);
   }
   for (CaseRow& row : drawn.cases) {
-    row = drawable(row);
+    row = drawable(std::move(row));
   }
   Json json = {{"schema", report_schema},
                {"program", {{"name", "tautline"}, {"version", report.version}}}};

@@ -9,7 +9,7 @@ execute_process(COMMAND "${PROGRAM}" --gtest_list_tests --gtest_filter=*-${WITHO
 string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\.[^\n]*" lines "${listed}")
 set(suites "")
 foreach(line IN LISTS lines)
-  string(REGEX REPLACE "^\n?([^.]*/)?([A-Za-z0-9_]+)(/[0-9]+)?\\..*" "\\2" suite "${line}")
+  string(REGEX REPLACE "^\n?([^.]*/)?([A-Za-z0-9_]+)\\..*" "\\2" suite "${line}")
   list(APPEND suites "${suite}")
 endforeach()
 list(REMOVE_DUPLICATES suites)
@@ -20,7 +20,7 @@ endif()
 set(text "")
 foreach(suite IN LISTS suites)
   string(APPEND text
-    "add_test([=[${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*:*/${suite}.*:${suite}/*-${WITHOUT}]=])\n"
+    "add_test([=[${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*:*/${suite}.*-${WITHOUT}]=])\n"
     "set_tests_properties([=[${suite}]=] PROPERTIES TIMEOUT ${TIMEOUT})\n")
 endforeach()
 file(WRITE "${LIST}" "${text}")

@@ -47,8 +47,8 @@ void add_runs(const Report& report, std::vector<BrokenRow>& rows) {
     const Verdict& verdict = run.verdict.value();
     for (const Check& check : verdict.checks) {
       // runs that are not judged may say what they like, but not fail
-      const bool judged = verdict.word == Word::flagged || check.metric == failure;
-      if (judged && !check.holds && !check.known) {
+      const bool judged = verdict.word != Word::not_judged || check.metric == failure;
+      if (judged && check.holds == Holds::no && !check.known) {
         rows.push_back(broken_row(run, check));
       }
     }
@@ -80,7 +80,7 @@ Evidence evidence_on(const KnownDeviation& known, const Report& report, const Li
     for (const Check& check : run.verdict.value().checks) {
       if (check.metric == known.metric) {
         evidence.measured = true;
-        evidence.still = evidence.still || !check.holds;
+        evidence.still = evidence.still || check.holds == Holds::no;
       }
     }
   }
@@ -126,7 +126,7 @@ void add_idle(const Report& report, const Limits& limits, const Precisions& prec
     }
   }
   rows.push_back({"", "", "", "", "", "no checks", "",
-                  checked ? "every run is informative or unsupported: the file judges none"
+                  checked ? "the file says of every run that it is not judged"
                           : "no limit of the file is on any run: see its names of engines and "
                             "models"});
 }

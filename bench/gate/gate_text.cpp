@@ -28,10 +28,10 @@ std::string table_of(const std::vector<BrokenRow>& rows) {
   return table.plain() + "\n" + rest;
 }
 
-/// "3 pass, 1 deviation-flagged"
+/// "3 pass, 1 known deviation"
 std::string counts(const Report& report) {
   std::string result;
-  for (const Word word : {Word::pass, Word::flagged, Word::informative, Word::unsupported}) {
+  for (const Word word : all_words) {
     const auto count =
         std::count_if(report.runs.begin(), report.runs.end(),
                       [&](const RunRow& run) { return run.verdict.value().word == word; });

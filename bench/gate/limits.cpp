@@ -83,10 +83,9 @@ KnownDeviation read_known(StrictTable& table) {
   return known;
 }
 
-Unjudged read_unjudged(StrictTable& table, Word word) {
+Unjudged read_unjudged(StrictTable& table) {
   Unjudged unjudged;
   unjudged.runs = read_pattern(table);
-  unjudged.word = word;
   unjudged.reason = table.text("reason");
   table.refuse_unknown_keys();
   return unjudged;
@@ -108,13 +107,10 @@ Limits read_tables(const toml::table& file, FileProblems& findings) {
            "must be tables [[known]], each with engine, model, metric and reason")) {
     limits.known.push_back(read_known(table));
   }
-  for (const Word word : {Word::informative, Word::unsupported}) {
-    const std::string name = to_string(word);
-    for (StrictTable& table : root.optional_tables(
-             name, most_entries,
-             "must be tables [[" + name + "]], each with engine, model and reason")) {
-      limits.unjudged.push_back(read_unjudged(table, word));
-    }
+  for (StrictTable& table :
+       root.optional_tables("not_judged", most_entries,
+                            "must be tables [[not_judged]], each with engine, model and reason")) {
+    limits.unjudged.push_back(read_unjudged(table));
   }
   root.refuse_unknown_keys();
   return limits;

@@ -37,7 +37,6 @@ inline constexpr std::string_view failure = "failure";
 /// Runs that are not judged.
 struct Unjudged {
   RunPattern runs;
-  Word word = Word::informative;  // or unsupported
   std::string reason;
 };
 

@@ -47,6 +47,8 @@ class LimitsOnRun {
   std::string precision_;
 };
 
+Holds holds_if(bool it_does) { return it_does ? Holds::yes : Holds::no; }
+
 /// A run that failed or diverged; one that is known to and did not says so as well.
 std::optional<Check> failure_check(const RunRow& run, const LimitsOnRun& limits) {
   const bool worked = did_its_work(run.status);
@@ -55,7 +57,7 @@ std::optional<Check> failure_check(const RunRow& run, const LimitsOnRun& limits)
     return std::nullopt;
   }
   return Check{std::string(failure), std::nullopt,
-               std::nullopt,         worked,
+               std::nullopt,         holds_if(worked),
                known != nullptr,     known != nullptr ? known->reason : run.reason};
 }
 
@@ -72,7 +74,7 @@ std::optional<Check> metric_check(const RunRow& run, const LimitsOnRun& limits, 
   return Check{std::string(metric),
                value,
                most,
-               *value <= most,
+               holds_if(*value <= most),
                known != nullptr,
                known != nullptr ? known->reason : limit->reason};
 }
@@ -91,17 +93,29 @@ std::vector<Check> checks_of(const RunRow& run, const LimitsOnRun& limits) {
   return checks;
 }
 
-Word word_for(const RunRow& run, const std::vector<Check>& checks, const Unjudged* unjudged) {
-  if (unjudged != nullptr) {
-    return unjudged->word;
+bool broken(const Check& check) { return check.holds == Holds::no; }
+bool unknown(const Check& check) { return broken(check) && !check.known; }
+bool failed(const Check& check) { return broken(check) && check.metric == failure; }
+
+/// Failing is judged of every run, and limits of those that the file judges.
+Verdict verdict_on(const RunRow& run, std::vector<Check> checks, const Unjudged* unjudged) {
+  const auto any = [&](bool (*what)(const Check&)) {
+    return std::any_of(checks.begin(), checks.end(), what);
+  };
+  const auto with = [&](Word word, std::string reason = "") {
+    return Verdict{word, std::move(reason), std::move(checks)};
+  };
+  if (unjudged != nullptr && !any(failed)) {
+    return with(Word::not_judged, unjudged->reason);
   }
-  if (!std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.holds; })) {
-    return Word::flagged;
+  if (any(broken)) {
+    return with(any(unknown) ? Word::breaks_limit : Word::known_deviation);
   }
   if (run.status == Status::stopped) {
-    return Word::unsupported;
+    return with(Word::not_judged, "the model goes no further: " + run.reason);
   }
-  return checks.empty() ? Word::informative : Word::pass;
+  return checks.empty() ? with(Word::not_judged, "no limit is on what could be measured of it")
+                        : with(Word::pass);
 }
 
 }  // namespace
@@ -121,9 +135,7 @@ void add_verdicts(Report& report, const Limits& limits) {
   const Precisions precisions(report);
   for (RunRow& run : report.runs) {
     const LimitsOnRun on_run(limits, run.key, precisions.of(run.key));
-    std::vector<Check> checks = checks_of(run, on_run);
-    const Word word = word_for(run, checks, on_run.unjudged());
-    run.verdict = Verdict{word, std::move(checks)};
+    run.verdict = verdict_on(run, checks_of(run, on_run), on_run.unjudged());
   }
   report.limits = LimitsSource{limits.file, limits.version};
 }

@@ -30,10 +30,12 @@ std::string legend(const Report& report) {
       "the horizon.",
       line_length);
   if (report.limits) {
-    out += wrapped(fmt::format("verdict: By {}, version {}; flagged breaks a limit, known breaks "
-                               "only limits that it is known to break.",
+    out += wrapped(fmt::format("verdict: By {}, version {}, the worst of all cases.",
                                printable(report.limits->file), printable(report.limits->version)),
                    line_length);
+    for (const Word word : all_words) {
+      out += wrapped(fmt::format("{}: {}.", to_string(word), meaning_of(word)), line_length);
+    }
   }
   return out;
 }

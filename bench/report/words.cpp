@@ -62,9 +62,8 @@ constexpr const char* about_stops =
 
 constexpr const char* about_verdicts =
     "A **verdict** holds one run against a file of limits. The limit that decides it stands beside "
-    "the value. Over all cases the worst verdict is shown, and how many runs have it: *flagged* "
-    "breaks a limit, *known* breaks only limits that it is known to break. No engine is ranked: an "
-    "error depends on the model, on the step and on what it is for.";
+    "the value. Over all cases the worst verdict is shown, and how many runs have it. No engine is "
+    "ranked: an error depends on the model, on the step and on what it is for.";
 
 }  // namespace
 
@@ -92,8 +91,35 @@ std::vector<std::string> how_to_read(const Report& report) {
       about_energy,
       about_cost,
       about_stops,
-      about_verdicts,
+      about_verdicts + (" " + verdict_words()),
   };
+}
+
+std::string_view meaning_of(Word word) {
+  switch (word) {
+    case Word::pass:
+      return "every limit on the run that could be measured holds";
+    case Word::known_deviation:
+      return "the run breaks only limits that the file says it is known to break, with the reason";
+    case Word::breaks_limit:
+      return "the run breaks a limit, fails or diverges, and is not known to";
+    case Word::not_judged:
+      break;
+  }
+  return "the file does not judge the run, its model goes no further, or nothing that has a limit "
+         "could be measured";
+}
+
+std::string verdict_words() {
+  std::string out;
+  for (const Word word : all_words) {
+    out += fmt::format("{}*{}*: {}.", out.empty() ? "" : " ", to_string(word), meaning_of(word));
+  }
+  return out;
+}
+
+std::string verdict_text(const Verdict& verdict) {
+  return to_string(verdict.word) + (verdict.reason.empty() ? "" : ": " + printable(verdict.reason));
 }
 
 std::string how_to_read_causes() {

@@ -140,6 +140,7 @@ void fields(Visitor& visit, Check& check) {
 template <class Visitor>
 void fields(Visitor& visit, Verdict& verdict) {
   visit("word", verdict.word);
+  visit("reason", verdict.reason);
   visit("checks", verdict.checks);
 }
 

@@ -9,6 +9,7 @@
 #include "bench/gate/broken.hpp"
 #include "bench/gate/gate_text.hpp"
 #include "bench/gate/verdict.hpp"
+#include "bench/report/words.hpp"
 #include "tests/bench/gate/made_report.hpp"
 
 namespace tautline::bench::test {
@@ -76,7 +77,7 @@ TEST(Limits, AreOnAnyMetricOfTheListInItsUnit) {
     const Verdict& verdict = report.runs.front().verdict.value();
     ASSERT_EQ(verdict.checks.size(), 1U) << name;
     EXPECT_EQ(verdict.checks.front().metric, name);
-    EXPECT_EQ(verdict.word, Word::flagged) << name;
+    EXPECT_EQ(verdict.word, Word::breaks_limit) << name;
   }
 }
 
@@ -110,20 +111,31 @@ TEST(Verdict, WordsFollowFromStatusLimitsAndWhatIsNotJudged) {
   const Limits none;
   Report report = report_of(1.0);
   add_verdicts(report, none);
-  EXPECT_EQ(report.runs.front().verdict->word, Word::informative);
+  EXPECT_EQ(verdict_text(*report.runs.front().verdict),
+            "not judged: no limit is on what could be measured of it");
   Limits limits = limits_with("overstretch", 2.0);
   add_verdicts(report, limits);
   EXPECT_EQ(report.runs.front().verdict->word, Word::pass);
   report.runs.front().status = Status::stopped;
+  report.runs.front().reason = "a cable is taut";
   add_verdicts(report, limits);
-  EXPECT_EQ(report.runs.front().verdict->word, Word::unsupported);
+  EXPECT_EQ(verdict_text(*report.runs.front().verdict),
+            "not judged: the model goes no further: a cable is taut");
   report.runs.front().status = Status::diverged;
   add_verdicts(report, limits);
-  EXPECT_EQ(report.runs.front().verdict->word, Word::flagged);
-  limits.unjudged = {{runs_of("e"), Word::unsupported, "r"},
-                     {runs_of("e"), Word::informative, "r"}};
+  EXPECT_EQ(report.runs.front().verdict->word, Word::breaks_limit);
+  limits.unjudged = {{runs_of("e"), "first"}, {runs_of("e"), "last"}};
   add_verdicts(report, limits);
-  EXPECT_EQ(report.runs.front().verdict->word, Word::informative);
+  EXPECT_EQ(report.runs.front().verdict->word, Word::breaks_limit);  // to fail is judged always
+  limits.known = {{runs_of("e"), std::string(failure), "it does"}};
+  limits.unjudged.clear();
+  add_verdicts(report, limits);
+  EXPECT_EQ(report.runs.front().verdict->word, Word::known_deviation);
+  limits.known.clear();
+  limits.unjudged = {{runs_of("e"), "first"}, {runs_of("e"), "last"}};
+  report.runs.front().status = Status::finished;
+  add_verdicts(report, limits);
+  EXPECT_EQ(verdict_text(*report.runs.front().verdict), "not judged: last");
 }
 
 TEST(Gate, ABrokenLimitIsARowWithValueLimitUnitAndReason) {
@@ -139,7 +151,7 @@ TEST(Gate, ABrokenLimitIsARowWithValueLimitUnitAndReason) {
   EXPECT_EQ(rows[0].limit, "0.001 m");
   EXPECT_EQ(rows[0].reason, "a reason");
   const std::string text = gate_text(report, limits, rows);
-  EXPECT_NE(text.find("The gate is broken by 1 row (made.toml, version 1): 1 deviation-flagged."),
+  EXPECT_NE(text.find("The gate is broken by 1 row (made.toml, version 1): 1 breaks a limit."),
             std::string::npos)
       << text;
 }
@@ -150,9 +162,10 @@ TEST(Gate, HoldsWhileAKnownDeviationLastsAndIsBrokenWhenItStartsToHold) {
   Report report = report_of(1.0);
   add_verdicts(report, limits);
   EXPECT_TRUE(report.runs.front().verdict->checks.front().known);
+  EXPECT_EQ(report.runs.front().verdict->word, Word::known_deviation);
   EXPECT_TRUE(broken_rows(report, limits).empty());
   EXPECT_EQ(gate_text(report, limits, {}),
-            "The gate holds (made.toml, version 1): 1 deviation-flagged.\n");
+            "The gate holds (made.toml, version 1): 1 known deviation.\n");
   add_run(report, "e", 0.0, 1e-4);  // another run of the entry holds
   add_verdicts(report, limits);
   EXPECT_TRUE(broken_rows(report, limits).empty());
@@ -177,7 +190,7 @@ TEST(Gate, AKnownDeviationThatNoLimitTellsOrNoRunShows) {
 
 TEST(Gate, RunsAndEnginesThatFailBreakItEvenWhereTheyAreNotJudged) {
   Limits limits = limits_with("overstretch", 1.0);
-  limits.unjudged = {{runs_of("bad"), Word::informative, "r"}};
+  limits.unjudged = {{runs_of("bad"), "r"}};
   Report report = report_of(0.5);
   add_engine(report, "bad");
   add_bad_run(report, "bad", Status::failed, "crashed: SIGSEGV");
@@ -207,7 +220,7 @@ TEST(Gate, OneThatJudgesNoRunIsBroken) {
   EXPECT_NE(broken_rows(report, limits)[0].reason.find("no limit of the file is on any run"),
             std::string::npos);
   limits.limits[0].runs = runs_of("e");
-  limits.unjudged = {{runs_of("e"), Word::informative, "r"}};
+  limits.unjudged = {{runs_of("e"), "r"}};
   add_verdicts(report, limits);
   ASSERT_EQ(broken_rows(report, limits).size(), 1U);
   EXPECT_NE(broken_rows(report, limits)[0].reason.find("the file judges none"), std::string::npos);

@@ -7,6 +7,7 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/gate/unused.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -47,11 +48,13 @@ std::string counts(const Report& report) {
 std::string gate_text(const Report& report, const Limits& limits,
                       const std::vector<BrokenRow>& rows) {
   const std::string source = printable(limits.file) + ", version " + printable(limits.version);
+  const std::string unused = unused_entries(report, limits);
   if (rows.empty()) {
-    return fmt::format("The gate holds ({}): {}.\n", source, counts(report));
+    return unused + fmt::format("The gate holds ({}): {}.\n", source, counts(report));
   }
-  return table_of(rows) + fmt::format("The gate is broken by {} row{} ({}): {}.\n", rows.size(),
-                                      rows.size() == 1 ? "" : "s", source, counts(report));
+  return table_of(rows) + unused +
+         fmt::format("The gate is broken by {} row{} ({}): {}.\n", rows.size(),
+                     rows.size() == 1 ? "" : "s", source, counts(report));
 }
 
 }  // namespace tautline::bench

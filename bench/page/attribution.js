@@ -54,7 +54,7 @@
         legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0, traceorder: 'normal' },
         margin: { l: 64, r: 16, t: 70, b: 52 },
         xaxis: axis(colours, { rangemode: 'tozero',
-          title: { text: `${choice.case ? '' : 'median '}share of the parts [-]` } }),
+          title: { text: `${choice.case ? '' : 'mean '}share of the parts [-]` } }),
         yaxis: axis(colours, { title: { text: 'engine and model' }, type: 'category', ticks: '',
           tickfont: { size: 11 } }) },
     };

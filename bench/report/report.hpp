@@ -231,11 +231,19 @@ struct CausesRow {
   SetupKey key;
   std::size_t cases = 0;
   std::optional<MedianAndWorst> deviation;  // [m]
-  std::optional<CauseParts> shares;         // [-], median of each cause
+  std::optional<CauseParts> shares;         // [-], mean of each cause: they add up to 1
+  std::optional<double> covered;            // [-] of the horizon, median: later is not attributed
   std::optional<double> remainder;          // [-] of the deviation, largest
 };
 
-/// What one run cost.
+/// How far numbers lie about their median.
+struct Spread {
+  double smallest = 0.0;
+  double lower = 0.0;  // quartile
+  double upper = 0.0;  // quartile
+};
+
+/// What one run cost: medians over repetitions of the same motion.
 struct TimingRow {
   RunKey key;
   double memory = 0.0;          // [bytes], the most the worker held at once
@@ -243,6 +251,8 @@ struct TimingRow {
   double reference_cost = 0.0;  // [s], of one closed-form flight and its gaps
   double cost_ratio = 0.0;      // [-], of the two
   double second_cost = 0.0;     // [s], processor time of one simulated second
+  Spread second_spread;         // [s], of that over the repetitions
+  std::size_t repetitions = 0;  //
 };
 
 /// The cost for one engine, model and step: medians over the cases.
@@ -250,6 +260,8 @@ struct CostRow {
   SetupKey key;
   double cost_ratio = 0.0;   // [-]
   double second_cost = 0.0;  // [s]
+  Spread second_spread;      // [s], of that over the cases
+  std::size_t cases = 0;
 };
 
 /// What was asked of the suite.

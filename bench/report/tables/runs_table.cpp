@@ -77,6 +77,17 @@ std::string check_text(const Check& check) {
          (check.holds != Holds::no || check.reason.empty() ? "" : ": " + printable(check.reason));
 }
 
+/// "could not be measured: restitution error", or "".
+std::string unmeasured_text(const Verdict& verdict) {
+  std::vector<std::string> names;
+  for (const Check& check : verdict.checks) {
+    if (check.holds == Holds::not_measured) {
+      names.push_back(printable(in_words(check.metric)));
+    }
+  }
+  return names.empty() ? "" : "could not be measured: " + joined(names, "and");
+}
+
 /// The word, and below it the limits that matter.
 Cell verdict_cell(const std::optional<Verdict>& verdict) {
   if (!verdict) {
@@ -89,6 +100,9 @@ Cell verdict_cell(const std::optional<Verdict>& verdict) {
   }
   for (const Check* check : telling_checks(*verdict)) {
     cell.notes.push_back(check_text(*check));
+  }
+  if (const std::string text = unmeasured_text(*verdict); !text.empty()) {
+    cell.notes.push_back(text);
   }
   return cell;
 }

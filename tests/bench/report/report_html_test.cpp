@@ -66,7 +66,7 @@ Report full_report() {
     the_case.geometry = {cable, cable};
   }
   report.findings = {
-      {"e", "m", "threshold", "bounces slower than 0.2 m/s are lost", 0.2, "m/s", 3, 17}};
+      {"e", "m", "threshold", "bounces slower than 0.2 m/s are lost", 0.2, "m/s", 3, 17, {}}};
   bench::CausesRow causes;
   causes.key = {"e", "m", 0.01};
   causes.cases = 4;

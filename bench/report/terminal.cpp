@@ -89,9 +89,9 @@ std::string swing_sentence(const SwingMatch& swing) {
 }
 
 std::string restitution_sentence(const MeasuredRestitution& measured) {
-  return fmt::format("Restitution of {}: {:.4f} in the mean, from {:.4f} to {:.4f}.",
-                     counted(measured.count, "impact"), measured.mean, measured.smallest,
-                     measured.largest);
+  return fmt::format("Restitution of {}: {} in the mean, from {} to {}.",
+                     counted(measured.count, "impact"), fixed_text(measured.mean, 4),
+                     fixed_text(measured.smallest, 4), fixed_text(measured.largest, 4));
 }
 
 /// Settling, the swing, restitution and what was recorded, a sentence each.

@@ -114,8 +114,7 @@ double misfit(const Case& the_case, const Scheme& scheme, const std::vector<Witn
   return sum;
 }
 
-/// True where no impact of the run rebounds, by the audit's measure of a lost rebound. An impact
-/// that is still closing after its first step is not over, and tells nothing.
+/// True where no impact of the run rebounds once all its steps are over, by the audit's measure.
 bool ignores_restitution(const Case& the_case, const std::vector<Witness>& witnesses) {
   std::ptrdiff_t asked = 0;
   std::ptrdiff_t lost = 0;
@@ -123,7 +122,7 @@ bool ignores_restitution(const Case& the_case, const std::vector<Witness>& witne
     const double requested = restitution(the_case.cables[jump->cable], rate);
     if (requested >= asking) {
       ++asked;
-      lost += std::abs(left) < lost_part * requested * -rate ? 1 : 0;
+      lost += jump->rebound < lost_part * requested * -rate ? 1 : 0;
     }
   }
   return asked > 0 && static_cast<double>(asked - lost) <= wrong_side * static_cast<double>(asked);
@@ -289,7 +288,8 @@ double find_instant(const Case& the_case, const std::vector<Witness>& witnesses,
 Jump jump_of(const Case& the_case, const Trajectory& run, const RecordedImpact& impact) {
   const std::size_t most = run.points.size() - 2;
   const double steps = impact.time / run.step;
-  Jump jump{impact.time, 0, 0, impact.cable, impact.before, {}, 0.0, run.step, impact.steps == 0};
+  Jump jump{impact.time, 0,   0,        impact.cable,      impact.before,
+            {},          0.0, run.step, impact.steps == 0, impact.rate_after};
   // a start of a step is k times the step, but for rounding; a located instant is anywhere
   jump.first_step = std::min(most, static_cast<std::size_t>(jump.located ? steps : steps + 0.5));
   jump.last_step = std::min(most, jump.first_step + std::max<std::size_t>(1, impact.steps) - 1);

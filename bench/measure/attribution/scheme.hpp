@@ -23,6 +23,7 @@ struct Jump {
   double overstretch;      // [m], >= 0, before
   double dt;               // [s], the step
   bool located;            // the simulation named the instant
+  double rebound;          // [m/s], gap rate after the last of its steps, as recorded
   bool lost = false;       // it did not rebound, as all slow ones of the run, or as all
 };
 

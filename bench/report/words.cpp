@@ -158,9 +158,9 @@ CauseWords words_of(Cause cause) {
     case Cause::position_correction:
       return words("overstretch pushed out, by velocity on top of the bounce or as a shift");
     case Cause::threshold:
-      return words("slow impacts do not rebound, and faster ones do");
+      return words("the rebound of slow impacts is lost, and that of faster ones is not");
     case Cause::restitution_ignored:
-      return words("no impact rebounds, at any speed");
+      return words("no impact, at any speed, comes back with half of the restitution requested");
     case Cause::solver_residual:
       return words("what else the impulse did: a wrong size or a wrong direction");
     case Cause::taut_drift:

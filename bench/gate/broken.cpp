@@ -136,7 +136,7 @@ void add_unmeasured(const Report& report, const Limits& limits, const Precisions
       }
       Measured& of_limit = measured[on_run.limit(check.metric)];
       ++of_limit.runs;
-      of_limit.of_them += check.holds != Holds::not_measured ? 1 : 0;
+      of_limit.of_them += check.holds != Holds::not_measured ? 1U : 0U;
       of_limit.known = of_limit.known && check.known;
     }
   }

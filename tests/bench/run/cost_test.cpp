@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tautline/scenarios.hpp"
@@ -35,7 +37,7 @@ class CountingEngine final : public Engine {
 
   [[nodiscard]] EngineInfo info() const override { return {}; }
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& /*the_case*/,
-                                                  const std::string& /*model*/,
+                                                  std::string_view /*model*/,
                                                   const RunSettings& /*settings*/) const override {
     return std::make_unique<Counting>(ways_);
   }

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "bench/base/text.hpp"
+
 namespace tautline::bench {
 namespace {
 
@@ -140,7 +142,7 @@ std::string number_text(double value, Digits digits) {
     case Digits::Kind::error:
       return fmt::format("{:.1e}", value);
     case Digits::Kind::fixed:
-      return fmt::format("{:.{}f}", value, digits.count);
+      return fixed_text(value, digits.count);
     case Digits::Kind::shortest:
       break;
   }

@@ -1,5 +1,7 @@
 #include "bench/base/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -107,6 +109,12 @@ std::string shortest(double value) {
   std::array<char, 32> buffer{};  // the longest is 24 characters, as in -1.7976931348623157e+308
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return {buffer.data(), end};
+}
+
+std::string fixed_text(double value, int digits) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  const bool is_zero = text.find_first_of("123456789infa") == std::string::npos;
+  return is_zero && text.front() == '-' ? text.substr(1) : text;
 }
 
 std::vector<std::string> nearest(std::string_view name, std::span<const std::string> candidates) {

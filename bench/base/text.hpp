@@ -12,6 +12,9 @@ namespace tautline::bench {
 /// The shortest decimal that reads back as the same double: "0.1", "-0", "1e+20", "nan".
 [[nodiscard]] std::string shortest(double value);
 
+/// `value` with so many digits after the point: "0.9000". What rounds to zero has no sign.
+[[nodiscard]] std::string fixed_text(double value, int digits);
+
 /// Of `candidates`, at most three that `name` is likely to be a slip of, the likeliest first.
 /// Equally likely ones keep their order.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view name,

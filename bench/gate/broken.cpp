@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string_view>
 
 #include "bench/base/text.hpp"
+#include "bench/gate/limits_on_run.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/measure/metric_list.hpp"
 
@@ -30,6 +32,13 @@ void add_engines(const Report& report, std::vector<BrokenRow>& rows) {
   }
 }
 
+std::string value_text(const RunRow& run, const Check& check) {
+  if (check.value) {
+    return with_unit(*check.value, check.metric);
+  }
+  return check.metric == failure ? to_string(run.status) : "found";
+}
+
 /// A check of a run that does not hold.
 BrokenRow broken_row(const RunRow& run, const Check& check) {
   return {printable(run.key.engine),
@@ -37,7 +46,7 @@ BrokenRow broken_row(const RunRow& run, const Check& check) {
           printable(run.key.the_case),
           fmt::format("{:g}", run.key.step),
           printable(check.metric),
-          check.value ? with_unit(*check.value, check.metric) : to_string(run.status),
+          value_text(run, check),
           check.limit ? with_unit(*check.limit, check.metric) : "",
           printable(check.reason)};
 }
@@ -47,8 +56,8 @@ void add_runs(const Report& report, std::vector<BrokenRow>& rows) {
     const Verdict& verdict = run.verdict.value();
     for (const Check& check : verdict.checks) {
       // runs that are not judged may say what they like, but not fail
-      const bool judged = verdict.word == Word::flagged || check.metric == failure;
-      if (judged && !check.holds && !check.known) {
+      const bool judged = verdict.word != Word::not_judged || check.metric == failure;
+      if (judged && check.holds == Holds::no && !check.known) {
         rows.push_back(broken_row(run, check));
       }
     }
@@ -58,7 +67,7 @@ void add_runs(const Report& report, std::vector<BrokenRow>& rows) {
 /// What the runs of a report say of one known deviation.
 struct Evidence {
   const RunKey* run = nullptr;  // the last one that it is about; or null
-  bool limited = false;         // one of them has a limit on its metric
+  bool limited = false;         // one of them has a limit on its metric, or needs none
   bool measured = false;        // and could be held against it
   bool still = false;           // and breaks it
 };
@@ -73,14 +82,14 @@ Evidence evidence_on(const KnownDeviation& known, const Report& report, const Li
     }
     evidence.run = &run.key;
     evidence.limited =
-        evidence.limited || known.metric == failure ||
+        evidence.limited || known.metric == failure || is_finding(known.metric) ||
         std::any_of(limits.limits.begin(), limits.limits.end(), [&](const Limit& limit) {
           return limit.metric == known.metric && limit.runs.holds(run.key, precision);
         });
     for (const Check& check : run.verdict.value().checks) {
-      if (check.metric == known.metric) {
+      if (check.metric == known.metric && check.holds != Holds::not_measured) {
         evidence.measured = true;
-        evidence.still = evidence.still || !check.holds;
+        evidence.still = evidence.still || check.holds == Holds::no;
       }
     }
   }
@@ -93,7 +102,7 @@ void add_passing(const Report& report, const Limits& limits, const Precisions& p
   for (const KnownDeviation& known : limits.known) {
     const Evidence evidence = evidence_on(known, report, limits, precisions);
     const bool unlimited = evidence.run != nullptr && !evidence.limited;
-    if (!unlimited && (!evidence.measured || evidence.still)) {
+    if (!unlimited && (!evidence.measured || evidence.still || known.in_some)) {
       continue;
     }
     rows.push_back({printable(evidence.run->engine), printable(evidence.run->model),
@@ -104,6 +113,45 @@ void add_passing(const Report& report, const Limits& limits, const Precisions& p
                                  "known to break one; there: "
                                : "has started to hold: take it out of the manifest; there: ") +
                         printable(known.reason)});
+  }
+}
+
+/// How often a limit could be held against the runs that it counts for.
+struct Measured {
+  std::size_t runs = 0;
+  std::size_t of_them = 0;
+  bool known = true;  // all runs without are known not to hold it
+};
+
+/// Limits that protect nothing, as no run that they count for could be measured: an engine that
+/// stops to tell its impacts would break none.
+void add_unmeasured(const Report& report, const Limits& limits, const Precisions& precisions,
+                    std::vector<BrokenRow>& rows) {
+  std::map<const Limit*, Measured> measured;
+  for (const RunRow& run : report.runs) {
+    const LimitsOnRun on_run(limits, run.key, precisions.of(run.key));
+    for (const Check& check : run.verdict.value().checks) {
+      if (!check.limit || on_run.unjudged() != nullptr) {
+        continue;
+      }
+      Measured& of_limit = measured[on_run.limit(check.metric)];
+      ++of_limit.runs;
+      of_limit.of_them += check.holds != Holds::not_measured ? 1U : 0U;
+      of_limit.known = of_limit.known && check.known;
+    }
+  }
+  for (const Limit& limit : limits.limits) {
+    const auto found = measured.find(&limit);
+    if (found == measured.end() || found->second.of_them > 0 || found->second.known) {
+      continue;
+    }
+    rows.push_back({printable(limit.runs.engine), printable(limit.runs.model),
+                    printable(limit.runs.the_case),
+                    limit.runs.step ? fmt::format("{:g}", *limit.runs.step) : "", limit.metric,
+                    "not measured", "",
+                    fmt::format("could be measured on none of the {} runs that it counts for: it "
+                                "protects nothing; there: {}",
+                                found->second.runs, printable(limit.reason))});
   }
 }
 
@@ -126,7 +174,7 @@ void add_idle(const Report& report, const Limits& limits, const Precisions& prec
     }
   }
   rows.push_back({"", "", "", "", "", "no checks", "",
-                  checked ? "every run is informative or unsupported: the file judges none"
+                  checked ? "the file says of every run that it is not judged"
                           : "no limit of the file is on any run: see its names of engines and "
                             "models"});
 }
@@ -139,6 +187,7 @@ std::vector<BrokenRow> broken_rows(const Report& report, const Limits& limits) {
   add_engines(report, rows);
   add_runs(report, rows);
   add_passing(report, limits, precisions, rows);
+  add_unmeasured(report, limits, precisions, rows);
   add_idle(report, limits, precisions, rows);
   return rows;
 }

@@ -21,8 +21,9 @@ struct BrokenRow {
 };
 
 /// What breaks the gate, for a report with verdicts: limits that do not hold and are not known to,
-/// runs and engines that failed, known deviations of which no run of the report shows any or which
-/// no limit is on; and a gate that judges no run at all.
+/// findings that are not known, runs and engines that failed, known deviations of which no run of
+/// the report shows any or which no limit is on, limits that could be measured on no run; and a
+/// gate that judges no run at all.
 [[nodiscard]] std::vector<BrokenRow> broken_rows(const Report& report, const Limits& limits);
 
 }  // namespace tautline::bench

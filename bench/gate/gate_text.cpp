@@ -7,6 +7,7 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/gate/verdict.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -28,10 +29,10 @@ std::string table_of(const std::vector<BrokenRow>& rows) {
   return table.plain() + "\n" + rest;
 }
 
-/// "3 pass, 1 deviation-flagged"
+/// "3 pass, 1 known deviation"
 std::string counts(const Report& report) {
   std::string result;
-  for (const Word word : {Word::pass, Word::flagged, Word::informative, Word::unsupported}) {
+  for (const Word word : all_words) {
     const auto count =
         std::count_if(report.runs.begin(), report.runs.end(),
                       [&](const RunRow& run) { return run.verdict.value().word == word; });
@@ -42,16 +43,85 @@ std::string counts(const Report& report) {
   return result.empty() ? "no runs" : result;
 }
 
+/// More entries of a kind than these are counted, not named.
+constexpr std::size_t most_named = 5;
+
+constexpr std::size_t line_length = 80;  // [columns]
+
+/// "bullet64 contact restitution_error"
+std::string name_of(const KnownDeviation& known) {
+  const RunPattern& runs = known.runs;
+  return printable(fmt::format("{} {} {}{}{}", runs.engine, runs.model, known.metric,
+                               runs.the_case == "*" ? "" : " on " + runs.the_case,
+                               runs.step ? fmt::format(" at {:g} s", *runs.step) : ""));
+}
+
+/// "2 of 9 [[known]] entries are about no run here: ...", or "".
+std::string sentence(const std::vector<std::string>& names, std::size_t all, const char* what) {
+  if (names.empty()) {
+    return "";
+  }
+  std::string list;
+  for (std::size_t index = 0; index < std::min(most_named, names.size()); ++index) {
+    list += (index == 0 ? "" : "; ") + names[index];
+  }
+  if (names.size() > most_named) {
+    list += fmt::format("; and {} more", names.size() - most_named);
+  }
+  return wrapped(fmt::format("{} of {} [[known]] entries {}: {}.", names.size(), all, what, list),
+                 line_length);
+}
+
+/// Says which entries of a limits file are about no run of the report, and which known deviations
+/// no run of it shows, though that breaks nothing: subsets are run too.
+std::string unused_entries(const Report& report, const Limits& limits) {
+  const Precisions precisions(report);
+  const auto meant = [&](const RunPattern& runs, const RunRow& run) {
+    return runs.holds(run.key, precisions.of(run.key));
+  };
+  std::vector<std::string> without_runs;
+  std::vector<std::string> not_shown;
+  for (const KnownDeviation& known : limits.known) {
+    bool any = false;
+    bool shown = false;
+    for (const RunRow& run : report.runs) {
+      if (!meant(known.runs, run)) {
+        continue;
+      }
+      any = true;
+      const auto& checks = run.verdict.value().checks;
+      shown = shown || std::any_of(checks.begin(), checks.end(), [&](const Check& check) {
+                return check.metric == known.metric && check.holds != Holds::yes;
+              });
+    }
+    if (!shown) {
+      (any ? not_shown : without_runs).push_back(name_of(known));
+    }
+  }
+  const auto idle =
+      std::count_if(limits.limits.begin(), limits.limits.end(), [&](const Limit& one) {
+        return std::none_of(report.runs.begin(), report.runs.end(),
+                            [&](const RunRow& run) { return meant(one.runs, run); });
+      });
+  return sentence(without_runs, limits.known.size(), "are about no run of this report") +
+         sentence(not_shown, limits.known.size(), "are shown by no run of this report") +
+         (idle > 0 ? fmt::format("{} of {} limits are about no run of this report.\n", idle,
+                                 limits.limits.size())
+                   : "");
+}
+
 }  // namespace
 
 std::string gate_text(const Report& report, const Limits& limits,
                       const std::vector<BrokenRow>& rows) {
   const std::string source = printable(limits.file) + ", version " + printable(limits.version);
+  const std::string unused = unused_entries(report, limits);
   if (rows.empty()) {
-    return fmt::format("The gate holds ({}): {}.\n", source, counts(report));
+    return unused + fmt::format("The gate holds ({}): {}.\n", source, counts(report));
   }
-  return table_of(rows) + fmt::format("The gate is broken by {} row{} ({}): {}.\n", rows.size(),
-                                      rows.size() == 1 ? "" : "s", source, counts(report));
+  return table_of(rows) + unused +
+         fmt::format("The gate is broken by {} row{} ({}): {}.\n", rows.size(),
+                     rows.size() == 1 ? "" : "s", source, counts(report));
 }
 
 }  // namespace tautline::bench

@@ -2,10 +2,12 @@
 
 #include "bench/gate/limits.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include "bench/base/input_file.hpp"
+#include "bench/base/text.hpp"
 #include "bench/base/toml/problems.hpp"
 #include "bench/base/toml/strict_table.hpp"
 #include "bench/base/toml/value.hpp"
@@ -32,9 +34,15 @@ std::vector<std::string> metric_names() {
   return names;
 }
 
-std::vector<std::string> metric_names_and_failure() {
+/// What runs may be known for.
+std::vector<std::string> names_of_deviations() {
   std::vector<std::string> names = metric_names();
   names.emplace_back(failure);
+  for (const FindingKind& kind : finding_kinds) {
+    if (kind.contradicts_a_pass) {
+      names.emplace_back(kind.name);
+    }
+  }
   return names;
 }
 
@@ -44,7 +52,72 @@ std::string unit_of(const std::string& name) {
   return place ? std::string(metric_list()[*place].unit) : "";
 }
 
-RunPattern read_pattern(StrictTable& table) {
+/// Holds the patterns of a file against the names that there are.
+class Names {
+ public:
+  explicit Names(const LimitNames& names) : names_(names) {
+    for (const LimitNames::Engine& engine : names.engines) {
+      engines_.push_back(engine.name);
+    }
+  }
+
+  void check(const RunPattern& runs, StrictTable& table) const {
+    check_slip("engine", runs.engine, engines_, table);
+    check_model(runs, table);
+    check_case(runs.the_case, table);
+  }
+
+ private:
+  static bool any_matches(const std::string& pattern, const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return matches(pattern, name); });
+  }
+
+  /// A name that is none of `names`, and nearly one.
+  static void check_slip(const char* key, const std::string& pattern,
+                         const std::vector<std::string>& names, StrictTable& table) {
+    const std::string near = suggestion(pattern, names);
+    if (!near.empty() && !any_matches(pattern, names)) {
+      table.refuse_value(key, std::string("there is no such ") + key + near);
+    }
+  }
+
+  /// A model that none of the engines has, all of them being here.
+  void check_model(const RunPattern& runs, StrictTable& table) const {
+    std::vector<std::string> models;
+    bool all_here = true;
+    for (const LimitNames::Engine& engine : names_.engines) {
+      if (matches(runs.engine, engine.name)) {
+        all_here = all_here && engine.models;
+        const auto& own = engine.models ? *engine.models : std::vector<std::string>();
+        models.insert(models.end(), own.begin(), own.end());
+      }
+    }
+    if (!models.empty() && all_here && !any_matches(runs.model, models)) {
+      std::sort(models.begin(), models.end());
+      models.erase(std::unique(models.begin(), models.end()), models.end());
+      const std::string near = suggestion(runs.model, models);
+      table.refuse_value("model", "no engine that this means has such a model" +
+                                      (near.empty() ? ", must be " + joined(models, "or") : near));
+    }
+  }
+
+  /// A case that its series does not have.
+  void check_case(const std::string& pattern, StrictTable& table) const {
+    const std::string series = pattern.substr(0, pattern.find('/') + 1);
+    const bool known = !series.empty() && any_matches(series + "*", names_.cases);
+    if (known && !any_matches(pattern, names_.cases)) {
+      table.refuse_value("case", "there is no such case" + suggestion(pattern, names_.cases));
+    } else {
+      check_slip("case", pattern, names_.cases, table);
+    }
+  }
+
+  const LimitNames& names_;
+  std::vector<std::string> engines_;
+};
+
+RunPattern read_pattern(StrictTable& table, const Names& names) {
   RunPattern runs;
   runs.engine = table.text("engine");
   runs.model = table.text("model");
@@ -52,12 +125,13 @@ RunPattern read_pattern(StrictTable& table) {
   const std::vector<std::string> precisions = {"float64", "float32"};
   runs.precision = table.optional_one_of("precision", precisions).value_or("*");
   runs.step = table.optional_number("step", above_zero, "[s]");
+  names.check(runs, table);
   return runs;
 }
 
-Limit read_limit(StrictTable& table) {
+Limit read_limit(StrictTable& table, const Names& names) {
   Limit limit;
-  limit.runs = read_pattern(table);
+  limit.runs = read_pattern(table, names);
   limit.metric = table.one_of("metric", metric_names());
   const std::string unit = unit_of(limit.metric);
   const std::string shown = unit.empty() ? "" : "[" + unit + "]";
@@ -74,25 +148,25 @@ Limit read_limit(StrictTable& table) {
   return limit;
 }
 
-KnownDeviation read_known(StrictTable& table) {
+KnownDeviation read_known(StrictTable& table, const Names& names) {
   KnownDeviation known;
-  known.runs = read_pattern(table);
-  known.metric = table.one_of("metric", metric_names_and_failure());
+  known.runs = read_pattern(table, names);
+  known.metric = table.one_of("metric", names_of_deviations());
+  known.in_some = table.flag("in_some");
   known.reason = table.text("reason");
   table.refuse_unknown_keys();
   return known;
 }
 
-Unjudged read_unjudged(StrictTable& table, Word word) {
+Unjudged read_unjudged(StrictTable& table, const Names& names) {
   Unjudged unjudged;
-  unjudged.runs = read_pattern(table);
-  unjudged.word = word;
+  unjudged.runs = read_pattern(table, names);
   unjudged.reason = table.text("reason");
   table.refuse_unknown_keys();
   return unjudged;
 }
 
-Limits read_tables(const toml::table& file, FileProblems& findings) {
+Limits read_tables(const toml::table& file, const Names& names, FileProblems& findings) {
   StrictTable root(&file, "", findings);
   Limits limits;
   static_cast<void>(root.number("schema", right_schema, ""));
@@ -101,20 +175,20 @@ Limits read_tables(const toml::table& file, FileProblems& findings) {
        root.tables("limits", most_entries,
                    "must be tables [[limits]], each with engine, model, metric, limit, unit and "
                    "reason")) {
-    limits.limits.push_back(read_limit(table));
+    limits.limits.push_back(read_limit(table, names));
   }
   for (StrictTable& table : root.optional_tables(
            "known", most_entries,
            "must be tables [[known]], each with engine, model, metric and reason")) {
-    limits.known.push_back(read_known(table));
+    limits.known.push_back(read_known(table, names));
   }
-  for (const Word word : {Word::informative, Word::unsupported}) {
-    const std::string name = to_string(word);
-    for (StrictTable& table : root.optional_tables(
-             name, most_entries,
-             "must be tables [[" + name + "]], each with engine, model and reason")) {
-      limits.unjudged.push_back(read_unjudged(table, word));
-    }
+  for (StrictTable& table :
+       root.optional_tables("not_judged", most_entries,
+                            "must be tables [[not_judged]], each with engine, model and reason")) {
+    limits.unjudged.push_back(read_unjudged(table, names));
+  }
+  for (const char* old : {"informative", "unsupported"}) {
+    root.refuse_value(old, "is now [[not_judged]], with engine, model and reason");
   }
   root.refuse_unknown_keys();
   return limits;
@@ -122,13 +196,19 @@ Limits read_tables(const toml::table& file, FileProblems& findings) {
 
 }  // namespace
 
-LimitsReading read_limits_text(std::string_view text, const std::string& source_name) {
+bool is_finding(std::string_view metric) {
+  return std::any_of(finding_kinds.begin(), finding_kinds.end(),
+                     [metric](const FindingKind& kind) { return kind.name == metric; });
+}
+
+LimitsReading read_limits_text(std::string_view text, const std::string& source_name,
+                               const LimitNames& names) {
   FileProblems findings(source_name);
   const std::optional<toml::table> file = parse_toml(text, findings);
   if (!file) {
     return {std::nullopt, findings.sentences()};
   }
-  Limits limits = read_tables(*file, findings);
+  Limits limits = read_tables(*file, Names(names), findings);
   if (!findings.empty()) {
     return {std::nullopt, findings.sentences()};
   }
@@ -136,14 +216,14 @@ LimitsReading read_limits_text(std::string_view text, const std::string& source_
   return {std::move(limits), {}};
 }
 
-LimitsReading read_limits_file(const std::filesystem::path& path) {
+LimitsReading read_limits_file(const std::filesystem::path& path, const LimitNames& names) {
   const InputFile file = read_input_file(path, longest_limits_file);
   if (file.problem) {
     FileProblems findings(path.native());
     findings.add(0, *file.problem);
     return {std::nullopt, findings.sentences()};
   }
-  return read_limits_text(file.content, path.native());
+  return read_limits_text(file.content, path.native(), names);
 }
 
 Limits shipped_limits() {

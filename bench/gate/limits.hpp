@@ -26,18 +26,22 @@ struct Limit {
   }
 };
 
-/// A limit that runs are known to break, or `failure`: that they are known to fail or diverge.
+/// A limit that runs are known to break; or `failure`: that they are known to fail or diverge; or a
+/// kind of finding that the audit is known to make in them.
 struct KnownDeviation {
   RunPattern runs;
   std::string metric;
   std::string reason;
+  bool in_some = false;  // of these runs: that none breaks it in a report says nothing
 };
 inline constexpr std::string_view failure = "failure";
+
+/// True of a kind of finding, which shows where there is enough to find it in.
+[[nodiscard]] bool is_finding(std::string_view metric);
 
 /// Runs that are not judged.
 struct Unjudged {
   RunPattern runs;
-  Word word = Word::informative;  // or unsupported
   std::string reason;
 };
 
@@ -59,8 +63,23 @@ struct LimitsReading {
 /// The number of the manifest's form: its key `schema`.
 inline constexpr int limits_schema = 1;
 
-[[nodiscard]] LimitsReading read_limits_file(const std::filesystem::path& path);
-[[nodiscard]] LimitsReading read_limits_text(std::string_view text, const std::string& source_name);
+/// The names that there are, against which those of a limits file are held.
+struct LimitNames {
+  struct Engine {
+    std::string name;
+    std::optional<std::vector<std::string>> models;  // none where it is not here to be asked
+  };
+  std::vector<Engine> engines;
+  std::vector<std::string> cases;
+};
+
+/// A model that an engine of `names` does not have, a case that a series of `names` does not have,
+/// and any name that is nearly one of `names` is a mistake. Other names are not: an engine or a
+/// case of the user's own need not be there each time.
+[[nodiscard]] LimitsReading read_limits_file(const std::filesystem::path& path,
+                                             const LimitNames& names = {});
+[[nodiscard]] LimitsReading read_limits_text(std::string_view text, const std::string& source_name,
+                                             const LimitNames& names = {});
 
 /// bench/gate/limits.toml as it was when the program was built.
 [[nodiscard]] Limits shipped_limits();

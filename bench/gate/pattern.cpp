@@ -7,9 +7,13 @@
 namespace tautline::bench {
 namespace {
 
-/// Patterns have * and ? alone: what else is special for fnmatch stands for itself.
+/// Steps this near are the same: 0.001 from a file and from a command line [-].
+constexpr double same_step = 1e-9;
+
+}  // namespace
+
 bool matches(const std::string& pattern, const std::string& name) {
-  std::string escaped;
+  std::string escaped;  // what else is special for fnmatch stands for itself
   for (const char letter : pattern) {
     if (letter == '[' || letter == ']' || letter == '\\') {
       escaped += '\\';
@@ -18,11 +22,6 @@ bool matches(const std::string& pattern, const std::string& name) {
   }
   return ::fnmatch(escaped.c_str(), name.c_str(), 0) == 0;
 }
-
-/// Steps this near are the same: 0.001 from a file and from a command line [-].
-constexpr double same_step = 1e-9;
-
-}  // namespace
 
 bool RunPattern::holds(const RunKey& run, const std::string& precision_of_run) const {
   return matches(engine, run.engine) && matches(model, run.model) &&

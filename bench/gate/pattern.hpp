@@ -7,6 +7,9 @@
 
 namespace tautline::bench {
 
+/// True where `name` is one that `pattern` means: * and ? are as for files, and nothing else is.
+[[nodiscard]] bool matches(const std::string& pattern, const std::string& name);
+
 /// Which runs an entry of a limits file is about. Names are patterns as for files: * and ?.
 struct RunPattern {
   std::string engine = "*";

@@ -9,43 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "bench/gate/limits_on_run.hpp"
 #include "bench/measure/metric_list.hpp"
 
 namespace tautline::bench {
 namespace {
 
-/// What the limits say of one run: of several entries the last counts, as the special stands behind
-/// the general.
-class LimitsOnRun {
- public:
-  LimitsOnRun(const Limits& limits, const RunKey& run, std::string precision)
-      : limits_(limits), run_(run), precision_(std::move(precision)) {}
-
-  // each is null without one
-
-  [[nodiscard]] const Limit* limit(std::string_view metric) const {
-    return last(limits_.limits, [&](const Limit& limit) { return limit.metric == metric; });
-  }
-  [[nodiscard]] const KnownDeviation* known(std::string_view metric) const {
-    return last(limits_.known, [&](const KnownDeviation& known) { return known.metric == metric; });
-  }
-  [[nodiscard]] const Unjudged* unjudged() const {
-    return last(limits_.unjudged, [](const Unjudged&) { return true; });
-  }
-
- private:
-  template <class Entry, class Fits>
-  [[nodiscard]] const Entry* last(const std::vector<Entry>& entries, const Fits& fits) const {
-    const auto found = std::find_if(entries.rbegin(), entries.rend(), [&](const Entry& entry) {
-      return fits(entry) && entry.runs.holds(run_, precision_);
-    });
-    return found != entries.rend() ? &*found : nullptr;
-  }
-
-  const Limits& limits_;
-  const RunKey& run_;
-  std::string precision_;
-};
+Holds holds_if(bool it_does) { return it_does ? Holds::yes : Holds::no; }
 
 /// A run that failed or diverged; one that is known to and did not says so as well.
 std::optional<Check> failure_check(const RunRow& run, const LimitsOnRun& limits) {
@@ -55,29 +25,56 @@ std::optional<Check> failure_check(const RunRow& run, const LimitsOnRun& limits)
     return std::nullopt;
   }
   return Check{std::string(failure), std::nullopt,
-               std::nullopt,         worked,
+               std::nullopt,         holds_if(worked),
                known != nullptr,     known != nullptr ? known->reason : run.reason};
 }
 
-/// The limit on the metric at this place of the list; none too where that could not be measured.
+/// The limit on the metric at this place of the list, if there is one.
 std::optional<Check> metric_check(const RunRow& run, const LimitsOnRun& limits, std::size_t place) {
   const std::string_view metric = metric_list()[place].name;
-  const std::optional<double> value = run.metric(place);
-  const Limit* limit = value ? limits.limit(metric) : nullptr;
+  const Limit* limit = limits.limit(metric);
   if (limit == nullptr) {
     return std::nullopt;
   }
   const double most = limit->at(run.key.step);
+  const std::optional<double> value = run.metric(place);
   const KnownDeviation* known = limits.known(metric);
   return Check{std::string(metric),
                value,
                most,
-               *value <= most,
+               value ? holds_if(*value <= most) : Holds::not_measured,
                known != nullptr,
                known != nullptr ? known->reason : limit->reason};
 }
 
-std::vector<Check> checks_of(const RunRow& run, const LimitsOnRun& limits) {
+/// What was found in the run, whatever its numbers are.
+Check finding_check(const Finding& finding, const LimitsOnRun& limits) {
+  const KnownDeviation* known = limits.known(finding.kind);
+  return Check{finding.kind, std::nullopt,     std::nullopt,
+               Holds::no,    known != nullptr, known != nullptr ? known->reason : finding.sentence};
+}
+
+/// The findings by the runs that they are about, of those kinds that contradict a pass.
+using FindingsOnRuns = std::map<RunKey, std::vector<const Finding*>>;
+
+FindingsOnRuns findings_on_runs(const std::vector<Finding>& findings) {
+  FindingsOnRuns result;
+  for (const Finding& finding : findings) {
+    const bool contradicts =
+        std::any_of(finding_kinds.begin(), finding_kinds.end(), [&](const FindingKind& kind) {
+          return kind.name == finding.kind && kind.contradicts_a_pass;
+        });
+    for (const RunOfModel& run : finding.shown_in) {
+      if (contradicts) {
+        result[{run.the_case, finding.engine, finding.model, run.step}].push_back(&finding);
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<Check> checks_of(const RunRow& run, const std::vector<const Finding*>& findings,
+                             const LimitsOnRun& limits) {
   std::vector<Check> checks;
   const auto add = [&](std::optional<Check> check) {
     if (check) {
@@ -85,23 +82,43 @@ std::vector<Check> checks_of(const RunRow& run, const LimitsOnRun& limits) {
     }
   };
   add(failure_check(run, limits));
-  for (std::size_t place = 0; place < metric_list().size(); ++place) {
+  for (const Finding* finding : findings) {
+    add(finding_check(*finding, limits));
+  }
+  // a run without metrics has failed, which its check says
+  for (std::size_t place = 0; run.metrics && place < metric_list().size(); ++place) {
     add(metric_check(run, limits, place));
   }
   return checks;
 }
 
-Word word_for(const RunRow& run, const std::vector<Check>& checks, const Unjudged* unjudged) {
-  if (unjudged != nullptr) {
-    return unjudged->word;
+bool held(const Check& check) { return check.holds == Holds::yes; }
+bool broken(const Check& check) { return check.holds == Holds::no; }
+bool unknown(const Check& check) { return broken(check) && !check.known; }
+bool failed(const Check& check) { return broken(check) && check.metric == failure; }
+
+/// Failing is judged of every run, and limits of those that the file judges.
+Verdict verdict_on(const RunRow& run, std::vector<Check> checks, const Unjudged* unjudged) {
+  const auto any = [&](bool (*what)(const Check&)) {
+    return std::any_of(checks.begin(), checks.end(), what);
+  };
+  const auto with = [&](Word word, std::string reason = "") {
+    return Verdict{word, std::move(reason), std::move(checks)};
+  };
+  if (unjudged != nullptr && !any(failed)) {
+    return with(Word::not_judged, unjudged->reason);
   }
-  if (!std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.holds; })) {
-    return Word::flagged;
+  if (any(broken)) {
+    return with(any(unknown) ? Word::breaks_limit : Word::known_deviation);
   }
   if (run.status == Status::stopped) {
-    return Word::unsupported;
+    return with(Word::not_judged, "the model goes no further: " + run.reason);
   }
-  return checks.empty() ? Word::informative : Word::pass;
+  if (checks.empty()) {
+    return with(Word::not_judged, "no limit is on it");
+  }
+  return any(held) ? with(Word::pass)
+                   : with(Word::not_judged, "nothing that has a limit could be measured");
 }
 
 }  // namespace
@@ -119,11 +136,10 @@ std::string Precisions::of(const RunKey& run) const {
 
 void add_verdicts(Report& report, const Limits& limits) {
   const Precisions precisions(report);
+  FindingsOnRuns findings = findings_on_runs(report.findings);
   for (RunRow& run : report.runs) {
     const LimitsOnRun on_run(limits, run.key, precisions.of(run.key));
-    std::vector<Check> checks = checks_of(run, on_run);
-    const Word word = word_for(run, checks, on_run.unjudged());
-    run.verdict = Verdict{word, std::move(checks)};
+    run.verdict = verdict_on(run, checks_of(run, findings[run.key], on_run), on_run.unjudged());
   }
   report.limits = LimitsSource{limits.file, limits.version};
 }

@@ -19,7 +19,8 @@ class Precisions {
   std::map<std::string, std::string> by_name_;
 };
 
-/// Holds every run of `report` against `limits`: each gets a verdict, the report their source.
+/// Holds every run of `report` against `limits`: each gets a verdict, the report their source. A
+/// run that shows a finding of the audit never passes: at best the finding is known.
 void add_verdicts(Report& report, const Limits& limits);
 
 }  // namespace tautline::bench

@@ -97,9 +97,11 @@ ImpactMatch impacts_until(double end, const std::vector<CountedImpact>& exact,
   result.exact = static_cast<std::size_t>(std::count_if(exact.begin(), exact.end(), inside));
   result.found = static_cast<std::size_t>(std::count_if(found.begin(), found.end(), inside));
   for (const auto& [i, j] : pairs) {
+    result.found -= inside(found[j]) ? 1U : 0U;  // a pair counts by its exact impact, on both sides
     if (!inside(exact[i])) {
       continue;
     }
+    ++result.found;
     const double error = std::abs(exact[i].time - found[j].time);
     ++result.matched;
     result.worst_time_error = std::max(result.worst_time_error.value_or(0.0), error);

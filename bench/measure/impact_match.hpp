@@ -35,8 +35,9 @@ using ImpactPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 /// The same, reduced to what matching needs.
 [[nodiscard]] std::vector<CountedImpact> counted_impacts(const Trajectory& run, double count_speed);
 
-/// The impacts up to `end` [s]. Pairs belong to the window of their exact impact: one that the run
-/// has a moment after the window is not missed.
+/// The impacts up to `end` [s]. Both of a pair belong to the window of the exact one: what the run
+/// has a moment after the window is not missed. So no more are matched than there are on either
+/// side.
 [[nodiscard]] ImpactMatch impacts_until(double end, const std::vector<CountedImpact>& exact,
                                         const std::vector<CountedImpact>& found,
                                         const ImpactPairs& pairs);

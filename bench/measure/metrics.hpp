@@ -25,7 +25,7 @@ struct Deviation {
 /// Impacts of a run against those of the exact solution, over one window.
 struct ImpactMatch {
   std::size_t exact = 0;                   // counted impacts of the exact solution
-  std::size_t found = 0;                   // counted impacts of the run
+  std::size_t found = 0;                   // counted impacts of the run: >= `matched`
   std::size_t matched = 0;                 // pairs, one to one
   std::optional<double> first_time_error;  // [s], of the exact solution's first counted impact
   std::optional<double> worst_time_error;  // [s], over the pairs

@@ -25,15 +25,16 @@
     return sum > 0 ? Object.fromEntries(causes.map(([name], i) => [name, sizes[i] / sum])) : null;
   }
 
-  /// {name, shares, deviation} of what is drawn, first on top.
+  /// {name, shares, deviation, covered} of what is drawn, first on top.
   function rows() {
     const fits = (row) => !choice.step || String(row.step) === choice.step;
     const name = (row) => `${row.engine} ${row.model}${choice.step ? '' : `, ${number(row.step)} s`}`;
     const found = choice.case
       ? report.runs.filter((run) => run.case === choice.case && fits(run)).map((run) => ({
-        name: name(run), shares: sharesOf(run), deviation: run.attribution && run.attribution.deviation }))
+        name: name(run), shares: sharesOf(run), deviation: run.attribution && run.attribution.deviation,
+        covered: run.attribution && run.attribution.covered }))
       : (report.causes || []).filter(fits).map((row) => ({ name: name(row),
-        shares: row.shares, deviation: row.deviation && row.deviation.median }));
+        shares: row.shares, deviation: row.deviation && row.deviation.median, covered: row.covered }));
     return found.filter((row) => row.shares && causes.some(([cause]) => row.shares[cause] > 0)).reverse();
   }
 
@@ -45,8 +46,8 @@
     return {
       data: causes.map(([cause, text, hatch], i) => ({ type: 'bar', orientation: 'h', name: text,
         y: found.map((row) => row.name), x: found.map((row) => row.shares[cause] || 0),
-        customdata: found.map((row) => number(row.deviation)),
-        hovertemplate: `<b>%{y}</b><br>${text}: %{x:.1%}; deviation %{customdata} m<extra></extra>`,
+        customdata: found.map((row) => [number(row.deviation), number(100 * row.covered, 2)]),
+        hovertemplate: `<b>%{y}</b><br>${text}: %{x:.1%}; deviation %{customdata[0]} m, in the first %{customdata[1]} %<br>of the time to the horizon<extra></extra>`,
         marker: { color: colours.engines[i], line: { color: colours.paper, width: 0.6 },
           pattern: { shape: hatch, bgcolor: colours.engines[i], fgcolor: colours.paper, size: 6,
             solidity: 0.3 } } })),
@@ -54,7 +55,7 @@
         legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0, traceorder: 'normal' },
         margin: { l: 64, r: 16, t: 70, b: 52 },
         xaxis: axis(colours, { rangemode: 'tozero',
-          title: { text: `${choice.case ? '' : 'median '}share of the parts [-]` } }),
+          title: { text: `${choice.case ? '' : 'mean '}share of the parts [-]` } }),
         yaxis: axis(colours, { title: { text: 'engine and model' }, type: 'category', ticks: '',
           tickfont: { size: 11 } }) },
     };

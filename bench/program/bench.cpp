@@ -19,6 +19,7 @@
 #include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/limit_names.hpp"
 #include "bench/program/options.hpp"
 #include "bench/report/html/page.hpp"
 #include "bench/report/json/json.hpp"
@@ -89,7 +90,8 @@ Request read_request(const BenchCommand& command) {
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   append(request.problems, suite_problems(options));
   if (command.gate) {
-    LimitsReading reading = read_limits_file(*command.gate);
+    LimitsReading reading =
+        read_limits_file(*command.gate, limit_names(options.engines, options.cases));
     append(request.problems, reading.problems);
     request.limits = std::move(reading.limits).value_or(Limits());
   } else {

@@ -47,12 +47,12 @@ std::vector<std::string> event_cells(const Case& the_case, const Event& event) {
           cable_list(event.cables),
           fmt::format("{:.6e}", closing),
           fmt::format("{:.6e}", event.impulses.sum()),
-          fmt::format("{:.6f}", after.position.x()),
-          fmt::format("{:.6f}", after.position.y()),
-          fmt::format("{:.6f}", after.angle),
-          fmt::format("{:.6f}", after.velocity.x()),
-          fmt::format("{:.6f}", after.velocity.y()),
-          fmt::format("{:.6f}", after.spin)};
+          fixed_text(after.position.x(), 6),
+          fixed_text(after.position.y(), 6),
+          fixed_text(after.angle, 6),
+          fixed_text(after.velocity.x(), 6),
+          fixed_text(after.velocity.y(), 6),
+          fixed_text(after.spin, 6)};
 }
 
 /// Everything `solve` says of a case beside its motion.

@@ -20,14 +20,14 @@ const char* to_string(Word word) {
   switch (word) {
     case Word::pass:
       return "pass";
-    case Word::flagged:
-      return "deviation-flagged";
-    case Word::informative:
-      return "informative";
-    case Word::unsupported:
+    case Word::known_deviation:
+      return "known deviation";
+    case Word::breaks_limit:
+      return "breaks a limit";
+    case Word::not_judged:
       break;
   }
-  return "unsupported";
+  return "not judged";
 }
 
 }  // namespace tautline::bench

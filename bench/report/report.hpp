@@ -19,7 +19,7 @@ namespace tautline::bench {
 // the gate and the comparison of two reports are drawn from it alone.
 
 /// The number of the report's form: its key `schema`.
-inline constexpr int report_schema = 4;
+inline constexpr int report_schema = 5;
 
 /// One run among those of a report.
 struct RunKey {
@@ -102,27 +102,28 @@ struct RunDetails {
   }
 };
 
-/// What a verdict comes to.
-enum class Word {
-  pass,         // every limit on the run holds
-  flagged,      // a limit does not hold, or the run failed or diverged
-  informative,  // no limit is on it, or the limits say that it is not judged
-  unsupported,  // the model goes no further, or the limits say so
-};
-[[nodiscard]] const char* to_string(Word word);  // "pass", "deviation-flagged", ...
+/// What a verdict comes to: the words that everything says. Their meanings: words.hpp.
+enum class Word { pass, known_deviation, breaks_limit, not_judged };
+inline constexpr std::array all_words = {Word::pass, Word::known_deviation, Word::breaks_limit,
+                                         Word::not_judged};
+[[nodiscard]] const char* to_string(Word word);  // "pass", "known deviation", ...
+
+/// What became of a limit on a run.
+enum class Holds { yes, no, not_measured };
 
 /// One limit held against one run.
 struct Check {
   std::string metric;           // of the list, or "failure"
   std::optional<double> value;  // in the unit of the metric
   std::optional<double> limit;  //
-  bool holds = false;
+  Holds holds = Holds::not_measured;
   bool known = false;  // not to hold
   std::string reason;  // where the limit comes from, or why it is known not to hold
 };
 
 struct Verdict {
-  Word word = Word::informative;
+  Word word = Word::not_judged;
+  std::string reason;  // why the run is not judged; of another word ""
   std::vector<Check> checks;
 };
 
@@ -230,11 +231,19 @@ struct CausesRow {
   SetupKey key;
   std::size_t cases = 0;
   std::optional<MedianAndWorst> deviation;  // [m]
-  std::optional<CauseParts> shares;         // [-], median of each cause
+  std::optional<CauseParts> shares;         // [-], mean of each cause: they add up to 1
+  std::optional<double> covered;            // [-] of the horizon, median: later is not attributed
   std::optional<double> remainder;          // [-] of the deviation, largest
 };
 
-/// What one run cost.
+/// How far numbers lie about their median.
+struct Spread {
+  double smallest = 0.0;
+  double lower = 0.0;  // quartile
+  double upper = 0.0;  // quartile
+};
+
+/// What one run cost: medians over repetitions of the same motion.
 struct TimingRow {
   RunKey key;
   double memory = 0.0;          // [bytes], the most the worker held at once
@@ -242,6 +251,8 @@ struct TimingRow {
   double reference_cost = 0.0;  // [s], of one closed-form flight and its gaps
   double cost_ratio = 0.0;      // [-], of the two
   double second_cost = 0.0;     // [s], processor time of one simulated second
+  Spread second_spread;         // [s], of that over the repetitions
+  std::size_t repetitions = 0;  //
 };
 
 /// The cost for one engine, model and step: medians over the cases.
@@ -249,6 +260,8 @@ struct CostRow {
   SetupKey key;
   double cost_ratio = 0.0;   // [-]
   double second_cost = 0.0;  // [s]
+  Spread second_spread;      // [s], of that over the cases
+  std::size_t cases = 0;
 };
 
 /// What was asked of the suite.

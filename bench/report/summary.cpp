@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "bench/base/statistics.hpp"
@@ -36,6 +37,10 @@ const auto setup = [](const auto& row) { return setup_of(row.key); };
 
 double largest(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 std::optional<MedianAndWorst> median_and_worst(const std::vector<double>& values) {
@@ -137,6 +142,7 @@ CausesRow causes_row(const Group<RunRow>& runs) {
   row.key = setup_of(runs.front()->key);
   std::vector<double> deviations;
   std::array<std::vector<double>, causes.size()> shares;
+  std::vector<double> covered;
   double remainder = 0.0;
   for (const RunRow* run : runs) {
     if (!run->attribution || !run->attribution->parts) {
@@ -151,6 +157,7 @@ CausesRow causes_row(const Group<RunRow>& runs) {
       shares[cause].push_back(all > 0.0 ? std::abs((*found.parts)[cause]) / all : 0.0);
     }
     deviations.push_back(found.deviation);
+    covered.push_back(found.covered);
     if (found.deviation > 0.0) {
       remainder = std::max(remainder, std::abs(found.remainder) / found.deviation);
     }
@@ -159,21 +166,26 @@ CausesRow causes_row(const Group<RunRow>& runs) {
   row.deviation = median_and_worst(deviations);
   if (row.deviation) {
     row.shares.emplace();
-    std::transform(shares.begin(), shares.end(), row.shares->begin(), median);
+    std::transform(shares.begin(), shares.end(), row.shares->begin(), mean);
+    row.covered = median(covered);
     row.remainder = remainder;
   }
   return row;
 }
 
 CostRow cost_row(const Group<TimingRow>& timing) {
-  const auto median_of = [&](double TimingRow::*number) {
-    std::vector<double> values;
-    std::transform(timing.begin(), timing.end(), std::back_inserter(values),
+  const auto values = [&](double TimingRow::*number) {
+    std::vector<double> result;
+    std::transform(timing.begin(), timing.end(), std::back_inserter(result),
                    [&](const TimingRow* row) { return row->*number; });
-    return median(std::move(values));
+    return result;
   };
-  return {setup_of(timing.front()->key), median_of(&TimingRow::cost_ratio),
-          median_of(&TimingRow::second_cost)};
+  const std::vector<double> seconds = values(&TimingRow::second_cost);
+  return {setup_of(timing.front()->key),
+          median(values(&TimingRow::cost_ratio)),
+          median(seconds),
+          {quantile(seconds, 0.0), quantile(seconds, 0.25), quantile(seconds, 0.75)},
+          timing.size()};
 }
 
 /// `row_of` every group.

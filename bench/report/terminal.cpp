@@ -30,10 +30,12 @@ std::string legend(const Report& report) {
       "the horizon.",
       line_length);
   if (report.limits) {
-    out += wrapped(fmt::format("verdict: By {}, version {}; flagged breaks a limit, known breaks "
-                               "only limits that it is known to break.",
+    out += wrapped(fmt::format("verdict: By {}, version {}, the worst of all cases.",
                                printable(report.limits->file), printable(report.limits->version)),
                    line_length);
+    for (const Word word : all_words) {
+      out += wrapped(fmt::format("{}: {}.", to_string(word), meaning_of(word)), line_length);
+    }
   }
   return out;
 }
@@ -87,9 +89,9 @@ std::string swing_sentence(const SwingMatch& swing) {
 }
 
 std::string restitution_sentence(const MeasuredRestitution& measured) {
-  return fmt::format("Restitution of {}: {:.4f} in the mean, from {:.4f} to {:.4f}.",
-                     counted(measured.count, "impact"), measured.mean, measured.smallest,
-                     measured.largest);
+  return fmt::format("Restitution of {}: {} in the mean, from {} to {}.",
+                     counted(measured.count, "impact"), fixed_text(measured.mean, 4),
+                     fixed_text(measured.smallest, 4), fixed_text(measured.largest, 4));
 }
 
 /// Settling, the swing, restitution and what was recorded, a sentence each.

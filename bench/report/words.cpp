@@ -50,8 +50,9 @@ constexpr const char* about_energy =
 
 constexpr const char* about_cost =
     "**Cost** is the processor time of one step, in units of one closed-form flight with its gaps. "
-    "Both are measured side by side in the same process. The start of a run is shared out over its "
-    "steps.";
+    "Both are measured side by side in the same process, over the first second of the motion, "
+    "which "
+    "is repeated; the median counts. The start of a simulation does not.";
 
 constexpr const char* about_stops =
     "A run *stopped* if its own simulation ended it; the simulation says why. Some engines do not "
@@ -62,9 +63,8 @@ constexpr const char* about_stops =
 
 constexpr const char* about_verdicts =
     "A **verdict** holds one run against a file of limits. The limit that decides it stands beside "
-    "the value. Over all cases the worst verdict is shown, and how many runs have it: *flagged* "
-    "breaks a limit, *known* breaks only limits that it is known to break. No engine is ranked: an "
-    "error depends on the model, on the step and on what it is for.";
+    "the value. Over all cases the worst verdict is shown, and how many runs have it. No engine is "
+    "ranked: an error depends on the model, on the step and on what it is for.";
 
 }  // namespace
 
@@ -92,8 +92,39 @@ std::vector<std::string> how_to_read(const Report& report) {
       about_energy,
       about_cost,
       about_stops,
-      about_verdicts,
+      about_verdicts + (" " + verdict_words()),
   };
+}
+
+std::string_view meaning_of(Word word) {
+  switch (word) {
+    case Word::pass:
+      return "every limit on the run that could be measured holds, and the audit found nothing in "
+             "it";
+    case Word::known_deviation:
+      return "the run breaks only limits that the file says it is known to break, or shows "
+             "findings "
+             "that it is known to show";
+    case Word::breaks_limit:
+      return "the run breaks a limit, shows a finding of the audit, fails or diverges, and is not "
+             "known to";
+    case Word::not_judged:
+      break;
+  }
+  return "the file does not judge the run, its model goes no further, or nothing that has a limit "
+         "could be measured";
+}
+
+std::string verdict_words() {
+  std::string out;
+  for (const Word word : all_words) {
+    out += fmt::format("{}*{}*: {}.", out.empty() ? "" : " ", to_string(word), meaning_of(word));
+  }
+  return out;
+}
+
+std::string verdict_text(const Verdict& verdict) {
+  return to_string(verdict.word) + (verdict.reason.empty() ? "" : ": " + printable(verdict.reason));
 }
 
 std::string how_to_read_causes() {
@@ -104,8 +135,13 @@ std::string how_to_read_causes() {
          "impacts 1, 2, 4, 8 and 16 of the exact motion, up to the horizon, and at the end of a "
          "run with fewer impacts. Taken is the last at which amplification is no more than a tenth "
          "of all parts, or, if there is none, the first at which it is no more than half. A share "
-         "is the size of a part over the sum of the sizes of all. Over the cases it is the median, "
-         "so a row need not add up to 1.";
+         "is the size of a part over the sum of the sizes of all, and in the table the mean over "
+         "the "
+         "cases, so that a row adds up to 1. *Covered* is the instant as a part of the "
+         "predictability "
+         "horizon, the median over the cases: what happens later, such as slow impacts that are "
+         "lost "
+         "to a threshold, has no share.";
 }
 
 CauseWords words_of(Cause cause) {
@@ -122,7 +158,9 @@ CauseWords words_of(Cause cause) {
     case Cause::position_correction:
       return words("overstretch pushed out, by velocity on top of the bounce or as a shift");
     case Cause::threshold:
-      return words("slow impacts do not rebound, or no impact does");
+      return words("the rebound of slow impacts is lost, and that of faster ones is not");
+    case Cause::restitution_ignored:
+      return words("no impact, at any speed, comes back with half of the restitution requested");
     case Cause::solver_residual:
       return words("what else the impulse did: a wrong size or a wrong direction");
     case Cause::taut_drift:

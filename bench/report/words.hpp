@@ -21,6 +21,15 @@ inline constexpr std::size_t longest_sentence = 1000;
 /// What the words of the tables mean, an item each.
 [[nodiscard]] std::vector<std::string> how_to_read(const Report& report);
 
+/// What a verdict's word means: "every limit on the run holds".
+[[nodiscard]] std::string_view meaning_of(Word word);
+
+/// The words of verdicts and what they mean, in a sentence each.
+[[nodiscard]] std::string verdict_words();
+
+/// "not judged: its model goes no further" or the word alone.
+[[nodiscard]] std::string verdict_text(const Verdict& verdict);
+
 /// How to read the table of causes, in a paragraph.
 [[nodiscard]] std::string how_to_read_causes();
 

@@ -1,16 +1,21 @@
 #include "bench/run/cost.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
+#include <vector>
 
 #include "bench/base/process.hpp"
+#include "bench/base/statistics.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
-/// The most steps that are timed: enough to average over impacts, cheap next to the run itself.
+/// Repetitions: enough for quartiles, where so many steps are still cheap beside the run itself.
+constexpr std::size_t fewest_repetitions = 3;
+constexpr std::size_t most_repetitions = 9;
 constexpr std::size_t timed_steps = 20'000;
 
 /// Processor time of this thread [s].
@@ -20,11 +25,8 @@ double processor_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Steps `simulation` as often as is timed; how often that was.
-std::size_t take_steps(Simulation& simulation, double duration, double step) {
-  const auto whole_steps = static_cast<std::size_t>(duration / step);
-  const std::size_t most = std::max<std::size_t>(1, std::min(whole_steps, timed_steps));
-  const double dt = std::min(step, duration);
+/// Steps `simulation` so often, unless it stops; how often that was.
+std::size_t take_steps(Simulation& simulation, std::size_t most, double dt) {
   std::size_t done = 0;
   for (; done < most && !simulation.stopped(); ++done) {
     simulation.step(dt);
@@ -48,14 +50,31 @@ void take_flights(const Case& the_case, std::size_t count, double dt) {
 
 Cost measure_cost(const Case& the_case, const Engine& engine, const std::string& model,
                   const RunSettings& settings) {
-  const double start = processor_time();
-  const auto simulation = engine.start(the_case, model, settings);
-  const std::size_t steps = take_steps(*simulation, the_case.duration, settings.step);
-  const double middle = processor_time();
-  take_flights(the_case, steps, std::min(settings.step, the_case.duration));
-  const double end = processor_time();
-  const auto count = static_cast<double>(std::max<std::size_t>(1, steps));
-  return {(middle - start) / count, peak_memory(), (end - middle) / count};
+  const double motion = std::min(timed_motion, the_case.duration);
+  const double dt = std::min(settings.step, motion);
+  const auto wanted = static_cast<std::size_t>(std::lround(motion / dt));
+  const std::size_t repetitions =
+      std::clamp(timed_steps / wanted, fewest_repetitions, most_repetitions);
+  std::vector<double> of_step;    // [s]
+  std::vector<double> of_flight;  // [s]
+  for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
+    const auto simulation = engine.start(the_case, model, settings);
+    const double start = processor_time();
+    const std::size_t steps = take_steps(*simulation, wanted, dt);
+    const double middle = processor_time();
+    take_flights(the_case, steps, dt);
+    const double end = processor_time();
+    const auto count = static_cast<double>(std::max<std::size_t>(1, steps));
+    of_step.push_back((middle - start) / count);
+    of_flight.push_back((end - middle) / count);
+  }
+  return {.step = median(of_step),
+          .memory = peak_memory(),
+          .reference = median(of_flight),
+          .smallest = quantile(of_step, 0.0),
+          .lower = quantile(of_step, 0.25),
+          .upper = quantile(of_step, 0.75),
+          .repetitions = repetitions};
 }
 
 }  // namespace tautline::bench

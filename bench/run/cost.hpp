@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "tautline/case.hpp"
@@ -7,14 +8,24 @@
 
 namespace tautline::bench {
 
-/// What one step cost, measured on the processor clock of the worker's thread.
+/// What one step cost, measured on the processor clock of the worker's thread over several
+/// repetitions.
 struct Cost {
-  double step = 0.0;       // [s], processor time of one step, with its share of the start
+  double step = 0.0;       // [s], processor time of one step, median
   double memory = 0.0;     // [bytes], the most the worker held at once
   double reference = 0.0;  // [s], of one closed-form flight and its gaps, measured side by side
+  double smallest = 0.0;   // [s], of a step in the fastest repetition
+  double lower = 0.0;      // [s], its lower quartile
+  double upper = 0.0;      // [s], its upper quartile
+  std::size_t repetitions = 0;
 };
 
-/// The cost of a run of `the_case` that is only started and stepped.
+/// The motion that is timed [s], from the start of a case and the same at every step: timed over
+/// different stretches, a small step could look cheaper than a large one. The first hits of the
+/// shipped cases are in it.
+inline constexpr double timed_motion = 1.0;
+
+/// The cost of runs of `the_case` that are only stepped. The start of a simulation does not count.
 [[nodiscard]] Cost measure_cost(const Case& the_case, const Engine& engine,
                                 const std::string& model, const RunSettings& settings);
 

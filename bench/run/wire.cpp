@@ -129,6 +129,10 @@ void pass_run(auto& numbers, auto& run) {
   numbers(run.cost.step);
   numbers(run.cost.memory);
   numbers(run.cost.reference);
+  numbers(run.cost.smallest);
+  numbers(run.cost.lower);
+  numbers(run.cost.upper);
+  numbers(run.cost.repetitions);
   auto& trajectory = run.trajectory;
   numbers(trajectory.step);
   numbers(trajectory.stride);

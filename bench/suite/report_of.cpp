@@ -43,7 +43,7 @@ std::vector<Finding> findings_in(const std::vector<RunRecord>& runs) {
   for (const RunRecord& run : runs) {
     if (run.audit) {
       const RunKey& key = run.row.key;
-      audited.push_back({key.the_case, key.engine, key.model, &*run.audit});
+      audited.push_back({key.the_case, key.engine, key.model, &*run.audit, key.step});
     }
   }
   return findings(audited);

@@ -75,9 +75,11 @@ const impactColumns = (hits, bias) => ({ time: hits.map((h) => six(h.time)), cab
   angular_error: hits.map((h) => six(1e-7 * bias * h.impulse)), steps: hits.map(() => 1) });
 
 const causes = ['flight_bias', 'event_lag', 'late_rate', 'position_correction', 'threshold',
-  'solver_residual', 'taut_drift', 'amplification'];
+  'restitution_ignored', 'solver_residual', 'taut_drift', 'amplification'];
 const partsOf = (size, seed) => Object.fromEntries(causes.map((cause, i) =>
   [cause, six(size * (1 + Math.sin(3 * seed + 2 * i)) / 8)]));
+
+const spreadOf = (cost) => ({ smallest: 0.9 * cost, lower: 0.95 * cost, upper: 1.1 * cost });
 
 const windowOf = (until, exact, found) => ({ until, covered: until, exact, found, matched: Math.min(exact, found) });
 
@@ -104,7 +106,7 @@ function runOf(the, engine, model, step, which, settings) {
       heights: [1, 0.8, 0.63, 0.5, 0.38].map((h) => six(h * (1 - bias * step))),
       exact: [1, 0.81, 0.6561, 0.531441, 0.430467] },
     scatter: { count: hits.length, mean: 0.85, standard_deviation: 0.01, smallest: 0.8, largest: 0.9 } },
-    attribution: error > 0 ? { until: 5, deviation: error, parts, remainder: 0.01 * error, arcs: 9, impacts: 8,
+    attribution: error > 0 ? { until: 5, covered: 0.5, deviation: error, parts, remainder: 0.01 * error, arcs: 9, impacts: 8,
       reason: '' } : null };
 }
 
@@ -127,7 +129,7 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
   const runs = made.flatMap((the) => models.flatMap(({ engine, model }, which) =>
     steps.map((step) => runOf(the, engine, model, step, which, settings))));
   const groups = models.flatMap(({ engine, model }, which) => steps.map((step) => ({ engine, model, step, which })));
-  return { schema: 4, program: { name: 'tautline', version: 'synthetic' }, complete: true, planned_runs: runs.length,
+  return { schema: 5, program: { name: 'tautline', version: 'synthetic' }, complete: true, planned_runs: runs.length,
     options: { steps, law: 'simultaneous', count_speed: 0.01, early_impacts: 5, time_limit: 60, memory_limit: 1e9 },
     metrics: Object.entries(units).map(([name, unit]) => ({ name, unit, meaning: 'Synthetic.' })),
     engines: [...engines.map((name) => ({ name, version: '1', precision: 'float64', problem: null, missing: false,
@@ -143,15 +145,16 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
     convergence: models.map(({ engine, model }, which) => ({ engine, model, cases: cases.length, cases_at_rounding: 0,
       slope: engine === 'exact' ? null : { smallest: 0.9, median: 1 + (which % 2), largest: 2.1 } })),
     findings: [{ engine: 'bullet64', model: 'row', kind: 'threshold', sentence: 'bounces slower than 0.2 m/s are lost',
-      value: 0.2, unit: 'm/s', evidence: { runs: 3, impacts: 30 } }],
+      value: 0.2, unit: 'm/s', evidence: { runs: 3, impacts: 30, shown_in: [] } }],
     causes: groups.map(({ engine, model, step, which }) => ({ engine, model, step, cases: cases.length,
-      deviation: { median: step, worst: 3 * step }, shares: engine === 'exact' ? null : partsOf(1, which), remainder: 0.01 })),
+      deviation: { median: step, worst: 3 * step }, shares: engine === 'exact' ? null : partsOf(1, which), covered: 0.5, remainder: 0.01 })),
     limits: null,
     context: { command: 'synthetic', started: '2026-01-01T00:00:00Z', elapsed: 1, program_memory: 1, worker_memory: 1,
       kept_runs: 0, processor: 'none', cores: 1, compiler: 'none', build_type: 'none', flags: '', commit: 'unknown',
-      costs: groups.map(({ engine, model, step }) => ({ engine, model, step, cost_ratio: 100,
-        second_cost: 1e-6 * (1 + engine.length) / step })),
+      costs: groups.map(({ engine, model, step }) => ({ engine, model, step, cost_ratio: 100, cases: cases.length,
+        second_cost: 1e-6 * (1 + engine.length) / step, second_spread: spreadOf(1e-6 * (1 + engine.length) / step) })),
       timing: runs.map(({ case: name, engine, model, step }) => ({ case: name, engine, model, step, memory: 1e7,
         step_cost: 1e-6 * (1 + engine.length), reference_cost: 1e-8, cost_ratio: 100,
-        second_cost: 1e-6 * (1 + engine.length) / step })) } };
+        second_cost: 1e-6 * (1 + engine.length) / step, second_spread: spreadOf(1e-6 * (1 + engine.length) / step),
+        repetitions: 9 })) } };
 }

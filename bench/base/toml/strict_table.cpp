@@ -66,6 +66,14 @@ std::optional<std::string> StrictTable::optional_one_of(std::string_view key,
   return find(key) != nullptr ? std::optional(one_of(key, words)) : std::nullopt;
 }
 
+bool StrictTable::flag(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node != nullptr && !node->is_boolean()) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", must be true or false");
+  }
+  return node != nullptr && node->value_or(false);
+}
+
 std::vector<std::string> StrictTable::texts(std::string_view key, const std::string& right) {
   std::vector<std::string> result;
   const toml::node* node = find_required(key, right);
@@ -169,6 +177,12 @@ std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t m
 std::vector<StrictTable> StrictTable::optional_tables(std::string_view key, std::size_t most,
                                                       const std::string& right) {
   return find(key) != nullptr ? tables(key, most, right) : std::vector<StrictTable>();
+}
+
+void StrictTable::refuse_value(std::string_view key, const std::string& why) {
+  if (table_ != nullptr && table_->contains(key)) {
+    refuse(*find(key), full_name(key), why);
+  }
 }
 
 void StrictTable::refuse_unknown_keys() {

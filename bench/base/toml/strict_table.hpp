@@ -36,6 +36,8 @@ class StrictTable {
   [[nodiscard]] std::string one_of(std::string_view key, const std::vector<std::string>& words);
   [[nodiscard]] std::optional<std::string> optional_one_of(std::string_view key,
                                                            const std::vector<std::string>& words);
+  /// true or false; false where the key is missing.
+  [[nodiscard]] bool flag(std::string_view key);
   /// An array of at least one string that is not empty; `right` tells what it should hold.
   [[nodiscard]] std::vector<std::string> texts(std::string_view key, const std::string& right);
   [[nodiscard]] double number(std::string_view key, const Range& range, std::string_view unit);
@@ -57,6 +59,9 @@ class StrictTable {
   /// The same; none where the key is missing.
   [[nodiscard]] std::vector<StrictTable> optional_tables(std::string_view key, std::size_t most,
                                                          const std::string& right);
+
+  /// Adds a finding on the value of `key`, if it is there.
+  void refuse_value(std::string_view key, const std::string& why);
 
   /// Adds a finding for each key that no question has named. Ask last.
   void refuse_unknown_keys();

@@ -306,6 +306,7 @@ Attribution attribute(const Case& the_case, const Solution& solution, double hor
   if (!best) {
     return nothing("the deviation is amplification from the first impact on");
   }
+  best->covered = std::min(1.0, best->until / goal);
   if (goal - best->until > 2.0 * run.step) {
     best->reason = reason_to_end(*best, tried.back(), end, run.step);
   }

@@ -65,6 +65,7 @@ struct AttributionOptions {
 
 struct Attribution {
   double until = 0.0;               // [s], T
+  double covered = 0.0;             // [-], T as a part of the horizon, or of a shorter exact motion
   double deviation = 0.0;           // [m], |D(T)|
   std::optional<CauseParts> parts;  // [m], signed, along D(T); none where `reason` says why
   double remainder = 0.0;           // [m], |D(T)| minus the parts

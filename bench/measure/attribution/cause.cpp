@@ -14,6 +14,8 @@ std::string_view to_string(Cause cause) {
       return "position_correction";
     case Cause::threshold:
       return "threshold";
+    case Cause::restitution_ignored:
+      return "restitution_ignored";
     case Cause::solver_residual:
       return "solver_residual";
     case Cause::taut_drift:

@@ -11,14 +11,16 @@ enum class Cause {
   event_lag,            // the impact came before or after its instant, at another pose
   late_rate,            // restitution of a rate that is not the one at the instant of the impact
   position_correction,  // overstretch pushed out: by velocity on top of the bounce, or as a shift
-  threshold,            // slow impacts do not rebound, or none at any speed
+  threshold,            // slow impacts do not rebound
+  restitution_ignored,  // no impact does, at any speed
   solver_residual,      // what else the impulse did: wrong size, wrong direction
   taut_drift,           // motion on taut cables
   amplification,        // what the exact motion makes of defects beyond first order, or of rounding
 };
 inline constexpr std::array causes = {
-    Cause::flight_bias, Cause::event_lag,       Cause::late_rate,  Cause::position_correction,
-    Cause::threshold,   Cause::solver_residual, Cause::taut_drift, Cause::amplification};
+    Cause::flight_bias,         Cause::event_lag,  Cause::late_rate,
+    Cause::position_correction, Cause::threshold,  Cause::restitution_ignored,
+    Cause::solver_residual,     Cause::taut_drift, Cause::amplification};
 
 /// The name used in files: "flight_bias", and so on.
 [[nodiscard]] std::string_view to_string(Cause cause);

@@ -66,7 +66,7 @@ class Builder {
           through([](const Partnered& hit, const State&) { return hit.exact_rate.value_or(0.0); }));
       add(Cause::late_rate, through(late));
       add(Cause::position_correction, through(corrected));
-      add(Cause::threshold, through(lost));
+      add(scheme_.ignores ? Cause::restitution_ignored : Cause::threshold, through(lost));
       const State own = through_own_jumps();
       add(Cause::solver_residual, own);
       if (const auto pushed = pushed_out(own)) {

@@ -17,7 +17,8 @@ namespace tautline::bench {
 //   + event_lag            the exact rebound rate, but at the instant and pose of the run's jump
 //   + late_rate            the rebound of the run's rule (BounceRule) at that pose
 //   + position_correction  raised by the run's correction (CorrectionRule)
-//   + threshold            the rebound lost
+//   + threshold            the rebound lost, as that of all slow impacts
+//     or restitution_ignored: as that of all
 //   + solver_residual      the run's own jump of velocity
 //   + position_correction  the pose shifted out along the cable
 //   + flight_bias          the run's own state

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "bench/base/statistics.hpp"
+#include "bench/measure/audit/lost.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
 
@@ -34,12 +36,6 @@ constexpr std::array bounce_rules = {BounceRule::as_is,         BounceRule::with
 
 /// Impacts on the wrong side of a threshold, at most [-].
 constexpr double wrong_side = 0.1;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// What gravity adds to the gap rate per second [m/s^2].
 double gravity_rate(const Case& the_case, const Jump& jump, const State& state) {
@@ -108,14 +104,28 @@ double misfit(const Case& the_case, const Scheme& scheme, const Witness& witness
   return std::abs(witness.left - rate) / -witness.rate;
 }
 
-/// Summed over the run, each impact rebounding or not, as it fits.
+/// Summed over the run, each impact rebounding or not, as it fits; or none.
 double misfit(const Case& the_case, const Scheme& scheme, const std::vector<Witness>& witnesses) {
   double sum = 0.0;
   for (const Witness& witness : witnesses) {
-    sum +=
-        std::min(misfit(the_case, scheme, witness, true), misfit(the_case, scheme, witness, false));
+    const double without = misfit(the_case, scheme, witness, false);
+    sum += scheme.ignores ? without : std::min(misfit(the_case, scheme, witness, true), without);
   }
   return sum;
+}
+
+/// True where no impact of the run rebounds once all its steps are over, by the audit's measure.
+bool ignores_restitution(const Case& the_case, const std::vector<Witness>& witnesses) {
+  std::ptrdiff_t asked = 0;
+  std::ptrdiff_t lost = 0;
+  for (const auto& [jump, rate, left] : witnesses) {
+    const double requested = restitution(the_case.cables[jump->cable], rate);
+    if (requested >= asking) {
+      ++asked;
+      lost += jump->rebound < lost_part * requested * -rate ? 1 : 0;
+    }
+  }
+  return asked > 0 && static_cast<double>(asked - lost) <= wrong_side * static_cast<double>(asked);
 }
 
 /// The parts of the overstretch that the run may take out in a step [-]: the median over impacts
@@ -165,10 +175,12 @@ struct Fit {
 
 /// The best rule of the bounce, without a correction; with `sized`, all rebounds may be too large
 /// or too small by one factor.
-Fit best_bounce(const Case& the_case, const std::vector<Witness>& witnesses, bool sized) {
+Fit best_bounce(const Case& the_case, const std::vector<Witness>& witnesses, bool ignores,
+                bool sized) {
   std::optional<Fit> best;
   for (const BounceRule rule : bounce_rules) {
     Scheme scheme;
+    scheme.ignores = ignores;
     scheme.bounce = rule;
     scheme.size = sized ? size_of_rebounds(the_case, rule, witnesses) : 1.0;
     const double found = misfit(the_case, scheme, witnesses);
@@ -179,10 +191,12 @@ Fit best_bounce(const Case& the_case, const std::vector<Witness>& witnesses, boo
   return *best;
 }
 
-Fit best_correction(const Case& the_case, const std::vector<Witness>& witnesses, double enough) {
+Fit best_correction(const Case& the_case, const std::vector<Witness>& witnesses, bool ignores,
+                    double enough) {
   Fit best{{}, enough};
   for (const BounceRule rule : bounce_rules) {
     Scheme scheme;
+    scheme.ignores = ignores;
     scheme.bounce = rule;
     for (const CorrectionRule kind : {CorrectionRule::added, CorrectionRule::at_least}) {
       scheme.correction = kind;
@@ -205,26 +219,24 @@ Fit best_correction(const Case& the_case, const std::vector<Witness>& witnesses,
 /// as the overstretch does on average; what tells them apart is whether the rise follows the
 /// overstretch from impact to impact.
 Scheme best_rules(const Case& the_case, const std::vector<Witness>& witnesses) {
-  Fit simple = best_bounce(the_case, witnesses, false);
-  if (const Fit sized = best_bounce(the_case, witnesses, true);
-      sized.misfit < much_better * simple.misfit) {
-    simple = sized;
+  const bool ignores = ignores_restitution(the_case, witnesses);
+  Fit simple = best_bounce(the_case, witnesses, ignores, false);
+  if (!ignores) {  // what is not there has no size
+    const Fit sized = best_bounce(the_case, witnesses, ignores, true);
+    simple = sized.misfit < much_better * simple.misfit ? sized : simple;
   }
-  const Fit corrected = best_correction(the_case, witnesses, simple.misfit);
+  const Fit corrected = best_correction(the_case, witnesses, ignores, simple.misfit);
   return corrected.misfit < much_better * simple.misfit ? corrected.scheme : simple.scheme;
 }
 
-/// The speed up to which the run's impacts do not rebound [m/s], or 0; marks those. It is the
-/// fastest speed of all if none rebounds, and their loss is clear: no rebound of a wrong size.
+/// The speed up to which the run's impacts do not rebound [m/s], and above which others do; or 0.
+/// Marks those that do not.
 double find_threshold(const Case& the_case, const Scheme& scheme,
-                      const std::vector<Witness>& witnesses, std::vector<Jump>& jumps) {
+                      const std::vector<Witness>& witnesses) {
   std::vector<std::pair<double, bool>> rebounds;  // speed, and whether it is lost
-  std::ptrdiff_t clearly_lost = 0;
   for (const Witness& witness : witnesses) {
-    const double without = misfit(the_case, scheme, witness, false);
-    const double with = misfit(the_case, scheme, witness, true);
-    witness.jump->lost = without < with;
-    clearly_lost += without < much_better * with ? 1 : 0;
+    witness.jump->lost =
+        misfit(the_case, scheme, witness, false) < misfit(the_case, scheme, witness, true);
     rebounds.emplace_back(-witness.rate, witness.jump->lost);
   }
   std::sort(rebounds.begin(), rebounds.end());
@@ -240,18 +252,11 @@ double find_threshold(const Case& the_case, const Scheme& scheme,
     }
   }
   const bool any_faster = !rebounds.empty() && rebounds.back().first > threshold;
-  const auto all = static_cast<std::ptrdiff_t>(rebounds.size());
-  const double few = wrong_side * static_cast<double>(all);
-  const bool none_rebounds = static_cast<double>(all - clearly_lost) <= few;
-  const bool clear = static_cast<double>(least) <= few;
-  threshold = clear && (any_faster || none_rebounds) ? threshold : 0.0;
+  const bool clear =
+      static_cast<double>(least) <= wrong_side * static_cast<double>(rebounds.size());
+  threshold = clear && any_faster ? threshold : 0.0;
   for (const Witness& witness : witnesses) {
     witness.jump->lost = witness.jump->lost && -witness.rate <= threshold;
-  }
-  if (threshold > 0.0 && !any_faster) {  // also those that share a step with another
-    for (Jump& jump : jumps) {
-      jump.lost = true;
-    }
   }
   return threshold;
 }
@@ -283,7 +288,8 @@ double find_instant(const Case& the_case, const std::vector<Witness>& witnesses,
 Jump jump_of(const Case& the_case, const Trajectory& run, const RecordedImpact& impact) {
   const std::size_t most = run.points.size() - 2;
   const double steps = impact.time / run.step;
-  Jump jump{impact.time, 0, 0, impact.cable, impact.before, {}, 0.0, run.step, impact.steps == 0};
+  Jump jump{impact.time, 0,   0,        impact.cable,      impact.before,
+            {},          0.0, run.step, impact.steps == 0, impact.rate_after};
   // a start of a step is k times the step, but for rounding; a located instant is anywhere
   jump.first_step = std::min(most, static_cast<std::size_t>(jump.located ? steps : steps + 0.5));
   jump.last_step = std::min(most, jump.first_step + std::max<std::size_t>(1, impact.steps) - 1);
@@ -347,7 +353,11 @@ double corrected_rate(const Case& the_case, const Scheme& scheme, const Jump& ju
 Scheme find_scheme(const Case& the_case, std::vector<Jump>& jumps, const Trajectory& run) {
   const std::vector<Witness> witnesses = witnesses_of(the_case, jumps);
   Scheme scheme = best_rules(the_case, witnesses);
-  scheme.threshold = find_threshold(the_case, scheme, witnesses, jumps);
+  if (scheme.ignores) {  // also those that share a step with another
+    std::for_each(jumps.begin(), jumps.end(), [](Jump& jump) { jump.lost = true; });
+  } else {
+    scheme.threshold = find_threshold(the_case, scheme, witnesses);
+  }
   scheme.instant = find_instant(the_case, witnesses, run);
   for (Jump& jump : jumps) {
     jump.time += jump.located ? 0.0 : scheme.instant * jump.dt;

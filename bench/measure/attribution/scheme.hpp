@@ -23,7 +23,8 @@ struct Jump {
   double overstretch;      // [m], >= 0, before
   double dt;               // [s], the step
   bool located;            // the simulation named the instant
-  bool lost = false;       // it did not rebound, as all slow ones of the run, or all
+  double rebound;          // [m/s], gap rate after the last of its steps, as recorded
+  bool lost = false;       // it did not rebound, as all slow ones of the run, or as all
 };
 
 /// Which gap rate the bounce is taken from and what it becomes. y is the state where the velocity
@@ -46,7 +47,8 @@ struct Scheme {
   CorrectionRule correction = CorrectionRule::none;
   double corrected = 0.0;  // [-], k
   double size = 1.0;       // [-], of all rebounds against what they should be: the solver's
-  double threshold = 0.0;  // [m/s], impacts up to this do not rebound; 0: all do
+  bool ignores = false;    // no impact rebounds, at any speed
+  double threshold = 0.0;  // [m/s], impacts up to this do not rebound; 0: all do, or none
   double instant = 0.0;    // [-], 0 to 1: where in a step the velocity jumps
 };
 

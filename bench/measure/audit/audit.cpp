@@ -20,13 +20,14 @@ std::vector<AuditedModel> audited_models(const std::vector<AuditedRun>& runs) {
   for (const AuditedRun& run : runs) {
     const auto [place, is_new] = places.try_emplace({run.engine, run.model}, models.size());
     if (is_new) {
-      models.push_back({run.engine, run.model, 0, {}, {}});
+      models.push_back({run.engine, run.model, 0, {}, {}, {}});
     }
     AuditedModel& model = models[place->second];
     ++model.runs;
     model.impacts.insert(model.impacts.end(), run.audit->impacts.begin(), run.audit->impacts.end());
+    model.by_run.push_back({{run.the_case, run.step}, &run.audit->impacts});
     if (run.audit->freeze) {
-      model.freezes.push_back({run.the_case, *run.audit->freeze});
+      model.freezes.push_back({{run.the_case, run.step}, *run.audit->freeze});
     }
   }
   return models;

@@ -29,6 +29,7 @@ struct AuditedRun {
   std::string engine;
   std::string model;
   const RunAudit* audit = nullptr;
+  double step = 0.0;  // [s]
 };
 
 /// What the models do to impacts, in the order of their first runs.

@@ -31,9 +31,12 @@ std::optional<Finding> unexplained(const AuditedModel& model, const std::string&
   }
   const double middle = quantile(parts, 0.5);
   Finding finding = finding_of(model, kind);
-  finding.sentence = fmt::format("{} {:.2g} of the impulse (median; {:.2g} in 5 % of the impacts)",
-                                 sentence, middle, quantile(parts, 0.95));
+  finding.sentence = fmt::format(
+      "{} {:.2g} of the impulse in the median, and {:.2g} or more in 5 % of the impacts", sentence,
+      middle, quantile(parts, 0.95));
   finding.value = middle;
+  finding.shown_in =
+      runs_with(model, [&](const AuditedImpact& impact) { return part(impact) >= notable; });
   return finding;
 }
 
@@ -48,8 +51,8 @@ std::vector<Finding> impulse_findings(const AuditedModel& model) {
   }
   if (auto turning =
           unexplained(model, "angular-impulse",
-                      "impacts turn the body by other than impulse times lever arm, at its "
-                      "radius of gyration by",
+                      "impacts turn the body by more or less than impulse times lever arm does: at "
+                      "the radius of gyration the difference is",
                       [](const AuditedImpact& impact) { return impact.turning; })) {
     findings.push_back(std::move(*turning));
   }

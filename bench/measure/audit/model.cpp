@@ -1,8 +1,20 @@
 #include "bench/measure/audit/model.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tautline::bench {
+
+std::vector<RunOfModel> runs_with(const AuditedModel& model,
+                                  const std::function<bool(const AuditedImpact&)>& shows) {
+  std::vector<RunOfModel> result;
+  for (const RunImpacts& run : model.by_run) {
+    if (std::any_of(run.impacts->begin(), run.impacts->end(), shows)) {
+      result.push_back(run.run);
+    }
+  }
+  return result;
+}
 
 Finding finding_of(const AuditedModel& model, std::string kind) {
   Finding finding;

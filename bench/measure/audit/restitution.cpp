@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "bench/base/statistics.hpp"
+#include "bench/measure/audit/lost.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -19,11 +20,6 @@ using Impacts = std::vector<AuditedImpact>;
 /// Fewer impacts say nothing of a model: of those that speak for a finding, and of all.
 constexpr std::size_t least_on_a_side = 3;
 constexpr std::size_t least_for_restitution = 8;
-
-/// An impact asks for a rebound from this restitution on, and is lost below this part of it [-]: a
-/// correction of the overstretch may push a lost one a little.
-constexpr double asking = 0.2;
-constexpr double lost_part = 0.5;
 
 /// So many impacts of a group may say otherwise [-].
 constexpr double contrary = 0.1;
@@ -71,20 +67,26 @@ std::string range_text(const std::vector<double>& numbers) {
                          : fmt::format("{:.3g} to {:.3g}", *least, *most);
 }
 
-/// What `impacts` of `model` show.
+/// What `impacts` of `model` show, and the runs with one that is as wrong as it says.
 Finding from(const AuditedModel& model, const Impacts& impacts, const std::string& kind,
-             double value, const std::string& sentence) {
+             double value, const std::string& sentence,
+             const std::function<bool(const AuditedImpact&)>& shows) {
   Finding finding = finding_of(model, kind);
   finding.sentence = sentence;
   finding.value = value;
   finding.impacts = impacts.size();
+  finding.shown_in = runs_with(model, shows);
   return finding;
 }
 
+bool asks(const AuditedImpact& impact) { return impact.requested >= asking; }
+
+/// It shows in every run that asks for a rebound at all.
 Finding ignored(const AuditedModel& model, const Impacts& asked, double e) {
   return from(model, asked, "restitution-ignored", e,
-              fmt::format("restitution is ignored: e is {:.2g} (median) where {} is requested", e,
-                          range_text(values(asked, requested_of))));
+              fmt::format("restitution is ignored: the median e is {:.2g} where {} is requested", e,
+                          range_text(values(asked, requested_of))),
+              asks);
 }
 
 /// Effective restitutions this near are the same, and requested ones this far apart are not [-].
@@ -151,11 +153,16 @@ std::optional<Finding> threshold(const AuditedModel& model, Impacts asked) {
   const double value = 0.5 * (slower + faster);
   Finding finding =
       from(model, asked, "threshold", value,
-           fmt::format("bounces slower than {:.2g} m/s are lost: {} of {} impacts up to "
-                       "{:.3g} m/s do not rebound, {} of {} from {:.3g} m/s on do",
+           fmt::format("bounces slower than {:.2g} m/s are lost: {} of {} impacts up to {:.3g} m/s "
+                       "come back with less than half of the requested e (their median e is "
+                       "{:.2g}), {} of {} from {:.3g} m/s on with more",
                        value, std::count_if(below.begin(), below.end(), lost), below.size(), slower,
+                       quantile(values(below, effective_of), 0.5),
                        std::count_if(above.begin(), above.end(), std::not_fn(lost)), above.size(),
-                       faster));
+                       faster),
+           [&](const AuditedImpact& impact) {
+             return asks(impact) && lost(impact) && impact.speed <= slower;
+           });
   finding.unit = "m/s";
   return finding;
 }
@@ -177,11 +184,13 @@ std::optional<Finding> offset(const AuditedModel& model, const Impacts& bounces)
     return std::nullopt;
   }
   const double outer = quantile(deviations, middle > 0.0 ? 0.95 : 0.05);
-  return from(model, bounces, middle > 0.0 ? "gain" : "offset", middle,
-              fmt::format("rebounds are too {}: e is {:.2g} {} the requested one (median), and "
-                          "{:.2g} in 5 % of the impacts",
-                          middle > 0.0 ? "fast" : "slow", std::abs(middle),
-                          middle > 0.0 ? "above" : "below", std::abs(outer)));
+  return from(
+      model, bounces, middle > 0.0 ? "gain" : "offset", middle,
+      fmt::format("rebounds are too {0}: e is {1} the requested one by {2:.2g} in the median, "
+                  "and by {3:.2g} or more in 5 % of the impacts",
+                  middle > 0.0 ? "fast" : "slow", middle > 0.0 ? "above" : "below",
+                  std::abs(middle), std::abs(outer)),
+      [&](const AuditedImpact& impact) { return impact.deviation() / middle >= 0.5; });
 }
 
 /// The width of the middle 90 % of errors of e less `offset`, in units of what a step does.
@@ -211,10 +220,13 @@ std::optional<Finding> spread(const AuditedModel& model, const Impacts& bounces)
     return std::nullopt;
   }
   const auto [least, most] = std::minmax_element(deviations.begin(), deviations.end());
-  return from(model, bounces, "scatter", sd,
-              fmt::format("e scatters around the requested one: off by {:+.2g} in the mean, with "
-                          "a standard deviation of {:.2g}, between {:+.2g} and {:+.2g}",
-                          mean, sd, *least, *most));
+  return from(
+      model, bounces, "scatter", sd,
+      fmt::format("e scatters about the requested one: it is off by {:+.2g} in the mean, "
+                  "by {:+.2g} to {:+.2g} in single impacts, and its standard deviation is "
+                  "{:.2g}",
+                  mean, *least, *most, sd),
+      [&](const AuditedImpact& impact) { return std::abs(impact.deviation() - mean) >= sd; });
 }
 
 /// Rebounds that take several steps.
@@ -227,9 +239,11 @@ std::optional<Finding> several_steps(const AuditedModel& model, const Impacts& b
   const auto steps =
       values(longer, [](const AuditedImpact& impact) { return static_cast<double>(impact.steps); });
   const double middle = quantile(steps, 0.5);
-  Finding finding = from(model, bounces, "several-steps", middle,
-                         fmt::format("an impact takes {:.0f} steps (median; {:.0f} in the longest)",
-                                     middle, quantile(steps, 1.0)));
+  Finding finding =
+      from(model, bounces, "several-steps", middle,
+           fmt::format("an impact takes {:.0f} steps in the median and {:.0f} at most", middle,
+                       quantile(steps, 1.0)),
+           [](const AuditedImpact& impact) { return impact.steps > 1; });
   finding.unit = "steps";
   return finding;
 }
@@ -244,8 +258,7 @@ std::vector<Finding> restitution_findings(const AuditedModel& model) {
     }
     return finding.has_value();
   };
-  const Impacts asked =
-      those(model.impacts, [](const AuditedImpact& impact) { return impact.requested >= asking; });
+  const Impacts asked = those(model.impacts, asks);
   if (note(constant(model, asked))) {
     return findings;
   }

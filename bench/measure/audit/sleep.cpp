@@ -161,15 +161,19 @@ std::vector<Finding> sleep_findings(const AuditedModel& model) {
                        [](const auto& a, const auto& b) { return a.freeze.lost < b.freeze.lost; });
   Finding finding = finding_of(model, "sleeping");
   finding.sentence = fmt::format(
-      "the body is put to sleep: it stands still to the end in {} of {} runs where the exact "
+      "the body is put to sleep: in {} of {} runs it stands still to the end while the exact "
       "motion "
-      "goes on, first in {}, from t = {:.3g} s on; up to {:.2g} J are lost at once (in {})",
-      model.freezes.size(), model.runs, printable(earliest->the_case), earliest->freeze.time,
-      costliest->freeze.lost, printable(costliest->the_case));
+      "goes on. The earliest is at t = {:.3g} s in {}; the most energy lost at once is {:.2g} J, "
+      "in "
+      "{}",
+      model.freezes.size(), model.runs, earliest->freeze.time, printable(earliest->run.the_case),
+      costliest->freeze.lost, printable(costliest->run.the_case));
   finding.value = earliest->freeze.time;
   finding.unit = std::string("s");
   finding.runs = model.freezes.size();
   finding.impacts = 0;
+  std::transform(model.freezes.begin(), model.freezes.end(), std::back_inserter(finding.shown_in),
+                 [](const RunFreeze& one) { return one.run; });
   return {finding};
 }
 

@@ -149,6 +149,12 @@ void fields(Visitor& visit, ConvergenceRow& row) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, RunOfModel& run) {
+  visit("case", run.the_case);
+  visit("step", run.step);
+}
+
+template <class Visitor>
 void fields(Visitor& visit, Finding& finding) {
   visit("engine", finding.engine);
   visit("model", finding.model);
@@ -159,6 +165,7 @@ void fields(Visitor& visit, Finding& finding) {
   visit.group("evidence", [&](auto& inside) {
     inside("runs", finding.runs);
     inside("impacts", finding.impacts);
+    inside("shown_in", finding.shown_in);
   });
 }
 
@@ -168,6 +175,7 @@ void fields(Visitor& visit, CausesRow& row) {
   visit("cases", row.cases);
   visit("deviation", row.deviation);
   visit("shares", row.shares);
+  visit("covered", row.covered);
   visit("remainder", row.remainder);
 }
 
@@ -176,6 +184,8 @@ void fields(Visitor& visit, CostRow& row) {
   fields(visit, row.key);
   visit("cost_ratio", row.cost_ratio);
   visit("second_cost", row.second_cost);
+  visit("second_spread", row.second_spread);
+  visit("cases", row.cases);
 }
 
 template <class Visitor>

@@ -119,6 +119,7 @@ void fields(Visitor& visit, Scatter& scatter) {
 template <class Visitor>
 void fields(Visitor& visit, Attribution& attribution) {
   visit("until", attribution.until);
+  visit("covered", attribution.covered);
   visit("deviation", attribution.deviation);
   visit("parts", attribution.parts);
   visit("remainder", attribution.remainder);
@@ -140,6 +141,7 @@ void fields(Visitor& visit, Check& check) {
 template <class Visitor>
 void fields(Visitor& visit, Verdict& verdict) {
   visit("word", verdict.word);
+  visit("reason", verdict.reason);
   visit("checks", verdict.checks);
 }
 
@@ -162,6 +164,13 @@ void fields(Visitor& visit, RunRow& row) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, Spread& spread) {
+  visit("smallest", spread.smallest);
+  visit("lower", spread.lower);
+  visit("upper", spread.upper);
+}
+
+template <class Visitor>
 void fields(Visitor& visit, TimingRow& row) {
   fields(visit, row.key);
   visit("memory", row.memory);
@@ -169,6 +178,8 @@ void fields(Visitor& visit, TimingRow& row) {
   visit("reference_cost", row.reference_cost);
   visit("cost_ratio", row.cost_ratio);
   visit("second_cost", row.second_cost);
+  visit("second_spread", row.second_spread);
+  visit("repetitions", row.repetitions);
 }
 
 template <class Visitor>

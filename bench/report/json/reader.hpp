@@ -29,8 +29,6 @@ Enum from_word(const std::array<Enum, count>& all, const std::string& word) {
 }
 inline constexpr std::array statuses = {Status::finished, Status::stopped, Status::diverged,
                                         Status::failed};
-inline constexpr std::array words = {Word::pass, Word::flagged, Word::informative,
-                                     Word::unsupported};
 
 inline void read(const Json& json, double& value) {
   value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
@@ -47,7 +45,10 @@ inline void read(const Json& json, Status& value) {
   value = from_word(statuses, json.get<std::string>());
 }
 inline void read(const Json& json, Word& value) {
-  value = from_word(words, json.get<std::string>());
+  value = from_word(all_words, json.get<std::string>());
+}
+inline void read(const Json& json, Holds& value) {
+  value = json.is_null() ? Holds::not_measured : json.get<bool>() ? Holds::yes : Holds::no;
 }
 inline void read(const Json& json, Vec2& value) {
   value = {json.at(0).get<double>(), json.at(1).get<double>()};

@@ -17,83 +17,53 @@ namespace {
 constexpr int seldom_missed = 1;
 constexpr int beside_the_median = 9;
 
-/// What the verdict on a run comes to, the worst first.
-enum class Standing { failed, flagged, known, unsupported, informative, pass, none };
-constexpr std::array word_names = {"failed",      "flagged", "known", "unsupported",
-                                   "informative", "pass",    ""};
+/// The words from the worst to the best: which of several stands for all.
+constexpr std::array worst_first = {Word::breaks_limit, Word::known_deviation, Word::not_judged,
+                                    Word::pass};
 
-bool all_known(const Verdict& verdict) {
-  return std::all_of(verdict.checks.begin(), verdict.checks.end(),
-                     [](const Check& check) { return check.holds || check.known; });
-}
-
-Standing standing_of(const RunRow& run) {
-  if (!did_its_work(run.status)) {
-    return Standing::failed;
-  }
-  if (!run.verdict) {
-    return Standing::none;
-  }
-  switch (run.verdict->word) {
-    case Word::pass:
-      return Standing::pass;
-    case Word::informative:
-      return Standing::informative;
-    case Word::unsupported:
-      return Standing::unsupported;
-    case Word::flagged:
-      break;
-  }
-  return all_known(*run.verdict) ? Standing::known : Standing::flagged;
-}
-
-Colour colour_of(Standing standing) {
-  switch (standing) {
-    case Standing::failed:
-    case Standing::flagged:
+Colour colour_of(Word word) {
+  switch (word) {
+    case Word::breaks_limit:
       return Colour::red;
-    case Standing::known:
+    case Word::known_deviation:
       return Colour::yellow;
-    case Standing::pass:
+    case Word::pass:
       return Colour::green;
-    case Standing::unsupported:
-    case Standing::informative:
-    case Standing::none:
+    case Word::not_judged:
       break;
   }
   return Colour::grey;
 }
 
-/// The worst that some runs come to, and how many of them.
-struct Tally {
-  Standing worst = Standing::none;
-  std::size_t count = 0;
-  std::size_t runs = 0;
-
-  void add(Standing standing) {
-    count = standing == worst ? count + 1 : standing < worst ? 1 : count;
-    worst = std::min(worst, standing);
-    ++runs;
-  }
-};
+/// How many runs of one engine, model and step have each word.
+using Tally = std::map<Word, std::size_t>;
 using Tallies = std::map<SetupKey, Tally>;
 
 Tallies tallies(const Report& report) {
   Tallies result;
   for (const RunRow& run : report.runs) {
-    result[setup_of(run.key)].add(standing_of(run));
+    if (run.verdict) {
+      ++result[setup_of(run.key)][run.verdict->word];
+    }
   }
   return result;
 }
 
-/// "pass", or "flagged 3/21".
-Cell tally_cell(const Tally& tally) {
-  const std::string name = word_names.at(static_cast<std::size_t>(tally.worst));
-  Cell cell =
-      tally.count == tally.runs ? name : fmt::format("{} {}/{}", name, tally.count, tally.runs);
-  cell.kind = "verdict " + name;
-  cell.colour = colour_of(tally.worst);
-  return cell;
+/// "pass", or "breaks a limit in 3 of 21".
+Cell tally_cell(const Tally& tally, std::size_t runs) {
+  for (const Word word : worst_first) {
+    const auto found = tally.find(word);
+    if (found == tally.end()) {
+      continue;
+    }
+    const std::string name = to_string(word);
+    Cell cell =
+        found->second == runs ? name : fmt::format("{} in {} of {}", name, found->second, runs);
+    cell.kind = verdict_kind(word);
+    cell.colour = colour_of(word);
+    return cell;
+  }
+  return dash;
 }
 
 bool is_shown_over_cases(const Metric& metric) {
@@ -126,6 +96,9 @@ void add_cells(std::vector<Cell>& cells, const Metric& metric,
 
 std::vector<Column> columns_of(const Report& report) {
   std::vector<Column> columns = setup_columns();
+  if (report.limits) {
+    columns.push_back(word_column("verdict", "verdict"));
+  }
   for (const Metric& metric : metric_list()) {
     if (is_shown_over_cases(metric)) {
       add_columns(columns, metric);
@@ -146,14 +119,15 @@ std::vector<Column> columns_of(const Report& report) {
            number_column("all", "", "runs", "runs", "runs", of_a_page)}) {
     columns.push_back(std::move(column));
   }
-  if (report.limits) {
-    columns.push_back(word_column("verdict", "verdict"));
-  }
   return columns;
 }
 
-Row answers_row(const SummaryRow& summary, std::optional<double> cost) {
+/// `verdict` is null in a report without.
+Row answers_row(const SummaryRow& summary, const Tally* verdict, std::optional<double> cost) {
   Row row = {setup_cells(summary.key), "", body_of(summary.key.engine)};
+  if (verdict != nullptr) {
+    row.cells.push_back(tally_cell(*verdict, summary.cases));
+  }
   for (std::size_t place = 0; place < metric_list().size(); ++place) {
     if (is_shown_over_cases(metric_list()[place])) {
       add_cells(row.cells, metric_list()[place], summary.metrics.at(place));
@@ -187,11 +161,8 @@ Table answers_table(const Report& report) {
   std::vector<Row> rows;
   for (const SummaryRow& summary : report.summary) {
     const auto cost = costs.find(summary.key);
-    rows.push_back(
-        answers_row(summary, cost != costs.end() ? std::optional(cost->second) : std::nullopt));
-    if (report.limits) {
-      rows.back().cells.push_back(tally_cell(verdicts[summary.key]));
-    }
+    rows.push_back(answers_row(summary, report.limits ? &verdicts[summary.key] : nullptr,
+                               cost != costs.end() ? std::optional(cost->second) : std::nullopt));
   }
   Table table(columns_of(report));
   add_rows(table, std::move(rows), ControlPlace::before);

@@ -40,6 +40,12 @@ Cell sentence_cell(std::string_view text) { return printable(text, longest_sente
 
 Cell count_cell(std::size_t count) { return number_cell(static_cast<double>(count), as_count); }
 
+std::string verdict_kind(Word word) {
+  std::string kind = to_string(word);
+  std::replace(kind.begin(), kind.end(), ' ', '-');
+  return "verdict " + kind;
+}
+
 std::vector<Column> setup_columns() {
   return {word_column("engine", "engine"), word_column("model", "model"),
           number_column("step", "s", "", "step")};

@@ -37,6 +37,9 @@ inline constexpr Digits as_instant = fixed(4);
 /// A count.
 [[nodiscard]] Cell count_cell(std::size_t count);
 
+/// The look of a verdict's cell: "verdict known-deviation".
+[[nodiscard]] std::string verdict_kind(Word word);
+
 /// Engine, model and step.
 [[nodiscard]] std::vector<Column> setup_columns();
 [[nodiscard]] std::vector<Cell> setup_cells(const SetupKey& key);

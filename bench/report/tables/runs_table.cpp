@@ -73,7 +73,19 @@ std::string check_text(const Check& check) {
     text += fmt::format(" {}, limit {}", number(check.value), number(check.limit));
   }
   text += check.known ? " (known)" : "";
-  return text + (check.holds || check.reason.empty() ? "" : ": " + printable(check.reason));
+  return text +
+         (check.holds != Holds::no || check.reason.empty() ? "" : ": " + printable(check.reason));
+}
+
+/// "could not be measured: restitution error", or "".
+std::string unmeasured_text(const Verdict& verdict) {
+  std::vector<std::string> names;
+  for (const Check& check : verdict.checks) {
+    if (check.holds == Holds::not_measured) {
+      names.push_back(printable(in_words(check.metric)));
+    }
+  }
+  return names.empty() ? "" : "could not be measured: " + joined(names, "and");
 }
 
 /// The word, and below it the limits that matter.
@@ -82,9 +94,15 @@ Cell verdict_cell(const std::optional<Verdict>& verdict) {
     return dash;
   }
   Cell cell = to_string(verdict->word);
-  cell.kind = "verdict " + cell.text;
+  cell.kind = verdict_kind(verdict->word);
+  if (!verdict->reason.empty()) {
+    cell.notes.push_back(printable(verdict->reason, longest_sentence));
+  }
   for (const Check* check : telling_checks(*verdict)) {
     cell.notes.push_back(check_text(*check));
+  }
+  if (const std::string text = unmeasured_text(*verdict); !text.empty()) {
+    cell.notes.push_back(text);
   }
   return cell;
 }
@@ -219,7 +237,7 @@ std::vector<const Check*> telling_checks(const Verdict& verdict) {
   const Check* tightest = nullptr;
   double highest = -1.0;  // value over limit
   for (const Check& check : verdict.checks) {
-    if (!check.holds) {
+    if (check.holds == Holds::no) {
       broken.push_back(&check);
     } else if (check.value && check.limit && *check.limit > 0.0 &&
                *check.value / *check.limit > highest) {

@@ -143,6 +143,7 @@ Table causes_table(const Report& report) {
     columns.push_back(number_column(words_of(cause).heading, "", "share of the parts",
                                     std::string(to_string(cause))));
   }
+  columns.push_back(number_column("covered", "of the horizon", "", "covered"));
   columns.push_back(number_column("remainder", "", "", "remainder"));
   columns.push_back(number_column("cases", "", "", "cases"));
   std::vector<Row> rows;
@@ -157,6 +158,7 @@ Table causes_table(const Report& report) {
     for (const double share : *causes_row.shares) {
       row.cells.push_back(number_cell(share, fixed(3)));
     }
+    row.cells.push_back(number_cell(causes_row.covered, fixed(2)));
     row.cells.push_back(number_cell(causes_row.remainder, as_error));
     row.cells.push_back(count_cell(causes_row.cases));
     rows.push_back(std::move(row));

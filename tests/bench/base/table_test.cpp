@@ -112,6 +112,7 @@ TEST(Number, HasTheDigitsThatItIsGoodFor) {
   EXPECT_EQ(bench::number_text(12345678.0, bench::as_count), "12345678") << "a count is whole";
   EXPECT_EQ(bench::number_text(0.001, bench::as_count), "0.001");
   EXPECT_EQ(bench::number_text(-0.0, bench::as_error), "0");
+  EXPECT_EQ(bench::number_text(-1e-7, bench::fixed(4)), "0.0000");
   EXPECT_EQ(number_cell(std::nullopt, bench::as_error).text, bench::dash);
 }
 

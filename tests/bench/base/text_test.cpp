@@ -24,6 +24,15 @@ TEST(Shortest, KeepsFamiliarNumbersFamiliar) {
   EXPECT_EQ(shortest(std::numeric_limits<double>::infinity()), "inf");
 }
 
+TEST(FixedText, GivesNoSignToWhatRoundsToZero) {
+  EXPECT_EQ(fixed_text(-0.0, 2), "0.00");
+  EXPECT_EQ(fixed_text(-0.004, 2), "0.00");
+  EXPECT_EQ(fixed_text(-1e-300, 0), "0");
+  EXPECT_EQ(fixed_text(-0.006, 2), "-0.01");
+  EXPECT_EQ(fixed_text(0.9, 4), "0.9000");
+  EXPECT_EQ(fixed_text(-std::numeric_limits<double>::infinity(), 2), "-inf");
+}
+
 RC_GTEST_PROP(Shortest, ReadsBackEqual, (std::uint64_t pattern)) {
   const double value = std::bit_cast<double>(pattern);
   RC_PRE(value == value);  // a nan has no bits to keep

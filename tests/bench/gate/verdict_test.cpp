@@ -117,9 +117,9 @@ TEST(Verdict, WithoutAGateTheLimitsThatShipAreShownAndTheCodeIsAsEver) {
                                    (out.path() / "r").string()});
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   const json report = json::parse(content_of(out.path() / "r/report.json"));
-  EXPECT_EQ(report.at("runs").at(0).at("verdict").at("word"), "deviation-flagged");
+  EXPECT_EQ(report.at("runs").at(0).at("verdict").at("word"), "breaks a limit");
   EXPECT_EQ(report.at("limits"), json({{"file", "limits.toml, built in"}, {"version", "1"}}));
-  EXPECT_NE(outcome.output.find("flagged"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("breaks a limit"), std::string::npos) << outcome.output;
 }
 
 TEST(Gate, ASoundEnginePassesAndEachPlantedErrorBreaksIt) {
@@ -149,7 +149,7 @@ TEST(Gate, AKnownDeviationPassesAndOneThatHasStartedToHoldDoesNot) {
   const Gated flawed = gated(bad_engine("bouncy"), limits);
   EXPECT_EQ(flawed.outcome.code, 0) << flawed.outcome.output;
   const json& verdict = flawed.report.at("runs").at(0).at("verdict");
-  EXPECT_EQ(verdict.at("word"), "deviation-flagged");
+  EXPECT_EQ(verdict.at("word"), "known deviation");
   EXPECT_EQ(verdict.at("checks").at(0).at("known"), true);
   const Gated mended = gated(bad_engine("sound"), limits_text(restitution_limit("1e-3") +
                                                               known("sound", "restitution_error")));
@@ -179,8 +179,7 @@ TEST(Gate, TheLimitsThatShipTellPlantedErrorsFromASoundEngine) {
     if (run.at("step") == 1e-2 && too_small_at_long_steps.contains(run.at("engine"))) {
       continue;
     }
-    EXPECT_EQ(run.at("verdict").at("word"),
-              run.at("engine") == "sound" ? "pass" : "deviation-flagged")
+    EXPECT_EQ(run.at("verdict").at("word"), run.at("engine") == "sound" ? "pass" : "breaks a limit")
         << run.at("engine") << run.at("step");
   }
 }
@@ -195,14 +194,14 @@ TEST(Gate, ARunThatDivergesBreaksItUnlessThatIsKnown) {
   EXPECT_EQ(gated(bad_engine("sound"), limits + known("sound", "failure")).outcome.code, 1);
 }
 
-TEST(Verdict, ModelsMayBeInformativeOrUnsupportedAndSoIsOneThatStopsOnTautCables) {
+TEST(Verdict, ModelsMayBeNotJudgedAndSoIsOneThatStopsOnTautCables) {
   const std::string flags =
-      "[[informative]]\nengine = \"bouncy\"\nmodel = \"row\"\nreason = \"r\"\n";
+      "[[not_judged]]\nengine = \"bouncy\"\nmodel = \"row\"\nreason = \"r\"\n";
   const Gated told = gated(bad_engine("bouncy") + "," + bad_engine("sound"),
                            limits_text(restitution_limit("1e-3") + flags));
   EXPECT_EQ(told.outcome.code, 0) << told.outcome.output;
   for (const json& run : told.report.at("runs")) {
-    EXPECT_EQ(run.at("verdict").at("word"), run.at("engine") == "bouncy" ? "informative" : "pass");
+    EXPECT_EQ(run.at("verdict").at("word"), run.at("engine") == "bouncy" ? "not judged" : "pass");
   }
   const TemporaryFolder out;
   static_cast<void>(
@@ -211,7 +210,7 @@ TEST(Verdict, ModelsMayBeInformativeOrUnsupportedAndSoIsOneThatStopsOnTautCables
   const json report = json::parse(content_of(out.path() / "r/report.json"));
   EXPECT_EQ(report.at("runs").at(0).at("status"), "stopped");
   const std::string word = report.at("runs").at(0).at("verdict").at("word");
-  EXPECT_TRUE(word == "unsupported" || word == "deviation-flagged") << word;
+  EXPECT_TRUE(word == "not judged" || word == "breaks a limit") << word;
 }
 
 TEST(TerminalSummary, FitsAHundredColumnsAndHasNoColourInAPipe) {

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/bench/program.hpp"
 
@@ -20,16 +22,14 @@ using nlohmann::json;
 /// The parts must be the whole within this share of it [-].
 constexpr double most_remainder = 0.05;
 
-/// The report of all models of some engines that are built, on cases that bounce, lock and swing.
-json report_of(const TemporaryFolder& out, const std::vector<std::string>& engines) {
-  std::vector<std::string> arguments = {"bench",
-                                        "breakwater/1910121100",
-                                        "breakwater/1510121100",
-                                        "breakwater/2911121100",
-                                        "--steps",
-                                        "1e-2,1e-3",
-                                        "--out",
-                                        (out.path() / "r").string()};
+/// The report of some engines that are built, on two cases: one bounces, one locks and swings. The
+/// parts are those of some 10 impacts, whatever comes after 3 s.
+json report_of(const TemporaryFolder& out, const std::vector<std::string>& engines,
+               const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {
+      "bench", "breakwater/1910121100",    "breakwater/1510121100", "--until", "3",
+      "--out", (out.path() / "r").string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
   for (const std::string& engine : engines) {
     if (built_engines().contains(engine)) {
       arguments.insert(arguments.end(), {"--engines", engine});
@@ -66,8 +66,10 @@ double share(const json& report, const std::string& engine, const std::string& m
 
 TEST(AttributionOfEngines, PartsAreTheWholeForEveryEngineAndModel) {
   const TemporaryFolder out;
-  const json report = report_of(out, {"exact", "bullet64", "bullet32", "ode", "mujoco", "dart",
-                                      "siconos", "box2d", "chipmunk"});
+  const json report = report_of(
+      out,
+      {"exact", "bullet64", "bullet32", "ode", "mujoco", "dart", "siconos", "box2d", "chipmunk"},
+      {"--steps", "1e-2"});
   std::size_t with_parts = 0;
   std::size_t runs = 0;
   for (const json& run : report.at("runs")) {
@@ -99,7 +101,9 @@ TEST(AttributionOfEngines, PartsAreTheWholeForEveryEngineAndModel) {
 
 TEST(AttributionOfEngines, NamesWhatIsKnownOfThem) {
   const TemporaryFolder out;
-  const json report = report_of(out, {"bullet64", "ode"});
+  const json report = report_of(
+      out, {"bullet64", "ode", "box2d", "chipmunk"},
+      {"--steps", "1e-3", "--models", "row,contact,contact-tuned,distance-joint,slide-joint"});
   // rows of fixed steps have the errors of fixed steps, and their solver none
   for (const char* engine : {"bullet64", "ode"}) {
     if (built_engines().contains(engine)) {
@@ -114,6 +118,76 @@ TEST(AttributionOfEngines, NamesWhatIsKnownOfThem) {
         share(report, "bullet64", "contact", 1e-3, {"position_correction", "threshold"}),
         share(report, "bullet64", "contact", 1e-3, {"flight_bias", "event_lag", "late_rate"}));
     EXPECT_LT(share(report, "bullet64", "contact-tuned", 1e-3, {"position_correction"}), 0.2);
+  }
+}
+
+/// The mean share of a cause in the table [-].
+double mean_share(const json& report, const json& finding, double step, const char* cause) {
+  for (const json& row : report.at("causes")) {
+    if (row.at("engine") == finding.at("engine") && row.at("model") == finding.at("model") &&
+        row.at("step") == step && !row.at("shares").is_null()) {
+      return row.at("shares").at(cause);
+    }
+  }
+  ADD_FAILURE() << "no causes of " << finding;
+  return 0.0;
+}
+
+TEST(AttributionOfEngines, AgreesWithWhatTheAuditFinds) {
+  const TemporaryFolder out;
+  std::vector<std::string> arguments = {"bench",
+                                        "breakwater/1910121100",
+                                        "breakwater/1710121100",
+                                        "breakwater/1510121100",
+                                        "--until",
+                                        "3",
+                                        "--steps",
+                                        "1e-3",
+                                        "--out",
+                                        (out.path() / "r").string()};
+  std::string models = "row";
+  for (const auto& [engine, model] :
+       {std::pair("bullet64", "contact"), std::pair("ode", "contact"),
+        std::pair("box2d", "distance-joint"), std::pair("chipmunk", "slide-joint")}) {
+    if (built_engines().contains(engine)) {
+      arguments.insert(arguments.end(), {"--engines", engine});
+      models += std::string(",") + model;
+    }
+  }
+  for (const char* flaw : {"no-restitution", "threshold"}) {
+    arguments.insert(arguments.end(), {"--engines", bad_engine(flaw)});
+  }
+  arguments.insert(arguments.end(), {"--models", models});
+  static_cast<void>(program(arguments));
+  const json report = json::parse(content_of(out.path() / "r/report.json"));
+  std::size_t ignored = 0;
+  std::size_t thresholds = 0;
+  for (const json& finding : report.at("findings")) {
+    const auto share = [&](const char* cause) { return mean_share(report, finding, 1e-3, cause); };
+    if (finding.at("kind") == "restitution-ignored") {
+      ++ignored;
+      EXPECT_GT(share("restitution_ignored"), 0.5) << finding;
+      EXPECT_EQ(share("threshold"), 0.0) << finding;
+      EXPECT_LT(share("solver_residual"), 0.2) << finding;
+    } else if (finding.at("kind") == "threshold") {
+      ++thresholds;
+      EXPECT_GT(share("threshold"), 0.0) << finding;
+      EXPECT_EQ(share("restitution_ignored"), 0.0) << finding;
+    }
+  }
+  EXPECT_GE(ignored, 1U);
+  EXPECT_GE(thresholds, 1U);
+  for (const json& row : report.at("causes")) {
+    if (row.at("shares").is_null()) {
+      continue;
+    }
+    double sum = 0.0;
+    for (const json& one : row.at("shares")) {
+      sum += one.get<double>();
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-9) << row;
+    EXPECT_GT(row.at("covered"), 0.0) << row;
+    EXPECT_LE(row.at("covered"), 1.0) << row;
   }
 }
 
@@ -170,16 +244,16 @@ TEST_P(FixedStepFlaw, AddsToItsCause) {
   EXPECT_GE(of_cause / added, least) << of_cause << " of " << added << " m";
 }
 
-INSTANTIATE_TEST_SUITE_P(Planted, FixedStepFlaw,
-                         testing::Values(FlawedRun{"bouncy", "solver_residual", "0.5", 0.75},
-                                         FlawedRun{"bouncy", "solver_residual", "0.9", 0.85},
-                                         FlawedRun{"twice", "solver_residual", "0.9", 0.9},
-                                         FlawedRun{"wrong-inertia", "solver_residual", "0.9", 0.85},
-                                         FlawedRun{"no-restitution", "threshold", "0.9", 0.75},
-                                         FlawedRun{"threshold", "threshold", "0.5", 0.65},
-                                         FlawedRun{"energy-gain", "position_correction", "0.9",
-                                                   0.9},
-                                         FlawedRun{"drift", "flight_bias", "0.9", 0.5}));
+INSTANTIATE_TEST_SUITE_P(
+    Planted, FixedStepFlaw,
+    testing::Values(FlawedRun{"bouncy", "solver_residual", "0.5", 0.75},
+                    FlawedRun{"bouncy", "solver_residual", "0.9", 0.85},
+                    FlawedRun{"twice", "solver_residual", "0.9", 0.9},
+                    FlawedRun{"wrong-inertia", "solver_residual", "0.9", 0.85},
+                    FlawedRun{"no-restitution", "restitution_ignored", "0.9", 0.75},
+                    FlawedRun{"threshold", "threshold", "0.5", 0.65},
+                    FlawedRun{"energy-gain", "position_correction", "0.9", 0.9},
+                    FlawedRun{"drift", "flight_bias", "0.9", 0.5}));
 
 // A defect a million times the noise grows beyond first order: the motion's share is told apart.
 TEST(AttributionOfEngines, LargeDefectsGrowBeyondFirstOrder) {

@@ -168,6 +168,16 @@ TEST_P(PlantedCause, SlowImpactsDoNotRebound) {
       exact_flight());
 }
 
+TEST_P(PlantedCause, NoImpactRebounds) {
+  // nearly: what stops takes the taut motion with it
+  expect(Cause::restitution_ignored,
+         {.rate =
+              [](const Case& own, std::size_t cable, const State& at_contact, const State&) {
+                return 0.02 * exact_rate(own, cable, at_contact);
+              }},
+         exact_flight());
+}
+
 TEST_P(PlantedCause, OverstretchPushedOutOnTopOfTheBounce) {
   expect(
       Cause::position_correction,

@@ -256,18 +256,37 @@ TEST(Matching, PairsMutualNearestOnOneCable) {
   EXPECT_EQ(pairs[1], std::pair(std::size_t{2}, std::size_t{3}));
 }
 
+TEST(Matching, AnImpactAMomentAfterTheWindowIsFoundAsItIsMatched) {
+  const std::vector<CountedImpact> exact = {{1.0, 0}, {2.0, 0}};
+  const std::vector<CountedImpact> found = {{1.0, 0}, {2.0 + 1e-9, 0}, {2.5, 0}};
+  const ImpactMatch match = impacts_until(2.0, exact, found, match_impacts(exact, found));
+  EXPECT_EQ(match.exact, 2U);
+  EXPECT_EQ(match.matched, 2U);
+  EXPECT_EQ(match.found, 2U);
+}
+
+std::vector<CountedImpact> any_impacts() {
+  std::vector<CountedImpact> impacts;
+  int tick = 0;
+  for (int index = *rc::gen::inRange(0, 30); index > 0; --index) {
+    tick += *rc::gen::inRange(0, 5);
+    impacts.push_back({0.1 * tick, *rc::gen::inRange<std::size_t>(0, 3)});
+  }
+  return impacts;
+}
+
+RC_GTEST_PROP(Matching, NeverMatchesMoreThanThereAreOnEitherSide, ()) {
+  const auto exact = any_impacts();
+  const auto found = any_impacts();
+  const double end = 0.1 * *rc::gen::inRange(0, 100);
+  const ImpactMatch match = impacts_until(end, exact, found, match_impacts(exact, found));
+  RC_ASSERT(match.matched <= match.exact);
+  RC_ASSERT(match.matched <= match.found);
+}
+
 RC_GTEST_PROP(Matching, IsOneToOneAndOnOneCable, ()) {
-  const auto draw = [] {
-    std::vector<CountedImpact> impacts;
-    int tick = 0;
-    for (int index = *rc::gen::inRange(0, 30); index > 0; --index) {
-      tick += *rc::gen::inRange(0, 5);
-      impacts.push_back({0.1 * tick, *rc::gen::inRange<std::size_t>(0, 3)});
-    }
-    return impacts;
-  };
-  const auto exact = draw();
-  const auto found = draw();
+  const auto exact = any_impacts();
+  const auto found = any_impacts();
   std::set<std::size_t> left;
   std::set<std::size_t> right;
   for (const auto& [i, j] : match_impacts(exact, found)) {

@@ -9,8 +9,8 @@
   /// An error this small is rounding: it does not shrink with the step [m]. The report's slopes are
   /// fitted to what is above it; below it a point is drawn at the foot of the chart.
   const rounding = 1e-9;
-  /// A panel is at least this wide, and this high [px].
-  const [leastWidth, panelHeight] = [330, 270];
+  /// A panel is at least this wide [px].
+  const leastWidth = 330;
 
   const key = (row) => `${row.engine}/${row.model}`;
   const models = [...new Map(report.runs.map((run) => [key(run), run])).values()]
@@ -54,15 +54,15 @@
 
   /// The points, of engines, that no other is below and left of, from left to right.
   function front(all, abscissa) {
-    const sorted = all.filter((point) => point.engine !== 'exact')
-      .sort((a, b) => a[abscissa] - b[abscissa] || a.drawn - b.drawn);
+    const sorted = [...all].sort((a, b) => a[abscissa] - b[abscissa] || a.drawn - b.drawn);
     let least = Infinity;
     return sorted.filter((point) => point.drawn < least && (least = point.drawn, true));
   }
 
   /// Every point that is drawn, with the height it is drawn at, and the foot of the chart.
   function drawn(choice, abscissa) {
-    const all = models.flatMap(({ engine, model }) => points(`${engine}/${model}`, choice)
+    // the control has no error to draw
+    const all = models.filter(({ engine }) => engine !== 'exact').flatMap(({ engine, model }) => points(`${engine}/${model}`, choice)
       .filter((point) => point[abscissa] > 0).map((point) => ({ ...point, engine, model })));
     const large = all.map((point) => point.error).filter((error) => error > rounding);
     const foot = large.length ? 10 ** (Math.floor(Math.log10(Math.min(...large))) - 1) : rounding;
@@ -145,7 +145,8 @@
   }
 
   function build(choice, abscissa) {
-    return (colours, width) => {
+    return (colours, available) => {
+      const width = Math.max(available, leastWidth);
       const { all, foot, floored, top } = drawn(choice, abscissa);
       const visible = all.filter((point) => !filter.isOff(point.engine, point.model));
       const panels = filter.choices.filter((engine) => filter.shows(engine)
@@ -157,6 +158,7 @@
       const onFront = new Set(best);
       const columns = Math.max(1, Math.min(panels.length, 4, Math.floor(width / leastWidth)));
       const rows = Math.ceil(panels.length / columns);
+      const panelHeight = columns === 1 && panels.length > 2 ? 210 : 270;
       const xs = visible.map((point) => point[abscissa]);
       const span = [Math.min(...xs), Math.max(...xs)];
       const xRange = [Math.log10(span[0]) - 0.2, Math.log10(span[1]) + 0.2];
@@ -211,7 +213,7 @@
       filter.bound('Error', [['early_position_error', `over the first ${report.options.early_impacts} impacts`],
         ['horizon_position_error', 'to the predictability horizon']], 'error', 'early_position_error').element));
     element.after(keys);
-    const rows = () => legend(keys, models.filter(({ engine }) => filter.shows(engine)), notes);
+    const rows = () => legend(keys, models.filter(({ engine }) => engine !== 'exact' && filter.shows(engine)), notes);
     address.listen(() => { rows(); made.update(); });
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', rows);
     let before = element.clientWidth;

@@ -4,7 +4,8 @@
   'use strict';
   const { address, make, engines, report } = tautline;
   const ran = new Set(report.runs.map((run) => run.engine));
-  const choices = engines.filter((name) => name !== 'exact' && ran.has(name));
+  /// By name, which favours none.
+  const choices = engines.filter((name) => name !== 'exact' && ran.has(name)).sort();
 
   const chosen = () => new Set(address.list('engines').filter((name) => choices.includes(name)));
   const shows = (engine) => {

@@ -101,7 +101,9 @@
     const search = make('input', { type: 'search', name: 'text', on: { input: () => change({ text: search.value }) } });
     inputs.set('text', search);
     bar.append(make('label', {}, 'text', search), count, reset);
-    (fold ?? table.parentElement).before(bar);
+    if (shared.length + own.length > 0) {
+      (fold ?? table.parentElement).before(bar); // a short table needs none
+    }
 
     for (const [key, cell] of keys) {
       if (key) {
@@ -158,7 +160,7 @@
     });
   }
 
-  setUp(document.getElementById('scorecards-table'), 'engines', [], ['maker']);
+  setUp(document.getElementById('scorecards-table'), 'engines', [], []);
   setUp(document.getElementById('answers-table'), 'answers', ['step'], ['model']);
   setUp(document.getElementById('cases-table'), 'cases', ['case', 'step'], ['model']);
 })();

@@ -82,6 +82,10 @@ std::string command_html(const std::string& command) {
   return fmt::format("<span class=\"command\"><code>{}</code></span>", html_text(command));
 }
 
+std::string folded(const std::string& summary, const std::string& html) {
+  return "<details class=\"fold\"><summary>" + summary + "</summary>\n" + html + "</details>\n";
+}
+
 std::string verdict_paragraph(const Report& report) {
   Tally all;
   for (const Scorecard& card : scorecards(report)) {
@@ -99,8 +103,8 @@ std::string scorecards_section(const Report& report) {
                        : html_table(table, "scorecards-table",
                                     "By name, which favours none: whose cable, and what it is "
                                     "worth.");
-  return out + "<details class=\"fold\"><summary>How to read it</summary>\n<p>" +
-         html_prose(how_to_read_scorecards()) + "</p>\n</details>\n</section>\n";
+  return out + folded("How to read it", "<p>" + html_prose(how_to_read_scorecards()) + "</p>\n") +
+         "</section>\n";
 }
 
 std::string trust_section(const Report& report) {

@@ -17,6 +17,9 @@ namespace tautline::bench {
 /// Why the reference can be believed, and what the comparison itself costs.
 [[nodiscard]] std::string trust_section(const Report& report);
 
+/// A part that few readers want, folded.
+[[nodiscard]] std::string folded(const std::string& summary, const std::string& html);
+
 /// A command to be copied.
 [[nodiscard]] std::string command_html(const std::string& command);
 

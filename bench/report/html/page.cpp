@@ -47,8 +47,9 @@ std::string replay_section() {
 }  // namespace
 
 std::string report_html(const Report& report, const PageAssets& assets) {
-  std::string out = fmt::format("<header>\n<h1>{}</h1>\n{}{}{}", title, picture_html(report),
-                                verdict_paragraph(report), answer_paragraph(report));
+  std::string out =
+      fmt::format("<header>\n<h1>{}</h1>\n{}{}{}", title, picture_html(report),
+                  verdict_paragraph(report), folded("In sentences", answer_paragraph(report)));
   if (assets.plotly.empty()) {
     out +=
         "<p class=\"note\">Charts are not in this build of tautline: it was made without "

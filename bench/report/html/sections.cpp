@@ -8,6 +8,7 @@
 
 #include "bench/base/html.hpp"
 #include "bench/cases/catalogue.hpp"
+#include "bench/report/html/first_screen.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
 #include "bench/report/tables/answers_table.hpp"
 #include "bench/report/tables/columns.hpp"
@@ -70,11 +71,6 @@ std::string folders_json(const Report& report) {
   }
   return fmt::format("{{\"cases\":[{}],\"engines\":[{}],\"models\":[{}]}}", fmt::join(cases, ","),
                      fmt::join(engines, ","), fmt::join(models, ","));
-}
-
-/// A part that few readers want, folded.
-std::string folded(const std::string& summary, const std::string& html) {
-  return "<details class=\"fold\"><summary>" + summary + "</summary>\n" + html + "</details>\n";
 }
 
 /// A place for a chart: what it shows, which a reader without script is told.

@@ -13,8 +13,8 @@ constexpr double width = 220.0;   // [px] of a still
 constexpr double height = 190.0;  //
 constexpr double rim = 16.0;      //
 
-/// A gap below this, of the length, is taut: a pixel is more [-].
-constexpr double taut = 1e-3;
+/// A gap below this, of the length, is drawn taut: about a pixel [-].
+constexpr double looks_taut = 5e-3;
 
 /// From metres to the pixels of a still.
 struct Place {
@@ -27,17 +27,26 @@ struct Place {
   }
 };
 
-Vec2 centre_of(const Path& path, std::size_t sample) { return {path.x[sample], path.y[sample]}; }
+/// Points of the way a body came.
+constexpr int trail_points = 60;
+
+/// The end of a cable on the body [m].
+Vec2 end_of(const CableRow& cable, const Pose& pose) {
+  const double c = std::cos(pose.angle);
+  const double s = std::sin(pose.angle);
+  const Vec2& r = cable.attachment;
+  return pose.centre + Vec2(c * r.x() - s * r.y(), s * r.x() + c * r.y());
+}
 
 /// Room for the anchors and for the body at every still.
 Place place_of_stills(const CaseRow& the_case, const Path& path,
-                      const std::array<std::size_t, 4>& samples) {
+                      const std::array<double, 3>& times) {
   std::vector<Vec2> points;
   for (const CableRow& cable : the_case.geometry) {
     points.push_back(cable.anchor);
-    for (const std::size_t sample : samples) {
-      points.push_back(end_of(cable, path, sample));
-      points.push_back(centre_of(path, sample));
+    for (const double time : times) {
+      points.push_back(end_of(cable, pose_at(path, time)));
+      points.push_back(pose_at(path, time).centre);
     }
   }
   Vec2 low = points.front();
@@ -83,7 +92,7 @@ std::string cable_svg(const CaseRow& the_case, const CableRow& cable, const Vec2
                       const Place& place, bool struck) {
   const Vec2 from = place(cable.anchor);
   const Vec2 to = place(end);
-  const bool is_taut = cable.length - (end - cable.anchor).norm() <= taut * cable.length;
+  const bool is_taut = cable.length - (end - cable.anchor).norm() <= looks_taut * cable.length;
   const std::string look = std::string(is_taut ? "taut" : "slack") + (struck ? " struck" : "");
   if (is_taut) {
     return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", look, from.x(),
@@ -99,25 +108,25 @@ std::string anchor_svg(const Vec2& at) {
                      at.x() - 7.0, at.y());
 }
 
-std::string body_svg(const CaseRow& the_case, const Path& path, std::size_t sample,
-                     const Place& place) {
-  const Vec2 centre = place(centre_of(path, sample));
+std::string body_svg(const CaseRow& the_case, const Pose& pose, const Place& place) {
+  const Vec2 centre = place(pose.centre);
   std::string out;
   for (const CableRow& cable : the_case.geometry) {
-    const Vec2 end = place(end_of(cable, path, sample));
+    const Vec2 end = place(end_of(cable, pose));
     out += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", centre.x(), centre.y(), end.x(), end.y());
   }
   return fmt::format(
-      "<path class=\"body\" d=\"{}\"/><circle class=\"body\" cx=\"{:.1f}\" "
-      "cy=\"{:.1f}\" r=\"5\"/>",
+      "<path class=\"body\" d=\"{}\"/><circle class=\"body\" cx=\"{:.1f}\" cy=\"{:.1f}\" "
+      "r=\"5\"/>",
       out, centre.x(), centre.y());
 }
 
-/// The centre from the first still to this one.
-std::string trail_svg(const Path& path, std::size_t first, std::size_t last, const Place& place) {
+/// The centre from one instant to another.
+std::string trail_svg(const Path& path, double from, double until, const Place& place) {
   std::string points;
-  for (std::size_t sample = first; sample <= last; ++sample) {
-    const Vec2 at = place(centre_of(path, sample));
+  for (int point = 0; point <= trail_points; ++point) {
+    const double time = from + (until - from) * point / trail_points;
+    const Vec2 at = place(pose_at(path, time).centre);
     points += fmt::format("{}{:.1f} {:.1f}", points.empty() ? "M" : "L", at.x(), at.y());
   }
   return "<path class=\"trail\" d=\"" + points + "\"/>";
@@ -125,26 +134,39 @@ std::string trail_svg(const Path& path, std::size_t first, std::size_t last, con
 
 }  // namespace
 
-Vec2 end_of(const CableRow& cable, const Path& path, std::size_t sample) {
-  const double c = std::cos(path.angle[sample]);
-  const double s = std::sin(path.angle[sample]);
-  const Vec2& r = cable.attachment;
-  return {path.x[sample] + c * r.x() - s * r.y(), path.y[sample] + s * r.x() + c * r.y()};
+Pose pose_at(const Path& path, double time) {
+  if (path.time.empty()) {
+    return {};
+  }
+  const auto next = static_cast<std::size_t>(
+      std::lower_bound(path.time.begin(), path.time.end(), time) - path.time.begin());
+  const std::size_t last = path.time.size() - 1;
+  const std::size_t to = std::min(next, last);
+  const std::size_t from = to > 0 && next <= last ? to - 1 : to;
+  const double span = path.time[to] - path.time[from];
+  const double part = span > 0.0 ? (time - path.time[from]) / span : 1.0;
+  const auto between = [&](const std::vector<double>& column) {
+    return column[from] + part * (column[to] - column[from]);
+  };
+  return {{between(path.x), between(path.y)}, between(path.angle)};
 }
 
-std::string still_svg(const CaseRow& the_case, const Path& path,
-                      const std::array<std::size_t, 4>& samples, std::size_t still,
-                      std::size_t struck) {
-  const Place place = place_of_stills(the_case, path, samples);
-  const std::size_t sample = samples.at(still);
+double gap_of(const CableRow& cable, const Pose& pose) {
+  return cable.length - (end_of(cable, pose) - cable.anchor).norm();
+}
+
+std::string still_svg(const CaseRow& the_case, const Path& path, const std::array<double, 3>& times,
+                      std::size_t still, std::size_t struck) {
+  const Place place = place_of_stills(the_case, path, times);
+  const Pose pose = pose_at(path, times.at(still));
   std::string out = fmt::format("<svg viewBox=\"0 0 {} {}\" aria-hidden=\"true\">", width, height) +
-                    trail_svg(path, samples.front(), sample, place);
+                    trail_svg(path, times.front(), times.at(still), place);
   for (std::size_t index = 0; index < the_case.geometry.size(); ++index) {
     const CableRow& cable = the_case.geometry[index];
-    out += cable_svg(the_case, cable, end_of(cable, path, sample), place, index == struck) +
+    out += cable_svg(the_case, cable, end_of(cable, pose), place, index == struck) +
            anchor_svg(place(cable.anchor));
   }
-  return out + body_svg(the_case, path, sample, place) + "</svg>";
+  return out + body_svg(the_case, pose, place) + "</svg>";
 }
 
 }  // namespace tautline::bench

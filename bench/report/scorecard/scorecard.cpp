@@ -166,6 +166,7 @@ MakerCard maker_card(const Report& report, const std::string& engine, Maker make
       }
     }
   }
+  card.use_is_right = !right.empty();
   card.use = chosen(right.empty() ? std::move(all) : std::move(right));
   card.models = std::move(models);
   return card;

@@ -68,6 +68,7 @@ struct MakerCard {
   /// the largest step that is good enough, the one with the smallest error. Where none is good
   /// enough, the smallest error of all. None without an error.
   std::optional<Setup> use;
+  bool use_is_right = false;  // false where no model rebounds rightly
   Tally verdicts;
 };
 

@@ -49,22 +49,40 @@ std::optional<double> cost_of(const std::optional<Setup>& use) {
   return use && use->cost ? std::optional(1e3 * use->cost->second_cost) : std::nullopt;
 }
 
+/// The model to use; where none rebounds rightly, that, and which is nearest.
+Cell use_cell(const MakerCard& of) {
+  if (!of.use) {
+    return "none";
+  }
+  return word_cell((of.use_is_right ? "" : "none; nearest: ") + of.use->model);
+}
+
 Row row_of(const Scorecard& card, const MakerCard& of) {
   Cell found = sentence_cell(fmt::format("{}", fmt::join(findings_texts(card, of), "; ")));
   if (found.text.empty()) {
     found.text = "nothing";
   }
-  return {
-      {word_cell(card.engine), word_cell(card.version + ", " + card.precision), words_of(of.maker),
-       sentence_cell(rebounds_text(of)), of.use ? word_cell(of.use->model) : Cell("none"),
-       number_cell(of.use ? std::optional(of.use->step) : std::nullopt, as_count),
-       number_cell(percent(of.use), as_error), number_cell(cost_of(of.use), as_error),
-       std::move(found), verdict_cell(of.verdicts)},
-      "",
-      ""};
+  return {{word_cell(card.engine), word_cell(card.version + ", " + card.precision),
+           words_of(of.maker), sentence_cell(rebounds_text(of)), use_cell(of),
+           number_cell(of.use ? std::optional(of.use->step) : std::nullopt, as_count),
+           brief_cell(percent(of.use)), brief_cell(cost_of(of.use)), std::move(found),
+           verdict_cell(of.verdicts)},
+          "",
+          ""};
 }
 
 }  // namespace
+
+std::string kind_in_words(std::string kind) {
+  std::replace(kind.begin(), kind.end(), '-', ' ');
+  return kind;
+}
+
+Cell brief_cell(const std::optional<double>& value) {
+  Cell cell = number_cell(value, as_error);
+  cell.text = value ? fmt::format("{:.2g}", *value) : cell.text;
+  return cell;
+}
 
 Table scorecards_table(const Report& report) {
   Table table(columns_of());
@@ -139,7 +157,7 @@ std::vector<std::string> findings_texts(const Scorecard& card, const MakerCard& 
     std::vector<std::string> kinds;
     for (const Finding& finding : card.findings) {
       if (finding.model == model.model) {
-        kinds.push_back(in_words(finding.kind));
+        kinds.push_back(kind_in_words(finding.kind));
       }
     }
     if (!kinds.empty()) {
@@ -149,8 +167,6 @@ std::vector<std::string> findings_texts(const Scorecard& card, const MakerCard& 
   return texts;
 }
 
-std::string percent_text(double share) {
-  return number_text(100.0 * share, share < 1e-4 ? as_error : Digits{}) + " %";
-}
+std::string percent_text(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
 
 }  // namespace tautline::bench

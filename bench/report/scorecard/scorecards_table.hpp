@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/base/table.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
@@ -9,6 +11,12 @@ namespace tautline::bench {
 
 /// The scorecards of a report: a row for each engine and maker of its models.
 [[nodiscard]] Table scorecards_table(const Report& report);
+
+/// "restitution ignored": the kind of a finding.
+[[nodiscard]] std::string kind_in_words(std::string kind);
+
+/// A number to two digits, with all of them kept.
+[[nodiscard]] Cell brief_cell(const std::optional<double>& value);
 
 /// How to read it, in a paragraph; marked up as in Markdown.
 [[nodiscard]] std::string how_to_read_scorecards();

@@ -43,7 +43,8 @@ std::vector<ModelRow> models_of(const std::vector<Scorecard>& cards) {
 std::string rebound_text(const ModelCard& card) {
   if (!card.wrong.empty()) {
     std::vector<std::string> kinds;
-    std::transform(card.wrong.begin(), card.wrong.end(), std::back_inserter(kinds), in_words);
+    std::transform(card.wrong.begin(), card.wrong.end(), std::back_inserter(kinds),
+                   [](const std::string& kind) { return kind_in_words(kind); });
     return fmt::format("wrong: {}", fmt::join(kinds, ", "));
   }
   return card.impacts == 0 ? "not measured" : "right";
@@ -53,13 +54,13 @@ std::string rebound_text(const ModelCard& card) {
 Row row_of(const ModelRow& row) {
   const Setup& setup = row.card.setups.back();
   const auto cost = setup.cost ? std::optional(1e3 * setup.cost->second_cost) : std::nullopt;
-  return {{word_cell(row.engine), word_cell(row.card.model), words_of(row.card.maker),
-           tally_text(row.card.verdicts), sentence_cell(rebound_text(row.card)),
-           number_cell(setup.step, as_count),
-           number_cell(setup.off ? std::optional(100.0 * *setup.off) : std::nullopt, as_error),
-           number_cell(cost, as_error)},
-          "",
-          ""};
+  return {
+      {word_cell(row.engine), word_cell(row.card.model), words_of(row.card.maker),
+       tally_text(row.card.verdicts), sentence_cell(rebound_text(row.card)),
+       number_cell(setup.step, as_count),
+       brief_cell(setup.off ? std::optional(100.0 * *setup.off) : std::nullopt), brief_cell(cost)},
+      "",
+      ""};
 }
 
 Table table_of(const std::vector<ModelRow>& rows) {

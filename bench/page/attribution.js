@@ -52,13 +52,13 @@
         marker: { color: colours.engines[i], line: { color: colours.paper, width: 0.6 },
           pattern: { shape: hatch, bgcolor: colours.engines[i], fgcolor: colours.paper, size: 6,
             solidity: 0.3 } } })),
-      layout: { barmode: 'stack', bargap: 0.25, height: 120 + 22 * found.length, showlegend: true,
+      layout: { barmode: 'stack', bargap: 0.25, height: 120 + (colours.printing ? 16 : 22) * found.length, showlegend: true,
         legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0, traceorder: 'normal' },
         margin: { l: 64, r: 16, t: 70, b: 52 },
         xaxis: axis(colours, { rangemode: 'tozero',
           title: { text: `${choice.case ? '' : 'median '}share of the parts [-]` } }),
         yaxis: axis(colours, { title: { text: 'engine and model' }, type: 'category', ticks: '',
-          tickfont: { size: 11 } }) },
+          tickfont: { size: colours.printing ? 9 : 11 } }) },
     };
   }
 

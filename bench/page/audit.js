@@ -4,10 +4,10 @@
 // only; a note below a chart says how many it has not.
 (() => {
   'use strict';
-  const { report, address, filter, mark, axis, logAxis, chart, make, select, refill, short, number, modelsOf } = tautline;
+  const { report, address, filter, mark, axis, logAxis, speedAxis, chart, make, select, refill, short, number, modelsOf } = tautline;
 
   /// More points than this in a chart are thinned evenly: a page has to stay quick.
-  const most = 4000;
+  const most = () => (tautline.theme().printing ? 800 : 4000);
   /// Errors at or below this are rounding and drawn here, as a logarithm has no zero [N s, N m s].
   const floor = 1e-17;
 
@@ -58,7 +58,7 @@
         angular: columns.angular_error[i] }));
       byModel.set(run.model, rows);
     }
-    const stride = Math.ceil(total / most);
+    const stride = Math.ceil(total / most());
     return { total, missing, models: [...byModel].map(([model, rows]) => ({ model,
       rows: rows.filter((row, i) => i % stride === 0) })) };
   }
@@ -69,8 +69,14 @@
   // Plotly reads markup in hover text: a name must not be able to write any
   const plain = (text) => text.replace(/&/g, '&amp;').replace(/<(?!br>)/g, '&lt;');
 
+  /// One engine alone is shown here: colour tells its models, symbol and dash are those of everywhere.
+  function own(engine, model) {
+    const colours = tautline.theme().engines;
+    return { ...mark(engine, model), colour: colours[Math.max(0, modelsOf(engine).indexOf(model)) % colours.length] };
+  }
+
   function dots(model, rows, x, y, more = {}) {
-    const { colour, symbol } = mark(choice.engine, model);
+    const { colour, symbol } = own(choice.engine, model);
     return { type: 'scatter', mode: 'markers', name: `${choice.engine} ${model}`,
       x: rows.map(x), y: rows.map(y), text: rows.map((row) => plain(told(row))),
       hovertemplate: '<b>%{fullData.name}</b><br>%{text}<extra></extra>',
@@ -150,7 +156,7 @@
       data: [...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.tangential))),
         ...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.angular),
           { yaxis: 'y2', showlegend: false }))],
-      layout: { height: 560, ...withLegend, xaxis: logAxis(colours, { title: { text: 'impact speed [m/s]' }, anchor: 'y2' }),
+      layout: { height: colours.printing ? 460 : 560, ...withLegend, xaxis: speedAxis(colours, { title: { text: 'impact speed [m/s]' }, anchor: 'y2' }),
         yaxis: logAxis(colours, { title: { text: 'across the cable [N s]' }, domain: [0.54, 1],
           ...spread(decades('tangential')) }),
         yaxis2: logAxis(colours, { title: { text: 'angular error [N m s]' }, domain: [0, 0.46],
@@ -166,7 +172,7 @@
     const exact = runs.map((run) => run.audit.ladder.exact).sort((a, b) => b.length - a.length)[0];
     const counted = (values) => values.map((value, n) => n);
     const traces = runs.map((run) => {
-      const { colour, symbol, dash } = mark(run.engine, run.model);
+      const { colour, symbol, dash } = own(run.engine, run.model);
       const { heights } = run.audit.ladder;
       return { type: 'scatter', mode: 'lines+markers', x: counted(heights), y: heights,
         name: `${run.engine} ${run.model}, step ${number(run.step)} s`,
@@ -196,7 +202,7 @@
     filter.bound('Step [s]', all('all steps', steps), 'step').element,
     filter.bound('Case', all('all cases', report.cases.map((one) => one.name)), 'case').element));
   chart(place(ids.restitution, 'Restitution over the speed of the impact: asked (bars) and got (marks).'),
-    restitution((row) => row.speed, (colours) => logAxis(colours,
+    restitution((row) => row.speed, (colours) => speedAxis(colours,
       { title: { text: 'impact speed [m/s]' } }), thresholds));
   chart(place(ids.arm, 'The same over the lever arm of the cable about the centre of mass.'),
     restitution((row) => row.arm, (colours) => axis(colours, { title: { text: 'lever arm [m]' } }),
@@ -205,6 +211,9 @@
     + 'the spin against arm times impulse.'), impulse);
   chart(place(ids.ladder, 'Bounce ladder: heights over the first, against e^(2n).'), ladder);
   address.listen(() => {
+    document.querySelectorAll('#audit .findings li').forEach((item) => {
+      item.hidden = !filter.shows(item.dataset.engine);
+    });
     refill(engine, choices([...new Set([...shown(), ...(engines.includes('exact') ? ['exact'] : [])])]));
     engine.box.value = choice.engine;
     refill(model, all('all models', modelsOf(choice.engine)));

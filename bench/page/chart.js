@@ -25,7 +25,7 @@ window.tautline = (() => {
   function theme() {
     const dark = !printing && matchMedia('(prefers-color-scheme: dark)').matches;
     return {
-      dark,
+      dark, printing,
       paper: variable('--paper', dark ? '#16181b' : '#ffffff'),
       ink: variable('--ink', dark ? '#e6e4df' : '#1d1d1b'),
       muted: variable('--muted', dark ? '#a9a69f' : '#5a5854'),
@@ -46,13 +46,17 @@ window.tautline = (() => {
 
   /// An axis in decades, labelled at whole powers of ten.
   const logAxis = (colours, more) => axis(colours, { type: 'log', dtick: 1, ...more });
+  /// The same for a decade or two, with ticks at 2 and 5 too.
+  const tickvals = [-5, -4, -3, -2, -1, 0, 1, 2].flatMap((power) => [1, 2, 5].map((one) =>
+    Number((one * 10 ** power).toPrecision(1))));
+  const speedAxis = (colours, more) => logAxis(colours, { tickmode: 'array', tickvals, ticktext: tickvals.map(String), ...more });
 
   function layoutOf(colours, layout) {
     return {
       paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', showlegend: false,
       font: { family: colours.font, size: 13, color: colours.ink }, hovermode: 'closest',
       // room for Plotly's bar above the curves
-      margin: { l: 64, r: 16, t: 34, b: 52 }, height: 420,
+      margin: { l: 64, r: 16, t: 34, b: 52 }, height: colours.printing ? 320 : 420,
       hoverlabel: { bgcolor: colours.paper, bordercolor: colours.muted,
         font: { family: colours.font, size: 13, color: colours.ink } },
       ...layout,
@@ -153,5 +157,5 @@ window.tautline = (() => {
   addEventListener('beforeprint', () => forPaper(true));
   addEventListener('afterprint', () => forPaper(false));
 
-  return { theme, axis, logAxis, chart, charts };
+  return { theme, axis, logAxis, speedAxis, chart, charts };
 })();

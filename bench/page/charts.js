@@ -156,16 +156,18 @@
       }
       const best = front(visible, abscissa);
       const onFront = new Set(best);
-      const columns = Math.max(1, Math.min(panels.length, 4, Math.floor(width / leastWidth)));
+      // on paper a whole chart fits a page
+      const columns = colours.printing ? Math.min(panels.length, 3)
+        : Math.max(1, Math.min(panels.length, 4, Math.floor(width / leastWidth)));
       const rows = Math.ceil(panels.length / columns);
-      const panelHeight = columns === 1 && panels.length > 2 ? 210 : 270;
+      const panelHeight = colours.printing || (columns === 1 && panels.length > 2) ? 210 : 270;
       const xs = visible.map((point) => point[abscissa]);
       const span = [Math.min(...xs), Math.max(...xs)];
       const xRange = [Math.log10(span[0]) - 0.2, Math.log10(span[1]) + 0.2];
       const height = rows * panelHeight + 90;
       const layout = { height, margin: { l: 70, r: 14, t: 50, b: 52 }, annotations: [], showlegend: false };
       const data = [];
-      const title = { step: 'step [s]', cost: 'processor time per simulated second [s/s]' }[abscissa];
+      const title = { step: 'step [s]', cost: width / columns < 300 ? 'cost [s/s]' : 'processor time per simulated second [s/s]' }[abscissa];
       const error = metric(choice.metric);
       const ticks = errorTicks(foot, top, floored);
       const gap = { x: 26 / width, y: 44 / height };
@@ -213,9 +215,12 @@
       filter.bound('Error', [['early_position_error', `over the first ${report.options.early_impacts} impacts`],
         ['horizon_position_error', 'to the predictability horizon']], 'error', 'early_position_error').element));
     element.after(keys);
-    const rows = () => legend(keys, models.filter(({ engine }) => engine !== 'exact' && filter.shows(engine)), notes);
+    const byName = [...models].sort((a, b) => filter.choices.indexOf(a.engine) - filter.choices.indexOf(b.engine));
+    const rows = () => legend(keys, byName.filter(({ engine }) => engine !== 'exact' && filter.shows(engine)), notes);
     address.listen(() => { rows(); made.update(); });
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', rows);
+    addEventListener('beforeprint', rows);
+    addEventListener('afterprint', rows);
     let before = element.clientWidth;
     new ResizeObserver(() => {
       if (Math.floor(before / leastWidth) !== Math.floor(element.clientWidth / leastWidth)) {

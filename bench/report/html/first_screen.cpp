@@ -120,7 +120,7 @@ std::string trust_section(const Report& report) {
   }
   out +=
       "<p><b>The horizon.</b> Errors of 1e-12 grow to 1e-3 by the predictability horizon of each "
-      "case; what lies beyond is compared with nothing.</p>\n";
+      "case; beyond it a difference says nothing about an engine.</p>\n";
   return out + control_paragraph(report) + "</section>\n";
 }
 

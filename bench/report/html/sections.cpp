@@ -83,9 +83,10 @@ std::string chart_place(const std::string& id, const std::string& shows) {
 
 std::string finding_item(const Finding& finding) {
   return fmt::format(
-      "<li data-kind=\"{}\"><b>{} {}</b> {} <span class=\"evidence\">{}</span></li>\n",
-      html_text(finding.kind), html_text(finding.engine), html_text(finding.model),
-      html_prose(finding.sentence), evidence_text(finding));
+      "<li data-kind=\"{}\" data-engine=\"{}\"><b>{} {}</b> {} <span "
+      "class=\"evidence\">{}</span></li>\n",
+      html_text(finding.kind), html_text(finding.engine), html_text(finding.engine),
+      html_text(finding.model), html_prose(finding.sentence), evidence_text(finding));
 }
 
 std::string model_html(const Model& model, const std::string& id) {

@@ -2,7 +2,7 @@
 // Hatching tells the causes apart where colour does not.
 (() => {
   'use strict';
-  const { report, axis, chart, make, select, number } = tautline;
+  const { report, address, filter, axis, chart, make, number } = tautline;
   const element = document.getElementById('chart-attribution');
   if (!element) {
     return;
@@ -15,7 +15,8 @@
     [name, name.replaceAll('_', ' '), hatches[i % hatches.length]]);
 
   const steps = [...new Set(report.runs.map((run) => run.step))].sort((a, b) => b - a);
-  const choice = { case: '', step: String(steps[steps.length >> 1]) };
+  const middle = String(steps[steps.length >> 1]);
+  const choice = { get case() { return address.get('case'); }, get step() { return address.get('step') || middle; } };
 
   /// Shares of the sum of the sizes of all parts; null where the run has none.
   function sharesOf(run) {
@@ -27,8 +28,9 @@
 
   /// {name, shares, deviation, covered} of what is drawn, first on top.
   function rows() {
-    const fits = (row) => !choice.step || String(row.step) === choice.step;
-    const name = (row) => `${row.engine} ${row.model}${choice.step ? '' : `, ${number(row.step)} s`}`;
+    const fits = (row) => String(row.step) === choice.step && filter.shows(row.engine)
+      && !filter.isOff(row.engine, row.model);
+    const name = (row) => `${row.engine} ${row.model}`;
     const found = choice.case
       ? report.runs.filter((run) => run.case === choice.case && fits(run)).map((run) => ({
         name: name(run), shares: sharesOf(run), deviation: run.attribution && run.attribution.deviation,
@@ -51,21 +53,19 @@
         marker: { color: colours.engines[i], line: { color: colours.paper, width: 0.6 },
           pattern: { shape: hatch, bgcolor: colours.engines[i], fgcolor: colours.paper, size: 6,
             solidity: 0.3 } } })),
-      layout: { barmode: 'stack', bargap: 0.25, height: 120 + 22 * found.length, showlegend: true,
+      layout: { barmode: 'stack', bargap: 0.25, height: 120 + (colours.printing ? 16 : 22) * found.length, showlegend: true,
         legend: { orientation: 'h', y: 1, yanchor: 'bottom', x: 0, traceorder: 'normal' },
         margin: { l: 64, r: 16, t: 70, b: 52 },
         xaxis: axis(colours, { rangemode: 'tozero',
           title: { text: `${choice.case ? '' : 'mean '}share of the parts [-]` } }),
         yaxis: axis(colours, { title: { text: 'engine and model' }, type: 'category', ticks: '',
-          tickfont: { size: 11 } }) },
+          tickfont: { size: colours.printing ? 9 : 11 } }) },
     };
   }
 
   const made = chart(element, build);
-  const change = (name) => (value) => { choice[name] = value; made.update(); };
-  const text = (value) => [String(value), String(value)];
   element.before(make('div', { class: 'controls' },
-    select('Case', [['', 'all cases'], ...report.cases.map((one) => [one.name, one.name])], '',
-      change('case')).element,
-    select('Step [s]', [['', 'all steps'], ...steps.map(text)], choice.step, change('step')).element));
+    filter.bound('Case', [['', 'all cases'], ...report.cases.map((one) => [one.name, one.name])], 'case').element,
+    filter.bound('Step [s]', steps.map((step) => [String(step), String(step)]), 'step', middle).element));
+  address.listen(() => made.update());
 })();

@@ -4,10 +4,10 @@
 // only; a note below a chart says how many it has not.
 (() => {
   'use strict';
-  const { report, mark, axis, logAxis, chart, make, select, refill, short, number, modelsOf } = tautline;
+  const { report, address, filter, mark, axis, logAxis, speedAxis, chart, make, select, refill, short, number, modelsOf } = tautline;
 
   /// More points than this in a chart are thinned evenly: a page has to stay quick.
-  const most = 4000;
+  const most = () => (tautline.theme().printing ? 800 : 4000);
   /// Errors at or below this are rounding and drawn here, as a logarithm has no zero [N s, N m s].
   const floor = 1e-17;
 
@@ -22,8 +22,20 @@
     app.textContent = 'No run of this report has impacts to audit.';
     return;
   }
-  const choice = { case: '', model: '', step: String(steps[steps.length >> 1]),
-    engine: engines.find((name) => name !== 'exact') || engines[0] };
+  /// One engine at a time: the one that is shown alone, or that was chosen here, or the first.
+  const shown = () => engines.filter((name) => filter.shows(name) && (name !== 'exact' || engines.length === 1));
+  const choice = {
+    get case() { return address.get('case'); },
+    get step() { return address.get('step'); },
+    get engine() {
+      const wanted = address.get('audit.engine');
+      return shown().includes(wanted) || (wanted === 'exact' && engines.includes(wanted)) ? wanted
+        : shown()[0] || engines[0];
+    },
+    get model() {
+      const wanted = address.get('audit.model');
+      return modelsOf(choice.engine).includes(wanted) ? wanted : '';
+    } };
 
   const chosen = () => audited.filter((run) => run.engine === choice.engine
     && (!choice.case || run.case === choice.case) && (!choice.model || run.model === choice.model)
@@ -46,7 +58,7 @@
         angular: columns.angular_error[i] }));
       byModel.set(run.model, rows);
     }
-    const stride = Math.ceil(total / most);
+    const stride = Math.ceil(total / most());
     return { total, missing, models: [...byModel].map(([model, rows]) => ({ model,
       rows: rows.filter((row, i) => i % stride === 0) })) };
   }
@@ -57,8 +69,14 @@
   // Plotly reads markup in hover text: a name must not be able to write any
   const plain = (text) => text.replace(/&/g, '&amp;').replace(/<(?!br>)/g, '&lt;');
 
+  /// One engine alone is shown here: colour tells its models, symbol and dash are those of everywhere.
+  function own(engine, model) {
+    const colours = tautline.theme().engines;
+    return { ...mark(engine, model), colour: colours[Math.max(0, modelsOf(engine).indexOf(model)) % colours.length] };
+  }
+
   function dots(model, rows, x, y, more = {}) {
-    const { colour, symbol } = mark(choice.engine, model);
+    const { colour, symbol } = own(choice.engine, model);
     return { type: 'scatter', mode: 'markers', name: `${choice.engine} ${model}`,
       x: rows.map(x), y: rows.map(y), text: rows.map((row) => plain(told(row))),
       hovertemplate: '<b>%{fullData.name}</b><br>%{text}<extra></extra>',
@@ -68,7 +86,7 @@
 
   function requested(models, x, colours) {
     const rows = models.flatMap((one) => one.rows).filter((row) => row.requested !== null);
-    return { type: 'scatter', mode: 'markers', name: 'requested', hoverinfo: 'skip',
+    return { type: 'scatter', mode: 'markers', name: 'asked', hoverinfo: 'skip',
       x: rows.map(x), y: rows.map((row) => row.requested),
       marker: { symbol: 'line-ew-open', size: 11, color: colours.ink, line: { width: 1.6 } } };
   }
@@ -93,6 +111,9 @@
       font: { color: colours.flag } })) };
   }
 
+  const withLegend = { showlegend: true,
+    legend: { orientation: 'h', y: 1.02, yanchor: 'bottom', x: 0, font: { size: 11 } } };
+
   function restitution(x, axisOf, extra) {
     return (colours) => {
       const found = impacts();
@@ -104,13 +125,20 @@
       return { note: note(found, rows.length),
         data: [...models.map((one) => dots(one.model, one.rows, x, (row) => row.effective)),
           requested(models, x, colours)],
-        layout: { ...extra(colours), xaxis: axisOf(colours),
+        layout: { ...extra(colours), ...withLegend, xaxis: axisOf(colours),
           yaxis: axis(colours, { title: { text: 'restitution [-]' } }) } };
     };
   }
 
   /// A range of decades, and labels that are not too close.
-  const spread = (range) => ({ range, dtick: Math.ceil((range[1] - range[0]) / 8) });
+  function spread(range) {
+    const [low, high] = [Math.ceil(range[0]), Math.floor(range[1])];
+    const every = Math.max(1, Math.ceil((high - low) / 8));
+    const powers = Array.from({ length: high - low + 1 }, (_, i) => low + i).filter((power, i) => i % every === 0);
+    const text = (power) => `10<sup>${String(power).replace('-', '\u2212')}</sup>`;
+    return { range, tickmode: 'array', tickvals: powers.map((power) => 10 ** power),
+      ticktext: powers.map((power) => (10 ** power <= floor * 1.001 ? `\u2264 ${text(power)}` : text(power))) };
+  }
 
   function impulse(colours) {
     const found = impacts();
@@ -128,7 +156,7 @@
       data: [...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.tangential))),
         ...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.angular),
           { yaxis: 'y2', showlegend: false }))],
-      layout: { height: 560, xaxis: logAxis(colours, { title: { text: 'impact speed [m/s]' }, anchor: 'y2' }),
+      layout: { height: colours.printing ? 460 : 560, ...withLegend, xaxis: speedAxis(colours, { title: { text: 'impact speed [m/s]' }, anchor: 'y2' }),
         yaxis: logAxis(colours, { title: { text: 'across the cable [N s]' }, domain: [0.54, 1],
           ...spread(decades('tangential')) }),
         yaxis2: logAxis(colours, { title: { text: 'angular error [N m s]' }, domain: [0, 0.46],
@@ -144,7 +172,7 @@
     const exact = runs.map((run) => run.audit.ladder.exact).sort((a, b) => b.length - a.length)[0];
     const counted = (values) => values.map((value, n) => n);
     const traces = runs.map((run) => {
-      const { colour, symbol, dash } = mark(run.engine, run.model);
+      const { colour, symbol, dash } = own(run.engine, run.model);
       const { heights } = run.audit.ladder;
       return { type: 'scatter', mode: 'lines+markers', x: counted(heights), y: heights,
         name: `${run.engine} ${run.model}, step ${number(run.step)} s`,
@@ -154,7 +182,7 @@
     return { data: [{ type: 'scatter', mode: 'lines', name: 'e^(2n)', x: counted(exact), y: exact,
       hovertemplate: 'e^(2n), bounce %{x}: %{y:.3g}<extra></extra>',
       line: { color: colours.muted, width: 4 } }, ...traces],
-    layout: { xaxis: axis(colours, { title: { text: 'bounce n [-]' } }),
+    layout: { ...withLegend, xaxis: axis(colours, { title: { text: 'bounce n [-]' } }),
       yaxis: logAxis(colours, { title: { text: 'height over the first, h<sub>n</sub>/h<sub>0</sub> [-]' } }) } };
   }
 
@@ -165,22 +193,16 @@
     app.append(make('figure', {}, make('figcaption', {}, title), element));
     return element;
   };
-  const update = () => Object.values(ids).forEach((id) => tautline.charts[id]?.update());
   const all = (text, values) => [['', text], ...values.map((value) => [String(value), String(value)])];
-  const models = () => all('all models', modelsOf(choice.engine));
-  const change = (name) => (value) => { choice[name] = value; update(); };
-  const model = select('Model', models(), '', change('model'));
-  app.replaceChildren(make('div', { class: 'controls' },
-    select('Engine', engines.map((name) => [name, name]), choice.engine, (value) => {
-      choice.engine = value;
-      refill(model, models());
-      choice.model = model.value;
-      update();
-    }).element, model.element,
-    select('Step [s]', all('all steps', steps), choice.step, change('step')).element,
-    select('Case', all('all cases', report.cases.map((one) => one.name)), '', change('case')).element));
+  const choices = (names) => names.map((name) => [name, name]);
+  const engine = select('Engine', choices(engines), choice.engine, (name) => address.set({ 'audit.engine': name, 'audit.model': '' }));
+  const model = select('Model', all('all models', modelsOf(choice.engine)), choice.model,
+    (name) => address.set({ 'audit.model': name }));
+  app.replaceChildren(make('div', { class: 'controls' }, engine.element, model.element,
+    filter.bound('Step [s]', all('all steps', steps), 'step').element,
+    filter.bound('Case', all('all cases', report.cases.map((one) => one.name)), 'case').element));
   chart(place(ids.restitution, 'Restitution over the speed of the impact: asked (bars) and got (marks).'),
-    restitution((row) => row.speed, (colours) => logAxis(colours,
+    restitution((row) => row.speed, (colours) => speedAxis(colours,
       { title: { text: 'impact speed [m/s]' } }), thresholds));
   chart(place(ids.arm, 'The same over the lever arm of the cable about the centre of mass.'),
     restitution((row) => row.arm, (colours) => axis(colours, { title: { text: 'lever arm [m]' } }),
@@ -188,4 +210,14 @@
   chart(place(ids.impulse, 'Errors of the impulse: across the cable, where it should be none, and in '
     + 'the spin against arm times impulse.'), impulse);
   chart(place(ids.ladder, 'Bounce ladder: heights over the first, against e^(2n).'), ladder);
+  address.listen(() => {
+    document.querySelectorAll('#audit .findings li').forEach((item) => {
+      item.hidden = !filter.shows(item.dataset.engine);
+    });
+    refill(engine, choices([...new Set([...shown(), ...(engines.includes('exact') ? ['exact'] : [])])]));
+    engine.box.value = choice.engine;
+    refill(model, all('all models', modelsOf(choice.engine)));
+    model.box.value = choice.model;
+    Object.values(ids).forEach((id) => tautline.charts[id]?.update());
+  });
 })();

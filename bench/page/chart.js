@@ -9,15 +9,23 @@ window.tautline = (() => {
     '#a9cf52', '#ff8a95', '#a9c4cf'];
 
   function variable(name, fallback) {
+    if (printing) {
+      return { '--paper': '#ffffff', '--ink': '#1c1b19', '--muted': '#66625b', '--line': '#d6d1c7',
+        '--accent': '#1f4e79', '--flag': '#9c3a14', '--pass': '#2c6144' }[name] || fallback;
+    }
     const value = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
     return value || fallback;
   }
 
+  /// On paper everything is light, and as wide as the paper [px].
+  const paperWidth = 680;
+  let printing = false;
+
   /// The colours of the page as it is shown now.
   function theme() {
-    const dark = matchMedia('(prefers-color-scheme: dark)').matches;
+    const dark = !printing && matchMedia('(prefers-color-scheme: dark)').matches;
     return {
-      dark,
+      dark, printing,
       paper: variable('--paper', dark ? '#16181b' : '#ffffff'),
       ink: variable('--ink', dark ? '#e6e4df' : '#1d1d1b'),
       muted: variable('--muted', dark ? '#a9a69f' : '#5a5854'),
@@ -38,17 +46,43 @@ window.tautline = (() => {
 
   /// An axis in decades, labelled at whole powers of ten.
   const logAxis = (colours, more) => axis(colours, { type: 'log', dtick: 1, ...more });
+  /// The same for a decade or two, with ticks at 2 and 5 too.
+  const tickvals = [-5, -4, -3, -2, -1, 0, 1, 2].flatMap((power) => [1, 2, 5].map((one) =>
+    Number((one * 10 ** power).toPrecision(1))));
+  const speedAxis = (colours, more) => logAxis(colours, { tickmode: 'array', tickvals, ticktext: tickvals.map(String), ...more });
 
   function layoutOf(colours, layout) {
     return {
       paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', showlegend: false,
       font: { family: colours.font, size: 13, color: colours.ink }, hovermode: 'closest',
-      margin: { l: 64, r: 16, t: 16, b: 52 }, height: 420,
+      // room for Plotly's bar above the curves
+      margin: { l: 64, r: 16, t: 34, b: 52 }, height: colours.printing ? 320 : 420,
       hoverlabel: { bgcolor: colours.paper, bordercolor: colours.muted,
         font: { family: colours.font, size: 13, color: colours.ink } },
       ...layout,
     };
   }
+
+  /// A figure in the units of the report: see `inUnits` of common.js; the chapter has its own.
+  function inUnits(figure) {
+    const change = (text) => (window.tautline.inUnits ? window.tautline.inUnits(text) : text);
+    for (const trace of figure.data) {
+      trace.hovertemplate = trace.hovertemplate && change(trace.hovertemplate);
+      trace.text = Array.isArray(trace.text) ? trace.text.map(change) : trace.text;
+    }
+    for (const [key, part] of Object.entries(figure.layout)) {
+      if (/^[xy]axis\d*$/.test(key) && part.title?.text) {
+        part.title.text = change(part.title.text);
+      }
+    }
+    for (const note of figure.layout.annotations || []) {
+      note.text = change(note.text);
+    }
+    return figure;
+  }
+
+  /// Below this width of the window a bar of buttons would be as wide as the chart [px].
+  const narrow = 600;
 
   const charts = {};
   const seen = new IntersectionObserver((entries) => {
@@ -72,15 +106,17 @@ window.tautline = (() => {
     element.replaceChildren(body, note);
     function draw() {
       const colours = theme();
-      const figure = build(colours);
+      const figure = build(colours, printing ? paperWidth : element.clientWidth);
       note.textContent = figure.empty || figure.note || '';
       note.hidden = !note.textContent;
       body.hidden = Boolean(figure.empty);
       if (figure.empty) {
         return Promise.resolve();
       }
-      return Plotly.react(body, figure.data, layoutOf(colours, figure.layout),
-        { responsive: true, displaylogo: false,
+      inUnits(figure);
+      const layout = layoutOf(colours, figure.layout);
+      return Plotly.react(body, figure.data, printing ? { ...layout, width: paperWidth } : layout,
+        { responsive: !printing, displaylogo: false, displayModeBar: innerWidth < narrow || printing ? false : 'hover',
           modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d'] });
     }
     const made = {
@@ -90,10 +126,11 @@ window.tautline = (() => {
       /// The chart by itself, with its legend, for a file: `format` is svg or png.
       picture: (format, width, height) => {
         const colours = theme();
-        const figure = build(colours);
+        const figure = build(colours, width);
         if (figure.empty) {
           return Promise.reject(new Error(figure.empty));
         }
+        inUnits(figure);
         const layout = layoutOf(colours, figure.layout);
         return Plotly.toImage({ data: figure.data, layout: { ...layout, width, height,
           margin: { l: 72, r: 16, t: 24, b: 72 },
@@ -112,5 +149,13 @@ window.tautline = (() => {
     Object.values(charts).forEach((one) => one.update());
   });
 
-  return { theme, axis, logAxis, chart, charts };
+  // every chart is on the paper, those too that were never in view
+  const forPaper = (on) => {
+    printing = on;
+    Object.values(charts).forEach((one) => (on ? one.show() : one.update()));
+  };
+  addEventListener('beforeprint', () => forPaper(true));
+  addEventListener('afterprint', () => forPaper(false));
+
+  return { theme, axis, logAxis, speedAxis, chart, charts };
 })();

@@ -1,5 +1,5 @@
-// What the scripts of the report page share: the report, and the marks that tell engines and models
-// apart (colour, symbol and dash, so that grey is enough).
+// What the scripts of the report page share: the report, the marks that tell engines and models
+// apart (colour, symbol and dash, so that grey is enough), and the words and units of its numbers.
 (() => {
   'use strict';
   const { theme } = tautline;
@@ -15,8 +15,9 @@
     }
   }
 
-  const symbols = ['circle', 'square', 'diamond', 'triangle-up', 'triangle-down', 'pentagon', 'star',
-    'hexagon', 'cross', 'x'];
+  const shapes = ['circle', 'square', 'diamond', 'triangle-up', 'triangle-down', 'pentagon', 'star',
+    'hexagon', 'cross', 'x', 'triangle-left', 'triangle-right', 'hourglass', 'bowtie', 'star-diamond',
+    'hexagram'];
   const fills = ['', '-open', '-dot', '-open-dot'];
   const dashes = ['solid', 'dash', 'dot', 'dashdot', 'longdash', 'longdashdot'];
 
@@ -25,19 +26,54 @@
     const engine = report.engines.find((one) => one.name === name);
     return (engine && engine.models || []).map((model) => model.name);
   };
+  /// The place of each model among all of them, engine after engine.
+  const places = new Map(engines.flatMap((engine) => modelsOf(engine).map((model) => `${engine}/${model}`))
+    .map((key, place) => [key, place]));
 
   /// How a model of an engine is drawn everywhere on the page. The exact engine, the control, is
-  /// grey. Symbol tells the engine; its fill and the dash tell the model.
+  /// grey. Colour tells the engine; symbol and dash tell the model. No two models have one symbol,
+  /// up to as many as there are shapes and fills.
   function mark(engine, model) {
     const colours = theme();
     const at = Math.max(0, engines.indexOf(engine));
-    const which = Math.max(0, modelsOf(engine).indexOf(model));
+    const place = places.get(`${engine}/${model}`) ?? 0;
     return {
       colour: engine === 'exact' ? colours.muted : colours.engines[at % colours.engines.length],
-      symbol: symbols[at % symbols.length] + fills[which % fills.length],
-      dash: dashes[which % dashes.length],
+      symbol: shapes[place % shapes.length] + fills[Math.floor(place / shapes.length) % fills.length],
+      dash: dashes[Math.max(0, modelsOf(engine).indexOf(model)) % dashes.length],
     };
   }
 
-  Object.assign(tautline, { report, mark, engines, modelsOf });
+  /// A case in units of its own: its gravity is exactly one.
+  const nondimensional = (row) => row.gravity && row.gravity[0] ** 2 + row.gravity[1] ** 2 === 1;
+  const ownUnits = report.cases.length > 0 && report.cases.every(nondimensional);
+  const physical = '(?:N m s|N s|rad/s|m/s|s/s|J|m|s)';
+  const afterNumber = new RegExp(`(\\d|%\\{[^}]*\\}|none) ${physical}(?![\\w/²])`, 'g');
+  const inBrackets = new RegExp(`\\[${physical}\\]`, 'g');
+
+  /// `text` in the units of the report: without metres, seconds and joules where every case has
+  /// units of its own.
+  const inUnits = (text) => (ownUnits && typeof text === 'string'
+    ? text.replace(inBrackets, '[-]').replace(afterNumber, '$1') : text);
+
+  /// A metric of the list: its name in words, its unit and what it means.
+  function metric(name) {
+    const found = (report.metrics || []).find((one) => one.name === name) || {};
+    return { words: name.replaceAll('_', ' '), unit: found.unit === '1' ? '' : found.unit || '',
+      meaning: found.meaning || '' };
+  }
+
+  /// `text` in lines of about `width` characters, for a tooltip.
+  function lines(text, width = 52) {
+    const made = [''];
+    for (const word of text.split(' ')) {
+      if (made.at(-1).length + word.length > width) {
+        made.push('');
+      }
+      made[made.length - 1] += (made.at(-1) ? ' ' : '') + word;
+    }
+    return made.join('<br>');
+  }
+
+  Object.assign(tautline, { report, mark, engines, modelsOf, ownUnits, inUnits, metric, lines });
 })();

@@ -46,6 +46,10 @@
     circle: 'M1,0A1,1,0,1,1,-1,0A1,1,0,1,1,1,0Z', square: 'M-.9-.9H.9V.9H-.9Z',
     diamond: 'M0-1.2L1.2,0L0,1.2L-1.2,0Z', 'triangle-up': 'M0-1.1L1.1,.9H-1.1Z',
     'triangle-down': 'M0,1.1L1.1-.9H-1.1Z', pentagon: 'M0-1.1L1.05-.34L.65,.9H-.65L-1.05-.34Z',
+    'triangle-left': 'M-1.1,0L.9-1.1V1.1Z', 'triangle-right': 'M1.1,0L-.9-1.1V1.1Z',
+    hourglass: 'M-1-1H1L-1,1H1Z', bowtie: 'M-1-1V1L1-1V1Z',
+    'star-diamond': 'M0-1.35L.4-.4L1.35,0L.4,.4L0,1.35L-.4,.4L-1.35,0L-.4-.4Z',
+    hexagram: 'M0-1.25L.36-.62H1.08L.72,0L1.08,.62H.36L0,1.25L-.36,.62H-1.08L-.72,0L-1.08-.62H-.36Z',
     star: 'M0-1.3L.35-.4L1.25-.4L.52,.15L.8,1.1L0,.55L-.8,1.1L-.52,.15L-1.25-.4L-.35-.4Z',
     hexagon: 'M-.55-1H.55L1.1,0L.55,1H-.55L-1.1,0Z',
     cross: 'M-.4-1.1H.4V-.4H1.1V.4H.4V1.1H-.4V.4H-1.1V-.4H-.4Z',
@@ -80,43 +84,28 @@
     return svg;
   }
 
-  /// A legend of buttons, one line an engine, that switch models on and off. `notes` [engine/model]
-  /// are set behind the names; `hidden` is the set of what is off, as "engine/model".
-  function legend(element, models, hidden, notes, onchange) {
+  /// A legend of buttons, one line an engine, that switch models on and off everywhere; the name of
+  /// an engine shows it alone. `notes` [engine/model] are set behind the names.
+  function legend(element, models, notes) {
+    const { filter } = tautline;
     const byEngine = new Map();
     models.forEach(({ engine, model }) => {
       byEngine.set(engine, [...(byEngine.get(engine) || []), model]);
     });
-    const button = (engine, model) => {
-      const key = `${engine}/${model}`;
-      const made = make('button', { type: 'button', class: 'key', 'aria-pressed': !hidden.has(key) },
-        sample(engine, model), model);
-      if (notes[key]) {
-        made.append(make('small', {}, notes[key]));
-      }
-      made.addEventListener('click', () => {
-        if (!hidden.delete(key)) {
-          hidden.add(key);
-        }
-        made.setAttribute('aria-pressed', !hidden.has(key));
-        onchange();
-      });
-      return made;
-    };
-    const everything = (engine, list) => make('button', { type: 'button', class: 'key engine',
-      title: 'show or hide all its models', on: { click: () => {
-        const off = list.every((model) => !hidden.has(`${engine}/${model}`));
-        list.forEach((model) => hidden[off ? 'add' : 'delete'](`${engine}/${model}`));
-        onchange();
-        legend(element, models, hidden, notes, onchange);
-      } } }, engine);
+    const button = (engine, model) => make('button', { type: 'button', class: 'key', 'data-key': `${engine}/${model}`,
+      'aria-pressed': String(!filter.isOff(engine, model)),
+      on: { click: () => {
+        filter.toggleModel(engine, model);
+        element.querySelector(`[data-key="${CSS.escape(`${engine}/${model}`)}"]`)?.focus();
+      } } }, sample(engine, model), model, ...(notes[`${engine}/${model}`]
+      ? [make('small', {}, notes[`${engine}/${model}`])] : []));
     element.replaceChildren(...[...byEngine].map(([engine, list]) => make('div', { class: 'keys' },
-      everything(engine, list), ...list.map((model) => button(engine, model)))));
+      make('b', { class: 'key engine' }, engine), ...list.map((model) => button(engine, model)))));
   }
 
   /// A number with few digits, as the tables write it.
   const number = (value, digits = 3) => (value === null || value === undefined ? 'none'
-    : Number(value.toPrecision(digits)).toString().replace('-', '\u2212'));
+    : (Number(value.toPrecision(digits)) || 0).toString().replace('-', '\u2212'));
 
   Object.assign(tautline, { make, short, select, refill, sample, legend, number });
 })();

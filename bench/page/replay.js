@@ -65,7 +65,10 @@
     graph.cursor(state.time);
     // a moving text is read out by nobody: with the play, only the time
     status.setAttribute('aria-live', speak ? 'polite' : 'off');
-    status.textContent = describe();
+    status.textContent = tautline.inUnits(describe());
+    if (speak) {
+      tautline.replay.changed?.();
+    }
   }
 
   function stop() {
@@ -204,7 +207,13 @@
     if (entries.some((one) => one.isIntersecting)) {
       near.disconnect();
       choose(cases[0]);
+      tautline.replay.started?.();
     }
   }, { rootMargin: '300px' });
   near.observe(app);
+
+  // for the address
+  tautline.replay = { state, show, runs: () => state.runs.filter(Boolean),
+    chooseCase: (name) => choose(cases.find((one) => one.name === name) || cases[0]),
+    chooseRuns: (keys) => { runSelects.forEach((one, i) => { one.box.value = keys[i] || ''; state.runs[i] = one.box.value; }); load(); } };
 })();

@@ -1,198 +1,166 @@
 // Sorting and filtering of the page's tables. What the tables say stands in the page without this; the
-// order and the filters are part of the address, so that a view can be passed on.
-"use strict";
-
+// order and the filters are part of the address, so that a view can be passed on. Case, step and
+// engines are those of the whole page.
 (() => {
-  // state: "#section?table.key=value&..."
-  const address = () => {
-    const [section, query] = location.hash.slice(1).split("?");
-    return { section, query: new URLSearchParams(query ?? "") };
-  };
-
-  const remember = (name, state) => {
-    const { query } = address();
-    for (const key of [...query.keys()]) {
-      if (key.startsWith(name + ".")) query.delete(key);
-    }
-    for (const [key, value] of Object.entries(state)) {
-      if (value) query.set(`${name}.${key}`, value);
-    }
-    const text = query.toString();
-    history.replaceState(null, "", `#${name}${text ? "?" + text : ""}`);
-  };
-
-  const recalled = (name) => {
-    const state = {};
-    for (const [key, value] of address().query) {
-      if (key.startsWith(name + ".")) state[key.slice(name.length + 1)] = value;
-    }
-    return state;
-  };
-
-  // each row once: its cells by the columns' keys, as numbers where they have one
-  const read = (table, keys) => {
-    const columns = [...keys.keys()];
-    return [...table.tBodies].map((body) => ({
-      body,
-      rows: [...body.rows].map((row) => {
-        const values = {};
-        columns.forEach((key, index) => {
-          const cell = row.cells[index];
-          const value = cell?.dataset.value;
-          const spread = (cell?.colSpan ?? 2) > 1;
-          values[key] = spread || value === "" ? null : value === undefined ? cell.textContent : Number(value);
-        });
-        return { row, values, text: row.textContent.toLowerCase() };
-      }),
-    }));
-  };
-
-  const compare = (one, two) =>
-    typeof one === "number" && typeof two === "number"
-      ? one - two
-      : String(one).localeCompare(String(two), "en", { numeric: true });
+  'use strict';
+  const { address, filter, make } = tautline;
+  /// More rows than this are folded: see most_open_rows of bench/report.
+  const most = 40;
 
   // headings in the order of the columns, whatever row they stand in
   const headings = (table) => {
     const [upper, lower] = [...table.tHead.rows].map((row) => [...row.cells]);
-    return upper.flatMap((cell) => (cell.scope === "colgroup" ? lower.splice(0, cell.colSpan) : [cell]));
+    return upper.flatMap((cell) => (cell.scope === 'colgroup' ? lower.splice(0, cell.colSpan) : [cell]));
   };
 
+  // each row once: its cells by the columns' keys, as numbers where they have one
+  const read = (table, keys) => [...table.tBodies].map((body) => ({
+    body,
+    rows: [...body.rows].map((row) => {
+      const values = {};
+      [...keys.keys()].forEach((key, index) => {
+        const cell = row.cells[index];
+        const value = cell?.dataset.value;
+        const spread = (cell?.colSpan ?? 2) > 1;
+        values[key] = spread || value === '' ? null : value === undefined ? cell.textContent : Number(value);
+      });
+      return { row, values, text: row.textContent.toLowerCase() };
+    }),
+  }));
+
+  const compare = (one, two) => (typeof one === 'number' && typeof two === 'number'
+    ? one - two : String(one).localeCompare(String(two), 'en', { numeric: true }));
+
   // Rows keep their body: the control stays apart, and engines that are missing stay last.
-  const order = (bodies, key, descending) => {
-    for (const { body, rows } of bodies) {
-      if (body.classList.contains("missing")) continue;
+  function order(bodies, key, descending) {
+    for (const { body, rows } of bodies.filter((one) => !one.body.classList.contains('missing'))) {
       const sorted = [...rows];
       if (key) {
         sorted.sort((a, b) => {
           const [one, two] = [a.values[key], b.values[key]];
-          if (one === null || two === null) return (one === null) - (two === null); // none is last, either way
+          if (one === null || two === null) {
+            return (one === null) - (two === null); // none is last, either way
+          }
           return descending ? compare(two, one) : compare(one, two);
         });
       }
       body.append(...sorted.map(({ row }) => row));
     }
-  };
+  }
 
-  const filtered = (bodies, wanted) => {
-    const words = (wanted.text ?? "").toLowerCase().split(/\s+/).filter(Boolean);
-    let shown = 0;
-    let all = 0;
+  /// Shows the rows that fit and counts them; the control fits whatever engine, model or word.
+  function filtered(bodies, wanted) {
+    const words = (wanted.text ?? '').toLowerCase().split(/\s+/).filter(Boolean);
+    let [shown, all] = [0, 0];
     for (const { body, rows } of bodies) {
-      if (body.classList.contains("missing")) continue;
-      const apart = body.classList.contains("control");
+      const [apart, missing] = [body.classList.contains('control'), body.classList.contains('missing')];
       for (const { row, values, text } of rows) {
-        const fits = ["case", "engine", "model", "step"].every((key) =>
-          !wanted[key] || !(key in values) || (apart && (key === "engine" || key === "model")) ||
-          String(values[key]) === wanted[key]);
-        const hidden = !(fits && (apart || words.every((word) => text.includes(word))));
-        if (row.hidden !== hidden) row.hidden = hidden;
-        if (!apart) {
+        const fits = filter.shows(values.engine) && (missing || ['case', 'model', 'step'].every((key) =>
+          !wanted[key] || !(key in values) || (apart && key === 'model') || String(values[key]) === wanted[key]));
+        const hidden = !(fits && (apart || missing || words.every((word) => text.includes(word))));
+        if (row.hidden !== hidden) {
+          row.hidden = hidden;
+        }
+        if (!apart && !missing) {
           all += 1;
           shown += hidden ? 0 : 1;
         }
       }
     }
     return { shown, all };
-  };
+  }
 
-  const choice = (key, values, change) => {
-    const label = document.createElement("label");
-    label.textContent = key;
-    const select = document.createElement("select");
-    select.name = key;
-    select.append(new Option("all", ""), ...values.map((value) => new Option(value, value)));
-    select.addEventListener("change", change);
-    label.append(select);
-    return { label, input: select };
-  };
-
-  const search = (change) => {
-    const label = document.createElement("label");
-    label.textContent = "text";
-    const input = document.createElement("input");
-    input.type = "search";
-    input.name = "text";
-    input.addEventListener("input", change);
-    label.append(input);
-    return { label, input };
-  };
-
-  const set_up = (table, name, filter_keys) => {
-    const cells = headings(table);
-    const keys = new Map(cells.map((cell) => [cell.dataset.key, cell]));
-    const bodies = read(table, keys);
-    const inputs = new Map();
-    let state = {};
-
-    const bar = document.createElement("div");
-    bar.className = "filters";
-    const count = document.createElement("output");
-    const reset = document.createElement("button");
-    reset.type = "button";
-    reset.textContent = "show all";
-
-    const show = () => {
-      for (const [key, cell] of keys) {
-        if (key === state.sort) cell.setAttribute("aria-sort", state.order || "ascending");
-        else cell.removeAttribute("aria-sort");
-      }
-      const { shown, all } = filtered(bodies, state);
-      count.textContent = shown === all ? `${all} rows` : `${shown} of ${all} rows`;
-      reset.hidden = shown === all;
-    };
-    const take = (next) => {
-      const resort = next.sort !== state.sort || next.order !== state.order;
-      state = next;
-      for (const [key, input] of inputs) input.value = state[key] ?? "";
-      if (resort) order(bodies, state.sort, state.order === "descending");
-      show();
-    };
-    const change = (part) => {
-      take({ ...state, ...part });
-      remember(name, state);
-    };
-
-    for (const key of filter_keys) {
-      const values = new Set();
-      for (const { body, rows } of bodies) {
-        if (body.className === "") rows.forEach((row) => values.add(String(row.values[key])));
-      }
-      const made = choice(key, [...values], (event) => change({ [key]: event.target.value }));
-      inputs.set(key, made.input);
-      bar.append(made.label);
+  /// `own` are the keys that are this table's; `shared` those of the whole page.
+  function setUp(table, name, shared, own) {
+    if (!table) {
+      return;
     }
-    const made = search((event) => change({ text: event.target.value }));
-    inputs.set("text", made.input);
-    reset.addEventListener("click", () =>
-      change({ text: "", ...Object.fromEntries(filter_keys.map((key) => [key, ""])) }));
-    bar.append(made.label, count, reset);
-    table.parentElement.before(bar);
+    const keys = new Map(headings(table).map((cell) => [cell.dataset.key, cell]));
+    const bodies = read(table, keys);
+    const fold = table.closest('details');
+    const inputs = new Map();
+    const state = () => Object.fromEntries([...shared.map((key) => [key, address.get(key)]),
+      ...['sort', 'order', 'text', ...own].map((key) => [key, address.get(`${name}.${key}`)])]);
+    const place = (key) => (shared.includes(key) ? key : `${name}.${key}`);
+    const change = (part) => address.set(Object.fromEntries(Object.entries(part)
+      .map(([key, value]) => [place(key), value])));
+
+    const count = make('output');
+    const reset = make('button', { type: 'button', on: { click: () => {
+      address.set(Object.fromEntries([...shared, ...own, 'text'].map((key) => [place(key), '']).concat([['engines', '']])));
+    } } }, 'show all');
+    const bar = make('div', { class: 'filters' });
+    for (const key of [...shared, ...own]) {
+      const values = [...new Set(bodies.filter(({ body }) => body.className === '')
+        .flatMap(({ rows }) => rows.map((row) => String(row.values[key]))))];
+      const input = make('select', { name: key, on: { change: () => change({ [key]: input.value }) } },
+        new Option('all', ''), ...values.map((value) => new Option(value, value)));
+      inputs.set(key, input);
+      bar.append(make('label', {}, key, input));
+    }
+    const search = make('input', { type: 'search', name: 'text', on: { input: () => change({ text: search.value }) } });
+    inputs.set('text', search);
+    bar.append(make('label', {}, 'text', search), count, reset);
+    if (shared.length + own.length > 0) {
+      (fold ?? table.parentElement).before(bar); // a short table needs none
+    }
 
     for (const [key, cell] of keys) {
-      if (!key) continue;
-      const button = document.createElement("button");
-      button.type = "button";
-      button.append(...cell.childNodes);
-      cell.append(button);
-      // once up, once down, then as it was
-      button.addEventListener("click", () =>
-        change(state.sort !== key ? { sort: key, order: "ascending" }
-          : state.order === "ascending" ? { sort: key, order: "descending" }
-          : { sort: "", order: "" }));
+      if (key) {
+        const button = make('button', { type: 'button' }, ...cell.childNodes);
+        cell.append(button);
+        // once up, once down, then as it was
+        button.addEventListener('click', () => {
+          const { sort, order: way } = state();
+          change(sort !== key ? { sort: key, order: 'ascending' }
+            : way === 'ascending' ? { sort: key, order: 'descending' } : { sort: '', order: '' });
+        });
+      }
     }
 
-    take(recalled(name));
-    addEventListener("hashchange", () => take(recalled(name)));
-  };
+    let before = {};
+    let seen = '';
+    let unfolded = false;
+    address.listen(() => {
+      const now = state();
+      for (const [key, input] of inputs) {
+        if (input !== document.activeElement || input.value !== (now[key] ?? '')) {
+          input.value = now[key] ?? '';
+        }
+      }
+      if (now.sort !== before.sort || now.order !== before.order) {
+        if (before.sort !== undefined || now.sort) {
+          order(bodies, now.sort, now.order === 'descending');
+        }
+        for (const [key, cell] of keys) {
+          if (key === now.sort) {
+            cell.setAttribute('aria-sort', now.order || 'ascending');
+          } else {
+            cell.removeAttribute('aria-sort');
+          }
+        }
+      }
+      before = now;
+      const engines = address.get('engines');
+      const filters = JSON.stringify([now, engines]);
+      if (filters === seen) {
+        return;
+      }
+      seen = filters;
+      const { shown, all } = filtered(bodies, now);
+      count.textContent = shown === all ? `${all} rows` : `${shown} of ${all} rows`;
+      reset.hidden = shown === all;
+      if (fold) {
+        fold.querySelector('summary').textContent = shown === all ? `All ${all} rows` : `${shown} of ${all} rows`;
+        // a few rows need no fold, and many do again
+        const few = shown > 0 && shown <= most;
+        fold.open = few || (fold.open && !unfolded);
+        unfolded = few;
+      }
+    });
+  }
 
-  const go_to_section = () => {
-    const { section, query } = address();
-    if (section && query.size > 0) document.getElementById(section)?.scrollIntoView();
-  };
-
-  set_up(document.getElementById("answers-table"), "answers", ["engine", "model", "step"]);
-  set_up(document.getElementById("cases-table"), "cases", ["case", "engine", "model", "step"]);
-  addEventListener("hashchange", go_to_section);
-  go_to_section();
+  setUp(document.getElementById('scorecards-table'), 'engines', [], []);
+  setUp(document.getElementById('answers-table'), 'answers', ['step'], ['model']);
+  setUp(document.getElementById('cases-table'), 'cases', ['case', 'step'], ['model']);
 })();

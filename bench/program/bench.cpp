@@ -24,6 +24,8 @@
 #include "bench/report/html/page.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/report/markdown.hpp"
+#include "bench/report/scorecard/pull_request.hpp"
+#include "bench/report/scorecard/scorecard.hpp"
 #include "bench/report/terminal.hpp"
 #include "bench/suite/report_of.hpp"
 #include "bench/suite/suite.hpp"
@@ -121,6 +123,10 @@ void write_reports(const BenchCommand& command, const Report& report) {
   write_file(command.out / "report.json", json);
   write_file(command.out / "report.md", report_markdown(report));
   write_file(command.out / "index.html", report_html(report, page_assets()));
+  write_file(command.out / "summary.md", summary_markdown(report));
+  for (const Scorecard& card : scorecards(report)) {
+    write_file(command.out / card_name(card.engine), card_svg(report, card.engine));
+  }
   if (!command.json.empty()) {
     write_output(command.json, json);
   }

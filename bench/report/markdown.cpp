@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bench/base/text.hpp"
+#include "bench/report/scorecard/scorecards_table.hpp"
 #include "bench/report/tables/answers_table.hpp"
 #include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
@@ -15,6 +16,12 @@ namespace {
 std::string name_text(const std::string& name) { return markdown_text(printable(name)); }
 std::string sentence_text(const std::string& sentence) {
   return markdown_text(printable(sentence, longest_sentence));
+}
+
+std::string engines_markdown(const Report& report) {
+  const Table table = scorecards_table(report);
+  return "## Engines\n\n" + (table.empty() ? "No engine has a run.\n" : table.markdown()) + "\n" +
+         how_to_read_scorecards() + "\n\n";
 }
 
 std::string answers_markdown(const Report& report) {
@@ -115,7 +122,8 @@ std::string report_markdown(const Report& report) {
       fmt::format("# Physics engines on slack cables, against the exact solution\n\n{}, {}{}.\n\n",
                   counted(report.cases.size(), "case"), counted(report.runs.size(), "run"),
                   report.complete ? "" : " (INCOMPLETE: interrupted)");
-  out += answers_markdown(report) + convergence_section(report) + causes_markdown(report);
+  out += engines_markdown(report) + answers_markdown(report) + convergence_section(report) +
+         causes_markdown(report);
   out += failures_section(report) + audit_markdown(report);
   out += "\n## The exact solutions\n\n" + cases_table(report).markdown();
   out += runs_markdown(report) + models_markdown(report) + reading_markdown(report);

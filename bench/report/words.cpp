@@ -224,6 +224,16 @@ std::vector<Fact> context_facts(const Report& report) {
   return facts;
 }
 
+bool is_nondimensional(const CaseRow& the_case) {
+  return the_case.gravity.squaredNorm() == 1.0;  // exactly: what is written as one
+}
+
+bool is_nondimensional(const Report& report) {
+  return !report.cases.empty() &&
+         std::all_of(report.cases.begin(), report.cases.end(),
+                     [](const CaseRow& the_case) { return is_nondimensional(the_case); });
+}
+
 std::string counted(std::size_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }

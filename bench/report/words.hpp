@@ -55,6 +55,13 @@ struct Fact {
 };
 [[nodiscard]] std::vector<Fact> context_facts(const Report& report);
 
+/// A case in units of its own: its gravity is exactly one, as a case says that has no metres and no
+/// seconds (see BasicCase).
+[[nodiscard]] bool is_nondimensional(const CaseRow& the_case);
+
+/// Every case of the report is, and there is one.
+[[nodiscard]] bool is_nondimensional(const Report& report);
+
 /// "1 run", "2 runs".
 [[nodiscard]] std::string counted(std::size_t count, const std::string& one);
 

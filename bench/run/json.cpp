@@ -29,6 +29,7 @@ ordered_json engine_object(const EngineInfo& info) {
   for (const Model& model : info.models) {
     models.push_back({{"name", model.name},
                       {"sentence", model.sentence},
+                      {"maker", to_string(model.maker)},
                       {"settings", settings_json(model.settings)}});
   }
   return {{"name", info.name},

@@ -16,7 +16,7 @@
 namespace tautline {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, name, value, reason)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings, maker)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EngineInfo, name, version, precision, models)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunSettings, step, law)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Simulation::Stop, time, reason)

@@ -34,8 +34,14 @@ Descriptor open_tree(const fs::path& out, bool clear) {
   }
   if (clear) {
     fs::remove_all(out / "runs", error);
-    for (const char* file : {"report.json", "report.md", "index.html"}) {
+    for (const char* file : {"report.json", "report.md", "index.html", "summary.md"}) {
       fs::remove(out / file, error);
+    }
+    for (const fs::directory_entry& file : fs::directory_iterator(out, error)) {
+      const std::string name = file.path().filename().string();
+      if (name.starts_with("card-") && name.ends_with(".svg")) {
+        fs::remove(file.path(), error);
+      }
     }
   }
   write_file(out / marker,

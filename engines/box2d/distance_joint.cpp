@@ -93,7 +93,8 @@ ModelEntry entry(std::string name, std::string sentence, Bounce bounce,
                     .settings =
                         joined({world_settings(),
                                 {{"maxLength", "length", "Without it the joint limits nothing."}},
-                                own})},
+                                own}),
+                    .maker = bounce == Bounce::none ? Maker::engine : Maker::by_hand},
           .start = makes<DistanceJointSimulation>(bounce),
           .follows_speed = true};
 }

@@ -95,7 +95,8 @@ std::vector<ModelEntry> bounce_limit_models() {
                         "Bullet's bounce of a limit is 0 unless it is set."},
                        {"BT_CONSTRAINT_STOP_ERP", "1",
                         "With Bullet's 0.2 the limit brakes the body before it gets there, and "
-                        "never bounces."}}})},
+                        "never bounces."}}}),
+                 .maker = Maker::engine},
        .start = makes<BounceLimitSimulation>()}};
 }
 

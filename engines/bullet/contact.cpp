@@ -123,12 +123,14 @@ std::vector<ModelEntry> contact_models() {
   return {{.model = {.name = "contact",
                      .sentence = "A contact without friction from the step after the cable is "
                                  "overstretched, with Bullet's own settings: what one tries first.",
-                     .settings = contact_settings({})},
+                     .settings = contact_settings({}),
+                     .maker = Maker::engine},
            .start = makes<ContactSimulation>(Tuning::as_shipped),
            .follows_speed = true},
           {.model = {.name = "contact-tuned",
                      .sentence = "The same contact with the settings that suit a bouncing cable.",
-                     .settings = contact_settings(settings_that_suit_a_cable())},
+                     .settings = contact_settings(settings_that_suit_a_cable()),
+                     .maker = Maker::engine},
            .start = makes<ContactSimulation>(Tuning::best),
            .follows_speed = true}};
 }

@@ -90,7 +90,8 @@ ModelEntry entry(std::string name, std::string sentence, Bounce bounce) {
                     .sentence = std::move(sentence),
                     .settings = {{"cpSlideJointNew min, max", "0, length",
                                   "The distance between anchor and attachment is all that is "
-                                  "limited."}}},
+                                  "limited."}},
+                    .maker = bounce == Bounce::none ? Maker::engine : Maker::by_hand},
           .start = makes<SlideJointSimulation>(bounce),
           .follows_speed = true};
 }

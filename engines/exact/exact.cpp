@@ -79,7 +79,10 @@ class ExactSimulation final : public Simulation {
 };
 
 ModelEntry entry(std::string name, std::string sentence, Report report) {
-  return {.model = {.name = std::move(name), .sentence = std::move(sentence), .settings = {}},
+  return {.model = {.name = std::move(name),
+                    .sentence = std::move(sentence),
+                    .settings = {},
+                    .maker = Maker::tautline},
           .start = makes<ExactSimulation>(report),
           .follows_speed = true};
 }

@@ -93,7 +93,8 @@ ModelEntry entry(std::string name, std::string sentence, Integrator integrator,
                  const std::vector<Setting>& own) {
   return {.model = {.name = std::move(name),
                     .sentence = std::move(sentence),
-                    .settings = joined({world_settings(), limit_settings(), own})},
+                    .settings = joined({world_settings(), limit_settings(), own}),
+                    .maker = Maker::engine},
           .start = makes<TendonLimitSimulation>(integrator)};
 }
 

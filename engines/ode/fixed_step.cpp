@@ -82,10 +82,11 @@ std::vector<Setting> surface_settings(const Choice& choice) {
 }
 
 ModelEntry entry(std::string name, std::string sentence, const std::vector<Setting>& own,
-                 const Choice& choice) {
+                 const Choice& choice, Maker maker = Maker::by_hand) {
   return {.model = {.name = std::move(name),
                     .sentence = std::move(sentence),
-                    .settings = joined({world_settings(), surface_settings(choice), own})},
+                    .settings = joined({world_settings(), surface_settings(choice), own}),
+                    .maker = maker},
           .start = makes<FixedStepSimulation>(choice),
           .follows_speed = true};
 }
@@ -110,7 +111,7 @@ std::vector<ModelEntry> fixed_step_models() {
           entry("contact",
                 "The same joint as `row` with ODE's own CFM and rotation and the bounce_vel of its "
                 "demos: what one tries first.",
-                {}, contact)};
+                {}, contact, Maker::engine)};
 }
 
 }  // namespace tautline::ode

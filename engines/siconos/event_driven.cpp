@@ -198,7 +198,8 @@ std::vector<ModelEntry> event_driven_models() {
                  {"LsodarOSI::computeFreeOutput",
                   "overridden, with the relation's Jacobians of now",
                   "Siconos calls past the relation's own rate of the Jacobian and takes an old "
-                  "one."}}},
+                  "one."}},
+            .maker = Maker::engine},
        .start = makes<EventDrivenSimulation>(),
        .follows_speed = true}};
 }

@@ -110,7 +110,8 @@ ModelEntry entry(std::string name, std::string sentence, Projection projection) 
                     .sentence = std::move(sentence),
                     .settings = {{"LCP::compute", "overridden, ends the run where the solver fails",
                                   "Siconos prints a line and goes on with what the solver has "
-                                  "left."}}},
+                                  "left."}},
+                    .maker = Maker::engine},
           .start = makes<MoreauJeanSimulation>(projection),
           .follows_speed = true};
 }

@@ -110,7 +110,8 @@ std::vector<ModelEntry> rope_models() {
                                "The default solver; the time-stepper does not tell its "
                                "impulses."},
                               {"std::cout, stdout", "dropped while it steps",
-                               "Debian's build prints a page of every step."}}},
+                               "Debian's build prints a page of every step."}},
+                 .maker = Maker::engine},
        .start = makes<RopeSimulation>()}};
 }
 

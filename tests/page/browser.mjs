@@ -1,5 +1,6 @@
 // What the browser tests share: Debian's Chromium, and a page opened from disk with all it said and
 // all it asked for written down.
+import { after } from 'node:test';
 import { chromium } from 'playwright-core';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -26,12 +27,16 @@ export const pages = () => [benchPage(), process.env.TAUTLINE_CHAPTER_PAGE].filt
 export const reportOf = (file) => JSON.parse(
   /<script type="application\/json" id="report-data">([^<]*)/.exec(readFileSync(file, 'utf8'))[1]);
 
-/// Opens `file` in a browser of its own and passes {page, said, asked, dialogs, waited, worked}
+/// One browser for all tests of a process: to start one costs as much as a test.
+let browser = null;
+const theBrowser = () => (browser ??= chromium.launch(options));
+after(async () => (await browser)?.close());
+
+/// Opens `file` in a context of its own and passes {page, said, asked, dialogs, waited, worked}
 /// to `action`; the last two are what opening took by the clock and on the page's processor [ms]; `context` is Playwright's options of a context.
 export async function withPage(file, action, { width = 1280, height = 900, ...context } = {}) {
-  const browser = await chromium.launch(options);
+  const view = await (await theBrowser()).newContext({ viewport: { width, height }, ...context });
   try {
-    const view = await browser.newContext({ viewport: { width, height }, ...context });
     const page = await view.newPage();
     const [said, asked, dialogs] = [[], [], []];
     page.on('console', (message) => ['error', 'warning'].includes(message.type()) && said.push(message.text()));
@@ -47,7 +52,7 @@ export async function withPage(file, action, { width = 1280, height = 900, ...co
     const worked = 1000 * metrics.find(({ name }) => name === 'TaskDuration').value;
     return await action({ page, said, asked, dialogs, waited, worked });
   } finally {
-    await browser.close();
+    await view.close();
   }
 }
 
@@ -63,14 +68,31 @@ export async function withText(text, action, context) {
   }
 }
 
-/// Scrolls through the whole page, so that every chart is drawn.
+/// The page that all tests of a process share, at 1280 px: a test that needs another one, or leaves
+/// it in another state than its address says, opens its own.
+let shared = null;
+export async function onSharedPage(action) {
+  shared ??= await openShared();
+  await shared.page.evaluate(() => { location.hash = ''; });
+  return action(shared);
+}
+async function openShared() {
+  const view = await (await theBrowser()).newContext({ viewport: { width: 1280, height: 900 } });
+  const page = await view.newPage();
+  const said = [];
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && said.push(message.text()));
+  page.on('pageerror', (error) => said.push(error.stack));
+  await page.goto(pathToFileURL(benchPage()).href);
+  await drawAll(page);
+  return { page, said };
+}
+
+/// Draws every chart, without scrolling through the page.
 export async function drawAll(page) {
-  for (const chart of await page.locator('.chart').all()) {
-    await chart.evaluate((element) => new Promise((done) => {
-      element.scrollIntoView();
-      requestAnimationFrame(() => requestAnimationFrame(done));
-    }));
-  }
+  await page.evaluate(async () => {
+    document.querySelector('#replay-app')?.scrollIntoView();
+    await Promise.all(Object.values(tautline.charts).map((one) => one.show()));
+  });
   await page.waitForFunction(() => Object.values(tautline.charts).every((one) =>
     one.body.hidden || one.body.classList.contains('js-plotly-plot')));
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));

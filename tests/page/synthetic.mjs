@@ -1,9 +1,11 @@
 // A report of the page's contract with as many cases, engines, models and steps as a test needs. The
 // bodies do move on their cables: a small stepper with Newton impacts, finer for what is called
 // exact, so that the pictures make sense. Nothing here is a measurement of any engine.
-const modelNames = {
-  exact: ['event', 'sampled'], bullet64: ['row', 'early', 'two-phase', 'contact', 'event'],
-  bullet32: ['row', 'early', 'two-phase', 'contact', 'event'], ode: ['row', 'early', 'contact', 'event'],
+const bullet = ['row', 'early', 'row-sleeping', 'two-phase', 'contact', 'contact-tuned', 'bounce-limit', 'cable',
+  'cable-events', 'event'];
+export const modelNames = {
+  exact: ['event', 'sampled'], bullet64: bullet, bullet32: bullet,
+  ode: ['row', 'early', 'contact', 'cable', 'cable-events', 'event'],
   mujoco: ['tendon-limit', 'tendon-limit-rk4', 'impulse', 'event'], dart: ['row', 'early', 'event'],
   simbody: ['rope', 'event-handler'], siconos: ['moreau-jean', 'moreau-jean-projected', 'event-driven'],
   box2d: ['distance-joint', 'distance-joint-bounce', 'event'],
@@ -133,7 +135,7 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
     options: { steps, law: 'simultaneous', count_speed: 0.01, early_impacts: 5, time_limit: 60, memory_limit: 1e9 },
     metrics: Object.entries(units).map(([name, unit]) => ({ name, unit, meaning: 'Synthetic.' })),
     engines: [...engines.map((name) => ({ name, version: '1', precision: 'float64', problem: null, missing: false,
-      models: modelNames[name].map((model) => ({ name: model, sentence: 'Synthetic.', settings: [] })) })),
+      models: modelNames[name].map((model) => ({ name: model, sentence: 'Synthetic.', maker: 'by_hand', settings: [] })) })),
     { name: 'absent', problem: 'its library was not found', missing: true }],
     cases: made.map((the) => the.row), runs,
     summary: groups.map(({ engine, model, step }) => {

@@ -8,6 +8,8 @@
 #include "bench/base/html.hpp"
 #include "bench/page/document.hpp"
 #include "bench/report/html/answer.hpp"
+#include "bench/report/html/first_screen.hpp"
+#include "bench/report/html/picture.hpp"
 #include "bench/report/html/sections.hpp"
 #include "bench/report/json/json.hpp"
 
@@ -22,9 +24,10 @@ std::string contents() {
     std::string_view name;
   };
   constexpr Link links[] = {
-      {"answers", "Answers"}, {"cases", "Every run"},        {"error", "Error and cost"},
-      {"replay", "Replay"},   {"audit", "Restitution"},      {"attribution", "Causes"},
-      {"models", "Models"},   {"reading", "How to read it"}, {"context", "Context"}};
+      {"engines", "Engines"}, {"trust", "Trust"},       {"error", "Error and cost"},
+      {"replay", "Replay"},   {"audit", "Restitution"}, {"attribution", "Causes"},
+      {"answers", "Numbers"}, {"cases", "Every run"},   {"models", "Models"},
+      {"reading", "Reading"}, {"context", "Context"}};
   std::string out = "<nav aria-label=\"Sections\">\n";
   for (const auto& [id, name] : links) {
     out += fmt::format("<a href=\"#{}\">{}</a>\n", id, name);
@@ -44,15 +47,19 @@ std::string replay_section() {
 }  // namespace
 
 std::string report_html(const Report& report, const PageAssets& assets) {
-  std::string out = fmt::format("<header>\n<h1>{}</h1>\n{}", title, answer_paragraph(report));
+  std::string out =
+      fmt::format("<header>\n<h1>{}</h1>\n{}{}{}", title, picture_html(report),
+                  verdict_paragraph(report), folded("In sentences", answer_paragraph(report)));
   if (assets.plotly.empty()) {
     out +=
         "<p class=\"note\">Charts are not in this build of tautline: it was made without "
         "Plotly.</p>\n";
   }
-  out += "</header>\n" + contents() + "<main>\n";
-  out += answers_section(report) + runs_section(report) + error_section(report) + replay_section();
-  out += audit_section(report) + causes_section(report) + models_section(report);
+  out +=
+      "</header>\n" + contents() + "<main>\n" + scorecards_section(report) + trust_section(report);
+  out += error_section(report) + replay_section() + audit_section(report) + causes_section(report);
+  out += answers_section(report) + runs_section(report);
+  out += models_section(report);
   out += reading_section(report) + context_section(report) + "</main>\n";
   return html_document({.title = title,
                         .content = std::move(out),

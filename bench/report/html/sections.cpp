@@ -3,9 +3,15 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "bench/base/html.hpp"
+#include "bench/cases/catalogue.hpp"
+#include "bench/report/html/first_screen.hpp"
+#include "bench/report/scorecard/scorecard.hpp"
 #include "bench/report/tables/answers_table.hpp"
+#include "bench/report/tables/columns.hpp"
 #include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/words.hpp"
@@ -26,6 +32,47 @@ std::string entry(const std::string& name, const std::string& html) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, html);
 }
 
+/// A table with more rows than this is folded, with their number.
+constexpr std::size_t most_open_rows = 40;
+
+/// `table` as it stands, or folded where it is long.
+std::string table_html(const Report& report, const Table& table, const std::string& id,
+                       const std::string& caption) {
+  const std::string html = html_table(in_units_of(report, table), id, caption);
+  const std::size_t rows = table.rows().size();
+  return rows <= most_open_rows
+             ? html
+             : fmt::format(
+                   "<details class=\"fold\" id=\"{}-fold\"><summary>All {} rows</summary>\n"
+                   "{}</details>\n",
+                   id, rows, html);
+}
+
+/// Where the files of each run lie: the names of the folders of cases, of engines and of their
+/// models, in the report's order.
+std::string folders_json(const Report& report) {
+  std::vector<std::string> cases;
+  std::vector<std::string> engines;
+  std::vector<std::string> models;
+  const auto quoted = [](const std::string& name) {
+    // such a name has nothing that JSON or HTML reads as its own
+    return "\"" + folder_name(name).string() + "\"";
+  };
+  for (const CaseRow& the_case : report.cases) {
+    cases.push_back(quoted(the_case.name));
+  }
+  for (const EngineRow& engine : report.engines) {
+    engines.push_back(quoted(engine.name));
+    std::vector<std::string> of_engine;
+    for (const Model& model : engine.info ? engine.info->models : std::vector<Model>()) {
+      of_engine.push_back(quoted(model.name));
+    }
+    models.push_back(fmt::format("[{}]", fmt::join(of_engine, ",")));
+  }
+  return fmt::format("{{\"cases\":[{}],\"engines\":[{}],\"models\":[{}]}}", fmt::join(cases, ","),
+                     fmt::join(engines, ","), fmt::join(models, ","));
+}
+
 /// A place for a chart: what it shows, which a reader without script is told.
 std::string chart_place(const std::string& id, const std::string& shows) {
   return fmt::format(
@@ -36,14 +83,15 @@ std::string chart_place(const std::string& id, const std::string& shows) {
 
 std::string finding_item(const Finding& finding) {
   return fmt::format(
-      "<li data-kind=\"{}\"><b>{} {}</b> {} <span class=\"evidence\">{}</span></li>\n",
-      html_text(finding.kind), html_text(finding.engine), html_text(finding.model),
-      html_prose(finding.sentence), evidence_text(finding));
+      "<li data-kind=\"{}\" data-engine=\"{}\"><b>{} {}</b> {} <span "
+      "class=\"evidence\">{}</span></li>\n",
+      html_text(finding.kind), html_text(finding.engine), html_text(finding.engine),
+      html_text(finding.model), html_prose(finding.sentence), evidence_text(finding));
 }
 
 std::string model_html(const Model& model, const std::string& id) {
   const Table settings = settings_table(model);
-  return fmt::format("<h4>{}</h4>\n", html_text(model.name)) +
+  return fmt::format("<h4>{}, {}</h4>\n", html_text(model.name), words_of(model.maker)) +
          paragraph(html_text(model.sentence, longest_sentence)) +
          (settings.empty()
               ? note("Every setting is the engine’s default.")
@@ -55,19 +103,23 @@ std::string model_html(const Model& model, const std::string& id) {
 std::string answers_section(const Report& report) {
   constexpr std::size_t longest_list = 2000;  // [bytes], of all models that stopped
   const std::string stopped = stopped_sentence(report);
-  return section("answers", "Answers",
-                 html_table(answers_table(report), "answers-table",
-                            "Over all cases, by engine, model and step. The exact motion through "
-                            "the same comparison, as a control, stands apart. Cost: of one step, "
-                            "in closed-form flights.") +
+  return section("answers", "Every number over the cases",
+                 table_html(report, answers_table(report), "answers-table",
+                            "Over all cases, by engine, model and step; the exact motion as a "
+                            "control below. Cost: of one step, in closed-form flights.") +
                      (stopped.empty() ? "" : note(html_text(stopped, longest_list))));
 }
 
 std::string runs_section(const Report& report) {
-  return section("cases", "Every run",
-                 html_table(runs_table(report), "cases-table",
-                            "By case, engine, model and step; the exact motion as a control below. "
-                            "Cost: of one step, in closed-form flights."));
+  return section(
+      "cases", "Every run",
+      paragraph("The button of a row leads on: to its replay, its settings, the causes of "
+                "its errors, its files, and the command that repeats it.") +
+          table_html(report, runs_table(report), "cases-table",
+                     "By case, engine, model and step; the exact motion as a control "
+                     "below. Cost: of one step, in closed-form flights.") +
+          "<script type=\"application/json\" id=\"run-folders\">" + folders_json(report) +
+          "</script>\n");
 }
 
 std::string error_section(const Report& report) {
@@ -75,7 +127,7 @@ std::string error_section(const Report& report) {
       "error", "Error and cost",
       chart_place("chart-cost", "Position error over the cost of a simulated second.") +
           chart_place("chart-step", "Position error over the step, with fitted slopes.") +
-          html_table(convergence_table(report), "slopes-table",
+          table_html(report, convergence_table(report), "slopes-table",
                      "Slope of log error over log step of the early position error, over the "
                      "cases: 1 is first order, 0 does not converge."));
 }
@@ -110,7 +162,7 @@ std::string causes_section(const Report& report) {
   return section(
       "attribution", heading,
       paragraph(html_prose(how_to_read_causes())) +
-          html_table(table, "attribution-table",
+          table_html(report, table, "attribution-table",
                      "What deviations come from, by engine, model and step.") +
           chart_place("chart-attribution", "Shares of the causes, by engine, model and step.") +
           "<dl>\n" + meanings + "</dl>\n");
@@ -120,7 +172,8 @@ std::string models_section(const Report& report) {
   std::string out;
   std::size_t table = 0;
   for (const EngineRow& engine : report.engines) {
-    out += fmt::format("<h3>{}</h3>\n", html_text(engine.name));
+    out += fmt::format("<h3 id=\"settings-of-{}\">{}</h3>\n", html_text(engine.name),
+                       html_text(engine.name));
     if (engine.problem) {
       out += note((engine.missing ? "Not here: " : "") + html_text(*engine.problem));
     }
@@ -133,7 +186,8 @@ std::string models_section(const Report& report) {
       out += model_html(model, fmt::format("settings-{}", ++table));
     }
   }
-  return section("models", "How each engine models a cable", out);
+  return section("models", "How each engine models a cable",
+                 folded("Every model and its settings", out));
 }
 
 std::string reading_section(const Report& report) {
@@ -142,7 +196,7 @@ std::string reading_section(const Report& report) {
     items += "<li>" + html_prose(item) + "</li>\n";
   }
   return section("reading", "How to read this page",
-                 "<ul class=\"reading\">\n" + items + "</ul>\n" +
+                 folded("Every word of it", "<ul class=\"reading\">\n" + items + "</ul>\n") +
                      paragraph("The source chapter has a page of its own: <code>tautline "
                                "reproduce</code> makes <code>chapter.html</code>."));
 }

@@ -93,6 +93,7 @@ template <class Visitor>
 void fields(Visitor& visit, Model& model) {
   visit("name", model.name);
   visit("sentence", model.sentence);
+  visit("maker", model.maker);
   visit("settings", model.settings);
 }
 

@@ -29,6 +29,7 @@ Enum from_word(const std::array<Enum, count>& all, const std::string& word) {
 }
 inline constexpr std::array statuses = {Status::finished, Status::stopped, Status::diverged,
                                         Status::failed};
+inline constexpr std::array makers = {Maker::engine, Maker::by_hand, Maker::tautline};
 
 inline void read(const Json& json, double& value) {
   value = json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
@@ -43,6 +44,9 @@ inline void read(const Json& json, bool& value) { value = json.get<bool>(); }
 inline void read(const Json& json, std::string& value) { value = json.get<std::string>(); }
 inline void read(const Json& json, Status& value) {
   value = from_word(statuses, json.get<std::string>());
+}
+inline void read(const Json& json, Maker& value) {
+  value = from_word(makers, json.get<std::string>());
 }
 inline void read(const Json& json, Word& value) {
   value = from_word(all_words, json.get<std::string>());

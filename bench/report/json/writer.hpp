@@ -21,6 +21,7 @@ inline Json json_of(std::size_t value) { return value; }
 inline Json json_of(bool value) { return value; }
 inline Json json_of(const std::string& value) { return value; }
 inline Json json_of(Status value) { return to_string(value); }
+inline Json json_of(Maker value) { return to_string(value); }
 inline Json json_of(Word value) { return to_string(value); }
 inline Json json_of(Holds value) {
   return value == Holds::not_measured ? Json(nullptr) : Json(value == Holds::yes);

@@ -165,7 +165,7 @@ Table answers_table(const Report& report) {
                                cost != costs.end() ? std::optional(cost->second) : std::nullopt));
   }
   Table table(columns_of(report));
-  add_rows(table, std::move(rows), ControlPlace::before);
+  add_rows(table, std::move(rows), ControlPlace::after);
   for (const EngineRow& engine : report.engines) {
     if (engine.problem) {
       table.add(missing_row(engine));

@@ -3,12 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "bench/base/text.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {
+namespace {
+
+/// Units that a case of its own units does not have.
+const std::set<std::string> physical_units = {"m", "s", "m/s", "rad/s", "J", "N s", "N m s", "kg"};
+
+/// What is counted by the simulated second, where there are no seconds.
+const std::map<std::string, std::string> per_unit_of_time = {{"ms/s", "ms per unit of time"},
+                                                             {"s/s", "s per unit of time"}};
+
+}  // namespace
 
 Column word_column(std::string heading, std::string key) {
   Column column;
@@ -57,6 +69,32 @@ std::vector<Cell> setup_cells(const SetupKey& key) {
 
 std::string shown_unit(const Metric& metric) {
   return metric.unit == "1" ? "" : std::string(metric.unit);
+}
+
+std::string shown_unit(const Metric& metric, const Report& report) {
+  const std::string unit = shown_unit(metric);
+  return is_nondimensional(report) && physical_units.contains(unit) ? "" : unit;
+}
+
+Table in_units_of(const Report& report, const Table& table) {
+  if (!is_nondimensional(report)) {
+    return table;
+  }
+  std::vector<Column> columns = table.columns();
+  for (Column& column : columns) {
+    const auto other = per_unit_of_time.find(column.unit);
+    column.unit = other != per_unit_of_time.end()        ? other->second
+                  : physical_units.contains(column.unit) ? ""
+                                                         : column.unit;
+    if (const std::string end = " m/s"; column.group.ends_with(end)) {
+      column.group.erase(column.group.size() - end.size());
+    }
+  }
+  Table result(std::move(columns));
+  for (const Row& row : table.rows()) {
+    result.add(row);
+  }
+  return result;
 }
 
 std::string column_key(const Metric& metric) {

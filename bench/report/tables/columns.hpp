@@ -47,6 +47,13 @@ inline constexpr Digits as_instant = fixed(4);
 /// The unit of a metric as a heading shows it: "" of a ratio or a count.
 [[nodiscard]] std::string shown_unit(const Metric& metric);
 
+/// The same; "" too of a length, a time or an energy where every case has units of its own.
+[[nodiscard]] std::string shown_unit(const Metric& metric, const Report& report);
+
+/// `table` with the units of what the report is of: none of lengths, times and energies where every
+/// case has units of its own.
+[[nodiscard]] Table in_units_of(const Report& report, const Table& table);
+
 /// The key of a metric's column: its name with "-".
 [[nodiscard]] std::string column_key(const Metric& metric);
 

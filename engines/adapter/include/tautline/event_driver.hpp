@@ -23,13 +23,15 @@ namespace tautline {
 /// The model `event` of an engine, whose `Adapter` is an EventAdapter made of a case.
 template <class Adapter>
 [[nodiscard]] ModelEntry event_model(std::string sentence, std::vector<Setting> settings) {
-  return {
-      .model = {.name = "event", .sentence = std::move(sentence), .settings = std::move(settings)},
-      .start =
-          [](const Case& the_case, const RunSettings& run) {
-            return drive_by_events(the_case, std::make_unique<Adapter>(the_case), run.law);
-          },
-      .follows_speed = true};
+  return {.model = {.name = "event",
+                    .sentence = std::move(sentence),
+                    .settings = std::move(settings),
+                    .maker = Maker::tautline},
+          .start =
+              [](const Case& the_case, const RunSettings& run) {
+                return drive_by_events(the_case, std::make_unique<Adapter>(the_case), run.law);
+              },
+          .follows_speed = true};
 }
 
 }  // namespace tautline

@@ -21,11 +21,30 @@ struct Setting {
   std::string reason;  // one sentence
 };
 
+/// Whose the cable of a model is: whom its errors belong to.
+enum class Maker {
+  engine,    // as shipped: a joint, a limit, a contact or a solver that users of the engine have
+  by_hand,   // built by the plug-in with the engine's parts
+  tautline,  // tautline's: its event driver, or its exact solver
+};
+[[nodiscard]] constexpr const char* to_string(Maker maker) {
+  switch (maker) {
+    case Maker::engine:
+      return "engine";
+    case Maker::by_hand:
+      return "by_hand";
+    case Maker::tautline:
+      return "tautline";
+  }
+  return "";
+}
+
 /// One way to build the cables of a case in an engine.
 struct Model {
   std::string name;               // [a-z0-9-]+, such as "row" or "event"
   std::string sentence;           // what it does, in one sentence
   std::vector<Setting> settings;  // every one that is not the engine's default
+  Maker maker = Maker::by_hand;
 };
 
 /// What an engine says of itself.

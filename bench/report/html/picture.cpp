@@ -1,0 +1,163 @@
+#include "bench/report/html/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "bench/base/html.hpp"
+#include "bench/report/html/stills_svg.hpp"
+#include "bench/report/tables/columns.hpp"
+#include "bench/report/words.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A cable with less gap than this, of its length, does not look slack [-].
+constexpr double visible = 0.03;
+
+/// One with more, before or beyond, does not look taut [-].
+constexpr double taut = 0.01;
+
+/// Instants that are looked at between two impacts.
+constexpr int instants = 40;
+
+const CaseRow* case_of(const Report& report, const RunRow& run) {
+  const auto found = std::find_if(report.cases.begin(), report.cases.end(),
+                                  [&](const CaseRow& row) { return row.name == run.key.the_case; });
+  return found != report.cases.end() ? &*found : nullptr;
+}
+
+/// The instant between two others at which the gap of `cable` is largest.
+double slackest(const CableRow& cable, const Path& path, double from, double until) {
+  double best = from;
+  for (int instant = 1; instant < instants; ++instant) {
+    const double time = from + (until - from) * instant / instants;
+    if (gap_of(cable, pose_at(path, time)) > gap_of(cable, pose_at(path, best))) {
+      best = time;
+    }
+  }
+  return best;
+}
+
+/// The stills of the impact at `place`; none where its cable does not look taut at it, or slack
+/// around it.
+std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run, const Path& path,
+                                      std::size_t place) {
+  const ImpactColumns& impacts = *run.impacts;
+  const std::size_t index = impacts.cable[place];
+  if (index >= the_case.geometry.size() || impacts.rate_after[place] <= 0.0) {
+    return std::nullopt;
+  }
+  const CableRow& cable = the_case.geometry[index];
+  const double time = impacts.time[place];
+  const double before = place > 0 ? impacts.time[place - 1] : 0.0;
+  const double after =
+      place + 1 < impacts.time.size() ? impacts.time[place + 1] : 2 * time - before;
+  const std::array<double, 3> times = {slackest(cable, path, before, time), time,
+                                       slackest(cable, path, time, after)};
+  const auto gap = [&](double at) { return gap_of(cable, pose_at(path, at)) / cable.length; };
+  if (gap(times[0]) < visible || std::abs(gap(times[1])) > taut || gap(times[2]) < visible) {
+    return std::nullopt;
+  }
+  return ImpactStills{&the_case, &run, &path, index, place, times};
+}
+
+/// How slack the cable is seen to be, before or after, whichever is less, of its length [-].
+double clearness(const ImpactStills& stills) {
+  const CableRow& cable = stills.the_case->geometry[stills.cable];
+  const auto gap = [&](double at) { return gap_of(cable, pose_at(*stills.path, at)); };
+  return std::min(gap(stills.times[0]), gap(stills.times[2])) / cable.length;
+}
+
+/// The path of a run; that of the case for the exact motion, none where a report was read without.
+const Path* path_of(const CaseRow& the_case, const RunRow& run) {
+  return run.path ? &*run.path : run.key.engine == control ? &the_case.path : nullptr;
+}
+
+std::optional<ImpactStills> stills_of(const Report& report, const RunRow& run) {
+  const CaseRow* const the_case = case_of(report, run);
+  const Path* const path = the_case != nullptr ? path_of(*the_case, run) : nullptr;
+  if (path == nullptr || !run.impacts) {
+    return std::nullopt;
+  }
+  std::optional<ImpactStills> best;
+  for (std::size_t place = 0; place < run.impacts->time.size(); ++place) {
+    const auto stills = stills_of(*the_case, run, *path, place);
+    if (stills && (!best || clearness(*stills) > clearness(*best))) {
+      best = stills;
+    }
+  }
+  return best;
+}
+
+/// "1.23 m/s", or "1.23" of a case without units.
+std::string speed_text(const CaseRow& the_case, double speed) {
+  return fmt::format("{:.3g}{}", speed, is_nondimensional(the_case) ? "" : " m/s");
+}
+
+std::string instant_text(const ImpactStills& stills, std::size_t still) {
+  return fmt::format("t = {:.3f}{}", stills.times.at(still),
+                     is_nondimensional(*stills.the_case) ? "" : " s");
+}
+
+std::vector<std::string> captions(const ImpactStills& stills) {
+  const ImpactColumns& impacts = *stills.run->impacts;
+  const double before = -impacts.rate_before[stills.impact];
+  const double after = impacts.rate_after[stills.impact];
+  return {
+      "slack: it flies freely",
+      "closing",
+      fmt::format("taut: closing at {}", speed_text(*stills.the_case, before)),
+      fmt::format("rebound: opens at {}", speed_text(*stills.the_case, after)),
+  };
+}
+
+std::string legend_html(const ImpactStills& stills) {
+  const ImpactColumns& impacts = *stills.run->impacts;
+  const RunKey& key = stills.run->key;
+  const double before = -impacts.rate_before[stills.impact];
+  const double after = impacts.rate_after[stills.impact];
+  return fmt::format(
+      "<figcaption>A cable pulls only when it is taut, and then at once. Case <code>{}</code> in "
+      "<code>{} {}</code>, impact at {}: cable {} closes at {} and opens at {}. Restitution asked: "
+      "<b>{:.4g}</b>; got: <b>{:.4g}</b>. Engines are held against this.</figcaption>\n",
+      html_text(key.the_case), html_text(key.engine), html_text(key.model), instant_text(stills, 1),
+      stills.cable, speed_text(*stills.the_case, before), speed_text(*stills.the_case, after),
+      impacts.requested[stills.impact], after / before);
+}
+
+}  // namespace
+
+std::optional<ImpactStills> impact_stills(const Report& report) {
+  for (const bool of_control : {true, false}) {
+    for (const RunRow& run : report.runs) {
+      if ((run.key.engine == control) == of_control) {
+        if (auto stills = stills_of(report, run)) {
+          return stills;
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::string picture_html(const Report& report) {
+  const std::optional<ImpactStills> stills = impact_stills(report);
+  if (!stills) {
+    return "";
+  }
+  const std::vector<std::string> texts = captions(*stills);
+  std::string out = "<figure class=\"stills\">\n<ol>\n";
+  for (std::size_t still = 0; still < stills->times.size(); ++still) {
+    out += fmt::format(
+        "<li>{}<span class=\"still\"><b>{}</b> {}</span></li>\n",
+        still_svg(*stills->the_case, *stills->path, stills->times, still, stills->cable),
+        instant_text(*stills, still), texts[still]);
+  }
+  return out + "</ol>\n" + legend_html(*stills) + "</figure>\n";
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,279 @@
+#include "bench/report/scorecard/scorecard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "bench/report/html/page.hpp"
+#include "bench/report/html/picture.hpp"
+#include "bench/report/html/stills_svg.hpp"
+#include "bench/report/markdown.hpp"
+#include "bench/report/scorecard/pull_request.hpp"
+#include "bench/report/scorecard/scorecards_table.hpp"
+#include "tests/bench/gate/made_report.hpp"
+
+namespace tautline::bench::test {
+namespace {
+
+/// An engine with a model as shipped, one by hand and tautline's.
+void add_makers(Report& report, const std::string& name) {
+  EngineRow row;
+  row.name = name;
+  row.info =
+      EngineInfo{name,
+                 "2.1",
+                 "float64",
+                 {Model{"joint", "", {}, Maker::engine}, Model{"row", "", {}, Maker::by_hand},
+                  Model{"event", "", {}, Maker::tautline}}};
+  report.engines.push_back(row);
+}
+
+/// A run whose early position error is `error` [m], with `impacts` audited ones that are `off`.
+RunRow& add_audited(Report& report, const std::string& engine, const std::string& model,
+                    double step, double error, double off = 0.0, std::size_t impacts = 10) {
+  RunRow& run = add_run(report, engine, 0.0, step);
+  run.key.model = model;
+  run.metrics->at(place("early_position_error")) = error;
+  run.scatter = Scatter{impacts, off, 0.0, off, off};
+  run.verdict = Verdict{Word::pass, {}};
+  return run;
+}
+
+/// One case with a cable of 2 m.
+Report report_of_two_metres() {
+  Report report = made_report();
+  report.cases.front().geometry.front().length = 2.0;
+  return report;
+}
+
+TEST(Scorecard, EnginesStandByNameAndTheControlIsNone) {
+  Report report = report_of_two_metres();
+  for (const char* name : {"zeta", "exact", "alpha", "mid"}) {
+    add_makers(report, name);
+    add_audited(report, name, "row", 1e-3, 0.01);
+  }
+  std::vector<std::string> names;
+  for (const Scorecard& card : scorecards(report)) {
+    names.push_back(card.engine);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"alpha", "mid", "zeta"}));
+}
+
+TEST(Scorecard, TheSetupToUseIsTheLargestStepThatIsGoodEnough) {
+  Report report = report_of_two_metres();
+  add_makers(report, "e");
+  add_audited(report, "e", "row", 1e-2, 0.019);  // 0.95 % of 2 m
+  add_audited(report, "e", "row", 1e-3, 0.001);
+  const Scorecard card = scorecard(report, "e");
+  ASSERT_EQ(card.makers.size(), 1U);
+  ASSERT_TRUE(card.makers.front().use);
+  EXPECT_EQ(card.makers.front().use->step, 1e-2);
+  EXPECT_DOUBLE_EQ(card.makers.front().use->off.value(), 0.0095);
+}
+
+TEST(Scorecard, WhereNoneIsGoodEnoughTheMostAccurateIsUsed) {
+  Report report = report_of_two_metres();
+  add_makers(report, "e");
+  add_audited(report, "e", "row", 1e-2, 0.5);
+  add_audited(report, "e", "row", 1e-3, 0.2);
+  EXPECT_EQ(scorecard(report, "e").makers.front().use->step, 1e-3);
+}
+
+TEST(Scorecard, AModelThatLosesItsReboundsIsNotTheOneToUse) {
+  Report report = report_of_two_metres();
+  add_makers(report, "e");
+  report.engines.front().info->models.push_back(Model{"limit", "", {}, Maker::engine});
+  add_audited(report, "e", "joint", 1e-3, 0.0001, -0.9);
+  add_audited(report, "e", "limit", 1e-3, 0.1);
+  Finding finding;
+  finding.engine = "e";
+  finding.model = "joint";
+  finding.kind = "restitution-ignored";
+  report.findings = {finding};
+  const MakerCard shipped = scorecard(report, "e").makers.front();
+  EXPECT_EQ(shipped.maker, Maker::engine);
+  EXPECT_EQ(shipped.use->model, "limit");
+  EXPECT_EQ(rebounds_text(shipped), "right in limit; wrong in joint");
+  EXPECT_FALSE(shipped.models.front().rebounds_rightly());
+  EXPECT_DOUBLE_EQ(shipped.models.front().rebound_off.value(), 0.9);
+}
+
+TEST(Scorecard, AFrozenBodyIsWrongAndAFindingOfTheImpulseIsNot) {
+  for (const auto& [kind, right] :
+       {std::pair("sleeping", false), std::pair("several-steps", true)}) {
+    Report report = report_of_two_metres();
+    add_makers(report, "e");
+    add_audited(report, "e", "row", 1e-3, 0.1);
+    Finding finding;
+    finding.engine = "e";
+    finding.model = "row";
+    finding.kind = kind;
+    report.findings = {finding};
+    EXPECT_EQ(scorecard(report, "e").makers.front().models.front().rebounds_rightly(), right)
+        << kind;
+  }
+}
+
+TEST(Scorecard, VerdictsAreCountedRunByRunAndTheWorstIsSaid) {
+  Report report = report_of_two_metres();
+  add_makers(report, "e");
+  for (int run = 0; run < 3; ++run) {
+    add_audited(report, "e", "row", 1e-3, 0.1);
+  }
+  EXPECT_EQ(tally_text(scorecard(report, "e").verdicts), "pass");
+  report.runs.back().status = Status::failed;
+  const Tally tally = scorecard(report, "e").verdicts;
+  EXPECT_EQ(tally.pass, 2U);
+  EXPECT_EQ(tally.breaks_limit, 1U);
+  EXPECT_EQ(tally.runs(), report.runs.size());
+  EXPECT_EQ(tally_text(tally), "breaks a limit 1/3");
+  EXPECT_EQ(sentence_of(tally), "of 3 runs, 1 breaks a limit and 2 pass.");
+}
+
+/// A body on one cable: slack, taut at 0.5 s, slack again.
+Report bouncing_report() {
+  Report report = report_of_two_metres();
+  add_makers(report, "e");
+  RunRow& run = add_audited(report, "e", "row", 1e-3, 0.1);
+  run.path = Path{{0.0, 0.25, 0.5, 0.75, 1.0},
+                  {0.0, 0.0, 0.0, 0.0, 0.0},
+                  {-1.0, -1.4, -2.0, -1.5, -1.2},
+                  {0.0, 0.0, 0.0, 0.0, 0.0},
+                  {0.0, 0.0, 0.0, 0.0, 0.0}};
+  ImpactColumns impacts;
+  impacts.time = {0.5};
+  impacts.cable = {0};
+  impacts.requested = {0.75};
+  impacts.rate_before = {-2.0};
+  impacts.rate_after = {1.25};
+  run.impacts = impacts;
+  return report;
+}
+
+TEST(Picture, TheStillsAreTheRunsOwnPosesAroundTheImpact) {
+  const Report report = bouncing_report();
+  const auto stills = impact_stills(report);
+  ASSERT_TRUE(stills);
+  const CableRow& cable = report.cases.front().geometry.front();
+  const auto gap = [&](std::size_t still) {
+    return gap_of(cable, pose_at(*stills->path, stills->times.at(still)));
+  };
+  EXPECT_EQ(stills->times[1], 0.5);
+  EXPECT_EQ(gap(1), 0.0);
+  EXPECT_LT(stills->times[0], 0.5);
+  EXPECT_GT(gap(0), 0.9);
+  EXPECT_GT(stills->times[2], 0.5);
+  EXPECT_GT(gap(2), 0.7);
+  const std::string html = picture_html(report);
+  EXPECT_NE(html.find("closes at 2 m/s and opens at 1.25 m/s"), std::string::npos) << html;
+  EXPECT_NE(html.find("asked: <b>0.75</b>; got: <b>0.625</b>"), std::string::npos) << html;
+}
+
+TEST(Picture, WithoutAnImpactThatIsSeenThereIsNone) {
+  Report report = bouncing_report();
+  report.runs.front().path->y = {-2.0, -2.0, -2.0, -2.0, -2.0};
+  EXPECT_EQ(picture_html(report), "");
+}
+
+TEST(Picture, ACaseWithoutUnitsIsShownWithout) {
+  Report report = bouncing_report();
+  report.cases.front().gravity = {0.0, -1.0};
+  const std::string html = picture_html(report);
+  EXPECT_EQ(html.find("m/s"), std::string::npos) << html;
+  EXPECT_EQ(html.find(" s:"), std::string::npos) << html;
+}
+
+/// Rows of a table in Markdown, without its heading.
+long rows_of(const std::string& markdown) {
+  long lines = 0;
+  for (std::size_t at = 0; at < markdown.size(); at = markdown.find('\n', at) + 1) {
+    lines += markdown[at] == '|' ? 1 : 0;
+  }
+  return lines - 2;
+}
+
+TEST(SummaryMarkdown, HasAtMostTwentyRowsTheBrokenFirstAndCountsTheRest) {
+  Report report = report_of_two_metres();
+  for (int engine = 10; engine < 40; ++engine) {
+    add_makers(report, "e" + std::to_string(engine));
+    add_audited(report, "e" + std::to_string(engine), "row", 1e-3, 0.1);
+  }
+  report.runs[25].status = Status::failed;
+  const std::string text = summary_markdown(report);
+  EXPECT_EQ(rows_of(text), 20);
+  EXPECT_TRUE(text.starts_with("**breaks a limit**: of 30 runs, 1 breaks a limit and 29 pass.\n"))
+      << text;
+  const std::size_t first = text.find("| e");
+  EXPECT_EQ(text.substr(text.find("| e", first + 3) + 2, 3), "e35") << text;
+  EXPECT_NE(text.find("and 10 further models"), std::string::npos) << text;
+}
+
+TEST(SummaryMarkdown, StaysShortWhateverTheNames) {
+  Report report = report_of_two_metres();
+  for (int engine = 0; engine < 50; ++engine) {
+    const std::string name = std::string(20000, '|') + "\n<script>" + std::to_string(engine);
+    add_makers(report, name);
+    add_audited(report, name, "row", 1e-3, 0.1);
+  }
+  report.version = std::string(100000, 'v');
+  const std::string text = summary_markdown(report);
+  EXPECT_LE(text.size(), longest_summary);
+  EXPECT_EQ(text.find("<script"), std::string::npos);
+}
+
+TEST(CardSvg, HasTheEngineItsVersionItsVerdictAndThreeNumbers) {
+  Report report = bouncing_report();
+  CostRow cost;
+  cost.key = {"e", "row", 1e-3};
+  cost.second_cost = 2.5e-3;
+  report.context.costs = {cost};
+  const std::string svg = card_svg(report, "e");
+  for (const char* part : {">e<", "2.1, float64", ">pass<", "1 of 1", "models rebound rightly",
+                           "5 %", "row, step 0.001 s", "2.5 ms"}) {
+    EXPECT_NE(svg.find(part), std::string::npos) << part << '\n' << svg;
+  }
+  EXPECT_NE(svg.find("prefers-color-scheme:dark"), std::string::npos);
+}
+
+TEST(CardSvg, AHostileNameWritesNoMarkupAndNoPath) {
+  const std::string name = "\"/><script>alert(1)</script>&../..";
+  Report report = report_of_two_metres();
+  add_makers(report, name);
+  report.engines.front().info->version = "</text><script>";
+  add_audited(report, name, "row", 1e-3, 0.1);
+  const std::string svg = card_svg(report, name);
+  EXPECT_EQ(svg.find("<script"), std::string::npos) << svg;
+  EXPECT_EQ(card_name(name).find('/'), std::string::npos) << card_name(name);
+  EXPECT_EQ(card_name(name).find(".."), std::string::npos) << card_name(name);
+}
+
+TEST(ScorecardsTable, HasARowForEachMakerAndItsNumbersAreTheCards) {
+  Report report = report_of_two_metres();
+  add_makers(report, "e");
+  add_audited(report, "e", "joint", 1e-3, 0.04);
+  add_audited(report, "e", "event", 1e-2, 0.002);
+  const Table table = scorecards_table(report);
+  ASSERT_EQ(table.rows().size(), 2U);
+  EXPECT_EQ(table.rows()[0].cells[2].text, "as shipped");
+  EXPECT_EQ(table.rows()[0].cells[4].text, "joint");
+  EXPECT_DOUBLE_EQ(table.rows()[0].cells[6].number.value(), 2.0);
+  EXPECT_EQ(table.rows()[1].cells[2].text, "tautline’s driver");
+  EXPECT_DOUBLE_EQ(table.rows()[1].cells[6].number.value(), 0.1);
+  EXPECT_NE(report_markdown(report).find("## Engines"), std::string::npos);
+}
+
+TEST(ReportPage, UnitsStandOnlyWhereTheCasesHaveThem) {
+  Report report = bouncing_report();
+  report.options.steps = {1e-3};
+  const std::string with = report_html(report, {});
+  EXPECT_NE(with.find("[m]"), std::string::npos);
+  report.cases.front().gravity = {0.0, -1.0};
+  const std::string without = report_html(report, {});
+  for (const char* unit : {"[m]", "[s]", "[J]", "[m/s]"}) {
+    EXPECT_EQ(without.find(unit), std::string::npos) << unit;
+  }
+}
+
+}  // namespace
+}  // namespace tautline::bench::test

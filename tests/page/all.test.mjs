@@ -1,0 +1,8 @@
+// The tests that need no quiet machine, in one process: they share one browser, and most one page.
+import './opens.test.mjs';
+import './tables.test.mjs';
+import './charts.test.mjs';
+import './address.test.mjs';
+import './reader.test.mjs';
+import './legible.test.mjs';
+import './hostile.test.mjs';

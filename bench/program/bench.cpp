@@ -24,6 +24,7 @@
 #include "bench/report/json/json.hpp"
 #include "bench/report/markdown.hpp"
 #include "bench/report/terminal.hpp"
+#include "bench/suite/motion_files.hpp"
 #include "bench/suite/report_of.hpp"
 #include "bench/suite/suite.hpp"
 #include "bench/suite/tree.hpp"
@@ -118,6 +119,7 @@ void write_reports(const BenchCommand& command, const Report& report) {
   const std::string json = report_json(report);
   write_file(command.out / "report.json", json);
   write_file(command.out / "report.md", report_markdown(report));
+  write_motions(command.out, report);
   write_file(command.out / "index.html", report_html(report, page_assets()));
   if (!command.json.empty()) {
     write_output(command.json, json);

@@ -138,7 +138,10 @@
 
   function tellHow() {
     const waiting = state.recorded || state.problem ? state.problem : 'The motions of the runs are being loaded.';
-    const told = [...state.motions.map(drawnHow), ...(waiting ? [waiting] : [])];
+    const missing = state.runs.filter((key) => key && state.recorded && !state.problem
+      && !state.recorded.some((run) => keyOf(run) === key));
+    const told = [...state.motions.map(drawnHow), ...(waiting ? [waiting] : []),
+      ...missing.map((key) => `The motion of ${key} s is not among those of this case.`)];
     drawnAs.replaceChildren(...told.map((text) => make('li', {}, text)));
   }
 

@@ -38,7 +38,7 @@ void keep_fastest(std::vector<Event>& events, const Speed& speed) {
 }
 
 /// The numbers of a motion's panel.
-struct Range {
+struct Covered {
   double least = std::numeric_limits<double>::infinity();
   double largest = -std::numeric_limits<double>::infinity();
 
@@ -132,9 +132,9 @@ double drawn_extent(const ReferenceCase& reference) {
 
 Nearness nearness_of(const ReferenceCase& reference) {
   const Case& the_case = reference.the_case;
-  Range angle;
-  Range energies;
-  std::vector<Range> gaps(the_case.cables.size());
+  Covered angle;
+  Covered energies;
+  std::vector<Covered> gaps(the_case.cables.size());
   for (const Point& point : samples(reference)) {
     angle.take(point.state.angle);
     energies.take(energy(the_case, point.state));

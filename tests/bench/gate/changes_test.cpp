@@ -207,7 +207,7 @@ TEST(Compare, WhatIsNoReportIsRefusedInASentence) {
       {"[]", "is not a report of `tautline bench`"},
       {"{\"schema\": 4}", "is not a report of `tautline bench`"},
       {"{\"schema\": 4, \"runs\": 1, \"options\": 2, \"context\": 3}", "is not a"},
-      {old.dump(), "has schema 2, must be 4"},
+      {old.dump(), "has schema 2, must be 5"},
       {twice.dump(), "has two rows of"},
       {bare.dump(), "is not a report of `tautline bench`"},
       {law.dump(), "measure different things: law"},

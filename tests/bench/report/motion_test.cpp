@@ -278,7 +278,7 @@ TEST(Motion, TheGapOfATautCableIsTheRecordedOne) {
 }
 
 TEST(Motion, IsReadAsThePageReadsIt) {
-  const json shared = json::parse(test::content_of(TAUTLINE_SHARED_PATH));
+  const json shared = json::parse(test::content_of(TAUTLINE_TEST_DATA "/replay/path.json"));
   RunRecord empty;
   json record = json::parse(record_json(empty, "it"));
   record["record"]["row"]["path"] = shared.at("path");

@@ -68,9 +68,9 @@ std::string report_html(const Report& report, const PageAssets& assets) {
                         .command = "tautline bench",
                         .data_id = "report-data",
                         .data = html_json(page_json(report)),
+                        .scripts = assets.scripts,
                         .motions = html_json(own_motions(report)),
-                        .files_beside = report.cases.size() > most_cases_in_page,
-                        .scripts = assets.scripts},
+                        .files_beside = report.cases.size() > most_cases_in_page},
                        assets);
 }
 

@@ -20,7 +20,7 @@ std::vector<Number> numbers_of(const CaseRow& the_case) {
                                    cable.attachment.y(), cable.length, cable.restitution});
   }
   for (const auto* column : {&the_case.path.x, &the_case.path.y, &the_case.path.angle}) {
-    numbers.push_back(column->empty() ? std::nullopt : Number(column->front()));
+    numbers.push_back(column->steps.empty() ? std::nullopt : Number(column->start));
   }
   return numbers;
 }

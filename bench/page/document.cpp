@@ -11,17 +11,19 @@ namespace {
 
 // Nothing is fetched from anywhere: what the page may do is what stands in it.
 constexpr std::string_view policy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
+    "default-src 'none'; script-src 'unsafe-inline'{}; style-src 'unsafe-inline'; img-src data: "
     "blob:; base-uri 'none'; form-action 'none'";
 
-std::string head(std::string_view title, std::string_view style) {
+std::string head(const PageContent& page, std::string_view style) {
+  // a page on disk may load a file beside it as `file:`, one from a server as `'self'`
+  const std::string allowed = fmt::format(policy, page.files_beside ? " 'self' file:" : "");
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n"
       "<link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style>\n</head>\n",
-      policy, title, style);
+      allowed, page.title, style);
 }
 
 /// A text of several lines as it stands.
@@ -49,6 +51,10 @@ std::string foot(std::string_view command, const PageAssets& assets) {
 std::string scripts(const PageContent& page, std::string_view plotly) {
   std::string out = fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n",
                                 page.data_id, page.data);
+  if (!page.motions.empty()) {
+    out += fmt::format("<script type=\"application/json\" id=\"motions-data\">{}</script>\n",
+                       page.motions);
+  }
   if (!plotly.empty()) {
     out += fmt::format("<script id=\"plotly\">{}</script>\n", plotly);
   }
@@ -59,7 +65,7 @@ std::string scripts(const PageContent& page, std::string_view plotly) {
 
 std::string html_document(const PageContent& page, const PageAssets& assets) {
   const bool charts = !assets.plotly.empty();
-  return head(page.title, assets.style) +
+  return head(page, assets.style) +
          fmt::format("<body{}>\n", charts ? "" : " class=\"no-charts\"") + page.content +
          foot(page.command, assets) + scripts(page, assets.plotly) + "</body>\n</html>\n";
 }

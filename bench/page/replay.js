@@ -4,9 +4,9 @@
 (() => {
   'use strict';
   const { report, make, select, refill, sample, number, plots, scene } = tautline;
-  const { motion, eventTimes } = tautline.motions;
+  const { exactMotion, runMotion, eventTimes } = tautline.motions;
   const app = document.getElementById('replay-app');
-  const cases = report.cases.filter((one) => one.path);
+  const cases = report.cases.filter((one) => one.path && one.path.time.steps.length > 0);
   if (!app) {
     return;
   }
@@ -21,13 +21,14 @@
   /// With less motion, how long an event stands [ms].
   const stand = 1200;
 
-  const state = { system: cases[0], runs: [], motions: [], cable: 0, time: 0, speed: 1, playing: false };
+  /// `recorded` are the motions of the case's runs, null until they came; `problem` says why they do not.
+  const state = { system: cases[0], runs: [], recorded: null, problem: '', motions: [], cable: 0, time: 0, speed: 1, playing: false };
   let picture;
   let times = [];
 
-  const runsOf = (system) => report.runs.filter((run) => run.case === system.name && run.path);
+  const runsOf = (system) => report.runs.filter((run) => run.case === system.name && run.impacts);
   const keyOf = (run) => `${run.engine} ${run.model} ${run.step}`;
-  const end = () => state.system.path.time[state.system.path.time.length - 1];
+  const end = () => state.motions[0].path.time[state.motions[0].path.time.length - 1];
 
   /// Runs to start with: the first model of the first engines, at the middle step.
   function firstRuns(system) {
@@ -39,6 +40,7 @@
   }
 
   const canvas = make('canvas', { class: 'replay-canvas', role: 'img', tabindex: '0', 'aria-label': 'the moving body' });
+  const drawnAs = make('ul', { class: 'note replay-note' });
   const status = make('p', { class: 'replay-status', role: 'status' });
   const slider = make('input', { type: 'range', min: 0, step: 'any', 'aria-label': 'time [s]' });
   const keys = make('div', { class: 'keys' });
@@ -125,11 +127,32 @@
     show(next === undefined ? (direction > 0 ? end() : 0) : next);
   }
 
+  /// How near to what it stands for a motion is drawn, and what of its impacts is not shown.
+  function drawnHow(one) {
+    const { error, spacing } = one.path;
+    const near = `within ${number(1000 * error, 2)} mm (${number(error / picture.pixel(), 1)} pixel)`;
+    const count = (value) => value.toLocaleString('en');
+    const [shown, all] = [one.impacts.length, one.impacts.length + one.leftOut];
+    const whole = ['It has no impact that counts.', 'Its one impact is shown.'][all] || `All ${count(all)} impacts are shown.`;
+    return `${one.name}: drawn ${near} of ${one.reference ? 'the solution' : `the run’s record, every ${
+      number(spacing)} s and at its impacts; in between nothing is known`}. ${one.leftOut
+      ? `${count(shown)} of ${count(all)} impacts shown, the fastest.` : whole}`;
+  }
+
+  function tellHow() {
+    const waiting = state.recorded || state.problem ? state.problem : 'The motions of the runs are being loaded.';
+    const missing = state.runs.filter((key) => key && state.recorded && !state.problem
+      && !state.recorded.some((run) => keyOf(run) === key));
+    const told = [...state.motions.map(drawnHow), ...(waiting ? [waiting] : []),
+      ...missing.map((key) => `The motion of ${key} s is not among those of this case.`)];
+    drawnAs.replaceChildren(...told.map((text) => make('li', {}, text)));
+  }
+
   /// Everything anew for the chosen case, runs and cable.
   function load() {
     const chosen = new Set(state.runs);
-    state.motions = [motion(state.system, null),
-      ...runsOf(state.system).filter((run) => chosen.has(keyOf(run))).map((run) => motion(state.system, run))];
+    state.motions = [exactMotion(state.system),
+      ...(state.recorded || []).filter((run) => chosen.has(keyOf(run))).map(runMotion)];
     times = eventTimes(state.motions);
     picture = scene(canvas, state.system, state.motions);
     slider.max = end();
@@ -139,6 +162,19 @@
         : [sample(one.engine, one.model)]), one.name)));
     graph.update();
     show(Math.min(state.time, end()));
+    tellHow();
+  }
+
+  /// The motions of the runs of `system`, which may have to be loaded.
+  async function fetchRuns(system) {
+    [state.recorded, state.problem] = [null, ''];
+    const came = await tautline.motions.runsOf(system).catch(() => null);
+    if (system === state.system) {
+      state.recorded = came || [];
+      state.problem = came ? '' : `The motions of the runs are not here: ${system.motions} is missing beside this `
+        + 'page. The exact motion and everything else on the page are whole.';
+      load();
+    }
   }
 
   const runChoices = () => [['', 'none'], ...runsOf(state.system).map((run) =>
@@ -158,7 +194,9 @@
       state.runs[i] = one.box.value;
     });
     refill(cable, cableChoices());
+    const loading = fetchRuns(system);
     load();
+    return loading;
   }
 
   const speeds = [['0.1', '\u00d7 0.1'], ['0.25', '\u00d7 0.25'], ['0.5', '\u00d7 0.5'], ['1', '\u00d7 1'],
@@ -177,7 +215,7 @@
       button('Event \u2192', 'to the next event (Shift and arrow right)', () => toEvent(1), 'replay-next'),
       button('End', 'to the end (End)', () => show(end())),
       select('Speed', speeds, '1', (value) => { state.speed = Number(value); }).element, cable.element),
-    status,
+    status, drawnAs,
     make('p', { class: 'replay-keys' }, 'Keys: ', make('kbd', {}, 'space'), ' plays and pauses, ',
       make('kbd', {}, '\u2190'), ' ', make('kbd', {}, '\u2192'), ' move by a hundredth, with ',
       make('kbd', {}, 'Shift'), ' to the next event, ', make('kbd', {}, 'Home'), ' and ',

@@ -1,10 +1,26 @@
-// The motions that the replay shows, from the columns of the report: the pose at any time, the gap
-// of a cable there, and the events to step by.
+// The motions that the replay shows: columns of the report become curves, which are evaluated as
+// bench/report/motion/drawn_path.cpp evaluates them. The exact motion of a case is in the page; those
+// of its runs are too in the page of a single case, else in a file beside it.
 (() => {
   'use strict';
-  /// A gap below this part of the cable's length is drawn taut: the thinned columns between two
-  /// samples of a swing are off by no more.
-  const tautPart = 2e-3;
+  const { make } = tautline;
+
+  /// The numbers of a column: each so many grid widths from the one before.
+  function numbers({ start, scale, steps }) {
+    let place = 0;
+    return steps.map((step) => {
+      place += step;
+      return start + scale * place;
+    });
+  }
+
+  /// A path with its columns as numbers.
+  function drawn(path) {
+    const columns = ['time', 'x', 'y', 'angle', 'x_bends', 'y_bends', 'angle_bends', 'energy_time', 'energy'];
+    return { ...path, ...Object.fromEntries(columns.map((name) => [name, numbers(path[name])])),
+      cables: path.cables.map((cable) => ({ times: numbers(cable.times), grid: cable.times.scale,
+        gapTimes: numbers(cable.gap_times), gap: cable.gap })) };
+  }
 
   /// The last index with time[index] <= at; 0 before the first.
   function indexAt(time, at) {
@@ -14,6 +30,32 @@
       [low, high] = time[half] <= at ? [half, high] : [low, half - 1];
     }
     return low;
+  }
+
+  /// The pose of a drawn `path` at `at` [s]: a cubic between two knots.
+  function pose(path, at) {
+    const i = indexAt(path.time, at);
+    if (i + 1 >= path.time.length || at <= path.time[i]) {
+      return { time: at, x: path.x[i], y: path.y[i], angle: path.angle[i] };
+    }
+    const s = (at - path.time[i]) / (path.time[i + 1] - path.time[i]);
+    const value = (name) => {
+      const [places, bends] = [path[name], path[`${name}_bends`]];
+      return places[i] + s * (places[i + 1] - places[i])
+        + 3 * s * (1 - s) * ((1 - s) * bends[2 * i] + s * bends[2 * i + 1]);
+    };
+    return { time: at, x: value('x'), y: value('y'), angle: value('angle') };
+  }
+
+  /// Whether cable number `i` is taut at `at` [s], which the path says: a drawn gap could not.
+  function isTaut(path, i, at) {
+    const { times, grid } = path.cables[i];
+    for (let from = 0; from + 1 < times.length; from += 2) {
+      if (at >= times[from] - grid && at <= times[from + 1] + grid) {
+        return true;
+      }
+    }
+    return false;
   }
 
   const endOf = (cable, pose) => [
@@ -26,52 +68,60 @@
     return cable.length - Math.hypot(x - cable.anchor[0], y - cable.anchor[1]);
   }
 
-  const isTaut = (cable, pose) => gap(cable, pose) < tautPart * cable.length;
+  /// Instants that show all of a path: `parts` for each of its pieces.
+  const instants = (path, parts) => path.time.flatMap((at, i) => (i + 1 < path.time.length
+    ? Array.from({ length: parts }, (_, k) => at + (k / parts) * (path.time[i + 1] - at)) : [at]));
 
-  const sample = (path, i) => ({ time: path.time[i], x: path.x[i], y: path.y[i],
-    angle: path.angle[i], energy: path.energy[i] });
-
-  /// The pose of `path` at `at` [s]. Between two samples a body on slack cables flies the parabola
-  /// p = chord - g (t - a)(b - t) / 2, which is exact; on a taut cable the chord is near enough.
-  function pose(system, path, at) {
-    const i = indexAt(path.time, at);
-    const a = sample(path, i);
-    if (i + 1 >= path.time.length || at <= a.time) {
-      return { ...a, ended: at > a.time + 1e-9 && i + 1 >= path.time.length };
+  /// The gap of cable number `i` over time, {x, y}: as it was recorded where the cable is taut, as
+  /// the drawn path has it elsewhere.
+  function gapCurve(path, cable, i, fine) {
+    const { times, grid, gapTimes, gap: recorded } = path.cables[i];
+    const [x, y] = [[], []];
+    const put = (time, value) => { x.push(time); y.push(value); };
+    let next = 0;
+    const free = (until) => {
+      for (; next < fine.length && fine[next] < until; ++next) {
+        put(fine[next], gap(cable, pose(path, fine[next])));
+      }
+    };
+    for (let from = 0; from + 1 < times.length; from += 2) {
+      const [start, end] = [times[from], times[from + 1]];
+      const inside = gapTimes.map((_, k) => k).filter((k) => gapTimes[k] >= start - grid && gapTimes[k] <= end + grid);
+      if (inside.length > 0) {
+        free(start);
+        put(start, recorded[inside[0]]);
+        inside.forEach((k) => put(gapTimes[k], recorded[k]));
+        put(end, recorded[inside[inside.length - 1]]);
+        while (next < fine.length && fine[next] <= end) {
+          ++next;
+        }
+      }
     }
-    const b = sample(path, i + 1);
-    const part = (at - a.time) / (b.time - a.time);
-    const between = (name) => a[name] + part * (b[name] - a[name]);
-    const held = system.geometry.some((cable) => isTaut(cable, a) && isTaut(cable, b));
-    const fall = held ? 0 : 0.5 * (at - a.time) * (b.time - at);
-    return { time: at, x: between('x') - fall * system.gravity[0],
-      y: between('y') - fall * system.gravity[1], angle: between('angle'),
-      energy: between('energy') };
+    free(Infinity);
+    return { x, y };
   }
 
-  /// Impacts of a motion as {time, cables, speed}: of the exact one from its events, of a run from
-  /// its columns.
-  function impacts(motion) {
-    const { events, columns } = motion;
-    if (events) {
-      return events.time.map((time, i) => ({ time, kind: events.kind[i], cables: events.cables[i],
-        speed: events.rate[i] === null ? null : Math.abs(events.rate[i]) }));
-    }
-    return columns ? columns.time.map((time, i) => ({ time, kind: 'impact',
-      cables: [columns.cable[i]], speed: Math.abs(columns.rate_before[i]) })) : [];
+  /// What happens in the exact motion, or in a run: {time, kind, cables, speed}.
+  const exactHappenings = ({ time, kind, cables, rate }) => time.map((at, i) => ({ time: at, kind: kind[i],
+    cables: cables[i], speed: rate[i] === null ? null : Math.abs(rate[i]) }));
+  const runHappenings = ({ time, cable, speed }) => time.map((at, i) => ({ time: at, kind: 'impact',
+    cables: [cable[i]], speed: speed[i] }));
+
+  function made(path, happenings, more) {
+    const drawnPath = drawn(path);
+    const way = instants(drawnPath, 8);
+    return { ...more, path: drawnPath, happenings, impacts: happenings.filter((one) => one.kind === 'impact'),
+      pose: (at) => pose(drawnPath, at), way: way.map((at) => pose(drawnPath, at)) };
   }
 
-  /// A motion to show: of the exact solution of a case, or of a run of it.
-  function motion(system, run) {
-    const made = run ? { name: `${run.engine} ${run.model}, step ${tautline.number(run.step)} s`,
-      engine: run.engine, model: run.model, path: run.path, columns: run.impacts }
-      : { name: 'exact path', engine: 'exact', model: 'event', path: system.path,
-        events: system.events, reference: true };
-    made.happenings = impacts(made);
-    made.impacts = made.happenings.filter((one) => one.kind === 'impact');
-    made.pose = (at) => pose(system, made.path, at);
-    return made;
-  }
+  /// The exact motion of a case.
+  const exactMotion = (system) => made(system.path, exactHappenings(system.events), { name: 'exact path',
+    engine: 'exact', model: 'event', reference: true, leftOut: system.events.left_out });
+
+  /// The motion of a run from those of its case.
+  const runMotion = (run) => made(run.path, runHappenings(run.impacts), {
+    name: `${run.engine} ${run.model}, step ${tautline.number(run.step)} s`,
+    engine: run.engine, model: run.model, leftOut: run.impacts.left_out });
 
   /// The times of every event of the motions, rising, each once [s].
   function eventTimes(motions) {
@@ -79,5 +129,24 @@
     return times.sort((a, b) => a - b).filter((time, i) => i === 0 || time - times[i - 1] > 1e-6);
   }
 
-  tautline.motions = { motion, endOf, gap, isTaut, indexAt, eventTimes };
+  // a page on disk may not read a file, but it may run one: each calls this with what it has
+  const came = new Map();
+  tautline.motionsCame = (file, runs) => came.set(file, runs);
+
+  /// The motions of all runs of a case, as a promise; it fails where their file is not there.
+  function runsOf(system) {
+    const file = system.motions;
+    if (!file) {
+      const own = document.getElementById('motions-data');
+      return Promise.resolve(own ? JSON.parse(own.textContent) : []);
+    }
+    return came.has(file) ? Promise.resolve(came.get(file)) : new Promise((done, fail) => {
+      const script = make('script', { src: file, on: { error: fail,
+        load: () => (came.has(file) ? done(came.get(file)) : fail()) } });
+      document.head.append(script);
+    });
+  }
+
+  tautline.motions = { numbers, drawn, pose, exactMotion, runMotion, runsOf, endOf, gap, gapCurve, isTaut,
+    indexAt, instants, eventTimes };
 })();

@@ -3,29 +3,26 @@
 (() => {
   'use strict';
   const { axis, logAxis, mark, chart, make } = tautline;
-  const { gap } = tautline.motions;
-  /// Points drawn between two samples, as a gap is curved there.
-  const finer = 4;
+  const { gapCurve, instants } = tautline.motions;
+  /// Points drawn between two knots, as a gap is curved there.
+  const finer = 8;
 
   const fourths = [[0.79, 1], [0.53, 0.74], [0.27, 0.48], [0, 0.21]];
 
   function lines(state, motion, colours) {
-    const { time } = motion.path;
-    const fine = time.flatMap((at, i) => (i + 1 < time.length
-      ? Array.from({ length: finer }, (_, k) => at + (k / finer) * (time[i + 1] - at)) : [at]));
-    const poses = fine.map((at) => motion.pose(at));
+    const { path } = motion;
+    const fine = instants(path, finer);
     const { colour, symbol, dash } = motion.reference
       ? { colour: colours.ink, symbol: 'circle', dash: 'solid' } : mark(motion.engine, motion.model);
     const line = { color: colour, dash, width: motion.reference ? 2 : 1.4 };
     const trace = (yaxis, y, unit, more = {}) => ({ type: 'scatter', mode: 'lines', name: motion.name, x: fine, y,
       yaxis, line, hovertemplate: `<b>%{fullData.name}</b><br>%{x:.4g} s: %{y:.4g} ${unit}<extra></extra>`,
       ...more });
-    const cable = state.system.geometry[state.cable];
+    const free = gapCurve(path, state.system.geometry[state.cable], state.cable, fine);
     return [
-      trace('y', poses.map((pose) => gap(cable, pose)), 'm'),
-      // between events no energy is lost: it holds its value, then jumps
-      trace('y2', motion.path.energy, 'J', { x: time, line: { ...line, shape: 'hv' } }),
-      trace('y3', poses.map((pose) => pose.angle), 'rad'),
+      trace('y', free.y, 'm', { x: free.x }),
+      trace('y2', path.energy, 'J', { x: path.energy_time }),
+      trace('y3', fine.map((at) => motion.pose(at).angle), 'rad'),
       trace('y4', motion.impacts.map((impact) => impact.speed), 'm/s', { mode: 'markers',
         x: motion.impacts.map((impact) => impact.time),
         marker: { color: colour, symbol, size: motion.reference ? 4 : 6,
@@ -43,7 +40,8 @@
   function build(state) {
     return (colours) => {
       const { system } = state;
-      const end = system.path.time[system.path.time.length - 1];
+      const { path } = state.motions[0];
+      const end = path.time[path.time.length - 1];
       // the exact one's energy and angle set the scale: a run that blows up must not flatten it
       const range = (values) => {
         const [low, high] = [Math.min(...values), Math.max(...values)];
@@ -58,8 +56,8 @@
         layout: { height: 640, margin: { l: 64, r: 12, t: 10, b: 46 },
           xaxis: axis(colours, { title: { text: 'time [s]' }, range: [0, end], anchor: 'y4' }),
           yaxis: panel(`gap ${state.cable} [m]`, 0),
-          yaxis2: panel('energy [J]', 1, { range: range(system.path.energy) }),
-          yaxis3: panel('angle [rad]', 2, { range: range(system.path.angle) }),
+          yaxis2: panel('energy [J]', 1, { range: range(path.energy) }),
+          yaxis3: panel('angle [rad]', 2, { range: range(path.angle) }),
           yaxis4: logAxis(colours, { title: { text: 'impact [m/s]', font: { size: 12 } },
             domain: fourths[3], range: speeds(state) }),
           shapes: system.horizon < end ? [

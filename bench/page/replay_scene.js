@@ -2,10 +2,12 @@
 // bodies, the way they came, and a flash where a cable has just become taut.
 (() => {
   'use strict';
-  const { endOf, gap, isTaut, indexAt } = tautline.motions;
+  const { endOf, gap, isTaut } = tautline.motions;
 
   const dashes = { solid: [], dash: [7, 4], dot: [2, 3], dashdot: [7, 3, 2, 3], longdash: [12, 4],
     longdashdot: [12, 3, 2, 3] };
+  /// The trail shows this part of the whole motion [-].
+  const trailPart = 0.2;
   /// How long a flash lasts on the screen, whatever the speed [s].
   const flashTime = 0.35;
 
@@ -15,13 +17,15 @@
     const ys = system.geometry.map((cable) => cable.anchor[1]);
     const reach = Math.max(0, ...system.geometry.map((cable) => Math.hypot(...cable.attachment)));
     // the exact path alone: a run that flies away must not shrink it to a dot
-    for (const { path } of motions.filter((one) => one.reference)) {
-      path.x.forEach((x, i) => {
+    for (const { way } of motions.filter((one) => one.reference)) {
+      for (const { x, y } of way) {
         xs.push(x - reach, x + reach);
-        ys.push(path.y[i] - reach, path.y[i] + reach);
-      });
+        ys.push(y - reach, y + reach);
+      }
     }
-    const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+    const least = (values) => values.reduce((a, b) => Math.min(a, b));
+    const largest = (values) => values.reduce((a, b) => Math.max(a, b));
+    const [left, right, low, high] = [least(xs), largest(xs), least(ys), largest(ys)];
     const room = 0.07 * Math.max(right - left, high - low, 1e-9);
     return { left: left - room, right: right + room, low: low - room, high: high + room };
   }
@@ -59,6 +63,7 @@
     const area = extent(system, motions);
     const exact = motions.find((one) => one.reference);
     let place;
+    let scale;
     let colours;
 
     function fit() {
@@ -67,7 +72,7 @@
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
-      const scale = Math.min(width / (area.right - area.left), height / (area.high - area.low));
+      scale = Math.min(width / (area.right - area.left), height / (area.high - area.low));
       const [midX, midY] = [0.5 * (area.left + area.right), 0.5 * (area.low + area.high)];
       place = (x, y) => [0.5 * width + scale * (x - midX), 0.5 * height - scale * (y - midY)];
       colours = tautline.theme();
@@ -82,9 +87,9 @@
       context.setLineDash([]);
     }
 
-    function drawCable(cable, pose, style) {
+    function drawCable(cable, taut, pose, style) {
       const [from, to] = [place(...cable.anchor), place(...endOf(cable, pose))];
-      if (isTaut(cable, pose)) {
+      if (taut) {
         stroke([from, to], style.colour, style.width + 0.6);
         return;
       }
@@ -141,12 +146,9 @@
     }
 
     function drawTrail(motion, time, style) {
-      const { path } = motion;
-      const last = indexAt(path.time, time);
-      const points = [];
-      for (let i = Math.max(0, last - 160); i <= last; ++i) {
-        points.push(place(path.x[i], path.y[i]));
-      }
+      const from = time - trailPart * exact.path.time[exact.path.time.length - 1];
+      const points = motion.way.filter((one) => one.time >= from && one.time <= time)
+        .map((one) => place(one.x, one.y));
       const now = motion.pose(time);
       context.globalAlpha = 0.45;
       stroke([...points, place(now.x, now.y)], style.colour, 1, style.dash);
@@ -172,7 +174,7 @@
         const pose = motion.pose(time);
         if (Number.isFinite(pose.x)) {
           drawTrail(motion, time, style);
-          system.geometry.forEach((cable) => drawCable(cable, pose, style));
+          system.geometry.forEach((cable, i) => drawCable(cable, isTaut(motion.path, i, time), pose, style));
           drawBody(pose, style);
           drawFlash(motion, pose, time, speed, style);
         }
@@ -186,13 +188,19 @@
       }
     }
 
-    /// Each cable of the exact motion as a word: "taut" or "slack, 0.12 m".
+    /// Each cable of the exact motion as a word: "taut" or "slack by 0.12 m". The drawn gap is off by
+    /// as much as the path.
     const words = (time) => system.geometry.map((cable, i) => {
-      const pose = exact.pose(time);
-      return `cable ${i} ${isTaut(cable, pose) ? 'taut' : `slack by ${tautline.number(gap(cable, pose), 2)} m`}`;
+      const free = gap(cable, exact.pose(time));
+      const least = exact.path.error;
+      return `cable ${i} ${isTaut(exact.path, i, time) ? 'taut'
+        : `slack by ${free > least ? tautline.number(free, 2) : `less than ${tautline.number(least, 1)}`} m`}`;
     }).join(', ');
 
-    return { draw, words };
+    /// What a pixel of the picture is [m].
+    const pixel = () => 1 / scale;
+
+    return { draw, words, pixel };
   }
 
   tautline.scene = scene;

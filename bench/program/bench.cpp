@@ -27,6 +27,7 @@
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
 #include "bench/report/terminal.hpp"
+#include "bench/suite/motion_files.hpp"
 #include "bench/suite/report_of.hpp"
 #include "bench/suite/suite.hpp"
 #include "bench/suite/tree.hpp"
@@ -122,6 +123,7 @@ void write_reports(const BenchCommand& command, const Report& report) {
   const std::string json = report_json(report);
   write_file(command.out / "report.json", json);
   write_file(command.out / "report.md", report_markdown(report));
+  write_motions(command.out, report);
   write_file(command.out / "index.html", report_html(report, page_assets()));
   write_file(command.out / "summary.md", summary_markdown(report));
   for (const Scorecard& card : scorecards(report)) {

@@ -8,28 +8,12 @@
 #include <vector>
 
 #include "bench/measure/impact_match.hpp"
+#include "bench/report/motion/samples.hpp"
+#include "bench/report/motion/taut.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
-
-/// The body at `time` [s], with the energy of `moving` there.
-void add(Path& path, const Case& the_case, double time, const State& state, const State& moving) {
-  const double energy_there = energy(the_case, moving);
-  if (!std::isfinite(energy_there) || !state.position.allFinite()) {
-    return;  // the last of a run that diverged
-  }
-  path.time.push_back(time);
-  path.x.push_back(state.position.x());
-  path.y.push_back(state.position.y());
-  path.angle.push_back(state.angle);
-  path.energy.push_back(energy_there);
-}
-
-/// The `index`-th of `count` indices spread evenly over 0 .. size - 1, ends included.
-std::size_t spread(std::size_t index, std::size_t count, std::size_t size) {
-  return count < 2 ? 0 : index * (size - 1) / (count - 1);
-}
 
 /// Leaves the `most_impacts` of `events` that are largest by `speed`, in the order they had.
 template <class Event, class Speed>
@@ -51,6 +35,28 @@ void keep_fastest(std::vector<Event>& events, const Speed& speed) {
     kept.push_back(events[entry.second]);
   }
   events = std::move(kept);
+}
+
+/// The numbers of a motion's panel.
+struct Covered {
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
+
+  void take(double value) {
+    least = std::min(least, value);
+    largest = std::max(largest, value);
+  }
+  [[nodiscard]] double width() const { return largest - least; }
+  [[nodiscard]] double size() const { return std::max(std::abs(least), std::abs(largest)); }
+};
+
+Path drawn(const std::vector<Sample>& samples, const Nearness& nearness) {
+  Path path;
+  if (!samples.empty()) {
+    draw_motion(samples, nearness, path);
+    draw_energy(samples, nearness, path);
+  }
+  return path;
 }
 
 /// The counted impacts that the report has, in rising time.
@@ -88,31 +94,6 @@ std::vector<const Event*> kept_events(const ReferenceCase& reference) {
 
 }  // namespace
 
-Path run_path(const Case& the_case, const Trajectory& run, std::size_t samples,
-              double count_speed) {
-  const auto impacts = kept_impacts(run, count_speed);
-  const std::size_t count = std::min(samples, run.points.size());
-  Path path;
-  auto impact = impacts.begin();
-  double latest = -1.0;  // [s], of an impact
-  for (std::size_t index = 0; index < count; ++index) {
-    const auto& [time, state] = run.points[spread(index, count, run.points.size())];
-    for (; impact != impacts.end() && (*impact)->time <= time && index > 0; ++impact) {
-      // a push over several steps ends elsewhere: there is no state after it at its time
-      const bool jumps = (*impact)->steps <= 1;
-      if ((*impact)->time != latest) {
-        add(path, the_case, (*impact)->time, (*impact)->before,
-            jumps ? (*impact)->after : (*impact)->before);
-        latest = (*impact)->time;
-      }
-    }
-    if (time != latest || index + 1 == count) {
-      add(path, the_case, time, state, state);
-    }
-  }
-  return path;
-}
-
 ImpactColumns run_impacts(const Case& the_case, const Trajectory& run, double count_speed) {
   const auto impacts = kept_impacts(run, count_speed);
   ImpactColumns columns;
@@ -134,19 +115,61 @@ ImpactColumns run_impacts(const Case& the_case, const Trajectory& run, double co
   return columns;
 }
 
-Path exact_path(const ReferenceCase& reference) {
-  const std::vector<const Event*> events = kept_events(reference);
-  const Solution& solution = reference.solution;
-  Path path;
-  auto event = events.begin();
-  for (std::size_t index = 0; index < exact_samples; ++index) {
-    const double time = exact_sample_time(solution, index);
-    for (; event != events.end() && (*event)->time <= time; ++event) {
-      add(path, reference.the_case, (*event)->time, (*event)->after, (*event)->after);
-    }
-    const State state = solution.at(time);
-    add(path, reference.the_case, time, state, state);
+double drawn_extent(const ReferenceCase& reference) {
+  const double reach = attachment_radius(reference.the_case);
+  Vec2 least = reference.the_case.cables.front().anchor;
+  Vec2 largest = least;
+  for (const Cable& cable : reference.the_case.cables) {
+    least = least.cwiseMin(cable.anchor);
+    largest = largest.cwiseMax(cable.anchor);
   }
+  for (const Point& point : samples(reference)) {
+    least = least.cwiseMin(point.state.position - Vec2::Constant(reach));
+    largest = largest.cwiseMax(point.state.position + Vec2::Constant(reach));
+  }
+  return (largest - least).maxCoeff();
+}
+
+Nearness nearness_of(const ReferenceCase& reference) {
+  const Case& the_case = reference.the_case;
+  Covered angle;
+  Covered energies;
+  std::vector<Covered> gaps(the_case.cables.size());
+  for (const Point& point : samples(reference)) {
+    angle.take(point.state.angle);
+    energies.take(energy(the_case, point.state));
+    for (std::size_t index = 0; index < gaps.size(); ++index) {
+      gaps[index].take(gap(the_case.cables[index], point.state));
+    }
+  }
+  Nearness nearness;
+  nearness.bound = drawn_part * drawn_extent(reference);
+  for (std::size_t index = 0; index < gaps.size(); ++index) {
+    // a cable that never leaves its length is told by its state
+    if (gaps[index].width() > taut_part * the_case.cables[index].length) {
+      nearness.bound = std::min(nearness.bound, plotted_part * gaps[index].width());
+    }
+  }
+  constexpr double least_turn = 1e-2;    // [rad]: a motion that turns less is drawn as if it did
+  constexpr double least_change = 1e-9;  // [-] of the energy: one that loses less, likewise
+  nearness.reach = attachment_radius(the_case);
+  nearness.lever =
+      std::max(nearness.reach, nearness.bound / plotted_part / std::max(angle.width(), least_turn));
+  nearness.energy = plotted_part * std::max({energies.width(), least_change * energies.size(),
+                                             std::numeric_limits<double>::min() / plotted_part});
+  return nearness;
+}
+
+Path run_path(const Case& the_case, const Nearness& nearness, const Trajectory& run) {
+  Path path = drawn(samples_of(the_case, run), nearness);
+  path.spacing = run.step * static_cast<double>(run.stride);
+  path.cables = taut_columns(the_case, run);
+  return path;
+}
+
+Path exact_path(const ReferenceCase& reference) {
+  Path path = drawn(samples_of(reference.the_case, reference.solution), nearness_of(reference));
+  path.cables = taut_columns(reference.the_case, reference.solution);
   return path;
 }
 
@@ -159,6 +182,7 @@ EventColumns exact_events(const ReferenceCase& reference) {
     columns.cables.emplace_back(cables.begin(), cables.end());
     columns.rate.push_back(closing_speed(reference.the_case, *event));
   }
+  columns.left_out = reference.solution.events().size() - columns.time.size();
   return columns;
 }
 

@@ -3,29 +3,42 @@
 #include <cstddef>
 
 #include "bench/measure/reference.hpp"
+#include "bench/report/motion/curve.hpp"
 #include "bench/report/report.hpp"
 #include "bench/run/record.hpp"
 #include "tautline/case.hpp"
 
 namespace tautline::bench {
 
-// What a page needs to draw a motion again: few samples, and all that happens between them. A whole
-// trajectory has a hundred thousand samples; a report of thousands of runs cannot hold them.
+// What a page needs to draw a motion again, as near to it as a page can show. A whole trajectory
+// has a hundred thousand samples; a report of thousands of runs cannot hold them.
+
+/// A motion is drawn as near as this part of what the case covers [-]: a quarter of a pixel of a
+/// picture that is a thousand wide.
+inline constexpr double drawn_part = 2.5e-4;
+
+/// And as near as this part of what gap, angle and energy of the exact motion cover [-]: a third of
+/// the width of a line in a panel that is 120 pixels high.
+inline constexpr double plotted_part = 3e-3;
 
 /// Of one run's impacts, or of one case's events, a report has at most so many, the fastest.
 inline constexpr std::size_t most_impacts = 300;
 
-/// `samples` samples of `run` and one at every impact that the report has. There the energy is the
-/// one after the impact; the place is the same on both sides.
-[[nodiscard]] Path run_path(const Case& the_case, const Trajectory& run, std::size_t samples,
-                            double count_speed);
+/// What the anchors and the exact motion cover, the wider of width and height [m].
+[[nodiscard]] double drawn_extent(const ReferenceCase& reference);
+
+/// How near the motions of a case are drawn.
+[[nodiscard]] Nearness nearness_of(const ReferenceCase& reference);
+
+/// `run` as it is drawn; without columns where nothing of it is finite.
+[[nodiscard]] Path run_path(const Case& the_case, const Nearness& nearness, const Trajectory& run);
 
 /// The impacts that the report has: those that close faster than `count_speed` [m/s], the fastest
 /// `most_impacts` of them.
 [[nodiscard]] ImpactColumns run_impacts(const Case& the_case, const Trajectory& run,
                                         double count_speed);
 
-/// The exact motion, with a sample at every event that the report has.
+/// The exact motion as it is drawn.
 [[nodiscard]] Path exact_path(const ReferenceCase& reference);
 
 /// Its events; of very many the fastest impacts, and all that are none.

@@ -9,6 +9,7 @@
 #include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/audit/audit.hpp"
 #include "bench/measure/metric_list.hpp"
+#include "bench/report/motion/path.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 #include "tautline/settling.hpp"
@@ -17,6 +18,10 @@ namespace tautline::bench {
 
 // A report: what a suite leaves, row by row. report/json/json.hpp writes and reads it; all tables,
 // the gate and the comparison of two reports are drawn from it alone.
+
+/// The page of a report of so many cases has the motions of all runs in it; of more cases, they lie
+/// in a file for each case beside it.
+inline constexpr std::size_t most_cases_in_page = 1;
 
 /// The number of the report's form: its key `schema`.
 inline constexpr int report_schema = 5;
@@ -56,15 +61,6 @@ enum class Status {
 [[nodiscard]] constexpr bool did_its_work(Status status) {
   return status == Status::finished || status == Status::stopped;
 }
-
-/// A motion thinned to what can be drawn, a column each.
-struct Path {
-  std::vector<double> time;    // [s], rising; an event at a sample's time may repeat it
-  std::vector<double> x;       // [m], of the centre of mass
-  std::vector<double> y;       // [m]
-  std::vector<double> angle;   // [rad]
-  std::vector<double> energy;  // [J], kinetic and potential; at an event the one after it
-};
 
 /// The counted impacts of a run in rising time, a column each; of very many the fastest.
 struct ImpactColumns {
@@ -135,7 +131,7 @@ struct RunRow {
   std::optional<std::string> output_tail;  // the last that a run that failed printed
   std::optional<MetricValues> metrics;     // none where there is nothing to compare
   std::optional<RunDetails> details;       // set exactly where `metrics` is
-  std::optional<Path> path;
+  std::optional<Path> path;                // not in a report's JSON: see `CaseRow::motions`
   std::optional<ImpactColumns> impacts;
   std::optional<Ladder> ladder;
   std::optional<Scatter> scatter;
@@ -162,7 +158,8 @@ struct EventColumns {
   std::vector<std::string> kind;                 // "impact", "taut", "slack"
   std::vector<std::vector<std::size_t>> cables;  //
   std::vector<std::optional<double>>
-      rate;  // [m/s], of the fastest cable; none of what is no impact
+      rate;                  // [m/s], of the fastest cable; none of what is no impact
+  std::size_t left_out = 0;  // impacts that are not here, all slower
 };
 
 /// What the exact solution says of a case, and what a page needs to draw it.
@@ -181,8 +178,10 @@ struct CaseRow {
   Body body;
   Vec2 gravity = Vec2::Zero();  // [m/s^2]
   std::vector<CableRow> geometry;
-  Path path;
+  double extent = 0.0;  // [m], what the anchors and the exact motion cover
+  Path path;            // of the exact motion
   EventColumns events;
+  std::optional<std::string> motions;  // file beside the page with those of its runs; none: in it
 };
 
 /// An engine, or why there are no runs of it.

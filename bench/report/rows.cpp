@@ -68,7 +68,7 @@ void measure(const ReferenceCase& reference, const EngineInfo& engine, const Tra
   RunRow& row = record.row;
   row.metrics = values_of(metrics);
   row.details = details_of(metrics, run);
-  row.path = run_path(reference.the_case, run, options.path_samples, count_speed);
+  row.path = run_path(reference.the_case, nearness_of(reference), run);
   row.impacts = run_impacts(reference.the_case, run, count_speed);
   row.attribution = attribute(reference.the_case, reference.solution, reference.horizon, run,
                               {reference.law, noise_of(engine.precision), count_speed});
@@ -129,6 +129,7 @@ CaseRow case_row(const ReferenceCase& reference, const CompareOptions& options) 
         {cable.anchor, cable.attachment, cable.length,
          depends_on_speed(cable) ? std::nullopt : std::optional(cable.restitution)});
   }
+  row.extent = drawn_extent(reference);
   row.path = exact_path(reference);
   row.events = exact_events(reference);
   return row;

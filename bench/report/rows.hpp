@@ -11,7 +11,6 @@ namespace tautline::bench {
 /// How the rows of a report are made.
 struct RowOptions {
   CompareOptions compare;
-  std::size_t path_samples = 400;  // that the report has of a motion, next to those at impacts
 };
 
 /// What a run left: how it ended, and measures, audit and attribution if there is a trajectory.

@@ -89,7 +89,7 @@ void ImpactDetector::take_located(const Event& event) {
   for (const std::size_t index : cables) {
     const Cable& cable = case_.cables[index];
     keep({event.time, index, impulses[index], gap_rate(cable, event.before),
-          gap_rate(cable, event.after), 0, event.before, event.after, stray});
+          gap_rate(cable, event.after), 0, event.before, event.after, stray, event.time});
   }
 }
 
@@ -118,6 +118,7 @@ void ImpactDetector::extend(std::size_t index, double start, const State& before
   if (!burst) {
     burst = RecordedImpact{start, index, 0.0, gap_rate(cable, before), 0.0, 0, before, before};
   }
+  burst->ended = start;
   burst->after = before;
   burst->after.velocity = after.velocity;
   burst->after.spin = after.spin;

@@ -26,10 +26,11 @@ struct RecordedImpact {
   double rate_after;   // [m/s], just after, at the same pose
   std::size_t steps;   // consecutive steps with an impulse; 0 if the simulation located the impact
   State before;        // where the jump starts
-  State after;         // the same pose, and the velocity that the jump gave
+  State after;         // the pose at `ended`, and the velocity that the jump gave
   /// Change of momentum (x, y, angle) over the impact that neither gravity nor the impulses along
   /// the cables explain [N s, N s, N m s].
   Eigen::Vector3d stray = Eigen::Vector3d::Zero();
+  double ended = time;  // [s], start of the last of those steps: where `after` is
 };
 
 /// What one run did.

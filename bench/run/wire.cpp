@@ -120,6 +120,7 @@ void pass_impact(auto& numbers, auto& impact) {
   numbers(impact.steps);
   pass_state(numbers, impact.before);
   pass_state(numbers, impact.after);
+  numbers(impact.ended);
   for (int k = 0; k < 3; ++k) {
     numbers(impact.stray[k]);
   }

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "bench/base/text.hpp"
-#include "bench/report/thinning.hpp"
 #include "bench/suite/tree.hpp"
 
 namespace tautline::bench {
@@ -35,9 +34,6 @@ std::vector<PlannedRun> plan(const SuiteOptions& options) {
         }
       }
     }
-  }
-  for (PlannedRun& run : runs) {
-    run.path_samples = path_samples(runs.size());
   }
   return runs;
 }

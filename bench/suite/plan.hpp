@@ -34,8 +34,7 @@ struct PlannedRun {
   std::size_t the_case;  // index into SuiteOptions::cases
   std::size_t engine;    // index into SuiteOptions::engines
   Model model;
-  double step;                   // [s]
-  std::size_t path_samples = 0;  // that the report has of it, next to those at impacts
+  double step;  // [s]
 };
 [[nodiscard]] RunKey key_of(const SuiteOptions& options, const PlannedRun& run);
 

@@ -10,6 +10,7 @@
 #include "bench/measure/audit/audit.hpp"
 #include "bench/report/rows.hpp"
 #include "bench/report/summary.hpp"
+#include "bench/suite/motion_files.hpp"
 #include "bench/suite/source_commit.hpp"
 
 namespace tautline::bench {
@@ -87,6 +88,9 @@ Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& 
   }
   for (const ReferenceCase& reference : references) {
     report.cases.push_back(case_row(reference, options.compare));
+    if (references.size() > most_cases_in_page) {
+      report.cases.back().motions = motion_file(reference.the_case.name);
+    }
   }
   for (const RunRecord& run : result.runs) {
     report.runs.push_back(run.row);

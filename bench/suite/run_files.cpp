@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
@@ -21,6 +23,25 @@ namespace fs = std::filesystem;
 std::string state_columns(const State& state) {
   return fmt::format("{},{},{},{},{},{}", state.position.x(), state.position.y(), state.angle,
                      state.velocity.x(), state.velocity.y(), state.spin);
+}
+
+/// One side of an impact.
+struct ImpactLine {
+  double time;         // [s]
+  const State* state;  // not null
+  const char* side;
+};
+
+/// Both sides of every impact, in rising time: a push over several steps ends after it began.
+std::vector<ImpactLine> impact_lines(const Trajectory& run) {
+  std::vector<ImpactLine> lines;
+  for (const RecordedImpact& impact : run.impacts) {
+    lines.push_back({impact.time, &impact.before, "before"});
+    lines.push_back({impact.ended, &impact.after, "after"});
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const auto& a, const auto& b) { return a.time < b.time; });
+  return lines;
 }
 
 std::string file_content(const fs::path& path) {
@@ -47,11 +68,11 @@ std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
   std::string csv = "time,x,y,angle,vx,vy,spin,event\n";
   const std::size_t stride =
       std::max<std::size_t>(1, run.points.size() / std::max<std::size_t>(1, samples));
-  auto impact = run.impacts.begin();
+  const std::vector<ImpactLine> impacts = impact_lines(run);
+  auto impact = impacts.begin();
   const auto impacts_until = [&](double time) {
-    for (; impact != run.impacts.end() && impact->time <= time; ++impact) {
-      csv += fmt::format("{},{},before\n", impact->time, state_columns(impact->before));
-      csv += fmt::format("{},{},after\n", impact->time, state_columns(impact->after));
+    for (; impact != impacts.end() && impact->time <= time; ++impact) {
+      csv += fmt::format("{},{},{}\n", impact->time, state_columns(*impact->state), impact->side);
     }
   };
   for (std::size_t index = 0; index < run.points.size(); ++index) {
@@ -61,6 +82,7 @@ std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
       csv += fmt::format("{},{},\n", time, state_columns(state));
     }
   }
+  impacts_until(std::numeric_limits<double>::infinity());
   return csv;
 }
 
@@ -78,8 +100,8 @@ std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
   const RegisteredEngine& engine = options.engines[run.engine];
   const std::string text =
       write_case(options.cases[run.the_case]) + settings_json(*engine.info, run.model, run.step) +
-      fmt::format("{} {} {} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
-                  options.samples, run.path_samples, to_string(options.law), TAUTLINE_VERSION) +
+      fmt::format("{} {} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
+                  options.samples, to_string(options.law), TAUTLINE_VERSION) +
       file_content(engine.plugin);
   return fmt::format("{:016x}{:016x}", stable_hash(text), program_hash());
 }

@@ -35,8 +35,7 @@ std::optional<RunRecord> do_run(const SuiteOptions& options, const ReferenceCase
   if (reply.interrupted) {
     return std::nullopt;
   }
-  RunRecord record =
-      run_record(reference, *engine.info, key, reply, {options.compare, run.path_samples});
+  RunRecord record = run_record(reference, *engine.info, key, reply, {options.compare});
   if (writes) {
     write_run(folder, options, run, reply, record);
   }

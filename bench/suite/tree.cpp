@@ -34,6 +34,7 @@ Descriptor open_tree(const fs::path& out, bool clear) {
   }
   if (clear) {
     fs::remove_all(out / "runs", error);
+    fs::remove_all(out / "motions", error);
     for (const char* file : {"report.json", "report.md", "index.html", "summary.md"}) {
       fs::remove(out / file, error);
     }

@@ -1,11 +1,22 @@
 import assert from 'node:assert/strict';
+import { copyFileSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
 import test from 'node:test';
-import { benchPage, withPage } from './browser.mjs';
+import { pathToFileURL } from 'node:url';
+import { benchPage, drawAll, reportOf, withPage } from './browser.mjs';
+
+/// The motions of the runs have come, or it is said why not.
+async function settled(page) {
+  await page.locator('#replay-app').scrollIntoViewIfNeeded();
+  await page.locator('.replay-status:not(:empty)').waitFor();
+  await page.locator('.replay-note:not(:empty)').waitFor();
+  await page.waitForFunction(() => !/being loaded/.test(document.querySelector('.replay-note').textContent));
+}
 
 /// Opens the page at its replay; `time` reads the time shown [s].
 const replay = (action, context) => withPage(benchPage(), async ({ page, said }) => {
-  await page.locator('#replay-app').scrollIntoViewIfNeeded();
-  await page.locator('.replay-status:not(:empty)').waitFor();
+  await settled(page);
   const slider = page.locator('#replay-app input[type=range]');
   const time = async () => Number(await slider.inputValue());
   await action({ page, slider, time });
@@ -150,7 +161,7 @@ test('where less motion is asked for, play goes from event to event', () => repl
 
 test('what comes after the horizon is grey behind the plots and named in words', () => replay(async ({ page }) => {
   const index = await page.evaluate(() => tautline.report.cases.findIndex((one) =>
-    one.path && one.horizon < one.path.time.at(-1)));
+    one.horizon < one.end_time));
   assert.notEqual(index, -1, 'the tests need a case with a horizon inside it');
   await page.locator('#replay-app select').first().selectOption({ index });
   await page.locator('#chart-replay').scrollIntoViewIfNeeded();
@@ -163,3 +174,184 @@ test('what comes after the horizon is grey behind the plots and named in words',
   await page.keyboard.press('End');
   assert.match(await page.locator('.replay-status').textContent(), /beyond the horizon/);
 }));
+
+/// The rows of a CSV file as objects.
+function rowsOf(file) {
+  const [head, ...lines] = readFileSync(file, 'utf8').trim().split('\n').map((line) => line.split(','));
+  return lines.map((cells) => Object.fromEntries(head.map((name, i) => [name,
+    name === 'event' ? cells[i] : Number(cells[i])])));
+}
+const folderOf = (run) => join(dirname(benchPage()), 'runs', run.case, run.engine, run.model, String(run.step));
+
+test('a path is read as the program reads it', () => replay(async ({ page }) => {
+  const shared = JSON.parse(readFileSync(new URL('../data/replay/path.json', import.meta.url), 'utf8'));
+  const told = await page.evaluate(({ path, at }) => {
+    const drawn = tautline.motions.drawn(path);
+    return at.map(({ time }) => ({ ...tautline.motions.pose(drawn, time), taut: tautline.motions.isTaut(drawn, 0, time) }));
+  }, shared);
+  shared.at.forEach((row, i) => {
+    assert.equal(told[i].taut, row.taut, `t = ${row.time}`);
+    for (const name of ['x', 'y', 'angle']) {
+      assert.ok(Math.abs(told[i][name] - row[name]) < 1e-14, `${name} at ${row.time}: ${told[i][name]}, not ${row[name]}`);
+    }
+  });
+}));
+
+test('every run is drawn within a pixel of what was recorded, and as near as is said', () => replay(async ({ page }) => {
+  const report = reportOf(benchPage());
+  let [worst, drawn] = [0, 0];
+  for (const run of report.runs.filter((one) => one.impacts)) {
+    const rows = rowsOf(join(folderOf(run), 'trajectory.csv')).filter((row) => row.event !== 'after');
+    const [off, said, extent] = await page.evaluate(async ([key, samples]) => {
+      const system = tautline.report.cases.find((one) => one.name === key.case);
+      const found = (await tautline.motions.runsOf(system)).find((one) => one.engine === key.engine
+        && one.model === key.model && one.step === key.step);
+      const path = tautline.motions.drawn(found.path);
+      const reach = Math.max(...system.geometry.map((cable) => Math.hypot(...cable.attachment)));
+      return [Math.max(...samples.map((row) => {
+        const pose = tautline.motions.pose(path, row.time);
+        return Math.hypot(pose.x - row.x, pose.y - row.y) + reach * Math.abs(pose.angle - row.angle);
+      })), path.error, system.extent];
+    }, [{ case: run.case, engine: run.engine, model: run.model, step: run.step }, rows]);
+    const name = `${run.case} ${run.engine} ${run.model} ${run.step}`;
+    assert.ok(off <= said * (1 + 1e-9), `${name}: ${off} m off, said to be ${said}`);
+    assert.ok(off <= 1e-3 * extent, `${name}: ${off} m of ${extent}`);
+    worst = Math.max(worst, off / (1e-3 * extent));
+    ++drawn;
+  }
+  assert.ok(drawn >= 60, `${drawn} runs`);
+  console.log(`# ${drawn} runs, at most ${worst.toFixed(2)} of a pixel off`);
+}));
+
+test('exact event lies over the exact path at every instant', () => replay(async ({ page }) => {
+  const offs = await page.evaluate(async () => {
+    const { motions, report } = tautline;
+    const result = [];
+    for (const system of report.cases) {
+      const exact = motions.exactMotion(system);
+      const runs = (await motions.runsOf(system)).filter((one) => one.engine === 'exact' && one.model === 'event');
+      for (const run of runs.map((one) => motions.runMotion(one))) {
+        let worst = 0;
+        for (let i = 0; i <= 20011; ++i) {
+          const [a, b] = [exact, run].map((one) => one.pose(system.end_time * i / 20011));
+          worst = Math.max(worst, Math.hypot(a.x - b.x, a.y - b.y));
+        }
+        result.push(worst / (1e-3 * system.extent));
+      }
+    }
+    return result;
+  });
+  assert.ok(offs.length >= 4, `${offs.length} runs`);
+  assert.ok(Math.max(...offs) < 1, `${offs} pixels`);
+}));
+
+test('taut is said where an event of the exact motion began it and none has ended it', () => replay(async ({ page, slider }) => {
+  const report = reportOf(benchPage());
+  let [taut, slack] = [0, 0];
+  for (const [index, system] of report.cases.entries()) {
+    await page.locator('#replay-app select').first().selectOption({ index });
+    const changes = system.events.time.map((time, i) => ({ time, kind: system.events.kind[i], cables: system.events.cables[i] }))
+      .filter(({ kind }) => kind !== 'impact');
+    const bounds = [0, ...changes.map(({ time }) => time), system.end_time];
+    for (let i = 0; i + 1 < bounds.length; ++i) {
+      if (bounds[i + 1] - bounds[i] > 1e-3) {
+        const held = new Set();
+        changes.slice(0, i).forEach(({ kind, cables }) => cables.forEach((one) => held[kind === 'taut' ? 'add' : 'delete'](one)));
+        await slider.evaluate((box, at) => { box.value = at; box.dispatchEvent(new Event('input')); },
+          0.5 * (bounds[i] + bounds[i + 1]));
+        const words = await page.locator('.replay-status').textContent();
+        for (let cable = 0; cable < system.geometry.length; ++cable) {
+          assert.match(words, new RegExp(`cable ${cable} ${held.has(cable) ? 'taut' : 'slack by'}`));
+          held.has(cable) ? ++taut : ++slack;
+        }
+      }
+    }
+  }
+  assert.ok(taut > 0 && slack > 0, `${taut} taut, ${slack} slack`);
+}));
+
+test('the gap panel shows the gap of a taut cable as it was recorded', () => replay(async ({ page }) => {
+  const shown = await page.evaluate(() => {
+    const { motions, report } = tautline;
+    return report.cases.flatMap((system) => {
+      const { path } = motions.exactMotion(system);
+      return system.geometry.flatMap((cable, i) => {
+        const { x, y } = motions.gapCurve(path, cable, i, motions.instants(path, 8));
+        const { times, gapTimes } = path.cables[i];
+        return gapTimes.length ? x.map((time, k) => [time, y[k]]).filter(([time]) => times.some((from, k) => k % 2 === 0
+          && times[k + 1] - from > 0.01 * system.end_time && time >= from && time <= times[k + 1])).map(([, value]) => value) : [];
+      });
+    });
+  });
+  assert.ok(shown.length > 20, `${shown.length} values`);
+  assert.ok(Math.max(...shown.map(Math.abs)) < 1e-9, `${Math.max(...shown.map(Math.abs))} m on a taut cable`);
+}));
+
+test('how near each motion is drawn stands beside it, and how many of its impacts', () => replay(async ({ page }) => {
+  const report = reportOf(benchPage());
+  for (const [index, system] of report.cases.entries()) {
+    await page.locator('#replay-app select').first().selectOption({ index });
+    await settled(page);
+    const told = await page.locator('.replay-note li').allTextContents();
+    const impacts = system.events.kind.filter((kind) => kind === 'impact').length;
+    assert.match(told[0], new RegExp(system.events.left_out
+      ? `${impacts} of ${(impacts + system.events.left_out).toLocaleString('en')} impacts shown, the fastest`
+      : `All ${impacts} impacts are shown`));
+    assert.ok(told.length > 1);
+    for (const text of told.slice(1)) {
+      const [, engine, model, step] = /^(\S+) (\S+), step (\S+) s: drawn within [\d.e-]+ mm \([\d.e-]+ pixel\)/.exec(text);
+      const all = rowsOf(join(folderOf({ case: system.name, engine, model, step }), 'events.csv'))
+        .filter((row) => -row.rate_before > report.options.count_speed).length;
+      assert.match(text, new RegExp(all > 300 ? `300 of ${all.toLocaleString('en')} impacts shown, the fastest` : `All ${all} impacts are shown`));
+    }
+  }
+}));
+
+test('the motions of the runs are loaded when they are shown, from files beside the page', () => withPage(benchPage(), async ({ page, said, asked }) => {
+  const own = pathToFileURL(benchPage()).href;
+  const folder = own.slice(0, own.lastIndexOf('/') + 1);
+  const others = () => asked.filter((url) => url !== own && !/^(data|blob):/.test(url));
+  const cases = reportOf(benchPage()).cases;
+  assert.deepEqual(others(), []);
+  await settled(page);
+  assert.deepEqual(others(), [folder + cases[0].motions]);
+  await page.locator('#replay-app select').first().selectOption({ index: 1 });
+  await settled(page);
+  await page.locator('#replay-app select').first().selectOption({ index: 0 });
+  await settled(page);
+  assert.deepEqual(others(), [folder + cases[0].motions, folder + cases[1].motions]);
+  assert.deepEqual(said, []);
+}));
+
+test('without those files the page says so and everything else works', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'tautline-page-'));
+  try {
+    copyFileSync(benchPage(), join(folder, 'index.html'));
+    await withPage(join(folder, 'index.html'), async ({ page, said }) => {
+      await settled(page);
+      const [{ motions }] = reportOf(benchPage()).cases;
+      assert.match(await page.locator('.replay-note').textContent(),
+        new RegExp(`The motions of the runs are not here: ${motions} is missing beside this page`));
+      const start = await pixels(page);
+      await page.focus('.replay-canvas + input');
+      await page.keyboard.press('End');
+      assert.notEqual(await pixels(page), start);
+      await drawAll(page);
+      assert.deepEqual(said.filter((text) => !/ERR_FILE_NOT_FOUND/.test(text)), []);
+    });
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('the page of a single case has the motions of its runs in itself', async () => {
+  const single = process.env.TAUTLINE_HOSTILE_PAGE;
+  assert.ok(single, 'set TAUTLINE_HOSTILE_PAGE to the page of a single case');
+  await withPage(single, async ({ page, said, asked }) => {
+    await settled(page);
+    await page.getByLabel('Run 1').selectOption({ index: 1 });
+    assert.match(await page.locator('.replay-note').textContent(), /exact \S+, step 0.01 s: drawn within/);
+    assert.deepEqual(asked.filter((url) => !/^(data|blob):/.test(url)), [pathToFileURL(single).href]);
+    assert.deepEqual(said, []);
+  });
+});

@@ -12,6 +12,23 @@ export const modelNames = {
   chipmunk: ['row', 'early', 'slide-joint', 'slide-joint-bounce', 'event'] };
 const six = (value) => Number(value.toPrecision(6));
 
+/// A column of the report: numbers on a grid.
+function column(numbers, scale = 1e-6) {
+  let place = 0;
+  return { start: numbers[0] ?? 0, scale, steps: numbers.map((number) => {
+    const step = Math.round((number - numbers[0]) / scale) - place;
+    place += step;
+    return step;
+  }) };
+}
+/// Samples as a path of the report: straight from one to the next.
+function pathOf({ time, x, y, angle, energy }) {
+  const straight = column(time.slice(1).flatMap(() => [0, 0]));
+  return { error: 1e-3, spacing: 1e-2, time: column(time), x: column(x), y: column(y), angle: column(angle),
+    x_bends: straight, y_bends: straight, angle_bends: straight, energy_error: 1e-3, energy_time: column(time),
+    energy: column(energy), cables: [0, 1].map(() => ({ times: column([]), gap_times: column([]), gap: [] })) };
+}
+
 function system(index) {
   const turn = 0.1 + 0.03 * index;
   const geometry = [-1, 1].map((side) => ({ anchor: [side, 0], attachment: [0.5 * side, 0.2],
@@ -41,7 +58,6 @@ function simulate({ geometry, gravity, body, start }, duration, dt, samples, bia
     s.x += s.vx * dt;
     s.y += (s.vy - 0.5 * gravity[1] * dt * (1 - bias)) * dt;
     s.angle += s.spin * dt;
-    let jumped = false;
     geometry.forEach((cable, which) => {
       const [c, n] = [Math.cos(s.angle), Math.sin(s.angle)];
       const r = [c * cable.attachment[0] - n * cable.attachment[1], n * cable.attachment[0] + c * cable.attachment[1]];
@@ -59,11 +75,10 @@ function simulate({ geometry, gravity, body, start }, duration, dt, samples, bia
         s.spin += arm * impulse / body.inertia;
         if (rate < -0.02) {
           hits.push({ time: i * dt, cable: which, requested: cable.restitution, rate, after: -e * rate, arm, impulse });
-          jumped = true;
         }
       }
     });
-    if (jumped || i % every === 0 || i === steps) {
+    if (i % every === 0 || i === steps) {
       record(i * dt);
     }
   }
@@ -74,7 +89,7 @@ const impactColumns = (hits, bias) => ({ time: hits.map((h) => six(h.time)), cab
   requested: hits.map((h) => h.requested), rate_before: hits.map((h) => six(h.rate)),
   rate_after: hits.map((h) => six(h.after)), arm: hits.map((h) => six(h.arm)),
   tangential_error: hits.map((h) => six(1e-6 * bias * h.impulse)),
-  angular_error: hits.map((h) => six(1e-7 * bias * h.impulse)), steps: hits.map(() => 1) });
+  angular_error: hits.map((h) => six(1e-7 * bias * h.impulse)), steps: hits.map(() => 1), left_out: 0 });
 
 const causes = ['flight_bias', 'event_lag', 'late_rate', 'position_correction', 'threshold',
   'restitution_ignored', 'solver_residual', 'taut_drift', 'amplification'];
@@ -103,7 +118,7 @@ function runOf(the, engine, model, step, which, settings) {
       whole: windowOf(settings.duration, 30, hits.length), last_impacts: [], swing: null,
       restitution: { count: hits.length, smallest: 0.8, mean: 0.85, largest: 0.9 }, stride: 1,
       recorded_impacts: hits.length, slow_impacts: 0 },
-    path, impacts: impactColumns(hits, bias),
+    path: null, impacts: impactColumns(hits, bias),
     audit: { ladder: which % 3 ? null : { cable: 0, exact_ratio: 0.81,
       heights: [1, 0.8, 0.63, 0.5, 0.38].map((h) => six(h * (1 - bias * step))),
       exact: [1, 0.81, 0.6561, 0.531441, 0.430467] },
@@ -118,8 +133,8 @@ function caseOf(name, index, settings) {
   return { system: made, row: { name, title: 'two cables', cables: 2, duration: settings.duration, ending: 'reached_duration',
     end_time: settings.duration, horizon: 0.6 * settings.duration, counted_impacts: hits.length, start_energy: 0.1,
     end_energy: 0.02, settling: { last_impacts: [], lock: null }, body: made.body, gravity: made.gravity,
-    geometry: made.geometry, path, events: { time: hits.map((h) => six(h.time)), kind: hits.map(() => 'impact'),
-      cables: hits.map((h) => [h.cable]), rate: hits.map((h) => six(-h.rate)) } } };
+    geometry: made.geometry, extent: 3, path: pathOf(path), motions: null, events: { time: hits.map((h) => six(h.time)), kind: hits.map(() => 'impact'),
+      cables: hits.map((h) => [h.cable]), rate: hits.map((h) => six(-h.rate)), left_out: 0 } } };
 }
 
 /// `cases` names; engines `engines` of the list above, and one that is missing; `steps` [s].

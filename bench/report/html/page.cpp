@@ -39,9 +39,18 @@ std::string replay_section() {
   return "<section id=\"replay\">\n<h2>Replay</h2>\n"
          "<p>The motion of one case: the exact one, and what engines make of it. Past the "
          "predictability horizon, where a difference says nothing about an engine, everything is "
-         "grey.</p>\n<div id=\"replay-app\">\n<p class=\"no-script\">The replay needs script. The "
-         "motions are in <code>report.json</code>, and as <code>trajectory.csv</code> in the "
-         "folder of each run.</p>\n</div>\n</section>\n";
+         "grey.</p>\n<div id=\"replay-app\">\n<p class=\"no-script\">The replay needs script. "
+         "The motion of a run is in <code>trajectory.csv</code> in its "
+         "folder.</p>\n</div>\n</section>\n";
+}
+
+/// The motions that are in the page itself.
+std::string own_motions(const Report& report) {
+  std::string out;
+  for (const CaseRow& row : report.cases) {
+    out += row.motions ? "" : motions_json(report, row.name);
+  }
+  return out;
 }
 
 }  // namespace
@@ -66,7 +75,9 @@ std::string report_html(const Report& report, const PageAssets& assets) {
                         .command = "tautline bench",
                         .data_id = "report-data",
                         .data = html_json(page_json(report)),
-                        .scripts = assets.scripts},
+                        .scripts = assets.scripts,
+                        .motions = html_json(own_motions(report)),
+                        .files_beside = report.cases.size() > most_cases_in_page},
                        assets);
 }
 

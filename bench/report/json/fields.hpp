@@ -60,6 +60,7 @@ void fields(Visitor& visit, EventColumns& events) {
   visit("kind", events.kind);
   visit("cables", events.cables);
   visit("rate", events.rate);
+  visit("left_out", events.left_out);
 }
 
 template <class Visitor>
@@ -78,8 +79,10 @@ void fields(Visitor& visit, CaseRow& row) {
   visit("body", row.body);
   visit("gravity", row.gravity);
   visit("geometry", row.geometry);
+  visit("extent", row.extent);
   visit("path", row.path);
   visit("events", row.events);
+  visit("motions", row.motions);
 }
 
 template <class Visitor>

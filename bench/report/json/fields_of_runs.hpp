@@ -25,12 +25,34 @@ void fields(Visitor& visit, SetupKey& key) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, GridColumn& column) {
+  visit("start", column.start);
+  visit("scale", column.scale);
+  visit("steps", column.steps);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, TautColumns& cable) {
+  visit("times", cable.times);
+  visit("gap_times", cable.gap_times);
+  visit("gap", cable.gap);
+}
+
+template <class Visitor>
 void fields(Visitor& visit, Path& path) {
+  visit("error", path.error);
+  visit("spacing", path.spacing);
   visit("time", path.time);
   visit("x", path.x);
   visit("y", path.y);
   visit("angle", path.angle);
+  visit("x_bends", path.x_bends);
+  visit("y_bends", path.y_bends);
+  visit("angle_bends", path.angle_bends);
+  visit("energy_error", path.energy_error);
+  visit("energy_time", path.energy_time);
   visit("energy", path.energy);
+  visit("cables", path.cables);
 }
 
 template <class Visitor>

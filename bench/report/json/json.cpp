@@ -23,18 +23,18 @@ Json metrics_json() {
   return list;
 }
 
-/// `report` with its motions thinned and rounded for a drawing.
-Json whole(const Report& report) {
-  Report drawn = report;
-  const std::size_t impacts = impacts_per_run(report.runs.size());
+/// `drawn` with its impacts thinned and rounded for a chart, and without the motions of its runs.
+Json whole(Report drawn) {
+  const std::size_t impacts = impacts_per_run(drawn.runs.size());
   for (RunRow& run : drawn.runs) {
+    run.path.reset();
     run = drawable(std::move(run), impacts);
   }
   for (CaseRow& row : drawn.cases) {
     row = drawable(std::move(row));
   }
   Json json = {{"schema", report_schema},
-               {"program", {{"name", "tautline"}, {"version", report.version}}}};
+               {"program", {{"name", "tautline"}, {"version", drawn.version}}}};
   Json rows = json_of(drawn);
   for (auto& [key, value] : rows.items()) {
     if (key == "engines") {  // before it, with the options: what the numbers below mean
@@ -43,6 +43,18 @@ Json whole(const Report& report) {
     json[key] = std::move(value);
   }
   return json;
+}
+
+/// Of impacts what a replay shows.
+Json drawn_impacts(const ImpactColumns& impacts) {
+  std::vector<double> speed;
+  for (const double rate : impacts.rate_before) {
+    speed.push_back(rounded(-rate, 4));
+  }
+  return {{"time", json_of(impacts.time)},
+          {"cable", json_of(impacts.cable)},
+          {"speed", json_of(speed)},
+          {"left_out", impacts.left_out}};
 }
 
 std::string on_one_line(const Json& value) {
@@ -109,8 +121,30 @@ std::string page_json(const Report& report) {
   for (RunRow& run : light.runs) {
     run.verdict.reset();
     run.output_tail.reset();
+    run.details.reset();
+    if (run.metrics) {
+      for (std::optional<double>& value : *run.metrics) {
+        value = value ? std::optional(rounded(*value)) : value;
+      }
+    }
   }
-  return on_one_line(whole(light));
+  return on_one_line(whole(std::move(light)));
+}
+
+std::string motions_json(const Report& report, const std::string& the_case) {
+  std::string out = "[";
+  for (const RunRow& run : report.runs) {
+    if (run.key.the_case == the_case && run.path && run.impacts) {
+      const RunRow drawn = drawable(run, most_impacts);
+      out += (out.size() > 1 ? ",\n" : "\n") +
+             on_one_line({{"engine", run.key.engine},
+                          {"model", run.key.model},
+                          {"step", run.key.step},
+                          {"path", json_of(*run.path)},
+                          {"impacts", drawn_impacts(*drawn.impacts)}});
+    }
+  }
+  return out + "\n]";
 }
 
 ReportReading report_from(std::string_view text, const std::string& name) {

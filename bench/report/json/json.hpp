@@ -10,14 +10,21 @@
 
 namespace tautline::bench {
 
-// The one place in which a report becomes JSON and is read back. Motions are rounded here, and
-// thinned to what a page can hold, and nowhere before; they have been sampled by motion.hpp.
+// The one place in which a report becomes JSON and is read back. Impacts are rounded here, and
+// thinned to what a page can hold, and nowhere before. Motions are for the replay alone.
 
-/// `report` as bench/report/report.schema.json describes it, a line for every row.
+/// `report` as bench/report/report.schema.json describes it, a line for every row, without the
+/// motions of its runs.
 [[nodiscard]] std::string report_json(const Report& report);
 
-/// The same on one line and without what only tools read: verdicts and output. For a page's script.
+/// The same on one line and without what only tools read: verdicts, output, details and digits that
+/// no chart shows. For a page's script.
 [[nodiscard]] std::string page_json(const Report& report);
+
+/// The motions of all runs of a case for a replay, a line each: an array of {engine, model, step,
+/// path, impacts}, of which `path` is as in the schema and `impacts` has the columns time [s],
+/// cable and speed [m/s], at which it closed. Of the others it says only how many: `left_out`.
+[[nodiscard]] std::string motions_json(const Report& report, const std::string& the_case);
 
 /// A report, or in sentences what `text` has that is none. `name` of its file stands before each.
 struct ReportReading {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -40,6 +41,7 @@ inline void read(const Json& json, std::size_t& value) {
   }
   value = json.get<std::size_t>();
 }
+inline void read(const Json& json, std::int32_t& value) { value = json.get<std::int32_t>(); }
 inline void read(const Json& json, bool& value) { value = json.get<bool>(); }
 inline void read(const Json& json, std::string& value) { value = json.get<std::string>(); }
 inline void read(const Json& json, Status& value) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ using Json = nlohmann::ordered_json;
 
 inline Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 inline Json json_of(std::size_t value) { return value; }
+inline Json json_of(std::int32_t value) { return value; }
 inline Json json_of(bool value) { return value; }
 inline Json json_of(const std::string& value) { return value; }
 inline Json json_of(Status value) { return to_string(value); }

@@ -22,7 +22,9 @@ namespace tautline::bench::test {
   ball.horizon = 5.0;
   ball.start_energy = 1.0;
   ball.geometry = {CableRow{}};
-  ball.path = {{0.0}, {0.0}, {0.0}, {0.0}, {1.0}};
+  for (GridColumn* column : {&ball.path.time, &ball.path.x, &ball.path.y, &ball.path.angle}) {
+    column->steps = {0};
+  }
   report.cases = {ball};
   return report;
 }

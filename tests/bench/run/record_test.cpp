@@ -5,7 +5,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
+#include "bench/suite/run_files.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
@@ -72,8 +77,41 @@ TEST(Record, ConsecutiveStepsWithAnImpulseAreOneImpact) {
   EXPECT_DOUBLE_EQ(first.impulse, 1.5);
   EXPECT_DOUBLE_EQ(first.rate_before, -1.0);
   EXPECT_DOUBLE_EQ(first.rate_after, 0.5);
+  EXPECT_DOUBLE_EQ(first.ended, 0.4);
+  EXPECT_DOUBLE_EQ(run.impacts[1].ended, 0.8);
   EXPECT_DOUBLE_EQ(run.impacts[1].time, 0.8);
   EXPECT_NEAR(-run.impacts[1].rate_after / run.impacts[1].rate_before, 0.5, 1e-15);
+}
+
+TEST(Record, TheRowAfterAPushOverSeveralStepsStandsWhereItEnded) {
+  Scripted simulation(plumb(), [](Scripted& s, int index, double dt) {
+    if (index == 3 || index == 4) {
+      s.now.velocity.y() += 0.75;
+      s.pulls[0] = 0.75;
+    }
+    s.now.position += dt * s.now.velocity;
+  });
+  const Trajectory run = record(plumb(), simulation, 0.125);
+  std::istringstream csv(trajectory_csv(run, 1000));
+  std::map<std::string, std::vector<double>> rows;  // the last of each kind: time, x, y
+  double latest = 0.0;
+  for (std::string line; std::getline(csv, line);) {
+    if (line.starts_with("time")) {
+      continue;
+    }
+    std::istringstream cells(line);
+    std::vector<double>& row = rows[line.substr(line.rfind(',') + 1)];
+    row.clear();
+    for (std::string cell; row.size() < 3 && std::getline(cells, cell, ',');) {
+      row.push_back(std::stod(cell));
+    }
+    EXPECT_GE(row[0], latest) << line;
+    latest = row[0];
+  }
+  EXPECT_EQ(rows.at("before")[0], 0.375);
+  EXPECT_EQ(rows.at("before")[2], 1.0 - 0.375);
+  EXPECT_EQ(rows.at("after")[0], 0.5);  // the start of the second of its steps
+  EXPECT_EQ(rows.at("after")[2], run.points.at(4).state.position.y());
 }
 
 TEST(Record, BelievesASimulationThatLocatesItsImpacts) {

@@ -23,6 +23,8 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_COMPONENTS_ALL "")
+# each package says itself what it is
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 
 # what each Debian package has beside its files: the archive has these once, or not at all
 function(tautline_debian_documents package component)
@@ -41,13 +43,13 @@ function(tautline_debian_documents package component)
     COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 
-# tautline_debian_package(<component> <package> <what it is> <text>)
-macro(tautline_debian_package component package summary text)
+# tautline_debian_package(<component> <package> <what it is> <lines of text...>)
+macro(tautline_debian_package component package summary)
   string(TOUPPER ${component} variable)
   list(APPEND CPACK_COMPONENTS_ALL ${component})
   set(CPACK_DEBIAN_${variable}_PACKAGE_NAME ${package})
-  # the first line of Debian's description has no article and no full stop
-  set(CPACK_COMPONENT_${variable}_DESCRIPTION "${summary}\n${text}")
+  list(JOIN ARGN "\n" CPACK_DEBIAN_${variable}_DESCRIPTION)
+  string(PREPEND CPACK_DEBIAN_${variable}_DESCRIPTION "${summary}\n")
   tautline_debian_documents(${package} ${component})
 endmacro()
 
@@ -66,7 +68,8 @@ foreach(component IN LISTS components)
   set(package tautline-engine-${engine})
   string(TOUPPER ${component} variable)
   tautline_debian_package(${component} ${package} "plug-in of tautline for the physics engine ${engine}"
-    "With it the bench of tautline runs its cases on this engine too, and brings the engine's library.")
+    "With it tautline runs its cases on this engine too. It brings the engine's"
+    "library.")
   set(CPACK_DEBIAN_${variable}_PACKAGE_DEPENDS "tautline ${same_version}")
   # hundreds of MB are not brought unasked
   if(engine MATCHES "^(dart|simbody|siconos)$")
@@ -78,16 +81,18 @@ endforeach()
 
 if(TARGET tautline)
   tautline_debian_package(program tautline "exact rigid bodies on slack cables, and a bench of physics engines"
-    "A slack cable that goes taut stops a body with an impact. tautline solves this motion exactly, and holds
-physics engines against the solution: positions, impacts, settling, energy and restitution, with the cause
-of each error. Engines are plug-ins, in packages of their own.")
+    "A slack cable that goes taut stops a body with an impact. tautline solves"
+    "this motion exactly, and holds physics engines against the solution:"
+    "positions, impacts, settling, energy and restitution, with the cause of each"
+    "error. Engines are plug-ins, in packages of their own.")
   list(JOIN recommended ", " CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS)
   list(JOIN suggested ", " CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS)
 endif()
 
 tautline_debian_package(development tautline-dev "cables for Bullet and ODE, exact solver and engine interface"
-  "Headers and static libraries: a cable for your own Bullet or ODE world whose restitution is right, the exact
-solver of tautline, and the interface of its engine plug-ins; with a CMake package and examples.")
+  "Headers and static libraries: a cable for your own Bullet or ODE world whose"
+  "restitution is right, the exact solver of tautline, and the interface of its"
+  "engine plug-ins; with a CMake package and examples.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # the cables need it not, the libraries do
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")

@@ -71,8 +71,8 @@ using State = BasicState<double>;
 /// One system, its start and its duration. SI units or nondimensional: `gravity` decides.
 template <class Real>
 struct BasicCase {
-  std::string name;
-  BasicBody<Real> body;
+  std::string name;                                              // of its file or its maker
+  BasicBody<Real> body;                                          // the one that moves
   std::vector<BasicCable<Real>> cables;                          // 1 to max_cables
   BasicVec2<Real> gravity = BasicVec2<Real>(Real(0), -Real(1));  // [m/s^2], any constant vector
   BasicState<Real> initial;         // every gap >= 0 within `gap_rounding`

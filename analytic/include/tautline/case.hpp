@@ -12,6 +12,7 @@
 
 namespace tautline {
 
+/// A point or a direction in the plane.
 template <class Real>
 using BasicVec2 = Eigen::Matrix<Real, 2, 1>;
 using Vec2 = BasicVec2<double>;
@@ -20,6 +21,7 @@ using Vec2 = BasicVec2<double>;
 template <class Real>
 using BasicCableVector = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, max_cables, 1>;
 using CableVector = BasicCableVector<double>;
+/// One number per pair of cables of a set, in rising index order; never on the heap.
 template <class Real>
 using BasicCableMatrix =
     Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, max_cables, max_cables>;

@@ -9,6 +9,7 @@
 
 namespace tautline {
 
+/// What happens at an event.
 enum class EventKind {
   impact,  // a velocity jump: cables closed and rebound
   taut,    // cables at zero gap stay there, held by tension
@@ -105,6 +106,6 @@ using Solution = BasicSolution<double>;
 
 /// The names used in files: "impact", "reached_duration", and so on.
 [[nodiscard]] std::string_view to_string(EventKind kind);
-[[nodiscard]] std::string_view to_string(Ending ending);
+[[nodiscard]] std::string_view to_string(Ending ending);  // its name, such as "reached_duration"
 
 }  // namespace tautline

@@ -22,7 +22,12 @@ endif()
 # Debian's packages have a file `copyright` of their own in place of the licence
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 install(FILES THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES CITATION.cff VALIDATION.md docs/ci-recipe.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials)
 install(FILES docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+install(FILES docs/tutorials/simulation-author.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials
+  COMPONENT development)
 # projects of their own, to copy: each finds this tree with find_package(tautline)
 foreach(example IN ITEMS own_engine bullet_crane ode_crane)
   install(DIRECTORY engines/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples

@@ -9,6 +9,7 @@ set(CPACK_PACKAGE_VENDOR "tautline")
 set(CPACK_PACKAGE_FILE_NAME "tautline-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
 set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS "${PROJECT_SOURCE_DIR}/cmake/CompressManuals.cmake")
 set(CPACK_VERBATIM_VARIABLES ON)
 
 # no person answers at an address under .invalid (RFC 2606), and Debian asks for one

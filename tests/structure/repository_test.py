@@ -60,6 +60,18 @@ class Workflows(unittest.TestCase):
                 self.assertIn(f'"name": "{preset}"', presets)
 
 
+class Dockerfile(unittest.TestCase):
+    def test_calls_scripts_that_exist_in_shell_that_parses(self):
+        lines = re.findall(r"^RUN (.*)", (ROOT / "Dockerfile").read_text(encoding="utf-8"), re.M)
+        self.assertGreaterEqual(len(lines), 3)
+        for line in lines:
+            with self.subTest(line=line):
+                self.assertFalse(line.endswith("\\"), "scripts/fresh-machine --dockerfile reads single lines")
+                subprocess.run(["bash", "-n"], input=line, text=True, check=True)
+                for script in SCRIPT.findall(line):
+                    self.assertTrue((ROOT / script).stat().st_mode & 0o100, script)
+
+
 class IssueForms(unittest.TestCase):
     def test_have_what_a_form_needs(self):
         forms = [path for path in (ROOT / ".github/ISSUE_TEMPLATE").glob("*.yml") if path.name != "config.yml"]

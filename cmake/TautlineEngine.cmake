@@ -1,6 +1,7 @@
 # Engines are optional modules. Each lives in engines/<name>/ with a CMakeLists.txt that either calls
 # tautline_engine_module(<name> SOURCES ... LIBRARIES ...) or tautline_engine_missing(<name> <reason>).
-# Two engines may share a folder, which is read for each, with its name in `name`.
+# Two engines may share a folder, which is read for each, with its name in `name` and the folder's in
+# `folder`; they share a package too.
 
 # tautline_engine(<name> <default: ON|AUTO|OFF> <package that brings it> [<folder>])
 function(tautline_engine name default package)
@@ -51,7 +52,14 @@ function(tautline_engine_module name)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/engines")
   target_link_libraries(${target} PRIVATE tautline::engine ${arg_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY TAUTLINE_ENGINE_MODULES ${target})
-  install(TARGETS ${target} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/tautline/engines)
+  # the exact engine is the control, without which the program has nothing to say
+  set(component program)
+  if(NOT name STREQUAL "exact")
+    set(component engine_${folder})
+    set_property(GLOBAL APPEND PROPERTY TAUTLINE_ENGINE_COMPONENTS ${component})
+  endif()
+  install(TARGETS ${target}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/tautline/engines COMPONENT ${component})
 endfunction()
 
 # Writes the list of known engines, so that the program can name the ones that are missing.

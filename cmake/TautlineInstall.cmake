@@ -1,6 +1,7 @@
 # What `cmake --install` puts where: two libraries with their headers for a user of the package, who
 # needs Eigen alone; cables for a user's own Bullet or ODE, who needs not even that; the program; the
-# plug-ins (see tautline_engine_module).
+# plug-ins (see tautline_engine_module). The components become packages in TautlinePackages.cmake; what
+# names none belongs to the program.
 include(CMakePackageConfigHelpers)
 
 set(TAUTLINE_INSTALL_ENGINEDIR ${CMAKE_INSTALL_LIBDIR}/tautline/engines)
@@ -8,20 +9,29 @@ set(TAUTLINE_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/tautline)
 
 install(TARGETS tautline_analytic tautline_interface tautline_engine
   EXPORT tautlineTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(TARGETS tautline_bullet_cable tautline_ode_cable EXPORT tautlineCableTargets)
 install(DIRECTORY
   analytic/include/ engines/interface/include/ engines/adapter/include/ engines/cables/include/
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(FILES bench/gate/limits.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
 endif()
-install(FILES LICENSE THIRD_PARTY.md docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# Debian's packages have a file `copyright` of their own in place of the licence
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
+install(FILES THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES CITATION.cff VALIDATION.md docs/ci-recipe.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials)
+install(FILES docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+install(FILES docs/tutorials/simulation-author.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials
+  COMPONENT development)
 # projects of their own, to copy: each finds this tree with find_package(tautline)
 foreach(example IN ITEMS own_engine bullet_crane ode_crane)
-  install(DIRECTORY engines/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+  install(DIRECTORY engines/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
+    COMPONENT development)
 endforeach()
 
 configure_package_config_file(
@@ -32,9 +42,10 @@ configure_package_config_file(
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/generated/tautlineConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
 foreach(targets IN ITEMS tautlineTargets tautlineCableTargets)
-  install(EXPORT ${targets} NAMESPACE tautline:: DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR})
+  install(EXPORT ${targets} NAMESPACE tautline:: DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR}
+    COMPONENT development)
 endforeach()
 install(FILES
   "${PROJECT_BINARY_DIR}/generated/tautlineConfig.cmake"
   "${PROJECT_BINARY_DIR}/generated/tautlineConfigVersion.cmake"
-  DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR})
+  DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR} COMPONENT development)

@@ -81,8 +81,10 @@ std::vector<RegisteredEngine> in_known_order(std::vector<RegisteredEngine> found
     } else {
       RegisteredEngine engine;
       engine.name = known.name;
-      engine.missing = known.missing.empty() ? "its plug-in is not in the engine folder"
-                                             : std::string(known.missing);
+      engine.missing =
+          known.missing.empty()
+              ? fmt::format("its plug-in, {}{}, is not in the engine folder", prefix, known.name)
+              : std::string(known.missing);
       result.push_back(std::move(engine));
     }
     // a package helps where one was missed; a plug-in that was built and is gone it does not bring

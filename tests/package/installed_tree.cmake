@@ -99,11 +99,12 @@ endforeach()
 run("${prefix}/${PROGRAM}" run bouncing-ball --engine "${WORK_DIR}/build/still.so" --model still
   --step 0.01)
 
-# the example engine keeps what an engine has to keep, and runs on the bench beside the others
-build_project("${prefix}/${EXAMPLE_DIR}/own_engine" "${WORK_DIR}/own_engine")
-run("${prefix}/${PROGRAM}" check "${WORK_DIR}/own_engine/own_engine.so")
-run("${prefix}/${PROGRAM}" bench bouncing-ball --engine "${WORK_DIR}/own_engine/own_engine.so"
-  --steps 0.01 --out "${WORK_DIR}/results")
+# the tutorials: an engine of one's own is built, checked and run on the bench; a crane; a case
+find_program(python python3)
+if(python)
+  run("${CMAKE_COMMAND}" -E env "CXXFLAGS=${FLAGS}" "Eigen3_DIR=${EIGEN_DIR}"
+    "${SOURCE_DIR}/scripts/test-tutorials" "${prefix}")
+endif()
 
 # the workflow that docs/ci-recipe.md gives to the maintainer of an engine
 run("${CMAKE_COMMAND}" -E env "CXXFLAGS=${FLAGS}" "Eigen3_DIR=${EIGEN_DIR}"

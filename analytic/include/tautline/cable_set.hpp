@@ -35,17 +35,20 @@ class CableSet {
   /// The set {index}; index < max_cables.
   static constexpr CableSet of(std::size_t index) { return CableSet(1U << index); }
 
-  constexpr void insert(std::size_t index) { bits_ |= 1U << index; }
-  constexpr void erase(std::size_t index) { bits_ &= ~(1U << index); }
+  constexpr void insert(std::size_t index) { bits_ |= 1U << index; }  // also where it is in already
+  constexpr void erase(std::size_t index) { bits_ &= ~(1U << index); }  // also where it is not in
+  /// Whether the cable of this index is in.
   [[nodiscard]] constexpr bool contains(std::size_t index) const {
     return ((bits_ >> index) & 1U) != 0;
   }
-  [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
+  [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }  // whether none is in
+  /// How many cables are in.
   [[nodiscard]] constexpr std::size_t size() const {
     return static_cast<std::size_t>(std::popcount(bits_));
   }
-  [[nodiscard]] constexpr Iterator begin() const { return Iterator(bits_); }
-  [[nodiscard]] constexpr Iterator end() const { return Iterator(0); }
+  [[nodiscard]] constexpr Iterator begin() const { return Iterator(bits_); }  // in rising order
+  [[nodiscard]] constexpr Iterator end() const { return Iterator(0); }        // past the last
+  /// The indices in rising order.
   [[nodiscard]] std::vector<std::size_t> indices() const {
     std::vector<std::size_t> result;
     for (const std::size_t index : *this) {
@@ -54,13 +57,16 @@ class CableSet {
     return result;
   }
 
-  constexpr bool operator==(const CableSet&) const = default;
+  constexpr bool operator==(const CableSet&) const = default;  // the same cables
+  /// Those of a that are not in b.
   friend constexpr CableSet operator-(CableSet a, CableSet b) {
     return CableSet(a.bits_ & ~b.bits_);
   }
+  /// Those of either.
   friend constexpr CableSet operator|(CableSet a, CableSet b) {
     return CableSet(a.bits_ | b.bits_);
   }
+  /// Those of both.
   friend constexpr CableSet operator&(CableSet a, CableSet b) {
     return CableSet(a.bits_ & b.bits_);
   }

@@ -12,6 +12,7 @@
 
 namespace tautline {
 
+/// A point or a direction in the plane.
 template <class Real>
 using BasicVec2 = Eigen::Matrix<Real, 2, 1>;
 using Vec2 = BasicVec2<double>;
@@ -20,6 +21,7 @@ using Vec2 = BasicVec2<double>;
 template <class Real>
 using BasicCableVector = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, max_cables, 1>;
 using CableVector = BasicCableVector<double>;
+/// One number per pair of cables of a set, in rising index order; never on the heap.
 template <class Real>
 using BasicCableMatrix =
     Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, max_cables, max_cables>;
@@ -71,8 +73,8 @@ using State = BasicState<double>;
 /// One system, its start and its duration. SI units or nondimensional: `gravity` decides.
 template <class Real>
 struct BasicCase {
-  std::string name;
-  BasicBody<Real> body;
+  std::string name;                                              // of its file or its maker
+  BasicBody<Real> body;                                          // the one that moves
   std::vector<BasicCable<Real>> cables;                          // 1 to max_cables
   BasicVec2<Real> gravity = BasicVec2<Real>(Real(0), -Real(1));  // [m/s^2], any constant vector
   BasicState<Real> initial;         // every gap >= 0 within `gap_rounding`

@@ -15,6 +15,7 @@ struct BasicFirstContact {
 
 using FirstContact = BasicFirstContact<double>;
 
+/// What the search for the next contact found, and what it cost.
 template <class Real>
 struct BasicFirstContactSearch {
   std::optional<BasicFirstContact<Real>>
@@ -26,7 +27,7 @@ using FirstContactSearch = BasicFirstContactSearch<double>;
 /// Cables known to be at exactly zero gap when a flight starts, because they were just hit.
 template <class Real>
 struct BasicTouching {
-  CableSet cables;
+  CableSet cables;               // that touch at this instant
   Real rate_rounding = Real(0);  // [m/s], a closing rate up to this is rounding of zero
 };
 using Touching = BasicTouching<double>;

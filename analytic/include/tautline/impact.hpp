@@ -36,7 +36,7 @@ inline constexpr std::array impact_laws = {ImpactLaw::simultaneous, ImpactLaw::p
 template <class Real>
 struct BasicImpact {
   BasicCableVector<Real> impulses;  // [N s], >= 0, one per cable of the set, rising index order
-  BasicState<Real> after;
+  BasicState<Real> after;           // the same pose, the velocities after the impact
 };
 using Impact = BasicImpact<double>;
 

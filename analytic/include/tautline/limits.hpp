@@ -16,6 +16,7 @@ template <class Real>
 [[nodiscard]] std::optional<Real> time_to_ceiling(const BasicCase<Real>& the_case,
                                                   const BasicState<Real>& state,
                                                   const std::type_identity_t<Real>& horizon);
+/// The same along a series.
 template <class Real>
 [[nodiscard]] std::optional<Real> time_to_ceiling(const BasicCase<Real>& the_case,
                                                   const TautSeries<Real>& motion,
@@ -26,6 +27,7 @@ template <class Real>
 [[nodiscard]] std::optional<Real> time_to_angle_limit(const BasicCase<Real>& the_case,
                                                       const BasicState<Real>& state,
                                                       const std::type_identity_t<Real>& horizon);
+/// The same along a series.
 template <class Real>
 [[nodiscard]] std::optional<Real> time_to_angle_limit(const BasicCase<Real>& the_case,
                                                       const TautSeries<Real>& motion,

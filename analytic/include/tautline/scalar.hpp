@@ -30,11 +30,13 @@ template <class Real>
   return std::numeric_limits<Real>::epsilon();
 }
 
+/// Of any number type that has one.
 template <class Real>
 [[nodiscard]] Real infinity() {
   return std::numeric_limits<Real>::infinity();
 }
 
+/// Of any number type that has one.
 template <class Real>
 [[nodiscard]] Real not_a_number() {
   return std::numeric_limits<Real>::quiet_NaN();

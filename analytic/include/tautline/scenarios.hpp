@@ -19,13 +19,13 @@ enum class Shape {
 /// is the equilibrium. Cable 0 is the left one, cable 1 the right.
 template <class Real>
 struct BasicBreakwater {
-  Real r = Real(15) / 10;  // [-], cable length; > 1 - a, or the body cannot float (Eq. 5.1)
-  Real e = Real(9) / 10;   // [-], restitution of both cables
-  Real a = Real(1) / 10;   // [-], half width, >= 0
-  Real b = Real(0);        // [-], depth of the centre of mass below the attachments
-  Shape shape = Shape::ring;
-  BasicState<Real> initial = {};
-  Real duration = Real(20);
+  Real r = Real(15) / 10;         // [-], cable length; > 1 - a, or the body cannot float (Eq. 5.1)
+  Real e = Real(9) / 10;          // [-], restitution of both cables
+  Real a = Real(1) / 10;          // [-], half width, >= 0
+  Real b = Real(0);               // [-], depth of the centre of mass below the attachments
+  Shape shape = Shape::ring;      // of what has dimensions
+  BasicState<Real> initial = {};  // at time 0
+  Real duration = Real(20);       // [sqrt(S/g)]
 };
 using Breakwater = BasicBreakwater<double>;
 
@@ -41,8 +41,8 @@ template <class Real>
 /// One row of the source chapter's Table 5.1.
 template <class Real>
 struct BasicTableRow {
-  std::string_view number;  // the chapter's case number
-  BasicBreakwater<Real> parameters;
+  std::string_view number;           // the chapter's case number
+  BasicBreakwater<Real> parameters;  // as printed
 };
 using TableRow = BasicTableRow<double>;
 

@@ -32,11 +32,11 @@ template <class Real>
 struct BasicLock {
   Real time;         // [s], from which on they are taut; the limit of the last accumulation
   Real uncertainty;  // [s], of `time`; 0 where no accumulation led here
-  CableSet cables;
+  CableSet cables;   // that stay taut
   /// True where no tension falls to zero ever after: the body rests, or a whole period of its swing
   /// has been followed without a release.
   bool permanent;
-  bool rests;
+  bool rests;                             // nothing is left to swing
   std::optional<BasicSwing<Real>> swing;  // with one degree of freedom left, and no rest
 };
 using Lock = BasicLock<double>;

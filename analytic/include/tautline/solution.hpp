@@ -9,6 +9,7 @@
 
 namespace tautline {
 
+/// What happens at an event.
 enum class EventKind {
   impact,  // a velocity jump: cables closed and rebound
   taut,    // cables at zero gap stay there, held by tension
@@ -19,13 +20,13 @@ enum class EventKind {
 template <class Real>
 struct BasicEvent {
   Real time;        // [s]
-  EventKind kind;   //
+  EventKind kind;   // what happens
   CableSet cables;  // that take part
   /// [N s], one per cable of `cables`, in rising index order. Of an accumulation that is completed:
   /// what removes the remaining rates, < 0 where gravity will have done it.
   BasicCableVector<Real> impulses;
-  BasicState<Real> before;
-  BasicState<Real> after;
+  BasicState<Real> before;  // at its instant
+  BasicState<Real> after;   // the same where nothing jumps
 };
 using Event = BasicEvent<double>;
 
@@ -72,6 +73,7 @@ using Accumulation = BasicAccumulation<double>;
 template <class Real>
 class BasicSolution {
  public:
+  /// Made by solve(): arcs in order, each from the end of the one before.
   BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc<Real>> arcs,
                 std::vector<BasicEvent<Real>> events, Ending ending,
                 std::vector<BasicAccumulation<Real>> accumulations);
@@ -80,11 +82,13 @@ class BasicSolution {
   /// Throws std::out_of_range outside.
   [[nodiscard]] BasicState<Real> at(const Real& time) const;
 
-  [[nodiscard]] const BasicVec2<Real>& gravity() const { return gravity_; }
+  [[nodiscard]] const BasicVec2<Real>& gravity() const { return gravity_; }  // [m/s^2]
+  /// In order, at least one.
   [[nodiscard]] const std::vector<BasicArc<Real>>& arcs() const { return arcs_; }
+  /// In order of time.
   [[nodiscard]] const std::vector<BasicEvent<Real>>& events() const { return events_; }
-  [[nodiscard]] Ending ending() const { return ending_; }
-  [[nodiscard]] const Real& end_time() const { return arcs_.back().end; }
+  [[nodiscard]] Ending ending() const { return ending_; }                  // why it ends
+  [[nodiscard]] const Real& end_time() const { return arcs_.back().end; }  // [s]
 
   /// Every accumulation that was completed, in rising time.
   [[nodiscard]] const std::vector<BasicAccumulation<Real>>& accumulations() const {
@@ -102,6 +106,6 @@ using Solution = BasicSolution<double>;
 
 /// The names used in files: "impact", "reached_duration", and so on.
 [[nodiscard]] std::string_view to_string(EventKind kind);
-[[nodiscard]] std::string_view to_string(Ending ending);
+[[nodiscard]] std::string_view to_string(Ending ending);  // its name, such as "reached_duration"
 
 }  // namespace tautline

@@ -9,6 +9,7 @@
 
 namespace tautline {
 
+/// How exactly a case is solved, and under which impact law.
 struct SolveOptions {
   /// How impacts that involve several cables are resolved. One cable alone: all laws agree.
   ImpactLaw law = ImpactLaw::simultaneous;

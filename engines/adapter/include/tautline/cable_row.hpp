@@ -17,6 +17,7 @@ struct CableRow {
   double rate;    // [m/s], of the gap; negative when closing
 };
 
+/// The row of a cable at this pose.
 [[nodiscard]] inline CableRow cable_row(const Cable& cable, const State& state) {
   const Eigen::Vector3d gradient = gap_gradient(cable, state);
   return {attachment_point(state, cable), gradient.head<2>(), gradient[2], gap(cable, state),

@@ -8,6 +8,7 @@ class Clock {
  public:
   [[nodiscard]] double now() const { return now_; }  // [s]
 
+  /// Goes on by dt [s].
   void advance(double dt) {
     const double wanted = dt - lost_;
     const double sum = now_ + wanted;

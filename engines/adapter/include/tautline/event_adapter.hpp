@@ -13,7 +13,7 @@ class EventAdapter {
   EventAdapter& operator=(const EventAdapter&) = delete;
   virtual ~EventAdapter() = default;
 
-  [[nodiscard]] virtual State state() const = 0;
+  [[nodiscard]] virtual State state() const = 0;  // in SI units, the angle not wrapped
 
   /// Puts the body there.
   virtual void place(const State& state) = 0;

@@ -20,13 +20,14 @@ class ImpactsBetweenParts {
   /// To be called in this order, with the state at each: a step, its parts of `dt` [s], in which
   /// the cables `pulled` pulled, its end.
   void begin_step(const State& now);
-  void begin_part(const State& now) { look(now); }
+  void begin_part(const State& now) { look(now); }  // as the engine begins a part of a step
+  /// After a part of dt [s] at whose end these cables pulled.
   void end_part(double dt, const State& now, CableSet pulled);
-  void end_step(double dt, const State& now);
+  void end_step(double dt, const State& now);  // after the last part, with the step's dt [s]
 
   /// What `Simulation` tells of the latest step.
   [[nodiscard]] std::span<const Event> events() const { return events_; }
-  [[nodiscard]] std::span<const double> impulses() const { return impulses_; }
+  [[nodiscard]] std::span<const double> impulses() const { return impulses_; }  // [N s], by cable
 
  private:
   /// Notes an impact if the velocity of `now` is not the one seen last.

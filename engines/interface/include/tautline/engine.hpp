@@ -17,7 +17,7 @@ namespace tautline {
 /// A setting of an engine that is not its default, and why.
 struct Setting {
   std::string name;    // the engine's own name for it
-  std::string value;   //
+  std::string value;   // as it is set
   std::string reason;  // one sentence
 };
 
@@ -52,7 +52,7 @@ struct EngineInfo {
   std::string name;       // [a-z0-9-]+, such as "bullet64"
   std::string version;    // asked from the library, not from a header, where the library can tell
   std::string precision;  // "float64" or "float32"
-  std::vector<Model> models;
+  std::vector<Model> models;  // each runs any case, or says why not
 };
 
 /// One run of one case. Times count from the start of the run [s].
@@ -81,8 +81,9 @@ class Simulation {
   /// the latest step may then have advanced by less than its dt, and `time` tells how far.
   struct Stop {
     double time;         // [s]
-    std::string reason;  //
+    std::string reason;  // in a few words
   };
+  /// None while it runs.
   [[nodiscard]] virtual std::optional<Stop> stopped() const { return std::nullopt; }
 };
 
@@ -105,7 +106,7 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
   virtual ~Engine() = default;
 
-  [[nodiscard]] virtual EngineInfo info() const = 0;
+  [[nodiscard]] virtual EngineInfo info() const = 0;  // who it is and what it has
 
   /// A run of `the_case`, which has no `problems`, with one of the models of `info`. Throws
   /// std::exception if it cannot.

@@ -17,9 +17,9 @@ namespace tautline {
 
 /// A model and how to start a run with it: each adapter is a table of these.
 struct ModelEntry {
-  Model model;
+  Model model;  // its name and what it is
   std::function<std::unique_ptr<Simulation>(const Case& the_case, const RunSettings& settings)>
-      start;
+      start;  // starts a run with it
   /// True where every impact gets `restitution(cable, rate)` at its own rate; a model that takes
   /// `cable.restitution` once and for all is not started on a case where it is not constant.
   bool follows_speed = false;
@@ -87,15 +87,16 @@ template <class Made, class... Own>
 
 /// An engine as a table: what it says of itself, and its models, family after family.
 struct EngineTable {
-  std::string name;
-  std::string version;
-  std::string precision;
-  std::vector<std::vector<ModelEntry>> families;
+  std::string name;                               // of the engine, as it is asked for
+  std::string version;                            // of the library that is loaded
+  std::string precision;                          // float64 or float32
+  std::vector<std::vector<ModelEntry>> families;  // models in the order in which they are listed
 };
 
 /// The engine of a table: what a plug-in's class derives from.
 class TableEngine : public Engine {
  public:
+  /// An engine that is this table.
   explicit TableEngine(EngineTable table)
       : info_{std::move(table.name), std::move(table.version), std::move(table.precision), {}} {
     for (const std::vector<ModelEntry>& family : table.families) {
@@ -103,12 +104,13 @@ class TableEngine : public Engine {
     }
     info_.models = models(entries_);
   }
+  /// The same from its parts.
   TableEngine(std::string name, std::string version, std::string precision,
               std::initializer_list<std::vector<ModelEntry>> families)
       : TableEngine(EngineTable{std::move(name), std::move(version), std::move(precision),
                                 std::vector(families)}) {}
 
-  [[nodiscard]] EngineInfo info() const override { return info_; }
+  [[nodiscard]] EngineInfo info() const override { return info_; }  // what the table says
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
                                                   const RunSettings& settings) const override {
     return start_model(entries_, model, the_case, settings);

@@ -14,6 +14,7 @@
 /// Raised with every change of engine.hpp, case.hpp or solution.hpp.
 #define TAUTLINE_INTERFACE_VERSION 3
 
+/// What a plug-in must have been built against, as text.
 #define TAUTLINE_INTERFACE \
   "tautline-engine " TAUTLINE_TEXT(TAUTLINE_INTERFACE_VERSION)                        \
   ", C++ ABI " TAUTLINE_TEXT(__GXX_ABI_VERSION) ", std::string ABI " TAUTLINE_TEXT(   \

@@ -26,6 +26,8 @@
 
 class btMultiBodyLinkCollider;
 
+/// A cable between two bodies, or a body and the world: it pulls at its length, never pushes, and
+/// rebounds.
 class btCableConstraint : public btTypedConstraint {
  public:
   BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -71,7 +73,7 @@ class btCableConstraint : public btTypedConstraint {
       wake();
     }
   }
-  btScalar getMaxLength() const { return m_rule.length; }
+  btScalar getMaxLength() const { return m_rule.length; }  // [m], at this instant
 
   /// A winch: the rate at which steps from now on pay the cable out, or, if negative, haul it in,
   /// down to a length of 0 [m/s]; 0 unless set. An impact counts the speed relative to the length.
@@ -80,35 +82,36 @@ class btCableConstraint : public btTypedConstraint {
     m_rule.length_rate = finite(rate);
     wake();
   }
-  btScalar getMaxLengthRate() const { return m_rule.length_rate; }
+  btScalar getMaxLengthRate() const { return m_rule.length_rate; }  // [m/s], > 0: pays out
 
   /// Newton's coefficient e [-]; 0 unless set. What is outside [0, 1] asserts, and is clamped.
   void setRestitution(btScalar restitution) { m_rule.restitution = part(restitution); }
-  btScalar getRestitution() const { return m_rule.restitution; }
+  btScalar getRestitution() const { return m_rule.restitution; }  // [-], 0 to 1
 
   /// Impacts slower than this do not rebound [m/s], >= 0; 0 unless set, where Bullet's contacts
   /// have 0.2.
   void setRestitutionThreshold(btScalar threshold) { m_rule.threshold = positive(threshold); }
-  btScalar getRestitutionThreshold() const { return m_rule.threshold; }
+  btScalar getRestitutionThreshold() const { return m_rule.threshold; }  // [m/s]
 
   /// Rebound with e^2 of the energy of the arrival at zero gap, so that a falling load rises to e^2
   /// of its height. The rates before and after the step then differ from e by gravity's part of
   /// them. Off unless set.
   void setReboundByEnergy(bool byEnergy) { m_rule.by_energy = byEnergy; }
-  bool getReboundByEnergy() const { return m_rule.by_energy; }
+  bool getReboundByEnergy() const { return m_rule.by_energy; }  // off by default
 
   /// The speed at which overstretch is taken out, at most, unless the ends themselves are faster
   /// [m/s], >= 0; 1 unless set.
   void setMaxCorrectionSpeed(btScalar speed) { m_rule.correction_speed = positive(speed); }
-  btScalar getMaxCorrectionSpeed() const { return m_rule.correction_speed; }
+  btScalar getMaxCorrectionSpeed() const { return m_rule.correction_speed; }  // [m/s]
 
-  void setPivotA(const btVector3& pivotA) { m_pivotInA = pivotA; }
-  void setPivotB(const btVector3& pivotB) { m_pivotInB = pivotB; }
-  const btVector3& getPivotInA() const { return m_pivotInA; }
-  const btVector3& getPivotInB() const { return m_pivotInB; }
+  void setPivotA(const btVector3& pivotA) { m_pivotInA = pivotA; }  // [m], in the frame of A
+  void setPivotB(const btVector3& pivotB) { m_pivotInB = pivotB; }  // [m], in the frame of B
+  const btVector3& getPivotInA() const { return m_pivotInA; }       // [m]
+  const btVector3& getPivotInB() const { return m_pivotInB; }       // [m]
 
   /// The pivots in the world, now [m].
   btVector3 getPivotAInWorld() const { return m_rbA.getCenterOfMassTransform() * m_pivotInA; }
+  /// Where the end at B is [m], in the world.
   btVector3 getPivotBInWorld() const { return m_rbB.getCenterOfMassTransform() * m_pivotInB; }
 
   /// The maximum length minus the distance of the pivots, now [m]; negative is overstretch.
@@ -148,6 +151,7 @@ class btCableConstraint : public btTypedConstraint {
       btAssertConstrParams(false);
     }
   }
+  /// What setParam set.
   btScalar getParam(int num, int /*axis*/ = -1) const override {
     if (num == BT_CONSTRAINT_ERP || num == BT_CONSTRAINT_STOP_ERP) {
       return m_rule.erp;
@@ -159,8 +163,9 @@ class btCableConstraint : public btTypedConstraint {
   /// The next four are the solver's: it calls the first of all constraints, then the second of all,
   /// then the third of those with rows, and the last of all in each iteration.
   void buildJacobian() override;
-  void getInfo1(btConstraintInfo1* info) override;
-  void getInfo2(btConstraintInfo2* info) override;
+  void getInfo1(btConstraintInfo1* info) override;  // called by the solver: how many rows
+  void getInfo2(btConstraintInfo2* info) override;  // called by the solver: the rows
+  /// Called by the solver in each iteration.
   void solveConstraintObsolete(btSolverBody& bodyA, btSolverBody& bodyB,
                                btScalar timeStep) override;
 

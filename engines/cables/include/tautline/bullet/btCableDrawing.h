@@ -21,8 +21,10 @@
 
 #include "tautline/bullet/btCableConstraint.h"
 
+/// Draws the cables of a world: taut as a line, slack as a catenary of its length.
 class btCableDrawing : public btActionInterface {
  public:
+  /// Draws all cables of this world, which outlives it.
   explicit btCableDrawing(btDynamicsWorld* world) : m_world(world) {}
 
   /// Red, green and blue, in [0, 1] each; red and light blue unless set.
@@ -31,8 +33,9 @@ class btCableDrawing : public btActionInterface {
     m_slack = slack;
   }
 
-  void updateAction(btCollisionWorld* /*world*/, btScalar /*timeStep*/) override {}
+  void updateAction(btCollisionWorld* /*world*/, btScalar /*timeStep*/) override {}  // does nothing
 
+  /// Called by the world where its drawer draws constraints.
   void debugDraw(btIDebugDraw* drawer) override {
     if ((drawer->getDebugMode() & btIDebugDraw::DBG_DrawConstraints) == 0) {
       return;

@@ -131,7 +131,7 @@ struct dxCable {
     broken = broken || by >= breaking;
   }
 };
-typedef dxCable* dCableID;
+typedef dxCable* dCableID;  // as ODE's own handles
 
 /// What a setter does with a value that makes no sense: the debug build of a program stops.
 inline dReal dxCableAtLeast0(dReal value) {
@@ -145,7 +145,7 @@ inline dReal dxCablePart(dReal value) {
 
 /// A cable of length 0 between nothing and nothing, without bounce.
 inline dCableID dCableCreate() { return new dxCable(); }
-inline void dCableDestroy(dCableID cable) { delete cable; }
+inline void dCableDestroy(dCableID cable) { delete cable; }  // its bodies stay
 
 /// From `body1` to `body2`; 0 is the world. Sets both anchors to the bodies' centres, or the
 /// origin.
@@ -154,17 +154,20 @@ inline void dCableAttach(dCableID cable, dBodyID body1, dBodyID body2) {
   cable->end[0] = dxCableEnd{body1, {0, 0, 0, 0}};
   cable->end[1] = dxCableEnd{body2, {0, 0, 0, 0}};
 }
+/// The body at end 0 or 1; null is the world.
 inline dBodyID dCableGetBody(dCableID cable, int index) { return cable->end[index].body; }
 
 /// Where an end is fastened to its body: a point in world coordinates, as it is now [m].
 inline void dCableSetAnchor1(dCableID cable, dReal x, dReal y, dReal z) {
   cable->end[0].fasten(x, y, z);
 }
+/// The same for the other end.
 inline void dCableSetAnchor2(dCableID cable, dReal x, dReal y, dReal z) {
   cable->end[1].fasten(x, y, z);
 }
 /// The anchors in world coordinates, now [m].
 inline void dCableGetAnchor1(dCableID cable, dVector3 result) { cable->end[0].position(result); }
+/// The same for the other end.
 inline void dCableGetAnchor2(dCableID cable, dVector3 result) { cable->end[1].position(result); }
 
 /// Longest distance of the anchors [m], >= 0. Another length wakes the bodies.
@@ -172,7 +175,7 @@ inline void dCableSetLength(dCableID cable, dReal length) {
   cable->rule.length = dxCableAtLeast0(length);
   cable->wake();
 }
-inline dReal dCableGetLength(dCableID cable) { return cable->rule.length; }
+inline dReal dCableGetLength(dCableID cable) { return cable->rule.length; }  // [m]
 
 /// A winch: the rate at which steps from now on pay the cable out, or, if negative, haul it in,
 /// down to a length of 0 [m/s]; 0 unless set. An impact counts the speed relative to the length.
@@ -182,34 +185,36 @@ inline void dCableSetLengthRate(dCableID cable, dReal rate) {
   cable->rule.length_rate = rate - rate == 0 ? rate : dReal(0);
   cable->wake();
 }
-inline dReal dCableGetLengthRate(dCableID cable) { return cable->rule.length_rate; }
+inline dReal dCableGetLengthRate(dCableID cable) { return cable->rule.length_rate; }  // [m/s]
 
 /// Newton's coefficient of restitution [-]; 0 unless set. What is outside [0, 1] asserts, and is
 /// clamped.
 inline void dCableSetBounce(dCableID cable, dReal bounce) {
   cable->rule.restitution = dxCablePart(bounce);
 }
-inline dReal dCableGetBounce(dCableID cable) { return cable->rule.restitution; }
+inline dReal dCableGetBounce(dCableID cable) { return cable->rule.restitution; }  // [-]
 
 /// Impacts slower than this do not bounce [m/s], >= 0; 0 unless set.
 inline void dCableSetBounceVel(dCableID cable, dReal bounce_vel) {
   cable->rule.threshold = dxCableAtLeast0(bounce_vel);
 }
-inline dReal dCableGetBounceVel(dCableID cable) { return cable->rule.threshold; }
+inline dReal dCableGetBounceVel(dCableID cable) { return cable->rule.threshold; }  // [m/s]
 
 /// An impulse of a step as large as this breaks the cable [N s], >= 0; none unless set. It then
 /// pulls no more, until dCableMend.
 inline void dCableSetBreakingImpulse(dCableID cable, dReal impulse) {
   cable->breaking = dxCableAtLeast0(impulse);
 }
+/// [N s]; infinity unless set.
 inline dReal dCableGetBreakingImpulse(dCableID cable) { return cable->breaking; }
-inline void dCableMend(dCableID cable) { cable->broken = false; }
+inline void dCableMend(dCableID cable) { cable->broken = false; }  // holds again
 
 /// The speed at which overstretch is taken out, at most, unless the ends themselves are faster
 /// [m/s], >= 0; 1 unless set.
 inline void dCableSetMaxCorrectionSpeed(dCableID cable, dReal speed) {
   cable->rule.correction_speed = dxCableAtLeast0(speed);
 }
+/// [m/s].
 inline dReal dCableGetMaxCorrectionSpeed(dCableID cable) { return cable->rule.correction_speed; }
 
 /// 1: a contact joint in every step in which it may pull, never forces; see dCableSolve.h. For
@@ -230,7 +235,7 @@ inline void dCableSetBounceByEnergy(dCableID cable, int by_energy) {
 
 /// Part of the overstretch that a step takes out while the cable rests taut [-]; 0.2 unless set.
 inline void dCableSetERP(dCableID cable, dReal erp) { cable->rule.erp = dxCablePart(erp); }
-inline dReal dCableGetERP(dCableID cable) { return cable->rule.erp; }
+inline dReal dCableGetERP(dCableID cable) { return cable->rule.erp; }  // [-]
 
 /// ODE's CFM of the cable [1/kg s], >= 0; unless set the world's where it is a contact joint, and
 /// none where it pulls by force.

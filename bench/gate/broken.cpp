@@ -87,7 +87,7 @@ Evidence evidence_on(const KnownDeviation& known, const Report& report, const Li
           return limit.metric == known.metric && limit.runs.holds(run.key, precision);
         });
     for (const Check& check : run.verdict.value().checks) {
-      if (check.metric == known.metric && check.holds != Holds::not_measured) {
+      if (is_about(known, check.metric) && check.holds != Holds::not_measured) {
         evidence.measured = true;
         evidence.still = evidence.still || check.holds == Holds::no;
       }

@@ -131,7 +131,7 @@ void add_unmeasured(const Report& report, const Limits& limits, const Precisions
   for (const RunRow& run : report.runs) {
     const LimitsOnRun on_run(limits, run.key, precisions.of(run.key));
     for (const Check& check : run.verdict.value().checks) {
-      if (!check.limit || on_run.unjudged() != nullptr) {
+      if (!check.limit || !did_its_work(run.status) || on_run.unjudged() != nullptr) {
         continue;
       }
       Measured& of_limit = measured[on_run.limit(check.metric)];

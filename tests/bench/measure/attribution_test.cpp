@@ -168,16 +168,6 @@ TEST_P(PlantedCause, SlowImpactsDoNotRebound) {
       exact_flight());
 }
 
-TEST_P(PlantedCause, NoImpactRebounds) {
-  // nearly: what stops takes the taut motion with it
-  expect(Cause::restitution_ignored,
-         {.rate =
-              [](const Case& own, std::size_t cable, const State& at_contact, const State&) {
-                return 0.02 * exact_rate(own, cable, at_contact);
-              }},
-         exact_flight());
-}
-
 TEST_P(PlantedCause, OverstretchPushedOutOnTopOfTheBounce) {
   expect(
       Cause::position_correction,
@@ -358,6 +348,21 @@ TEST(Attribution, OfAWrongImpulseIsItsCauseToFirstOrderAndAmplificationBeyond) {
     EXPECT_NEAR(share(Cause::solver_residual), weight, differences) << described(found);
     EXPECT_NEAR(share(Cause::amplification), 1.0 - weight, differences) << described(found);
   }
+}
+
+TEST(Attribution, OfARunInWhichNothingReboundsIsThatAndNoThreshold) {
+  Case the_case = shipped("breakwater/1910121100");
+  the_case.duration = 3.0;
+  // nearly nothing: what stops takes the taut motion with it
+  const Planted planted = {
+      .rate = [](const Case& own, std::size_t cable, const State& at_contact, const State&) {
+        return 0.02 * exact_rate(own, cable, at_contact);
+      }};
+  const Trajectory run = planted_run(the_case, the_case.duration, planted, {the_case.gravity});
+  const Outcome found = outcome(the_case, run, Cause::restitution_ignored, the_case.duration);
+  EXPECT_GE(found.share, 0.9) << described(found.attribution);
+  EXPECT_EQ(found.attribution.parts.value()[static_cast<std::size_t>(Cause::threshold)], 0.0);
+  EXPECT_NEAR(found.attribution.covered, found.attribution.until / the_case.duration, 1e-12);
 }
 
 TEST(Attribution, SaysWhyThereAreNoParts) {

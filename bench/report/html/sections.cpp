@@ -57,7 +57,8 @@ std::string answers_section(const Report& report) {
   const std::string stopped = stopped_sentence(report);
   return section("answers", "Answers",
                  html_table(answers_table(report), "answers-table",
-                            "Over all cases, by engine, model and step. The exact motion through "
+                            "Over all cases, by engine, model and step; the verdict is that of the "
+                            "worst. The exact motion through "
                             "the same comparison, as a control, stands apart. Cost: of one step, "
                             "in closed-form flights.") +
                      (stopped.empty() ? "" : note(html_text(stopped, longest_list))));

@@ -87,7 +87,7 @@ Evidence evidence_on(const KnownDeviation& known, const Report& report, const Li
           return limit.metric == known.metric && limit.runs.holds(run.key, precision);
         });
     for (const Check& check : run.verdict.value().checks) {
-      if (check.metric == known.metric && check.holds != Holds::not_measured) {
+      if (is_about(known, check.metric) && check.holds != Holds::not_measured) {
         evidence.measured = true;
         evidence.still = evidence.still || check.holds == Holds::no;
       }
@@ -131,7 +131,7 @@ void add_unmeasured(const Report& report, const Limits& limits, const Precisions
   for (const RunRow& run : report.runs) {
     const LimitsOnRun on_run(limits, run.key, precisions.of(run.key));
     for (const Check& check : run.verdict.value().checks) {
-      if (!check.limit || on_run.unjudged() != nullptr) {
+      if (!check.limit || !did_its_work(run.status) || on_run.unjudged() != nullptr) {
         continue;
       }
       Measured& of_limit = measured[on_run.limit(check.metric)];

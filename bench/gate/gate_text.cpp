@@ -91,7 +91,7 @@ std::string unused_entries(const Report& report, const Limits& limits) {
       any = true;
       const auto& checks = run.verdict.value().checks;
       shown = shown || std::any_of(checks.begin(), checks.end(), [&](const Check& check) {
-                return check.metric == known.metric && check.holds != Holds::yes;
+                return is_about(known, check.metric) && check.holds != Holds::yes;
               });
     }
     if (!shown) {

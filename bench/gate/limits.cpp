@@ -38,6 +38,7 @@ std::vector<std::string> metric_names() {
 std::vector<std::string> names_of_deviations() {
   std::vector<std::string> names = metric_names();
   names.emplace_back(failure);
+  names.emplace_back(any_finding);
   for (const FindingKind& kind : finding_kinds) {
     if (kind.contradicts_a_pass) {
       names.emplace_back(kind.name);
@@ -197,8 +198,13 @@ Limits read_tables(const toml::table& file, const Names& names, FileProblems& fi
 }  // namespace
 
 bool is_finding(std::string_view metric) {
-  return std::any_of(finding_kinds.begin(), finding_kinds.end(),
+  return metric == any_finding ||
+         std::any_of(finding_kinds.begin(), finding_kinds.end(),
                      [metric](const FindingKind& kind) { return kind.name == metric; });
+}
+
+bool is_about(const KnownDeviation& known, std::string_view metric) {
+  return known.metric == metric || (known.metric == any_finding && is_finding(metric));
 }
 
 LimitsReading read_limits_text(std::string_view text, const std::string& source_name,

@@ -36,8 +36,14 @@ struct KnownDeviation {
 };
 inline constexpr std::string_view failure = "failure";
 
-/// True of a kind of finding, which shows where there is enough to find it in.
+/// Stands for a finding of any kind: few impacts may show a threshold as scatter.
+inline constexpr std::string_view any_finding = "finding";
+
+/// True of a kind of finding, and of any.
 [[nodiscard]] bool is_finding(std::string_view metric);
+
+/// True where `known` is about a check of `metric`.
+[[nodiscard]] bool is_about(const KnownDeviation& known, std::string_view metric);
 
 /// Runs that are not judged.
 struct Unjudged {

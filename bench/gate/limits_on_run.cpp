@@ -21,7 +21,7 @@ const Limit* LimitsOnRun::limit(std::string_view metric) const {
 }
 
 const KnownDeviation* LimitsOnRun::known(std::string_view metric) const {
-  return last(limits_.known, [&](const KnownDeviation& known) { return known.metric == metric; });
+  return last(limits_.known, [&](const KnownDeviation& known) { return is_about(known, metric); });
 }
 
 const Unjudged* LimitsOnRun::unjudged() const {

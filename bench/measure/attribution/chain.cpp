@@ -52,21 +52,9 @@ class Builder {
       chain.links.push_back({cause, state});
     };
     if (!jumps_.empty()) {
-      const auto late = [this](const Partnered& hit, const State& at) {
-        return bounced_rate(case_, scheme_.bounce, *hit.jump, at);
-      };
-      const auto corrected = [&](const Partnered& hit, const State& at) {
-        return corrected_rate(case_, scheme_, *hit.jump, at, late(hit, at));
-      };
-      const auto lost = [&](const Partnered& hit, const State& at) {
-        const double rate = bounced_rate(case_, scheme_.bounce, *hit.jump, at, !hit.jump->lost);
-        return corrected_rate(case_, scheme_, *hit.jump, at, rate);
-      };
       add(Cause::event_lag,
           through([](const Partnered& hit, const State&) { return hit.exact_rate.value_or(0.0); }));
-      add(Cause::late_rate, through(late));
-      add(Cause::position_correction, through(corrected));
-      add(scheme_.ignores ? Cause::restitution_ignored : Cause::threshold, through(lost));
+      scheme_.ignores ? add_without_rebounds(chain) : add_rebounds(chain);
       const State own = through_own_jumps();
       add(Cause::solver_residual, own);
       if (const auto pushed = pushed_out(own)) {
@@ -82,6 +70,35 @@ class Builder {
   }
 
  private:
+  /// What the run's rules make of the rebounds, one after the other.
+  void add_rebounds(Chain& chain) const {
+    const auto late = [this](const Partnered& hit, const State& at) {
+      return bounced_rate(case_, scheme_.bounce, *hit.jump, at);
+    };
+    const auto corrected = [&](const Partnered& hit, const State& at) {
+      return corrected_rate(case_, scheme_, *hit.jump, at, late(hit, at));
+    };
+    const auto lost = [this](const Partnered& hit, const State& at) {
+      const double rate = bounced_rate(case_, scheme_.bounce, *hit.jump, at, !hit.jump->lost);
+      return corrected_rate(case_, scheme_, *hit.jump, at, rate);
+    };
+    chain.links.push_back({Cause::late_rate, through(late)});
+    chain.links.push_back({Cause::position_correction, through(corrected)});
+    chain.links.push_back({Cause::threshold, through(lost)});
+  }
+
+  /// The same where nothing rebounds: the rate of which it would is nobody's.
+  void add_without_rebounds(Chain& chain) const {
+    const auto lost = [this](const Partnered& hit, const State& at) {
+      return bounced_rate(case_, scheme_.bounce, *hit.jump, at, false);
+    };
+    const auto corrected = [&](const Partnered& hit, const State& at) {
+      return corrected_rate(case_, scheme_, *hit.jump, at, lost(hit, at));
+    };
+    chain.links.push_back({Cause::restitution_ignored, through(lost)});
+    chain.links.push_back({Cause::position_correction, through(corrected)});
+  }
+
   /// The jumps of the segment with what they did in it.
   void collect(const std::vector<Jump>& jumps) {
     std::size_t next = segment_.first;  // the first step whose change is nobody's yet

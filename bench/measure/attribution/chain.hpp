@@ -18,11 +18,13 @@ namespace tautline::bench {
 //   + late_rate            the rebound of the run's rule (BounceRule) at that pose
 //   + position_correction  raised by the run's correction (CorrectionRule)
 //   + threshold            the rebound lost, as that of all slow impacts
-//     or restitution_ignored: as that of all
 //   + solver_residual      the run's own jump of velocity
 //   + position_correction  the pose shifted out along the cable
 //   + flight_bias          the run's own state
 //   + event_lag            put back onto the cable, if a taut stretch follows overstretched
+//
+// Where no impact of the run rebounds, restitution_ignored stands for late_rate and threshold: the
+// rebound is lost before it is corrected.
 
 /// A hypothetical state at the end of a segment, and the cause that it has beyond the one before.
 struct Link {

@@ -105,8 +105,8 @@ std::string answers_section(const Report& report) {
   const std::string stopped = stopped_sentence(report);
   return section("answers", "Every number over the cases",
                  table_html(report, answers_table(report), "answers-table",
-                            "Over all cases, by engine, model and step; the exact motion as a "
-                            "control below. Cost: of one step, in closed-form flights.") +
+                            "Over all cases, by engine, model and step; the verdict is that of the worst. "
+                            "The exact motion as a control below. Cost: of one step, in closed-form flights.") +
                      (stopped.empty() ? "" : note(html_text(stopped, longest_list))));
 }
 

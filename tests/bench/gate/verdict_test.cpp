@@ -118,7 +118,7 @@ TEST(Verdict, WithoutAGateTheLimitsThatShipAreShownAndTheCodeIsAsEver) {
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   const json report = json::parse(content_of(out.path() / "r/report.json"));
   EXPECT_EQ(report.at("runs").at(0).at("verdict").at("word"), "breaks a limit");
-  EXPECT_EQ(report.at("limits"), json({{"file", "limits.toml, built in"}, {"version", "1"}}));
+  EXPECT_EQ(report.at("limits"), json({{"file", "limits.toml, built in"}, {"version", "2"}}));
   EXPECT_NE(outcome.output.find("breaks a limit"), std::string::npos) << outcome.output;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include "bench/report/html/page.hpp"
@@ -244,8 +245,7 @@ TEST(CardSvg, AHostileNameWritesNoMarkupAndNoPath) {
   add_audited(report, name, "row", 1e-3, 0.1);
   const std::string svg = card_svg(report, name);
   EXPECT_EQ(svg.find("<script"), std::string::npos) << svg;
-  EXPECT_EQ(card_name(name).find('/'), std::string::npos) << card_name(name);
-  EXPECT_EQ(card_name(name).find(".."), std::string::npos) << card_name(name);
+  EXPECT_EQ(std::filesystem::path(card_name(name)).filename(), card_name(name));
 }
 
 TEST(ScorecardsTable, HasARowForEachMakerAndItsNumbersAreTheCards) {

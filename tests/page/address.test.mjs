@@ -57,6 +57,7 @@ test('a row leads on to its replay, settings, causes and files, and to the comma
     assert.equal(await page.getByLabel('Run 1').inputValue(), `${engine} ${model} ${step}`);
     assert.equal(await page.locator('#replay-app select').first().inputValue(), name);
     await page.goBack();
+    assert.ok(await row.isVisible(), 'a step back leads to the row');
     await row.locator('button.lead').press('Enter');
     await dialog.getByText('its settings').press('Enter');
     assert.ok(await page.locator(`[id="settings-of-${engine}"]`).isVisible());

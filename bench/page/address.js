@@ -59,10 +59,18 @@
     }
   }
 
-  /// Calls `action` now and whenever the address has changed.
-  function listen(action) {
-    listeners.push(action);
-    action();
+  /// Calls `action` now and whenever one of `keys` has another value; without any, at every change.
+  function listen(action, keys) {
+    let before = null;
+    const listener = () => {
+      const now = keys && keys.map(get).join('\n');
+      if (!keys || now !== before) {
+        before = now;
+        action();
+      }
+    };
+    listeners.push(listener);
+    listener();
   }
 
   addEventListener('hashchange', () => {

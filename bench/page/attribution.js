@@ -67,5 +67,5 @@
   element.before(make('div', { class: 'controls' },
     filter.bound('Case', [['', 'all cases'], ...report.cases.map((one) => [one.name, one.name])], 'case').element,
     filter.bound('Step [s]', steps.map((step) => [String(step), String(step)]), 'step', middle).element));
-  address.listen(() => made.update());
+  address.listen(() => made.update(), ['case', 'step', 'engines', 'off']);
 })();

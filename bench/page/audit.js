@@ -219,5 +219,5 @@
     refill(model, all('all models', modelsOf(choice.engine)));
     model.box.value = choice.model;
     Object.values(ids).forEach((id) => tautline.charts[id]?.update());
-  });
+  }, ['case', 'step', 'engines', 'audit.engine', 'audit.model']);
 })();

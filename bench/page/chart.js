@@ -51,12 +51,14 @@ window.tautline = (() => {
     Number((one * 10 ** power).toPrecision(1))));
   const speedAxis = (colours, more) => logAxis(colours, { tickmode: 'array', tickvals, ticktext: tickvals.map(String), ...more });
 
+  /// Room for Plotly's bar above the curves [px].
+  const barHeight = 34;
+
   function layoutOf(colours, layout) {
     return {
       paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', showlegend: false,
       font: { family: colours.font, size: 13, color: colours.ink }, hovermode: 'closest',
-      // room for Plotly's bar above the curves
-      margin: { l: 64, r: 16, t: 34, b: 52 }, height: colours.printing ? 320 : 420,
+      margin: { l: 64, r: 16, t: barHeight, b: 52 }, height: colours.printing ? 320 : 420,
       hoverlabel: { bgcolor: colours.paper, bordercolor: colours.muted,
         font: { family: colours.font, size: 13, color: colours.ink } },
       ...layout,
@@ -115,6 +117,7 @@ window.tautline = (() => {
       }
       inUnits(figure);
       const layout = layoutOf(colours, figure.layout);
+      layout.margin = { ...layout.margin, t: Math.max(layout.margin.t, barHeight) };
       return Plotly.react(body, figure.data, printing ? { ...layout, width: paperWidth } : layout,
         { responsive: !printing, displaylogo: false, displayModeBar: innerWidth < narrow || printing ? false : 'hover',
           modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d'] });

@@ -217,7 +217,7 @@
     element.after(keys);
     const byName = [...models].sort((a, b) => filter.choices.indexOf(a.engine) - filter.choices.indexOf(b.engine));
     const rows = () => legend(keys, byName.filter(({ engine }) => engine !== 'exact' && filter.shows(engine)), notes);
-    address.listen(() => { rows(); made.update(); });
+    address.listen(() => { rows(); made.update(); }, ['case', 'error', 'engines', 'off']);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', rows);
     addEventListener('beforeprint', rows);
     addEventListener('afterprint', rows);

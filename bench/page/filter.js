@@ -41,7 +41,7 @@
       const some = chosen();
       all.setAttribute('aria-pressed', String(some.size === 0));
       buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(some.has(choices[i]))));
-    });
+    }, ['engines']);
   }
 
   /// A select whose value is that of a key of the address.
@@ -51,7 +51,7 @@
     address.listen(() => {
       const value = address.get(key) || fallback;
       one.box.value = [...one.box.options].some((option) => option.value === value) ? value : fallback;
-    });
+    }, [key]);
     return one;
   }
 

@@ -252,6 +252,9 @@
 
   // for the address
   tautline.replay = { state, show, runs: () => state.runs.filter(Boolean),
-    chooseCase: (name) => choose(cases.find((one) => one.name === name) || cases[0]),
+    chooseCase: (name) => {
+      choose(cases.find((one) => one.name === name) || cases[0]);
+      app.querySelector('select').value = state.system.name;
+    },
     chooseRuns: (keys) => { runSelects.forEach((one, i) => { one.box.value = keys[i] || ''; state.runs[i] = one.box.value; }); load(); } };
 })();

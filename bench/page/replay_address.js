@@ -28,7 +28,7 @@
     taking = false;
   }
 
-  replay.started = () => address.listen(take);
+  replay.started = () => address.listen(take, ['case', 'replay.runs', 'replay.t']);
   let later = 0;
   replay.changed = () => {
     if (taking) {

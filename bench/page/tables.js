@@ -120,7 +120,8 @@
 
     let before = {};
     let seen = '';
-    let unfolded = false;
+    let byHand = false;
+    fold?.querySelector('summary').addEventListener('click', () => { byHand = !fold.open; });
     address.listen(() => {
       const now = state();
       for (const [key, input] of inputs) {
@@ -152,10 +153,8 @@
       reset.hidden = shown === all;
       if (fold) {
         fold.querySelector('summary').textContent = shown === all ? `All ${all} rows` : `${shown} of ${all} rows`;
-        // a few rows need no fold, and many do again
-        const few = shown > 0 && shown <= most;
-        fold.open = few || (fold.open && !unfolded);
-        unfolded = few;
+        // a few rows need no fold; many are as the reader left them
+        fold.open = (shown > 0 && shown <= most) || byHand;
       }
     });
   }

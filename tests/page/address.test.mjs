@@ -57,8 +57,9 @@ test('a row leads on to its replay, settings, causes and files, and to the comma
     assert.equal(await page.getByLabel('Run 1').inputValue(), `${engine} ${model} ${step}`);
     assert.equal(await page.locator('#replay-app select').first().inputValue(), name);
     await page.goBack();
+    assert.ok(await row.isVisible(), 'a step back leads to the row');
     await row.locator('button.lead').press('Enter');
-    await dialog.locator('a', { hasText: 'settings' }).press('Enter');
+    await dialog.getByText('its settings').press('Enter');
     assert.ok(await page.locator(`[id="settings-of-${engine}"]`).isVisible());
     assert.deepEqual(said, []);
   });
@@ -78,11 +79,12 @@ test('the replay’s case, runs and instant are in the address, and a link shows
       await page.getByLabel('Run 2').inputValue(), Number(await page.locator('#replay-app input[type=range]').inputValue()).toFixed(3)];
     const before = await seen();
     assert.ok(Number(before[3]) > 0);
+    const linked = page.url();
     await page.reload();
     await page.locator('#replay-app').scrollIntoViewIfNeeded();
     await page.locator('.replay-status:not(:empty)').waitFor();
     await settled(page);
-    assert.deepEqual(await seen(), before);
+    assert.deepEqual(await seen(), before, linked);
   });
 });
 

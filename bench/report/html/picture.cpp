@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,10 +17,10 @@ namespace tautline::bench {
 namespace {
 
 /// A cable with less gap than this, of its length, does not look slack [-].
-constexpr double visible = 0.03;
+constexpr double visible = 0.01;
 
 /// One with more, before or beyond, does not look taut [-].
-constexpr double taut = 0.01;
+constexpr double taut = 0.005;
 
 /// Instants that are looked at between two impacts.
 constexpr int instants = 40;
@@ -30,12 +31,22 @@ const CaseRow* case_of(const Report& report, const RunRow& run) {
   return found != report.cases.end() ? &*found : nullptr;
 }
 
-/// The instant between two others at which the gap of `cable` is largest.
-double slackest(const CableRow& cable, const Path& path, double from, double until) {
+/// The least gap of all cables, of their length [-].
+double least_gap(const CaseRow& the_case, const Path& path, double time) {
+  const Pose pose = pose_at(path, time);
+  double least = std::numeric_limits<double>::infinity();
+  for (const CableRow& cable : the_case.geometry) {
+    least = std::min(least, gap_of(cable, pose) / cable.length);
+  }
+  return least;
+}
+
+/// The instant between two others at which the body flies, with every cable as slack as it gets.
+double slackest(const CaseRow& the_case, const Path& path, double from, double until) {
   double best = from;
   for (int instant = 1; instant < instants; ++instant) {
     const double time = from + (until - from) * instant / instants;
-    if (gap_of(cable, pose_at(path, time)) > gap_of(cable, pose_at(path, best))) {
+    if (least_gap(the_case, path, time) > least_gap(the_case, path, best)) {
       best = time;
     }
   }
@@ -56,20 +67,20 @@ std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run
   const double before = place > 0 ? impacts.time[place - 1] : 0.0;
   const double after =
       place + 1 < impacts.time.size() ? impacts.time[place + 1] : 2 * time - before;
-  const std::array<double, 3> times = {slackest(cable, path, before, time), time,
-                                       slackest(cable, path, time, after)};
-  const auto gap = [&](double at) { return gap_of(cable, pose_at(path, at)) / cable.length; };
-  if (gap(times[0]) < visible || std::abs(gap(times[1])) > taut || gap(times[2]) < visible) {
+  const std::array<double, 3> times = {slackest(the_case, path, before, time), time,
+                                       slackest(the_case, path, time, after)};
+  if (least_gap(the_case, path, times[0]) < visible ||
+      least_gap(the_case, path, times[2]) < visible ||
+      std::abs(gap_of(cable, pose_at(path, time))) > taut * cable.length) {
     return std::nullopt;
   }
   return ImpactStills{&the_case, &run, &path, index, place, times};
 }
 
-/// How slack the cable is seen to be, before or after, whichever is less, of its length [-].
+/// How slack all cables are seen to be, before or after, whichever is less [-].
 double clearness(const ImpactStills& stills) {
-  const CableRow& cable = stills.the_case->geometry[stills.cable];
-  const auto gap = [&](double at) { return gap_of(cable, pose_at(*stills.path, at)); };
-  return std::min(gap(stills.times[0]), gap(stills.times[2])) / cable.length;
+  return std::min(least_gap(*stills.the_case, *stills.path, stills.times[0]),
+                  least_gap(*stills.the_case, *stills.path, stills.times[2]));
 }
 
 /// The path of a run; that of the case for the exact motion, none where a report was read without.
@@ -108,9 +119,8 @@ std::vector<std::string> captions(const ImpactStills& stills) {
   const double before = -impacts.rate_before[stills.impact];
   const double after = impacts.rate_after[stills.impact];
   return {
-      "slack: it flies freely",
-      "closing",
-      fmt::format("taut: closing at {}", speed_text(*stills.the_case, before)),
+      "slack: the body flies",
+      fmt::format("taut: closes at {}", speed_text(*stills.the_case, before)),
       fmt::format("rebound: opens at {}", speed_text(*stills.the_case, after)),
   };
 }

@@ -22,8 +22,7 @@ struct ImpactStills {
 };
 
 /// The impact to show: of the exact motion if the report has it, or else of the first run that
-/// fits; of its impacts the one whose cable is slackest both before and after. None where that is
-/// not seen.
+/// fits; of its impacts the one around which all cables are slackest. None where that is not seen.
 [[nodiscard]] std::optional<ImpactStills> impact_stills(const Report& report);
 
 /// The stills as a figure with their numbers; "" without any.

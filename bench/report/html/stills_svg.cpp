@@ -95,17 +95,18 @@ std::string cable_svg(const CaseRow& the_case, const CableRow& cable, const Vec2
   const bool is_taut = cable.length - (end - cable.anchor).norm() <= looks_taut * cable.length;
   const std::string look = std::string(is_taut ? "taut" : "slack") + (struck ? " struck" : "");
   if (is_taut) {
-    return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", look, from.x(),
-                       from.y(), to.x(), to.y());
+    return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"></path>", look,
+                       from.x(), from.y(), to.x(), to.y());
   }
   const Vec2 control = place(sag(cable.anchor, end, cable.length, the_case.gravity));
-  return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}\"/>", look,
-                     from.x(), from.y(), control.x(), control.y(), to.x(), to.y());
+  return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}\"></path>",
+                     look, from.x(), from.y(), control.x(), control.y(), to.x(), to.y());
 }
 
 std::string anchor_svg(const Vec2& at) {
-  return fmt::format("<path class=\"anchor\" d=\"M{:.1f} {:.1f}h14m-14 0l4-5m1 5l4-5m1 5l4-5\"/>",
-                     at.x() - 7.0, at.y());
+  return fmt::format(
+      "<path class=\"anchor\" d=\"M{:.1f} {:.1f}h14m-14 0l4-5m1 5l4-5m1 5l4-5\"></path>",
+      at.x() - 7.0, at.y());
 }
 
 std::string body_svg(const CaseRow& the_case, const Pose& pose, const Place& place) {
@@ -116,8 +117,8 @@ std::string body_svg(const CaseRow& the_case, const Pose& pose, const Place& pla
     out += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", centre.x(), centre.y(), end.x(), end.y());
   }
   return fmt::format(
-      "<path class=\"body\" d=\"{}\"/><circle class=\"body\" cx=\"{:.1f}\" cy=\"{:.1f}\" "
-      "r=\"5\"/>",
+      "<path class=\"body\" d=\"{}\"></path><circle class=\"body\" cx=\"{:.1f}\" cy=\"{:.1f}\" "
+      "r=\"5\"></circle>",
       out, centre.x(), centre.y());
 }
 
@@ -129,7 +130,7 @@ std::string trail_svg(const Path& path, double from, double until, const Place& 
     const Vec2 at = place(pose_at(path, time).centre);
     points += fmt::format("{}{:.1f} {:.1f}", points.empty() ? "M" : "L", at.x(), at.y());
   }
-  return "<path class=\"trail\" d=\"" + points + "\"/>";
+  return "<path class=\"trail\" d=\"" + points + "\"></path>";
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
+#include <string_view>
 #include <utility>
 
 #include "bench/base/text.hpp"
@@ -55,6 +57,50 @@ Json drawn_impacts(const ImpactColumns& impacts) {
           {"cable", json_of(impacts.cable)},
           {"speed", json_of(speed)},
           {"left_out", impacts.left_out}};
+}
+
+/// Every number of `json` with the digits that a chart or a tooltip can show.
+void round_for_charts(Json& json) {
+  if (json.is_number_float()) {
+    json = rounded(json.get<double>());
+  } else if (json.is_structured()) {
+    for (Json& inside : json) {
+      round_for_charts(inside);
+    }
+  }
+}
+
+/// Keeps of an object the keys that a chart reads.
+void keep(Json& object, std::initializer_list<std::string_view> keys) {
+  if (!object.is_object()) {
+    return;
+  }
+  Json kept = Json::object();
+  for (const std::string_view key : keys) {
+    kept[std::string(key)] = object.at(std::string(key));
+  }
+  object = std::move(kept);
+}
+
+/// `report` without what no chart of the page reads: its tables have every number.
+Json for_charts(Json report) {
+  for (Json& run : report.at("runs")) {
+    for (const char* key : {"details", "verdict", "output_tail"}) {
+      run.erase(key);
+    }
+    keep(run.at("metrics"), {"early_position_error", "horizon_position_error"});
+    keep(run.at("attribution"), {"deviation", "parts"});
+    if (run.at("impacts").is_object()) {
+      run.at("impacts").erase("steps");
+    }
+  }
+  for (Json& row : report.at("summary")) {
+    keep(row.at("metrics"), {"early_position_error", "horizon_position_error"});
+  }
+  for (const char* key : {"runs", "summary", "causes", "context"}) {  // the replay needs its cases whole
+    round_for_charts(report.at(key));
+  }
+  return report;
 }
 
 std::string on_one_line(const Json& value) {
@@ -117,18 +163,7 @@ std::string report_json(const Report& report) {
 }
 
 std::string page_json(const Report& report) {
-  Report light = report;
-  for (RunRow& run : light.runs) {
-    run.verdict.reset();
-    run.output_tail.reset();
-    run.details.reset();
-    if (run.metrics) {
-      for (std::optional<double>& value : *run.metrics) {
-        value = value ? std::optional(rounded(*value)) : value;
-      }
-    }
-  }
-  return on_one_line(whole(std::move(light)));
+  return on_one_line(for_charts(whole(report)));
 }
 
 std::string motions_json(const Report& report, const std::string& the_case) {

@@ -22,6 +22,7 @@ constexpr const char* style =
 
 /// Names longer than this leave the card [bytes].
 constexpr std::size_t longest_name = 24;
+constexpr std::size_t longest_model = 21;
 
 std::string name_of(const std::string& text) { return xml_text(printable(text, longest_name)); }
 
@@ -30,10 +31,10 @@ std::string line(int y, int size, const char* look, const std::string& xml, int 
                      size, look, xml);
 }
 
-/// A number with its meaning below, in one of three columns.
+/// A number with its meaning in two lines below, in one of three columns.
 std::string number(int column, const std::string& value, const std::string& meaning,
                    const std::string& more) {
-  const int x = 16 + 124 * column;
+  const int x = 16 + 128 * column;
   return line(112, 20, "i", value, x) + line(132, 11, "m", meaning, x) +
          line(147, 11, "m", more, x);
 }
@@ -43,21 +44,20 @@ const MakerCard* spoken_of(const Scorecard& card) {
   return card.makers.empty() ? nullptr : &card.makers.front();
 }
 
-std::string numbers(const MakerCard& card) {
+std::string numbers(const Report& report, const MakerCard& card) {
   const auto right = std::count_if(card.models.begin(), card.models.end(),
                                    [](const ModelCard& model) { return model.rebounds_rightly(); });
-  const std::string whose = words_of(card.maker);
-  std::string out = number(0, fmt::format("{} of {}", right, card.models.size()),
-                           "models rebound rightly", whose);
-  const std::string setup =
-      card.use ? fmt::format("{}, step {:g} s", name_of(card.use->model), card.use->step) : "";
-  out += number(1, card.use ? percent_text(*card.use->off) : "–", "of a cable’s length off", setup);
-  out += number(2,
-                card.use && card.use->cost
-                    ? fmt::format("{:.2g} ms", 1e3 * card.use->cost->second_cost)
-                    : "–",
-                "per simulated second", "the same model");
-  return out;
+  std::string out = number(0, fmt::format("{} of {}", right, card.models.size()), "models rebound",
+                           std::string("rightly, ") + words_of(card.maker));
+  const std::string unit = is_nondimensional(report) ? "unit of time" : "simulated s";
+  if (!card.use || !card.use->off) {
+    return out + number(1, dash, "no error", "was measured");
+  }
+  const Setup& use = *card.use;
+  out += number(1, percent_text(*use.off), "of a cable’s length off,",
+                fmt::format("step {:g}", use.step));
+  return out + number(2, use.cost ? fmt::format("{:.2g} ms", 1e3 * use.cost->second_cost) : dash,
+                      "a " + unit + ", with", xml_text(printable(use.model, longest_model)));
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ std::string card_svg(const Report& report, const std::string& engine) {
   out += line(76, 15, worst.look.c_str(),
               xml_text(verdict) + (worst.count < card.verdicts.runs() ? " runs" : ""));
   if (const MakerCard* const of = spoken_of(card)) {
-    out += numbers(*of);
+    out += numbers(report, *of);
   }
   out += line(167, 10, "m",
               fmt::format("slack cables, {}, against the exact motion by tautline {}",

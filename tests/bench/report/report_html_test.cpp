@@ -11,6 +11,7 @@
 #include "bench/base/html.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/report/markdown.hpp"
+#include "bench/report/scorecard/scorecard.hpp"
 #include "tests/bench/program.hpp"
 
 namespace tautline::test {
@@ -174,8 +175,8 @@ TEST(ReportPage, ClosesEveryElement) {
 }
 
 TEST(ReportPage, HasEverySection) {
-  for (const std::string id : {"answers", "cases", "error", "replay", "audit", "attribution",
-                               "models", "reading", "context"}) {
+  for (const std::string id : {"engines", "trust", "answers", "cases", "error", "replay", "audit",
+                               "attribution", "models", "reading", "context"}) {
     EXPECT_NE(made().page.find("<section id=\"" + id + "\">"), std::string::npos) << id;
     EXPECT_NE(made().page.find("<a href=\"#" + id + "\">"), std::string::npos) << id;
   }
@@ -185,6 +186,15 @@ TEST(ReportPage, EveryNumberInItsTablesIsInTheReport) {
   const Report report = full_report();
   std::set<double> known;
   collect_numbers(ordered_json::parse(bench::report_json(report)), known);
+  // of the engines' own numbers scorecard_test says that they are those of the rows
+  for (const bench::Scorecard& card : scorecards(report)) {
+    for (const bench::MakerCard& of : card.makers) {
+      if (of.use) {
+        known.insert(100.0 * of.use->off.value());
+        known.insert(1e3 * of.use->cost.value().second_cost);
+      }
+    }
+  }
   const std::string page = without_scripts(report_html(report, page_assets()));
   static const std::regex cell("data-value=\"([^\"]+)\">([^<]*)<");
   std::size_t count = 0;

@@ -108,6 +108,20 @@ Json properties(const Json& value) {
   return result;
 }
 
+/// Leaves the digits that a chart shows.
+void shorten(RunRow& run) {
+  if (run.metrics) {
+    for (std::optional<double>& value : *run.metrics) {
+      value = value ? std::optional(rounded(*value)) : value;
+    }
+  }
+  if (run.attribution && run.attribution->parts) {
+    for (double& part : *run.attribution->parts) {
+      part = rounded(part);
+    }
+  }
+}
+
 }  // namespace
 
 std::string report_json(const Report& report) {
@@ -122,11 +136,7 @@ std::string page_json(const Report& report) {
     run.verdict.reset();
     run.output_tail.reset();
     run.details.reset();
-    if (run.metrics) {
-      for (std::optional<double>& value : *run.metrics) {
-        value = value ? std::optional(rounded(*value)) : value;
-      }
-    }
+    shorten(run);
   }
   return on_one_line(whole(std::move(light)));
 }

@@ -22,7 +22,7 @@
   const stand = 1200;
 
   /// `recorded` are the motions of the case's runs, null until they came; `problem` says why they do not.
-  const state = { system: cases[0], runs: [], recorded: null, problem: '', motions: [], cable: 0, time: 0, speed: 1, playing: false };
+  const state = { system: cases[0], runs: [], recorded: null, problem: '', motions: [exactMotion(cases[0])], cable: 0, time: 0, speed: 1, playing: false };
   let picture;
   let times = [];
 

@@ -19,7 +19,7 @@
     const columns = ['time', 'x', 'y', 'angle', 'x_bends', 'y_bends', 'angle_bends', 'energy_time', 'energy'];
     return { ...path, ...Object.fromEntries(columns.map((name) => [name, numbers(path[name])])),
       cables: path.cables.map((cable) => ({ times: numbers(cable.times), grid: cable.times.scale,
-        gapTimes: numbers(cable.gap_times), gap: cable.gap })) };
+        gapTimes: numbers(cable.gap_times), gapGrid: cable.gap_times.scale, gap: cable.gap })) };
   }
 
   /// The last index with time[index] <= at; 0 before the first.
@@ -75,7 +75,7 @@
   /// The gap of cable number `i` over time, {x, y}: as it was recorded where the cable is taut, as
   /// the drawn path has it elsewhere.
   function gapCurve(path, cable, i, fine) {
-    const { times, grid, gapTimes, gap: recorded } = path.cables[i];
+    const { times, gapTimes, gapGrid, gap: recorded } = path.cables[i];
     const [x, y] = [[], []];
     const put = (time, value) => { x.push(time); y.push(value); };
     let next = 0;
@@ -86,7 +86,8 @@
     };
     for (let from = 0; from + 1 < times.length; from += 2) {
       const [start, end] = [times[from], times[from + 1]];
-      const inside = gapTimes.map((_, k) => k).filter((k) => gapTimes[k] >= start - grid && gapTimes[k] <= end + grid);
+      const inside = gapTimes.map((_, k) => k).filter((k) => gapTimes[k] >= start - gapGrid
+        && gapTimes[k] <= end + gapGrid);
       if (inside.length > 0) {
         free(start);
         put(start, recorded[inside[0]]);

@@ -21,7 +21,10 @@ namespace {
 /// The impacts of all runs may take so many bytes, and one takes this many.
 constexpr std::size_t impact_budget = 2'000'000;
 constexpr std::size_t impact_size = 70;
-constexpr std::size_t least_impacts = 24;
+constexpr std::size_t least_impacts = 20;
+
+/// Digits of what is a rest, of which a chart shows the size [-].
+constexpr int rest_digits = 3;
 
 using Places = std::vector<std::size_t>;
 
@@ -38,6 +41,9 @@ std::array<std::vector<double>*, 7> numbers(ImpactColumns& impacts) {
 }
 
 void round_impacts(ImpactColumns& impacts) {
+  for (std::vector<double>* column : {&impacts.tangential_error, &impacts.angular_error}) {
+    round_all(*column, rest_digits);
+  }
   for (std::vector<double>* column : numbers(impacts)) {
     round_all(*column);
   }

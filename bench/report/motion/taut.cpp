@@ -21,8 +21,11 @@ struct Gap {
 /// The gaps recorded while a cable was taut, from the first to the last.
 using Stretch = std::vector<Gap>;
 
-/// A page shows the gap on a taut cable by this part of the motion [-]: about a pixel.
-constexpr double shown_part = 5e-3;
+/// A page shows the gap on a taut cable by this part of the motion [-].
+constexpr double shown_part = 1e-2;
+
+/// And the instants where it was so to this part of the motion [-]: a tenth of a pixel.
+constexpr double instant_part = 1e-5;
 
 /// Three digits say how large a rest is.
 double three_digits(double value) {
@@ -56,7 +59,7 @@ TautColumns columns_of(const std::vector<Stretch>& stretches, double duration) {
   }
   const double fine = std::max(duration, 1e-300) * 1e-9;  // [s]: no engine steps as finely
   columns.times = on_grid(times, fine);
-  columns.gap_times = on_grid(gap_times, fine);
+  columns.gap_times = on_grid(gap_times, instant_part / 1e-9 * fine);
   return columns;
 }
 

@@ -1,0 +1,119 @@
+// A report as JSON: read back as it was, and within a size that a page can hold.
+
+#include "bench/report/json/json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bench/report/motion.hpp"
+#include "bench/report/thinning.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::bench {
+namespace {
+
+constexpr double least_counted = 1e-2;  // [m/s]
+
+/// A run of 20 s with `count` impacts, the later the slower.
+Trajectory run_with(std::size_t count) {
+  Trajectory run;
+  run.step = 1e-3;
+  for (std::size_t i = 0; i <= 20'000; ++i) {
+    const double time = static_cast<double>(i) * 1e-3;
+    run.points.push_back({time, {Vec2(std::cos(time), std::sin(time)), time, Vec2::Zero(), 0.0}});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double time = 0.0105 + static_cast<double>(i) * 19.0 / static_cast<double>(count);
+    const double rate = 1.0 - 0.9 * static_cast<double>(i) / static_cast<double>(count + 1);
+    const State state{Vec2(std::cos(time), std::sin(time)), time, Vec2::Zero(), 0.0};
+    run.impacts.push_back({time, 0, 1.0, -rate, 0.5 * rate, 0, state, state});
+  }
+  return run;
+}
+
+RunRow row_of(const Trajectory& run) {
+  static const ReferenceCase reference =
+      solve_cases({shipped_cases().front()}, ImpactLaw::simultaneous).front();
+  RunRow row;
+  row.path = run_path(reference.the_case, nearness_of(reference), run);
+  row.impacts = run_impacts(reference.the_case, run, least_counted);
+  return row;
+}
+
+TEST(ReportJson, OfVeryManyImpactsTheFastestStay) {
+  const RunRow row = row_of(run_with(500));
+  ASSERT_EQ(row.impacts->time.size(), most_impacts);
+  EXPECT_EQ(row.impacts->left_out, 200U);
+  EXPECT_LT(row.impacts->rate_before.back(), -0.4);  // they slow down from 1 to 0.1
+}
+
+TEST(ReportJson, IsRoundedForAChartAlone) {
+  const RunRow row = row_of(run_with(200));
+  const RunRow drawn = drawable(row, most_impacts);
+  EXPECT_NE(row.impacts->rate_before.at(3), drawn.impacts->rate_before.at(3));
+  EXPECT_NEAR(row.impacts->rate_before.at(3), drawn.impacts->rate_before.at(3), 1e-6);
+  EXPECT_EQ(row.impacts->time.size(), drawn.impacts->time.size());
+}
+
+TEST(ReportJson, AReportOfVeryManyRunsHasFewerImpactsInEach) {
+  Report report;
+  const std::size_t runs = 2646;  // 21 cases, 42 models, 3 steps
+  report.runs.assign(runs, row_of(run_with(200)));
+  const RunRow thinned = drawable(report.runs.back(), impacts_per_run(runs));
+  EXPECT_EQ(thinned.impacts->time.size(), 20U);
+  EXPECT_EQ(thinned.impacts->left_out, 180U);
+  // the motions are beside it, and what is left of 10 MB is for the page itself and the tables
+  EXPECT_LT(report_json(report).size(), 6'000'000U);
+}
+
+TEST(ReportJson, TheMotionsOfACaseSayHowManyImpactsThereWere) {
+  Report report;
+  report.runs = {row_of(run_with(500)), row_of(run_with(1))};
+  report.runs[0].key = {"one", "box2d", "row", 1e-3};
+  report.runs[1].key = {"other", "ode", "row", 1e-3};
+  const nlohmann::json motions = nlohmann::json::parse(motions_json(report, "one"));
+  ASSERT_EQ(motions.size(), 1U);
+  EXPECT_EQ(motions[0].at("engine"), "box2d");
+  const nlohmann::json& impacts = motions[0].at("impacts");
+  EXPECT_EQ(impacts.at("left_out").get<std::size_t>() + impacts.at("time").size(), 500U);
+  EXPECT_EQ(impacts.at("speed").size(), impacts.at("time").size());
+  EXPECT_EQ(impacts.at("cable").size(), impacts.at("time").size());
+}
+
+TEST(ReportJson, HasALineForEveryRowAndReadsBack) {
+  Report report;
+  report.version = "1";
+  report.runs.assign(2, row_of(run_with(3)));
+  report.runs[1].key.the_case = "another";
+  const std::string text = report_json(report);
+  EXPECT_NE(text.find("\n  {\"case\":\"another\",\"engine\":\"\""), std::string::npos) << text;
+  const ReportReading reading = report_from(text, "it");
+  ASSERT_TRUE(reading.report) << (reading.problems.empty() ? "" : reading.problems.front());
+  EXPECT_EQ(report_json(*reading.report), text);
+}
+
+TEST(ReportJson, RefusesWhatIsNoReportInASentence) {
+  Report report;
+  report.version = "1";
+  report.runs.assign(1, row_of(run_with(3)));
+  const std::string text = report_json(report);
+  const auto problem_of = [](std::string changed, const std::string& from, const std::string& to) {
+    const std::size_t at = changed.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    const ReportReading reading = report_from(changed.replace(at, from.size(), to), "it");
+    return reading.report ? "" : reading.problems.front();
+  };
+  const std::string schema = "\"schema\": " + std::to_string(report_schema);
+  EXPECT_NE(problem_of(text, schema, "\"schema\": [[[]]]"), "");
+  EXPECT_NE(problem_of(text, "\"planned_runs\": 0", "\"planned_runs\": -1"), "");
+  EXPECT_NE(problem_of(text, "\"status\":\"finished\"", "\"status\":\"lost\""), "");
+  EXPECT_NE(problem_of(text, "\"runs\": [", "\"runs\": 3, \"more\": ["), "");
+  EXPECT_FALSE(record_from("{\"fingerprint\": 3}", "3"));
+  EXPECT_FALSE(record_from("{\"fingerprint\": \"3\"}", "3"));
+  EXPECT_FALSE(record_from("[", "3"));
+}
+
+}  // namespace
+}  // namespace tautline::bench

@@ -17,6 +17,8 @@ install(DIRECTORY
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(FILES bench/gate/limits.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
+  # manual pages and shell completion, which the program has written
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/bench/share/" DESTINATION ${CMAKE_INSTALL_DATADIR})
 endif()
 install(FILES LICENSE THIRD_PARTY.md docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # projects of their own, to copy: each finds this tree with find_package(tautline)

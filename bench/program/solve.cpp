@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 
 #include "bench/base/table.hpp"
+#include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
@@ -33,6 +37,7 @@ struct SolveCommand {
   std::optional<int> digits;  // of that; `default_digits` if not given
   std::string json;           // file, "-" for standard output, or empty
   std::string plot;           // the same, for a picture (SVG)
+  bool events = false;        // print all of them
 };
 
 /// The fastest closing rate and the sum of the impulses of one event.
@@ -61,33 +66,86 @@ struct Extras {
   std::optional<Certificate> certificate;
 };
 
-void print_solution(const Case& the_case, const Solution& solution, const Extras& extras,
-                    const std::vector<double>& times) {
-  fmt::print("{}: {} cable{}, {} events\n\n", printable(the_case.name), the_case.cables.size(),
-             the_case.cables.size() == 1 ? "" : "s", solution.events().size());
-  Table events({"event at", "kind", "cables", "closing rate", "impulse", "x", "y", "angle", "vx",
-                "vy", "spin"},
-               0);
-  for (const Event& event : solution.events()) {
-    events.add(event_cells(the_case, event));
+/// Events that anyone reads below the summary.
+constexpr std::size_t most_events = 20;
+
+/// The first events, or all; their poses and velocities go where there is no room.
+std::string events_text(const Case& the_case, const Solution& solution, bool all,
+                        const TerminalStyle& style) {
+  const std::size_t count = solution.events().size();
+  const std::size_t shown = all ? count : std::min(count, most_events);
+  if (shown == 0) {
+    return "";
   }
-  if (!events.empty()) {
-    fmt::print("{}\n", events.plain());
+  const auto column = [](const char* heading, int rank) {
+    Column result;
+    result.heading = heading;
+    result.rank = rank;
+    return result;
+  };
+  constexpr int velocity = 2;
+  constexpr int pose = 1;
+  Table table({column("event at", 0), column("kind", 0), column("cables", 0),
+               column("closing rate", 0), column("impulse", 0), column("x", pose),
+               column("y", pose), column("angle", pose), column("vx", velocity),
+               column("vy", velocity), column("spin", velocity)});
+  for (std::size_t index = 0; index < shown; ++index) {
+    table.add(event_cells(the_case, solution.events()[index]));
   }
-  Table samples({"sample at", "x", "y", "angle", "vx", "vy", "spin"}, 0);
-  for (const double time : times) {
-    const State state = solution.at(time);
-    samples.add({shortest(time), shortest(state.position.x()), shortest(state.position.y()),
-                 shortest(state.angle), shortest(state.velocity.x()), shortest(state.velocity.y()),
-                 shortest(state.spin)});
+  const std::string rest = shown < count
+                               ? fmt::format(
+                                     "and {} more: --events prints all, --json FILE has them with "
+                                     "every digit",
+                                     count - shown)
+                               : "";
+  return "\n" + table.plain(style) + wrapped(rest, style.width);
+}
+
+/// The state at each time with every digit: a column for a time, as many beside each other as fit.
+std::string samples_text(const Solution& solution, const std::vector<double>& times,
+                         const TerminalStyle& style) {
+  constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
+  constexpr std::size_t longest_name = 9;     // [columns], "sample at"
+  const std::size_t fit =
+      std::max<std::size_t>(1, (style.width - longest_name) / (longest_number + 2));
+  std::string result;
+  for (std::size_t first = 0; first < times.size(); first += fit) {
+    std::vector<std::string> headings = {"sample at"};
+    std::vector<std::vector<std::string>> rows = {{"x"},  {"y"},  {"angle"},
+                                                  {"vx"}, {"vy"}, {"spin"}};
+    for (std::size_t index = first; index < std::min(times.size(), first + fit); ++index) {
+      const State state = solution.at(times[index]);
+      headings.push_back(shortest(times[index]));
+      const std::array numbers = {state.position.x(), state.position.y(), state.angle,
+                                  state.velocity.x(), state.velocity.y(), state.spin};
+      for (std::size_t row = 0; row < rows.size(); ++row) {
+        rows[row].push_back(shortest(numbers.at(row)));
+      }
+    }
+    Table samples(headings, 1);
+    for (const std::vector<std::string>& row : rows) {
+      samples.add(row);
+    }
+    result += "\n" + samples.plain(style);
   }
-  if (!samples.empty()) {
-    fmt::print("{}\n", samples.plain());
-  }
+  return result;
+}
+
+/// The summary first, and below it what was asked for.
+void print_solution(const SolveCommand& command, const Case& the_case, const Solution& solution,
+                    const Extras& extras) {
+  const TerminalStyle style = output_style();
+  fmt::print("{}: {} cable{}, {} event{}\n\n{}", printable(the_case.name), the_case.cables.size(),
+             the_case.cables.size() == 1 ? "" : "s", solution.events().size(),
+             solution.events().size() == 1 ? "" : "s",
+             wrapped_lines(solution_text(the_case, solution, extras.settling), style.width));
   if (extras.certificate) {
-    fmt::print("{}\n", certificate_text(*extras.certificate, the_case, solution));
+    fmt::print("\n{}",
+               wrapped_lines(certificate_text(*extras.certificate, the_case, solution, style),
+                             style.width, 2));
   }
-  fmt::print("{}", solution_text(the_case, solution, extras.settling));
+  fmt::print("{}{}", samples_text(solution, command.at, style),
+             events_text(the_case, solution, command.events, style));
 }
 
 /// The one case that `command` means, with its overrides; or complains.
@@ -134,12 +192,24 @@ std::optional<std::string> output_problem(const SolveCommand& command) {
   return std::nullopt;
 }
 
-int solve_command(const SolveCommand& command) {
-  for (const auto& broken : {certify_problem(command), output_problem(command)}) {
-    if (broken) {
-      complain({*broken});
-      return exit_usage;
+/// Everything that is wrong with what was asked, but for the case.
+std::vector<std::string> usage_problems(const SolveCommand& command) {
+  std::vector<std::string> broken = missing_folder("--json", command.json);
+  for (const std::string& sentence : missing_folder("--plot", command.plot)) {
+    broken.push_back(sentence);
+  }
+  for (const auto& sentence : {certify_problem(command), output_problem(command)}) {
+    if (sentence) {
+      broken.push_back(*sentence);
     }
+  }
+  return broken;
+}
+
+int solve_command(const SolveCommand& command) {
+  if (const auto broken = usage_problems(command); !broken.empty()) {
+    complain(broken);
+    return exit_usage;
   }
   const std::optional<Case> the_case = wanted_case(command);
   if (!the_case) {
@@ -163,7 +233,7 @@ int solve_command(const SolveCommand& command) {
   }
   if (command.json.empty()) {
     if (command.plot != "-") {
-      print_solution(*the_case, solution, extras, command.at);
+      print_solution(command, *the_case, solution, extras);
     }
     return exit_done;
   }
@@ -198,6 +268,10 @@ void add_solve(CLI::App& app, int& code) {
       ->add_option("--plot", asked->plot,
                    "write a picture of the motion (SVG) to this file, or to stdout: -")
       ->check(named_file);
+  command->add_flag("--events", asked->events, "print all events, not the first 20");
+  command->footer(
+      "tautline solve bouncing-ball --until 2.7             a few events\n"
+      "tautline solve breakwater/1910121100 --plot p.svg    a picture of the motion");
   command->callback([asked, &code] { code = solve_command(*asked); });
 }
 

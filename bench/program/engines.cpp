@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 
 #include "bench/base/table.hpp"
@@ -21,26 +20,23 @@ struct EnginesCommand {
   std::string json;
 };
 
-void print_engine(const RegisteredEngine& engine, std::size_t width) {
+void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
   if (!engine.info) {
     const std::string why = engine.missing.empty() ? engine.failure : "not here: " + engine.missing;
     const std::string package =
         engine.missing.empty() || engine.package.empty() ? "" : " (package " + engine.package + ")";
-    fmt::print("{}\n", wrapped_lines(engine.name + "  " + printable(why) + package, width, 2));
+    fmt::print("{}\n",
+               wrapped_lines(engine.name + "  " + printable(why) + package, style.width, 2));
     return;
   }
   fmt::print("{}  version {}, {}\n", engine.info->name, printable(engine.info->version),
              engine.info->precision);
-  std::size_t longest = 0;
+  Table models({"  model", "what it is"}, 2);
   for (const Model& model : engine.info->models) {
-    longest = std::max(longest, model.name.size());
+    models.add({"  " + model.name, printable(model.sentence, 1000)});
   }
-  for (const Model& model : engine.info->models) {
-    const std::string line =
-        fmt::format("  {:<{}}  {}", model.name, longest, printable(model.sentence, 1000));
-    fmt::print("{}", wrapped_lines(line, width, longest + 2));
-  }
-  fmt::print("\n");
+  const std::string text = models.plain(style);
+  fmt::print("{}\n", text.substr(text.find('\n') + 1));  // without the headings
 }
 
 int engines_command(const EnginesCommand& command) {
@@ -54,7 +50,7 @@ int engines_command(const EnginesCommand& command) {
     return exit_done;
   }
   for (const RegisteredEngine& engine : engines) {
-    print_engine(engine, output_style().width);
+    print_engine(engine, output_style());
   }
   return exit_done;
 }

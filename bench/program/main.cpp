@@ -76,9 +76,9 @@ int run_program(int count, char** arguments) {
   app.require_subcommand(0, 1);
   app.set_help_flag("-h,--help", "print this help, and end");
   app.set_version_flag("--version", "tautline " TAUTLINE_VERSION, "print the version, and end");
-  app.footer(first_steps);
   int code = exit_done;
   add_commands(app, code, typed(count, arguments));
+  app.footer(first_steps);  // after the commands, which would take it over
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -106,7 +106,7 @@ void add_run(CLI::App& app, int& code) {
   command->add_flag("--all", asked->all, "print all metrics, not only those that matter");
   command->footer(
       "tautline run bouncing-ball --engine bullet64 --model row --step 1e-2\n"
-      "tautline run my_case.toml --engine ./libmine.so --model cable --json result.json");
+      "tautline run my_case.toml --engine ./libmine.so --model cable");
   command->callback([asked, &code] { code = run_command(*asked); });
 }
 

@@ -109,10 +109,10 @@ std::string legend(const PlotPanel& panel, double y) {
 double width_of_sheet(const PlotMotion& motion, const PlotPanel& last, double panels) {
   const Heading words = heading_of(motion);
   const ScaleBar bar(last);
-  const double widest = std::max({panels, bar.text_start() + room_for(bar.label, letters),
-                                  panel_left + room_for(words.name, 16.0),
-                                  panel_left + room_for(words.line, letters)});
-  return std::max(widest + right, narrowest);
+  const double end = std::max({panels, bar.text_start() + room_for(bar.label, letters),
+                               panel_left + room_for(words.name, 16.0),
+                               panel_left + room_for(words.line, letters)});
+  return std::max(end + right, narrowest);
 }
 
 /// The sheet around its panels, of which `last` is the lowest.

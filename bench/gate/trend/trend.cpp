@@ -119,7 +119,7 @@ class Trends {
       for (const auto& [name, run] : runs->second) {
         const CaseRow* own = stage.cases.at(name);
         const bool same = same_case(*first.try_emplace(name, own).first->second, *own);
-        found[name] += same && did_its_work(run->status) && run->metric(metric) ? 1 : 0;
+        found[name] += same && did_its_work(run->status) && run->metric(metric) ? 1U : 0U;
       }
     }
     std::vector<std::string> result;

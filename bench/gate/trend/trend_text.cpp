@@ -63,7 +63,7 @@ std::string trend_text(const Trend& trend, bool all, const TerminalStyle& style)
   std::map<SetupKey, Table> tables;
   std::size_t moving = 0;
   for (const TrendRow& row : trend.rows) {
-    moving += row.moves() ? 1 : 0;
+    moving += row.moves() ? 1U : 0U;
     if (all || row.moves()) {
       Table& table = tables.try_emplace(row.key, headings(), 3).first->second;
       add_points(table, row);

@@ -49,11 +49,11 @@ Rows rows_of(const std::vector<Argument>& arguments) {
   return rows;
 }
 
-std::string example_lines(const std::string& examples) {
+std::string example_lines(const std::string& examples, std::size_t width) {
   std::string result;
   std::istringstream lines(examples);
   for (std::string line; std::getline(lines, line);) {
-    result += "  " + line + "\n";
+    result += wrapped_lines("  " + line, width, 4);
   }
   return result.empty() ? "" : "\nexamples:\n" + result;
 }
@@ -66,7 +66,7 @@ std::string help_text(const Outline& outline, std::size_t width) {
     commands.emplace_back(command.name, command.summary);
   }
   return wrapped(outline.summary, width) + "\nusage: tautline COMMAND [OPTIONS]\n" +
-         section("commands", commands, width) + example_lines(outline.examples) + "\n" +
+         section("commands", commands, width) + example_lines(outline.examples, width) + "\n" +
          wrapped(
              "`tautline COMMAND --help` says the rest of a command; `tautline --version` is "
              "the version.",
@@ -78,7 +78,8 @@ std::string help_text(const Command& command, std::size_t width) {
   return wrapped(command.summary + ".", width) + "\nusage: tautline " + command.name +
          (words.empty() ? "" : " " + words) + " [OPTIONS]\n" +
          (command.words.empty() ? "" : "\n" + beside(rows_of(command.words), width)) +
-         section("options", rows_of(command.options), width) + example_lines(command.examples);
+         section("options", rows_of(command.options), width) +
+         example_lines(command.examples, width);
 }
 
 }  // namespace tautline::bench

@@ -76,28 +76,24 @@ _tautline_case() {{
 _tautline_engine() {{
   local -a engines=(${{(f)"$(_tautline_engines)"}})
   _alternative 'engines:engine:_sequence compadd -a engines' 'files:plug-in:_files -g "*.so"'
-}
-}
-_tautline_model() {
-  { local - a models = (${{(f) "$(_tautline_models)"}})_sequence compadd - a models }
-}
-_tautline() {
-  {
+}}
+_tautline_model() {{
+  local -a models=(${{(f)"$(_tautline_models)"}})
+  _sequence compadd -a models
+}}
+_tautline() {{
   local context state line
   local command_names='{command_names}'
   local -a commands=(
 {commands}  )
   _arguments -C '(- *)--help[help]' '(- *)--version[the version]' '1:command:->command' '*::word:->words'
   case $state in
-    command) _describe command commands ;
-  ;
+    command) _describe command commands ;;
     words)
       case $words[1] in
-{per_command}      esac ;
-    ;
-    esac
-  }
-}
+{per_command}      esac ;;
+  esac
+}}
 _tautline "$@"
 )zsh",
       fmt::arg("functions", shell_functions), fmt::arg("cases", case_names()),

@@ -18,6 +18,8 @@ install(DIRECTORY
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(FILES bench/gate/limits.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
+  # manual pages and shell completion, which the program has written
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/bench/share/" DESTINATION ${CMAKE_INSTALL_DATADIR})
 endif()
 # Debian's packages have a file `copyright` of their own in place of the licence
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)

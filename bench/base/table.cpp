@@ -132,6 +132,42 @@ std::size_t total(const std::vector<std::size_t>& widths) {
   return sum;
 }
 
+/// Where column `at` begins.
+std::size_t start_of(std::size_t at, const std::vector<std::size_t>& widths) {
+  std::size_t sum = 0;
+  for (std::size_t place = 0; place < at; ++place) {
+    sum += widths[place] + between;
+  }
+  return sum;
+}
+
+/// Words in fewer columns than this are read with more trouble than a line that is too long.
+constexpr std::size_t least_for_words = 16;
+
+/// What the width leaves to the last column if it holds words; all that it needs where that is
+/// too little.
+std::size_t room_of_the_last(const std::vector<std::size_t>& widths,
+                             const std::vector<std::size_t>& places,
+                             const std::vector<Column>& columns, std::size_t width) {
+  const std::size_t start = start_of(widths.size() - 1, widths);
+  const bool words = !columns[places.back()].numbers;
+  return words && width >= start + least_for_words ? width - start : widths.back();
+}
+
+/// The text of a cell that begins at `start`, in as many lines as it takes below each other.
+std::string hanging(const Shown& cell, std::size_t start, const TerminalStyle& style) {
+  if (style.width < start + least_for_words) {
+    return coloured(cell.text, cell.colour, style);
+  }
+  std::istringstream lines(wrapped(cell.text, style.width - start));
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    result +=
+        (result.empty() ? "" : "\n" + std::string(start, ' ')) + coloured(line, cell.colour, style);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string number_text(double value, Digits digits) {
@@ -215,14 +251,21 @@ std::string Table::plain(const TerminalStyle& style) const {
     lines = plain_lines(*this, places);
     widths = widths_of(lines, places.size(), 0);
   }
+  const std::size_t room = room_of_the_last(widths, places, columns_, style.width);
   std::string result;
   for (const Line& line : lines) {
     std::string text;
     for (std::size_t at = 0; at < line.cells.size(); ++at) {
+      text += at == 0 ? "" : std::string(between, ' ');
       const bool spans = line.spans && at + 1 == line.cells.size();
-      text += (at == 0 ? "" : std::string(between, ' ')) +
-              padded(line.cells[at], spans ? 0 : widths[at], !spans && columns_[places[at]].numbers,
-                     style);
+      const bool numbers = !spans && columns_[places[at]].numbers;
+      if (spans) {
+        text += hanging(line.cells[at], start_of(at, widths), style);
+      } else if (at + 1 == widths.size() && widths[at] > room) {
+        text += hanging(line.cells[at], style.width - room, style);
+      } else {
+        text += padded(line.cells[at], widths[at], numbers, style);
+      }
     }
     text.erase(text.find_last_not_of(' ') + 1);
     result += text + "\n";
@@ -270,6 +313,27 @@ std::string wrapped(const std::string& text, std::size_t width) {
     line += (line.empty() ? "" : " ") + word;
   }
   return line.empty() ? result : result + line + "\n";
+}
+
+std::string wrapped_lines(const std::string& text, std::size_t width, std::size_t hang) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    if (terminal_width(line) <= width) {
+      result += line + "\n";
+      continue;
+    }
+    const std::size_t own = std::min(line.find_first_not_of(' '), line.size());
+    const std::string indent(own, ' ');
+    const std::string more(own + hang, ' ');
+    const std::size_t room = width > more.size() + least_for_words ? width - more.size() : width;
+    std::istringstream parts(wrapped(line, room));
+    const std::string* before = &indent;
+    for (std::string part; std::getline(parts, part); before = &more) {
+      result += *before + part + "\n";
+    }
+  }
+  return result;
 }
 
 }  // namespace tautline::bench

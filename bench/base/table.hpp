@@ -95,7 +95,8 @@ class Table {
   [[nodiscard]] std::string markdown() const;
 
   /// As aligned columns for a terminal. Columns that do not fit the width are left out, those of
-  /// the highest rank first, and named below.
+  /// the highest rank first, and named below. Words in the last column take more lines where one is
+  /// too short for them.
   [[nodiscard]] std::string plain(const TerminalStyle& style = unlimited) const;
 
  private:
@@ -111,5 +112,10 @@ class Table {
 
 /// `text` in lines of at most `width` columns, broken at its blanks, each with an end.
 [[nodiscard]] std::string wrapped(const std::string& text, std::size_t width);
+
+/// The same for each line of `text` that is too long; what follows in a line of its own is indented
+/// as that line is, and by `hang` more.
+[[nodiscard]] std::string wrapped_lines(const std::string& text, std::size_t width,
+                                        std::size_t hang = 0);
 
 }  // namespace tautline::bench

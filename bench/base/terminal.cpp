@@ -6,8 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
+#include <system_error>
 
 namespace tautline::bench {
 namespace {
@@ -20,11 +23,20 @@ std::string_view variable(const char* name) {
   return value != nullptr ? value : "";
 }
 
+/// The number that is all of `text`; none of what is no number.
+std::optional<std::size_t> number_in(std::string_view text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
+                                                                  : std::nullopt;
+}
+
 }  // namespace
 
 TerminalStyle output_style() {
   TerminalStyle style;
   if (::isatty(STDOUT_FILENO) != 1) {
+    style.width = std::max(narrowest, number_in(variable("COLUMNS")).value_or(style.width));
     return style;
   }
   winsize size{};

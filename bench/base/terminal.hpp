@@ -7,7 +7,7 @@ namespace tautline::bench {
 
 /// How to write to where standard output goes.
 struct TerminalStyle {
-  std::size_t width = 100;  // [columns]
+  std::size_t width = 80;  // [columns]
   bool colour = false;
 };
 
@@ -15,7 +15,8 @@ struct TerminalStyle {
 inline const TerminalStyle unlimited = {static_cast<std::size_t>(-1), false};
 
 /// The style of standard output: the width of the terminal, and colours if it is one that has them
-/// and the user has not said no (https://no-color.org). Without a terminal the defaults.
+/// and the user has not said no (https://no-color.org). Without a terminal the width that the
+/// environment variable COLUMNS says, or else the defaults.
 [[nodiscard]] TerminalStyle output_style();
 
 enum class Colour { plain, red, yellow, green, grey };

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace tautline::bench {
@@ -9,8 +10,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The number of the form: its key `schema`.
-constexpr int changes_schema = 2;
+/// The numbers of the forms: their key `schema`.
+constexpr int changes_schema = 3;
+constexpr int trend_schema = 1;
 
 template <class Value>
 ordered_json or_null(const std::optional<Value>& value) {
@@ -53,9 +55,26 @@ ordered_json row_of(const CostChange& change) {
 }
 
 ordered_json object_of(const Noise& noise) {
-  return {{"relative", noise.relative}, {"early_rounding", noise.early_rounding},
-          {"growth", noise.growth},     {"extremes", noise.extremes},
-          {"impacts", noise.impacts},   {"cost", noise.cost}};
+  return {{"relative", noise.relative},  {"early_rounding", noise.early_rounding},
+          {"growth", noise.growth},      {"extremes", noise.extremes},
+          {"impacts", noise.impacts},    {"cost", noise.cost},
+          {"tolerance", noise.tolerance}};
+}
+
+ordered_json row_of(const TrendReport& report) {
+  return {{"name", report.name},
+          {"started", report.started},
+          {"version", report.version},
+          {"runs", report.runs}};
+}
+
+ordered_json row_of(const std::optional<TrendPoint>& point) {
+  if (!point) {
+    return nullptr;
+  }
+  return {{"version", point->version},    {"median", point->median},
+          {"lower_quartile", point->low}, {"upper_quartile", point->high},
+          {"worse", point->worse},        {"better", point->better}};
 }
 
 template <class Row>
@@ -65,6 +84,13 @@ ordered_json rows_of(const std::vector<Row>& rows) {
     result.push_back(row_of(row));
   }
   return result;
+}
+
+ordered_json row_of(const TrendRow& row) {
+  const Metric& metric = metric_list()[row.metric];
+  return {{"engine", row.key.engine},     {"model", row.key.model}, {"step", row.key.step},
+          {"metric", metric.name},        {"unit", metric.unit},    {"cases", row.cases},
+          {"points", rows_of(row.points)}};
 }
 
 }  // namespace
@@ -83,6 +109,19 @@ std::string changes_json(const Changes& changes) {
                              {"only_after", rows_of(changes.only_after)},
                              {"other_case", rows_of(changes.other_case)},
                              {"costs", rows_of(changes.costs)}};
+  return json.dump(2) + "\n";
+}
+
+std::string trend_json(const Trend& trend) {
+  ordered_json rows = ordered_json::array();
+  for (const TrendRow& row : trend.rows) {
+    rows.push_back(row_of(row));
+  }
+  const ordered_json json = {{"schema", trend_schema},
+                             {"worse", trend.latest.worse()},
+                             {"noise", object_of(trend.latest.noise)},
+                             {"reports", rows_of(trend.reports)},
+                             {"rows", std::move(rows)}};
   return json.dump(2) + "\n";
 }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bench/base/table.hpp"
@@ -22,7 +25,8 @@ constexpr std::size_t most_rows = 100;
 /// One section: a table whose first `left` columns and last `words` hold words; "" without rows.
 template <class Row>
 std::string section(const std::string& title, const std::vector<Row>& rows, const Cells& headings,
-                    std::size_t left, std::size_t words, Cells (*cells_of)(const Row& row)) {
+                    std::size_t left, std::size_t words, Cells (*cells_of)(const Row& row),
+                    const TerminalStyle& style) {
   if (rows.empty()) {
     return "";
   }
@@ -32,7 +36,7 @@ std::string section(const std::string& title, const std::vector<Row>& rows, cons
   }
   const std::string rest =
       rows.size() > most_rows ? fmt::format("and {} more\n", rows.size() - most_rows) : "";
-  return fmt::format("{} ({}):\n{}{}\n", title, rows.size(), table.plain(), rest);
+  return fmt::format("{} ({}):\n{}{}\n", title, rows.size(), table.plain(style), rest);
 }
 
 Cells run_cells(const RunKey& run) {
@@ -74,45 +78,104 @@ Cells cost_cells(const CostChange& change) {
           fmt::format("{:.2f}", change.factor)};
 }
 
-std::string runs(const std::string& title, const std::vector<RunKey>& rows) {
-  return section(title, rows, {"engine", "model", "case", "step"}, 3, 0, run_cells);
-}
-
-std::string statuses(const std::string& title, const std::vector<StatusChange>& rows) {
+std::string statuses(const std::string& title, const std::vector<StatusChange>& rows,
+                     const TerminalStyle& style) {
   return section(title, rows, {"engine", "model", "case", "step", "before", "after", "reason"}, 3,
-                 3, status_cells);
+                 3, status_cells, style);
 }
 
-std::string metrics(const std::string& title, const std::vector<MetricChange>& rows) {
+std::string metrics(const std::string& title, const std::vector<MetricChange>& rows,
+                    const TerminalStyle& style) {
   return section(title, rows,
                  {"engine", "model", "case", "step", "metric", "before", "after", "factor", "unit"},
-                 3, 1, metric_cells);
+                 3, 1, metric_cells, style);
 }
 
-std::string last_line(const Changes& changes) {
-  const std::size_t bad =
-      changes.new_failures.size() + changes.got_worse.size() + changes.only_before.size();
-  const std::size_t good = changes.recovered.size() + changes.got_better.size();
-  if (bad + good == 0) {
-    return fmt::format("{} runs compared: nothing changed beyond noise.\n", changes.compared);
+/// Runs of one engine and model over some steps and cases.
+struct RunGroup {
+  std::string engine;
+  std::string model;
+  std::set<double> steps;       // [s]
+  std::set<std::string> cases;  //
+  std::size_t runs = 0;
+};
+
+std::vector<RunGroup> groups_of(const std::vector<RunKey>& runs) {
+  std::map<std::pair<std::string, std::string>, RunGroup> groups;
+  for (const RunKey& run : runs) {
+    RunGroup& group = groups[{run.engine, run.model}];
+    group.engine = run.engine;
+    group.model = run.model;
+    group.steps.insert(run.step);
+    group.cases.insert(run.the_case);
+    ++group.runs;
   }
-  return fmt::format("{} runs compared: {} changes for the worse, {} for the better.\n",
-                     changes.compared, bad, good);
+  std::vector<RunGroup> result;
+  for (auto& [key, group] : groups) {
+    result.push_back(std::move(group));
+  }
+  return result;
+}
+
+/// One that is alone by its name, or how many there are.
+Cells group_cells(const RunGroup& group) {
+  std::string steps;
+  for (const double step : group.steps) {
+    steps += fmt::format("{}{:g}", steps.empty() ? "" : ", ", step);
+  }
+  const std::string cases = group.cases.size() == 1 ? printable(*group.cases.begin())
+                                                    : std::to_string(group.cases.size());
+  return {printable(group.engine), printable(group.model), steps, cases,
+          std::to_string(group.runs)};
+}
+
+/// How many runs, of which engines, models and steps; one that is alone by its name.
+std::string counted_runs(const std::string& title, const std::vector<RunKey>& runs,
+                         const TerminalStyle& style) {
+  if (runs.empty()) {
+    return "";
+  }
+  Table table({"engine", "model", "steps", "cases", "runs"}, 4);
+  const std::vector<RunGroup> groups = groups_of(runs);
+  for (std::size_t index = 0; index < std::min(most_rows, groups.size()); ++index) {
+    table.add(group_cells(groups[index]));
+  }
+  const std::string rest =
+      groups.size() > most_rows
+          ? fmt::format("and {} more engines and models\n", groups.size() - most_rows)
+          : "";
+  return fmt::format("{} ({}):\n{}{}\n", title, runs.size(), table.plain(style), rest);
 }
 
 }  // namespace
 
-std::string changes_text(const Changes& changes) {
+std::string changes_sentence(const Changes& changes) {
+  const std::size_t bad =
+      changes.new_failures.size() + changes.got_worse.size() + changes.only_before.size();
+  const std::size_t good = changes.recovered.size() + changes.got_better.size();
+  const std::string beyond = fmt::format("beyond noise and a tolerance of {:g} %",
+                                         100.0 * changes.noise.tolerance);
+  if (bad + good == 0) {
+    return fmt::format("{} runs compared: nothing changed {}.", changes.compared, beyond);
+  }
+  return fmt::format(
+      "{} runs compared: {} changes for the worse, {} for the better. A changed number is {}.",
+      changes.compared, bad, good, beyond);
+}
+
+std::string changes_text(const Changes& changes, const TerminalStyle& style) {
   return section("Versions that differ", changes.versions, {"what", "before", "after"}, 3, 0,
-                 version_cells) +
-         statuses("New failures", changes.new_failures) + metrics("Worse", changes.got_worse) +
-         runs("Runs that are gone", changes.only_before) +
-         statuses("Failures that are gone", changes.recovered) +
-         metrics("Better", changes.got_better) + runs("New runs", changes.only_after) +
-         runs("Not compared, the case is not the same", changes.other_case) +
+                 version_cells, style) +
+         statuses("New failures", changes.new_failures, style) +
+         metrics("Worse", changes.got_worse, style) +
+         counted_runs("Runs that are gone", changes.only_before, style) +
+         statuses("Failures that are gone", changes.recovered, style) +
+         metrics("Better", changes.got_better, style) +
+         counted_runs("New runs", changes.only_after, style) +
+         counted_runs("Not compared, the case is not the same", changes.other_case, style) +
          section("Costs of a step, which are noisy and judge nothing", changes.costs,
-                 {"engine", "model", "step", "cases", "factor"}, 2, 0, cost_cells) +
-         last_line(changes);
+                 {"engine", "model", "step", "cases", "factor"}, 2, 0, cost_cells, style) +
+         wrapped(changes_sentence(changes), style.width);
 }
 
 }  // namespace tautline::bench

@@ -6,8 +6,10 @@
 
 namespace tautline::bench {
 
-double allowed_change(const Metric& metric, double one, double two, const NoiseSetting& setting,
-                      const Noise& noise) {
+namespace {
+
+double noise_of(const Metric& metric, double one, double two, const NoiseSetting& setting,
+                const Noise& noise) {
   assert(metric.noise != NoiseKind::any && "nothing is known of its noise");
   const double rounding = noise.early_rounding * setting.precision / setting.step;
   const double larger = std::max(std::abs(one), std::abs(two));
@@ -31,6 +33,14 @@ double allowed_change(const Metric& metric, double one, double two, const NoiseS
       break;
   }
   return 0.0;
+}
+
+}  // namespace
+
+double allowed_change(const Metric& metric, double one, double two, const NoiseSetting& setting,
+                      const Noise& noise) {
+  const double tolerance = noise.tolerance * std::max(std::abs(one), std::abs(two));
+  return std::max(noise_of(metric, one, two, setting, noise), tolerance);
 }
 
 }  // namespace tautline::bench

@@ -6,7 +6,7 @@
 
 namespace tautline::bench {
 
-/// A change counts as noise up to these. All but the last are for runs on one machine or two:
+/// A change counts as noise up to these. All but the last two are for runs on one machine or two:
 /// another compiler rounds differently, and the motion amplifies that.
 struct Noise {
   /// Of a number that is not itself rounding [-].
@@ -24,6 +24,9 @@ struct Noise {
   double impacts = 0.02;
   /// Factor between the costs of two machines, or two hours of one [-].
   double cost = 2.0;
+  /// The least change that says anything, as a share of the larger value [-]. Errors are shown and
+  /// read with two digits; half a unit of the second is up to this share, of 1.0.
+  double tolerance = 0.05;
 };
 
 /// What the noise of a run's metrics depends on beside their values.
@@ -36,7 +39,7 @@ struct NoiseSetting {
 };
 
 /// How far two values of `metric`, which is compared at all, may be apart and still be the same, in
-/// its unit.
+/// its unit: by noise or within the tolerance.
 [[nodiscard]] double allowed_change(const Metric& metric, double one, double two,
                                     const NoiseSetting& setting, const Noise& noise);
 

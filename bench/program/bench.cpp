@@ -92,6 +92,7 @@ Request read_request(const BenchCommand& command) {
   options.limits.time = command.time_limit;
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   append(request.problems, suite_problems(options));
+  append(request.problems, missing_folder("--json", command.json, command.out));
   if (command.gate) {
     LimitsReading reading =
         read_limits_file(*command.gate, limit_names(options.engines, options.cases));
@@ -181,6 +182,11 @@ int bench_command(const BenchCommand& command) {
   return any_failure(report) ? exit_failed : exit_done;
 }
 
+void print_schema() {
+  fmt::print("{}", report_schema_json());
+  throw CLI::Success();  // as --help ends
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app, int& code, const std::string& command_line) {
@@ -209,8 +215,12 @@ void add_bench(CLI::App& app, int& code, const std::string& command_line) {
   command->add_flag("--resume", asked->resume, "keep the runs that --out already has");
   command->add_option("--time-limit", asked->time_limit, "end a run after this long [s]")
       ->capture_default_str();
-  command->add_option("--json", asked->json,
-                      "also write the report as JSON to this file, or to stdout: -");
+  command
+      ->add_option("--json", asked->json,
+                   "also write the report as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command->add_flag_callback("--schema", print_schema,
+                             "print the JSON schema of report.json, and end");
   command->add_option(
       "--gate", asked->gate,
       "a limits file (TOML): print the runs that break a limit, and end with exit code 1");

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bench/base/table.hpp"
+#include "bench/base/terminal.hpp"
 #include "bench/cases/case_writer.hpp"
 #include "bench/cases/title.hpp"
 #include "bench/chapter/source.hpp"
@@ -19,18 +20,19 @@ struct CasesCommand {
   std::string the_case;
 };
 
-std::string case_list() {
+std::string case_list(const TerminalStyle& style) {
   Table table({"case", "inertia", "duration", "title"}, 1, 1);
   for (const Case& the_case : shipped_cases()) {
     table.add({the_case.name, fmt::format("{:.4g}", the_case.body.inertia),
                fmt::format("{:g}", the_case.duration), title_of(the_case)});
   }
-  return table.plain();
+  return table.plain(style);
 }
 
 int cases_command(const CasesCommand& command) {
   if (command.the_case.empty()) {
-    fmt::print("{}\n{}", case_list(), case_number_text());
+    const TerminalStyle style = output_style();
+    fmt::print("{}\n{}", case_list(style), wrapped_lines(case_number_text(), style.width));
     return exit_done;
   }
   const std::optional<Case> the_case = one_case(command.the_case);

@@ -11,10 +11,12 @@
 
 #include "bench/base/process.hpp"
 #include "bench/base/table.hpp"
+#include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/check/claims.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
 #include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/run/worker.hpp"
@@ -57,7 +59,8 @@ void print_check(const EngineInfo& info, const CheckedModel& checked) {
     table.add({settled.claim, number_text(settled.found), number_text(settled.limit),
                settled.holds ? "holds" : "does not hold", printable(settled.sentence, 1000)});
   }
-  fmt::print("{}\n{}\n\n", table.plain(), verdict(checked));
+  const TerminalStyle style = output_style();
+  fmt::print("{}\n{}\n", table.plain(style), wrapped(verdict(checked), style.width));
 }
 
 /// The last sentence: of all models together.
@@ -81,6 +84,9 @@ std::string closing(const EngineInfo& info, const std::vector<CheckedModel>& mod
 /// Everything that is wrong with what was asked.
 std::vector<std::string> usage_problems(const CheckCommand& command, const EngineChoice& choice) {
   std::vector<std::string> broken = choice.problems;
+  for (std::string& sentence : missing_folder("--json", command.json)) {
+    broken.push_back(std::move(sentence));
+  }
   if (!(command.time_limit > 0.0)) {
     broken.push_back(fmt::format("--time-limit {}: must be above 0 [s]", command.time_limit));
   }
@@ -123,7 +129,7 @@ int check_command(const CheckCommand& command) {
     }
   }
   if (command.json.empty()) {
-    fmt::print("{}\n", closing(*engine.info, models));
+    fmt::print("{}", wrapped(closing(*engine.info, models), output_style().width));
   } else {
     write_output(command.json, check_json(engine, models));
   }
@@ -146,8 +152,10 @@ void add_check(CLI::App& app, int& code) {
       ->add_option("--time-limit", asked->time_limit,
                    "end the check of a model after this long [s]")
       ->capture_default_str();
-  command->add_option("--json", asked->json,
-                      "write the verdicts as JSON to this file, or to stdout: -");
+  command
+      ->add_option("--json", asked->json,
+                   "write the verdicts as JSON to this file, or to stdout: -")
+      ->check(named_file);
   command->callback([asked, &code] { code = check_command(*asked); });
 }
 

@@ -19,5 +19,6 @@ void add_check(CLI::App& app, int& code);
 void add_reproduce(CLI::App& app, int& code);
 void add_engines(CLI::App& app, int& code);
 void add_cases(CLI::App& app, int& code);
+void add_help(CLI::App& app, int& code);
 
 }  // namespace tautline::bench

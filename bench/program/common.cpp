@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <system_error>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
@@ -17,8 +18,31 @@ void complain(const std::vector<std::string>& sentences) {
   }
 }
 
+std::vector<std::string> missing_folder(const std::string& option, const std::string& file,
+                                        const std::filesystem::path& made) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::error_code error;
+  if (file == "-" || folder.empty() || std::filesystem::is_directory(folder, error)) {
+    return {};
+  }
+  const auto normal = [](const std::filesystem::path& path) {
+    return (std::filesystem::absolute(path) / "").lexically_normal();
+  };
+  if (!made.empty() && normal(folder) == normal(made)) {
+    return {};
+  }
+  return {fmt::format("{} {}: there is no folder {}; make it, or name a file in one that is there",
+                      option, printable(file), printable(folder.string()))};
+}
+
 void write_output(const std::string& target, const std::string& text) {
   if (target != "-") {
+    const std::filesystem::path folder = std::filesystem::path(target).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+      throw FileError("cannot write " + printable(target) + ": there is no folder " +
+                      printable(folder.string()));
+    }
     write_file(target, text);
     return;
   }

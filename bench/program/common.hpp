@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,14 @@ inline constexpr int exit_usage = 2;   // wrong usage or input
 /// Prints each sentence to standard error as "tautline: ...".
 void complain(const std::vector<std::string>& sentences);
 
-/// Writes `text` to the file `target`, or to standard output for "-".
+/// What is wrong with a file that `option` names, before anything is done for it: its folder is not
+/// there. Nothing is wrong with "-", with none (""), or where the folder is `made`, which the
+/// command makes.
+[[nodiscard]] std::vector<std::string> missing_folder(const std::string& option,
+                                                      const std::string& file,
+                                                      const std::filesystem::path& made = {});
+
+/// Writes `text` to the file `target`, or to standard output for "-". Makes no folder.
 void write_output(const std::string& target, const std::string& text);
 
 }  // namespace tautline::bench

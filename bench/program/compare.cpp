@@ -1,13 +1,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <memory>
+#include <utility>
 
+#include "bench/base/terminal.hpp"
 #include "bench/gate/changes.hpp"
 #include "bench/gate/changes_json.hpp"
 #include "bench/gate/changes_text.hpp"
+#include "bench/gate/noise.hpp"
+#include "bench/gate/trend/trend.hpp"
+#include "bench/gate/trend/trend_text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
 #include "bench/report/reading.hpp"
 
 namespace tautline::bench {
@@ -15,8 +22,9 @@ namespace {
 
 /// What `tautline compare` was asked.
 struct CompareCommand {
-  std::string before;  // report.json
-  std::string after;
+  std::vector<std::string> reports;  // report.json of two benches or more
+  double tolerance = Noise().tolerance;
+  bool all = false;  // rows of a trend, not only those that move
   std::string json;
 };
 
@@ -30,43 +38,99 @@ std::vector<std::string> nothing_compared(const Changes& changes) {
               : "no run is in both reports: those of the same name are of cases that have changed"};
 }
 
+/// The reports, or everything that is wrong with them.
+struct Reading {
+  std::vector<Report> reports;
+  std::vector<std::string> problems;
+};
+
+Reading read_all(const std::vector<std::string>& files) {
+  Reading result;
+  for (const std::string& file : files) {
+    ReportReading reading = read_report(file);
+    result.problems.insert(result.problems.end(), reading.problems.begin(), reading.problems.end());
+    if (reading.report) {
+      result.reports.push_back(std::move(*reading.report));
+    }
+  }
+  for (std::size_t index = 1; result.problems.empty() && index < result.reports.size(); ++index) {
+    result.problems = incomparable(result.reports[index - 1], result.reports[index]);
+  }
+  return result;
+}
+
+std::vector<std::string> usage_problems(const CompareCommand& command) {
+  std::vector<std::string> broken = missing_folder("--json", command.json);
+  if (!(command.tolerance >= 0.0 && command.tolerance < 1.0)) {
+    broken.push_back(fmt::format("--tolerance {}: must be at least 0 and below 1, as 0.05 for 5 %",
+                                 command.tolerance));
+  }
+  return broken;
+}
+
+/// Prints `text` and writes `json` as the command asks.
+int give(const CompareCommand& command, const std::string& text, const std::string& json,
+         bool worse) {
+  if (command.json != "-") {
+    fmt::print("{}", text);
+  }
+  if (!command.json.empty()) {
+    write_output(command.json, json);
+  }
+  return worse ? exit_failed : exit_done;
+}
+
 int compare_command(const CompareCommand& command) {
-  const ReportReading before = read_report(command.before);
-  const ReportReading after = read_report(command.after);
-  std::vector<std::string> problems = before.problems;
-  problems.insert(problems.end(), after.problems.begin(), after.problems.end());
-  if (problems.empty()) {
-    problems = incomparable(*before.report, *after.report);
+  if (const auto broken = usage_problems(command); !broken.empty()) {
+    complain(broken);
+    return exit_usage;
   }
-  Changes found;
-  if (problems.empty()) {
-    found = changes(*before.report, *after.report);
-    problems = nothing_compared(found);
+  const Reading read = read_all(command.reports);
+  if (!read.problems.empty()) {
+    complain(read.problems);
+    return exit_usage;
   }
-  if (!problems.empty()) {
+  Noise noise;
+  noise.tolerance = command.tolerance;
+  if (read.reports.size() > 2) {
+    const Trend found = trend(read.reports, command.reports, noise);
+    return give(command, trend_text(found, command.all, output_style()), trend_json(found),
+                found.latest.worse());
+  }
+  const Changes found = changes(read.reports.front(), read.reports.back(), noise);
+  if (const auto problems = nothing_compared(found); !problems.empty()) {
     complain(problems);
     return exit_usage;
   }
-  if (command.json != "-") {
-    fmt::print("{}", changes_text(found));
-  }
-  if (!command.json.empty()) {
-    write_output(command.json, changes_json(found));
-  }
-  return found.worse() ? exit_failed : exit_done;
+  return give(command, changes_text(found, output_style()), changes_json(found), found.worse());
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, int& code) {
-  CLI::App* const command =
-      app.add_subcommand("compare", "What changed from one report to another beyond noise");
+  CLI::App* const command = app.add_subcommand(
+      "compare", "What changed from one report to another beyond noise, or a trend over several");
   const auto asked = std::make_shared<CompareCommand>();
-  command->add_option("BEFORE", asked->before, "the report.json of one `tautline bench`")
-      ->required();
-  command->add_option("AFTER", asked->after, "the report.json of the other")->required();
-  command->add_option("--json", asked->json,
-                      "write the changes as JSON to this file, or to stdout: -");
+  command
+      ->add_option("REPORTS", asked->reports,
+                   "report.json of two `tautline bench`, the older first; or of more, for a trend "
+                   "by version of the engines")
+      ->required()
+      ->expected(2, CLI::detail::expected_max_vector_size);
+  command
+      ->add_option(
+          "--tolerance", asked->tolerance,
+          "a change by no more than this share of a number is none, beside the noise: 0.05 "
+          "is what two digits tell")
+      ->capture_default_str();
+  command->add_flag("--all", asked->all, "print all rows of a trend, not only those that move");
+  command
+      ->add_option("--json", asked->json,
+                   "write the changes or the trend as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command->footer(
+      "tautline compare before.json after.json\n"
+      "tautline compare 3.23.json 3.24.json 3.25.json --all");
   command->callback([asked, &code] { code = compare_command(*asked); });
 }
 

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 
+#include "bench/base/table.hpp"
+#include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
 #include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 
@@ -18,34 +20,37 @@ struct EnginesCommand {
   std::string json;
 };
 
-void print_engine(const RegisteredEngine& engine) {
+void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
   if (!engine.info) {
     const std::string why = engine.missing.empty() ? engine.failure : "not here: " + engine.missing;
     const std::string package =
         engine.missing.empty() || engine.package.empty() ? "" : " (package " + engine.package + ")";
-    fmt::print("{}  {}{}\n\n", engine.name, printable(why), package);
+    fmt::print("{}\n",
+               wrapped_lines(engine.name + "  " + printable(why) + package, style.width, 2));
     return;
   }
   fmt::print("{}  version {}, {}\n", engine.info->name, printable(engine.info->version),
              engine.info->precision);
-  std::size_t longest = 0;
+  Table models({"  model", "what it is"}, 2);
   for (const Model& model : engine.info->models) {
-    longest = std::max(longest, model.name.size());
+    models.add({"  " + model.name, printable(model.sentence, 1000)});
   }
-  for (const Model& model : engine.info->models) {
-    fmt::print("  {:<{}}  {}\n", model.name, longest, printable(model.sentence, 1000));
-  }
-  fmt::print("\n");
+  const std::string text = models.plain(style);
+  fmt::print("{}\n", text.substr(text.find('\n') + 1));  // without the headings
 }
 
 int engines_command(const EnginesCommand& command) {
+  if (const auto broken = missing_folder("--json", command.json); !broken.empty()) {
+    complain(broken);
+    return exit_usage;
+  }
   const auto engines = registered_engines();
   if (!command.json.empty()) {
     write_output(command.json, engines_json(engines));
     return exit_done;
   }
   for (const RegisteredEngine& engine : engines) {
-    print_engine(engine);
+    print_engine(engine, output_style());
   }
   return exit_done;
 }
@@ -56,8 +61,8 @@ void add_engines(CLI::App& app, int& code) {
   CLI::App* const command = app.add_subcommand(
       "engines", "The engines that are here, their models, and the engines that are missing");
   const auto asked = std::make_shared<EnginesCommand>();
-  command->add_option("--json", asked->json,
-                      "write the list as JSON to this file, or to stdout: -");
+  command->add_option("--json", asked->json, "write the list as JSON to this file, or to stdout: -")
+      ->check(named_file);
   command->callback([asked, &code] { code = engines_command(*asked); });
 }
 

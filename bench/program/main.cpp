@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <csignal>
@@ -7,13 +9,23 @@
 #include <string>
 #include <system_error>
 
+#include "bench/base/terminal.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/manual/help_text.hpp"
+#include "bench/program/manual/mistake.hpp"
+#include "bench/program/manual/outline.hpp"
 #include "bench/run/worker_process.hpp"
 
 namespace {
 
 using namespace tautline::bench;
+
+constexpr const char* first_steps =
+    "tautline solve bouncing-ball           an exact motion, solved now\n"
+    "tautline engines                       the engines that are here\n"
+    "tautline bench                         hold them against the exact motion\n"
+    "tautline bench --engine ./mine.so      and your own";
 
 /// A word in single quotes, for a shell.
 std::string quoted(const std::string& word) {
@@ -37,26 +49,47 @@ std::string typed(int count, char** arguments) {
   return result;
 }
 
-int run_program(int count, char** arguments) {
-  CLI::App app{
-      "The exact motion of rigid bodies on slack cables, and a bench that compares physics engines "
-      "with it"};
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "tautline " TAUTLINE_VERSION);
-  int code = exit_done;
+/// Help as this program writes it, instead of the parser's own.
+std::string help_of(const CLI::App* app, const std::string& /*name*/, CLI::AppFormatMode /*mode*/) {
+  const std::size_t width = output_style().width;
+  return app->get_parent() == nullptr ? help_text(outline_of(*app), width)
+                                      : help_text(command_of(*app), width);
+}
+
+void add_commands(CLI::App& app, int& code, const std::string& command_line) {
   add_solve(app, code);
   add_run(app, code);
-  add_bench(app, code, typed(count, arguments));
+  add_bench(app, code, command_line);
   add_compare(app, code);
   add_check(app, code);
   add_reproduce(app, code);
   add_engines(app, code);
   add_cases(app, code);
+  add_help(app, code);
+}
+
+int run_program(int count, char** arguments) {
+  CLI::App app{
+      "The exact motion of rigid bodies on slack cables, and a bench that compares physics engines "
+      "with it"};
+  app.formatter_fn(help_of);  // before the commands, which take it over
+  app.require_subcommand(0, 1);
+  app.set_help_flag("-h,--help", "print this help, and end");
+  app.set_version_flag("--version", "tautline " TAUTLINE_VERSION, "print the version, and end");
+  int code = exit_done;
+  add_commands(app, code, typed(count, arguments));
+  app.footer(first_steps);  // after the commands, which would take it over
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
-    const int cli_code = app.exit(error);
-    return cli_code == 0 ? exit_done : exit_usage;
+    if (error.get_exit_code() == 0) {  // --help and the like
+      return app.exit(error);
+    }
+    complain({mistake(app, error)});
+    return exit_usage;
+  }
+  if (app.get_subcommands().empty()) {  // asked for nothing: what there is to ask for
+    fmt::print("{}", app.help());
   }
   return code;
 }

@@ -3,15 +3,19 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/progress.hpp"
+#include "bench/base/table.hpp"
+#include "bench/base/terminal.hpp"
 #include "bench/chapter/csv.hpp"
 #include "bench/chapter/json.hpp"
 #include "bench/chapter/markdown.hpp"
 #include "bench/chapter/page.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
 #include "bench/suite/tree.hpp"
 #include "tautline/scenarios.hpp"
 
@@ -46,8 +50,12 @@ int reproduce_command(const ReproduceCommand& command) {
     complain({"--out: is empty; give a folder to write the chapter to"});
     return exit_usage;
   }
-  if (const auto problem = tree_problem(command.out)) {
-    complain({*problem});
+  std::vector<std::string> broken = missing_folder("--json", command.json, command.out);
+  if (auto problem = tree_problem(command.out)) {
+    broken.push_back(std::move(*problem));
+  }
+  if (!broken.empty()) {
+    complain(broken);
     return exit_usage;
   }
   // the runs and the report of `tautline bench` in the same folder stay
@@ -65,11 +73,12 @@ int reproduce_command(const ReproduceCommand& command) {
   if (command.json != "-") {
     const auto wrong = std::count_if(report.corrections.begin(), report.corrections.end(),
                                      [](const Correction& one) { return !one.holds; });
-    fmt::print(
+    const std::string said = fmt::format(
         "{} cases, {} tables, {} figures, {} corrections: {}, with chapter.md and chapter.json "
-        "beside it\n",
+        "beside it",
         study.cases.size(), report.tables.size(), report.figures.size(), wrong,
         (command.out / "chapter.html").string());
+    fmt::print("{}", wrapped(said, output_style().width));
   }
   return exit_done;
 }
@@ -82,8 +91,9 @@ void add_reproduce(CLI::App& app, int& code) {
   const auto asked = std::make_shared<ReproduceCommand>();
   command->add_option("--out", asked->out, "folder for chapter.md, chapter.json and chapter/")
       ->capture_default_str();
-  command->add_option("--json", asked->json,
-                      "also write chapter.json to this file, or to stdout: -");
+  command
+      ->add_option("--json", asked->json, "also write chapter.json to this file, or to stdout: -")
+      ->check(named_file);
   command->callback([asked, &code] { code = reproduce_command(*asked); });
 }
 

@@ -4,12 +4,16 @@
 #include <memory>
 
 #include "bench/base/process.hpp"
+#include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
+#include "bench/gate/limits.hpp"
+#include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/options.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/terminal.hpp"
+#include "bench/report/run_card.hpp"
+#include "bench/suite/report_of.hpp"
 #include "bench/suite/suite.hpp"
 #include "bench/suite/tree.hpp"
 
@@ -25,6 +29,7 @@ struct RunCommand {
   ImpactLaw law = ImpactLaw::simultaneous;
   double time_limit = 60.0;
   std::string json;
+  bool all = false;           // metrics, not only those that matter
   std::filesystem::path out;  // folder for the run's files, or empty
 };
 
@@ -44,8 +49,9 @@ int run_command(const RunCommand& command) {
   options.law = command.law;
   options.out = command.out;
   options.limits.time = command.time_limit;
-  for (std::string& sentence : suite_problems(options)) {
-    broken.push_back(std::move(sentence));
+  for (const auto& more :
+       {suite_problems(options), missing_folder("--json", command.json, command.out)}) {
+    broken.insert(broken.end(), more.begin(), more.end());
   }
   complain(broken);
   if (!the_case || !broken.empty()) {
@@ -64,9 +70,11 @@ int run_command(const RunCommand& command) {
     complain({"interrupted"});
     return exit_failed;
   }
-  const RunRow& row = result.runs.front().row;
+  Report report = report_of(options, references, result, Context());
+  add_verdicts(report, shipped_limits());
+  const RunRow& row = report.runs.front();
   if (command.json.empty()) {
-    fmt::print("{}", run_text(row));
+    fmt::print("{}", run_card(report, command.all, output_style()));
   } else {
     write_output(command.json, run_json(row));
   }
@@ -92,8 +100,13 @@ void add_run(CLI::App& app, int& code) {
       ->capture_default_str();
   command->add_option("--out", asked->out,
                       "write trajectory.csv, events.csv and settings below this folder");
-  command->add_option("--json", asked->json,
-                      "write the result as JSON to this file, or to stdout: -");
+  command
+      ->add_option("--json", asked->json, "write the result as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command->add_flag("--all", asked->all, "print all metrics, not only those that matter");
+  command->footer(
+      "tautline run bouncing-ball --engine bullet64 --model row --step 1e-2\n"
+      "tautline run my_case.toml --engine ./libmine.so --model cable");
   command->callback([asked, &code] { code = run_command(*asked); });
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "bench/base/table.hpp"
+#include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
@@ -13,8 +14,8 @@
 #include "bench/solution/certify.hpp"
 #include "bench/solution/plot_svg.hpp"
 #include "bench/solution/solution_json.hpp"
+#include "bench/solution/solution_tables.hpp"
 #include "bench/solution/solution_text.hpp"
-#include "tautline/geometry.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 
@@ -33,27 +34,8 @@ struct SolveCommand {
   std::optional<int> digits;  // of that; `default_digits` if not given
   std::string json;           // file, "-" for standard output, or empty
   std::string plot;           // the same, for a picture (SVG)
+  bool events = false;        // print all of them
 };
-
-/// The fastest closing rate and the sum of the impulses of one event.
-std::vector<std::string> event_cells(const Case& the_case, const Event& event) {
-  double closing = 0.0;
-  for (const std::size_t index : event.cables) {
-    closing = std::max(closing, -gap_rate(the_case.cables[index], event.before));
-  }
-  const State& after = event.after;
-  return {fmt::format("{:.12f}", event.time),
-          std::string(to_string(event.kind)),
-          cable_list(event.cables),
-          fmt::format("{:.6e}", closing),
-          fmt::format("{:.6e}", event.impulses.sum()),
-          fixed_text(after.position.x(), 6),
-          fixed_text(after.position.y(), 6),
-          fixed_text(after.angle, 6),
-          fixed_text(after.velocity.x(), 6),
-          fixed_text(after.velocity.y(), 6),
-          fixed_text(after.spin, 6)};
-}
 
 /// Everything `solve` says of a case beside its motion.
 struct Extras {
@@ -61,33 +43,21 @@ struct Extras {
   std::optional<Certificate> certificate;
 };
 
-void print_solution(const Case& the_case, const Solution& solution, const Extras& extras,
-                    const std::vector<double>& times) {
-  fmt::print("{}: {} cable{}, {} events\n\n", printable(the_case.name), the_case.cables.size(),
-             the_case.cables.size() == 1 ? "" : "s", solution.events().size());
-  Table events({"event at", "kind", "cables", "closing rate", "impulse", "x", "y", "angle", "vx",
-                "vy", "spin"},
-               0);
-  for (const Event& event : solution.events()) {
-    events.add(event_cells(the_case, event));
-  }
-  if (!events.empty()) {
-    fmt::print("{}\n", events.plain());
-  }
-  Table samples({"sample at", "x", "y", "angle", "vx", "vy", "spin"}, 0);
-  for (const double time : times) {
-    const State state = solution.at(time);
-    samples.add({shortest(time), shortest(state.position.x()), shortest(state.position.y()),
-                 shortest(state.angle), shortest(state.velocity.x()), shortest(state.velocity.y()),
-                 shortest(state.spin)});
-  }
-  if (!samples.empty()) {
-    fmt::print("{}\n", samples.plain());
-  }
+/// The summary first, and below it what was asked for.
+void print_solution(const SolveCommand& command, const Case& the_case, const Solution& solution,
+                    const Extras& extras) {
+  const TerminalStyle style = output_style();
+  fmt::print("{}: {} cable{}, {} event{}\n\n{}", printable(the_case.name), the_case.cables.size(),
+             the_case.cables.size() == 1 ? "" : "s", solution.events().size(),
+             solution.events().size() == 1 ? "" : "s",
+             wrapped_lines(solution_text(the_case, solution, extras.settling), style.width));
   if (extras.certificate) {
-    fmt::print("{}\n", certificate_text(*extras.certificate, the_case, solution));
+    fmt::print("\n{}",
+               wrapped_lines(certificate_text(*extras.certificate, the_case, solution, style),
+                             style.width, 2));
   }
-  fmt::print("{}", solution_text(the_case, solution, extras.settling));
+  fmt::print("{}{}", samples_text(solution, command.at, style),
+             events_text(the_case, solution, command.events, style));
 }
 
 /// The one case that `command` means, with its overrides; or complains.
@@ -134,12 +104,24 @@ std::optional<std::string> output_problem(const SolveCommand& command) {
   return std::nullopt;
 }
 
-int solve_command(const SolveCommand& command) {
-  for (const auto& broken : {certify_problem(command), output_problem(command)}) {
-    if (broken) {
-      complain({*broken});
-      return exit_usage;
+/// Everything that is wrong with what was asked, but for the case.
+std::vector<std::string> usage_problems(const SolveCommand& command) {
+  std::vector<std::string> broken = missing_folder("--json", command.json);
+  for (const std::string& sentence : missing_folder("--plot", command.plot)) {
+    broken.push_back(sentence);
+  }
+  for (const auto& sentence : {certify_problem(command), output_problem(command)}) {
+    if (sentence) {
+      broken.push_back(*sentence);
     }
+  }
+  return broken;
+}
+
+int solve_command(const SolveCommand& command) {
+  if (const auto broken = usage_problems(command); !broken.empty()) {
+    complain(broken);
+    return exit_usage;
   }
   const std::optional<Case> the_case = wanted_case(command);
   if (!the_case) {
@@ -163,7 +145,7 @@ int solve_command(const SolveCommand& command) {
   }
   if (command.json.empty()) {
     if (command.plot != "-") {
-      print_solution(*the_case, solution, extras, command.at);
+      print_solution(command, *the_case, solution, extras);
     }
     return exit_done;
   }
@@ -198,6 +180,10 @@ void add_solve(CLI::App& app, int& code) {
       ->add_option("--plot", asked->plot,
                    "write a picture of the motion (SVG) to this file, or to stdout: -")
       ->check(named_file);
+  command->add_flag("--events", asked->events, "print all events, not the first 20");
+  command->footer(
+      "tautline solve bouncing-ball --until 2.7             a few events\n"
+      "tautline solve breakwater/1910121100 --plot p.svg    a picture of the motion");
   command->callback([asked, &code] { code = solve_command(*asked); });
 }
 

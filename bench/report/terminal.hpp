@@ -11,7 +11,4 @@ namespace tautline::bench {
 /// mean, and the failures. Drawn from `report` alone.
 [[nodiscard]] std::string report_summary(const Report& report, const TerminalStyle& style);
 
-/// One run for a terminal: how it ended and every metric with its unit.
-[[nodiscard]] std::string run_text(const RunRow& run);
-
 }  // namespace tautline::bench

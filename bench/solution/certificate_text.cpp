@@ -26,19 +26,30 @@ std::string certified_lock(const Lock& lock) {
   return result;
 }
 
-std::vector<std::string> ledger_cells(const std::string& name, const EnergyLedger& ledger) {
-  return {name,
-          fmt::format("{:.15g}", ledger.start),
-          fmt::format("{:.15g}", ledger.impacts),
-          fmt::format("{:.3e}", ledger.completions),
-          fmt::format("{:.15g}", ledger.end),
-          fmt::format("{:.1e}", ledger.residual)};
+/// Where the energy went, in doubles and in many digits side by side.
+std::string ledger_text(const EnergyLedger& doubles, const Certificate& certificate,
+                        const TerminalStyle& style) {
+  const EnergyLedger& digits = certificate.energy;
+  Table table({"energy", "double", fmt::format("{} digits", certificate.digits)}, 1);
+  const auto add = [&](const char* name, double EnergyLedger::*part, int shown, char kind) {
+    const auto text = [&](const EnergyLedger& ledger) {
+      return kind == 'e' ? fmt::format("{:.{}e}", ledger.*part, shown)
+                         : fmt::format("{:.{}g}", ledger.*part, shown);
+    };
+    table.add(std::vector<std::string>{name, text(doubles), text(digits)});
+  };
+  add("start", &EnergyLedger::start, 15, 'g');
+  add("impacts", &EnergyLedger::impacts, 15, 'g');
+  add("completions", &EnergyLedger::completions, 3, 'e');
+  add("end", &EnergyLedger::end, 15, 'g');
+  add("residual", &EnergyLedger::residual, 1, 'e');
+  return table.plain(style);
 }
 
 }  // namespace
 
 std::string certificate_text(const Certificate& certificate, const Case& the_case,
-                             const Solution& solution) {
+                             const Solution& solution, const TerminalStyle& style) {
   std::string result = fmt::format(
       "Certificate: the same with {} digits. The numbers of the case are the doubles they are.\n"
       "Digits of position and angle, and of velocity while both take the same events:\n",
@@ -65,10 +76,7 @@ std::string certificate_text(const Certificate& certificate, const Case& the_cas
     result += fmt::format("  with {} digits {}\n", certificate.digits,
                           certified_lock(*certificate.settling.lock));
   }
-  Table ledger({"energy", "start", "impacts", "completions", "end", "residual"}, 1);
-  ledger.add(ledger_cells("double", energy_ledger(the_case, solution)));
-  ledger.add(ledger_cells(fmt::format("{} digits", certificate.digits), certificate.energy));
-  return result + "\n" + ledger.plain();
+  return result + "\n" + ledger_text(energy_ledger(the_case, solution), certificate, style);
 }
 
 }  // namespace tautline::bench

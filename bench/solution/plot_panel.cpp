@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "bench/base/table.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -29,6 +30,11 @@ const char* name_of(PlotPanel::Kind kind) {
 }
 
 }  // namespace
+
+double room_for(const std::string& text, double size) {
+  constexpr double width_of_a_letter = 0.66;  // [-] of its size: bold letters and digits
+  return width_of_a_letter * size * static_cast<double>(terminal_width(text));
+}
 
 PlotPanel::PlotPanel(const PlotMotion& motion, const Extent& view, double top)
     : motion_(motion),
@@ -67,6 +73,14 @@ std::string PlotPanel::frame(const Extent& part) const {
       px(low), py(high), px(high) - px(low), py(low) - py(high));
 }
 
+double PlotPanel::labels_end() const {
+  double end = panel_left + width_;
+  for (const double x : ticks(view_.low().x(), view_.size().x())) {
+    end = std::max(end, px({x, 0.0}) + 0.5 * room_for(fmt::format("{:.6g}", x), letters));
+  }
+  return end;
+}
+
 double PlotPanel::px(const Vec2& point) const {
   return panel_left + scale_ * (point.x() - view_.low().x());
 }
@@ -86,10 +100,17 @@ std::string PlotPanel::axes(Kind kind) const {
   }
   for (const double y : ticks(view_.low().y(), view_.size().y())) {
     const double at = py({0.0, y});
+    const std::string number = fmt::format("{:.6g}", y);
+    // a longer number is set narrower: it must not leave the sheet
+    constexpr double room = panel_left - 12.0;
+    const std::string narrower =
+        room_for(number, letters) > room
+            ? fmt::format("textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\" ", room)
+            : "";
     out += fmt::format(
         "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}h{2:.1f}\"/><text class=\"muted\" "
-        "text-anchor=\"end\" x=\"{3:.1f}\" y=\"{4:.1f}\">{5:.6g}</text>\n",
-        panel_left, at, width_, panel_left - 6.0, at + 4.0, y);
+        "text-anchor=\"end\" {6}x=\"{3:.1f}\" y=\"{4:.1f}\">{5}</text>\n",
+        panel_left, at, width_, panel_left - 6.0, at + 4.0, number, narrower);
   }
   const std::string frame = fmt::format(
       "x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "

@@ -10,6 +10,10 @@ namespace tautline::bench {
 /// Left of a panel is room for the numbers of its axis [px].
 inline constexpr double panel_left = 64.0;
 
+/// Room for `text` in letters of `size` [px], as wide as sans-serif fonts have them at most.
+[[nodiscard]] double room_for(const std::string& text, double size);
+inline constexpr double letters = 13.0;  // [px], the size of all words but the title
+
 /// One view of a motion: axes, cables, bodies and impacts, as SVG.
 class PlotPanel {
  public:
@@ -26,6 +30,8 @@ class PlotPanel {
   [[nodiscard]] double top() const { return top_; }
   [[nodiscard]] double bottom() const { return top_ + height_; }
   [[nodiscard]] double width() const { return width_; }
+  /// Where the last number of the x axis ends [px].
+  [[nodiscard]] double labels_end() const;
   [[nodiscard]] double scale() const { return scale_; }  // [px/m]
   [[nodiscard]] const Extent& view() const { return view_; }
 

@@ -19,11 +19,25 @@ namespace {
 constexpr double right = 20.0;
 constexpr double top = 64.0;
 constexpr double bottom = 92.0;
-constexpr double between = 84.0;     // two panels
-constexpr double narrowest = 560.0;  // what the words below a panel need
+constexpr double between = 84.0;      // two panels
+constexpr double narrowest = 560.0;   // [px]
+constexpr double legend_end = 388.0;  // [px], of the words left of the scale bar
 
 /// The motion has a panel of its own where it fills less of the whole than this [-].
 constexpr double enlarged_below = 0.33;
+
+/// The length of the scale bar [m] and its label.
+struct ScaleBar {
+  explicit ScaleBar(const PlotPanel& panel)
+      : length(round_below(0.25 * panel.view().size().x())),
+        label(fmt::format("{:g} m", length)),
+        width(panel.scale() * length) {}
+  [[nodiscard]] double text_start() const { return panel_left + legend_end + width; }
+
+  double length;      // [m]
+  std::string label;  //
+  double width;       // [px]
+};
 
 /// How the motion ends, after "ends".
 std::string ending_words(const Solution& solution) {
@@ -41,21 +55,31 @@ std::string ending_words(const Solution& solution) {
   }
 }
 
+/// The words above the panels.
+struct Heading {
+  std::string name;
+  std::string line;
+};
+
+Heading heading_of(const PlotMotion& motion) {
+  constexpr std::size_t longest_title = 64;  // [bytes]
+  return {printable(motion.the_case.name, longest_title),
+          fmt::format("t = 0 to {:.6g} s, {} impact{}, ends {}", motion.solution.end_time(),
+                      motion.marks.size(), motion.marks.size() == 1 ? "" : "s",
+                      ending_words(motion.solution))};
+}
+
 /// The sheet, its title and what it is.
 std::string begin(const PlotMotion& motion, double sheet_width, double sheet_height) {
-  constexpr std::size_t longest_title = 64;  // [bytes], what fits the sheet
-  const std::string name = xml_text(printable(motion.the_case.name, longest_title));
-  const std::string line = fmt::format(
-      "t = 0 to {:.6g} s, {} impact{}, ends {}", motion.solution.end_time(), motion.marks.size(),
-      motion.marks.size() == 1 ? "" : "s", ending_words(motion.solution));
+  const Heading words = heading_of(motion);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
       "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n<desc>Exact "
       "motion of a body on {3} cable{4}: {5}.</desc>\n{6}<rect class=\"paper\" width=\"100%\" "
       "height=\"100%\"/>\n<text class=\"title\" x=\"{7}\" y=\"26\">{2}</text>\n<text "
       "class=\"muted\" x=\"{7}\" y=\"47\">{5}</text>\n",
-      sheet_width, sheet_height, name, motion.the_case.cables.size(),
-      motion.the_case.cables.size() == 1 ? "" : "s", line, plot_style, panel_left);
+      sheet_width, sheet_height, xml_text(words.name), motion.the_case.cables.size(),
+      motion.the_case.cables.size() == 1 ? "" : "s", words.line, plot_style, panel_left);
 }
 
 std::string heading(const PlotPanel& panel) {
@@ -67,7 +91,7 @@ std::string heading(const PlotPanel& panel) {
 
 /// What the lines mean, and the scale bar of the last panel.
 std::string legend(const PlotPanel& panel, double y) {
-  const double length = round_below(0.25 * panel.view().size().x());
+  const ScaleBar bar(panel);
   return fmt::format(
       "<path class=\"path\" d=\"M{0} {1:.1f}h26\"/><text x=\"{2}\" y=\"{3:.1f}\">centre of "
       "mass</text>\n<path class=\"cable\" d=\"M{4} {1:.1f}h26\"/><text x=\"{5}\" "
@@ -75,18 +99,27 @@ std::string legend(const PlotPanel& panel, double y) {
       "x=\"{7}\" y=\"{3:.1f}\">slack</text>\n<circle class=\"impact\" cx=\"{8}\" "
       "cy=\"{1:.1f}\" r=\"3\"/><text x=\"{9}\" y=\"{3:.1f}\">impact</text>\n<path "
       "class=\"scale\" d=\"M{10} {11:.1f}v8m0-4h{12:.1f}m0-4v8\"/><text x=\"{13:.1f}\" "
-      "y=\"{3:.1f}\">{14:g} m</text>\n",
+      "y=\"{3:.1f}\">{14}</text>\n",
       panel_left, y, panel_left + 32.0, y + 4.0, panel_left + 140.0, panel_left + 172.0,
       panel_left + 214.0, panel_left + 250.0, panel_left + 304.0, panel_left + 313.0,
-      panel_left + 380.0, y - 4.0, panel.scale() * length,
-      panel_left + 388.0 + panel.scale() * length, length);
+      panel_left + legend_end - 8.0, y - 4.0, bar.width, bar.text_start(), bar.label);
+}
+
+/// What the panels and all words need [px].
+double width_of_sheet(const PlotMotion& motion, const PlotPanel& last, double panels) {
+  const Heading words = heading_of(motion);
+  const ScaleBar bar(last);
+  const double end = std::max({panels, bar.text_start() + room_for(bar.label, letters),
+                               panel_left + room_for(words.name, 16.0),
+                               panel_left + room_for(words.line, letters)});
+  return std::max(end + right, narrowest);
 }
 
 /// The sheet around its panels, of which `last` is the lowest.
 std::string sheet(const PlotMotion& motion, const std::string& panels, const PlotPanel& last,
                   double width) {
-  return begin(motion, std::max(width + panel_left + right, narrowest), last.bottom() + bottom) +
-         panels + legend(last, last.bottom() + 68.0) + "</svg>\n";
+  return begin(motion, width_of_sheet(motion, last, width), last.bottom() + bottom) + panels +
+         legend(last, last.bottom() + 68.0) + "</svg>\n";
 }
 
 }  // namespace
@@ -98,12 +131,12 @@ std::string plot_svg(const Case& the_case, const Solution& solution) {
   const PlotPanel whole(motion, all, top);
   const bool enlarge = bodies.size().maxCoeff() < enlarged_below * all.size().maxCoeff();
   if (!enlarge) {
-    return sheet(motion, whole.text(PlotPanel::Kind::all), whole, whole.width());
+    return sheet(motion, whole.text(PlotPanel::Kind::all), whole, whole.labels_end());
   }
   const PlotPanel enlarged(motion, bodies, whole.bottom() + between);
   const std::string panels = whole.text(PlotPanel::Kind::whole) + whole.frame(bodies) +
                              heading(enlarged) + enlarged.text(PlotPanel::Kind::enlarged);
-  return sheet(motion, panels, enlarged, std::max(whole.width(), enlarged.width()));
+  return sheet(motion, panels, enlarged, std::max(whole.labels_end(), enlarged.labels_end()));
 }
 
 }  // namespace tautline::bench

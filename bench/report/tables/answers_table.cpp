@@ -21,20 +21,6 @@ constexpr int beside_the_median = 9;
 constexpr std::array worst_first = {Word::breaks_limit, Word::known_deviation, Word::not_judged,
                                     Word::pass};
 
-Colour colour_of(Word word) {
-  switch (word) {
-    case Word::breaks_limit:
-      return Colour::red;
-    case Word::known_deviation:
-      return Colour::yellow;
-    case Word::pass:
-      return Colour::green;
-    case Word::not_judged:
-      break;
-  }
-  return Colour::grey;
-}
-
 /// How many runs of one engine, model and step have each word.
 using Tally = std::map<Word, std::size_t>;
 using Tallies = std::map<SetupKey, Tally>;

@@ -22,6 +22,20 @@ const std::map<std::string, std::string> per_unit_of_time = {{"ms/s", "ms per un
 
 }  // namespace
 
+Colour colour_of(Word word) {
+  switch (word) {
+    case Word::breaks_limit:
+      return Colour::red;
+    case Word::known_deviation:
+      return Colour::yellow;
+    case Word::pass:
+      return Colour::green;
+    case Word::not_judged:
+      break;
+  }
+  return Colour::grey;
+}
+
 Column word_column(std::string heading, std::string key) {
   Column column;
   column.heading = std::move(heading);

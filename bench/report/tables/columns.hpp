@@ -37,6 +37,9 @@ inline constexpr Digits as_instant = fixed(4);
 /// A count.
 [[nodiscard]] Cell count_cell(std::size_t count);
 
+/// The colour of a verdict on a terminal.
+[[nodiscard]] Colour colour_of(Word word);
+
 /// The look of a verdict's cell: "verdict known-deviation".
 [[nodiscard]] std::string verdict_kind(Word word);
 

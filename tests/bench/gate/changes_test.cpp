@@ -56,8 +56,9 @@ Compared compared(const std::string& before, const std::string& after) {
   return result;
 }
 
-bool keeps_the_schema(const ordered_json& changes) {
-  const auto text = ordered_json::parse(content_of(TAUTLINE_COMPARE_SCHEMA));
+bool keeps_the_schema(const ordered_json& changes,
+                      const std::string& file = TAUTLINE_COMPARE_SCHEMA) {
+  const auto text = ordered_json::parse(content_of(file));
   valijson::Schema schema;
   valijson::SchemaParser parser;
   const nlohmann::json plain_text = text;
@@ -161,6 +162,54 @@ TEST(Compare, ReportsWithoutARunInCommonAreRefused) {
     EXPECT_EQ(nothing.outcome.code, 2) << nothing.outcome.output;
     EXPECT_NE(nothing.outcome.errors.find("no run is in both reports"), std::string::npos)
         << nothing.outcome.errors;
+  }
+}
+
+TEST(Compare, MoreThanTwoReportsAreATrendByVersion) {
+  ordered_json after = sound();
+  for (ordered_json& engine : after.at("engines")) {
+    engine.at("version") = "of tomorrow";
+  }
+  ordered_json& error = metrics_of(after).at("early_position_error");
+  error = 3.0 * error.get<double>();
+  const TemporaryFolder folder;
+  const std::string one = folder.file("a.json", sound().dump());
+  const std::string two = folder.file("b.json", after.dump());
+  const std::string json = (folder.path() / "trend.json").string();
+  const Outcome outcome = program({"compare", one, one, two, "--json", json});
+  EXPECT_EQ(outcome.code, 1) << "the last is worse" << outcome.errors;
+  EXPECT_NE(outcome.output.find("of tomorrow"), std::string::npos) << outcome.output;
+  const ordered_json trend = ordered_json::parse(content_of(json));
+  EXPECT_TRUE(keeps_the_schema(trend, TAUTLINE_TREND_SCHEMA));
+  std::size_t moved = 0;
+  for (const ordered_json& row : trend.at("rows")) {
+    ASSERT_EQ(row.at("points").size(), 3U);
+    if (row.at("points").at(2).at("worse") == 1) {
+      ++moved;
+      EXPECT_EQ(row.at("engine"), "sound");
+      EXPECT_EQ(row.at("metric"), "early_position_error");
+      EXPECT_EQ(row.at("points").at(2).at("version"), "of tomorrow");
+    }
+  }
+  EXPECT_EQ(moved, 1U);
+  EXPECT_EQ(program({"compare", one, two, one}).code, 0) << "the last is better";
+  EXPECT_EQ(program({"compare", one}).code, 2);
+}
+
+TEST(Compare, AToleranceIsGivenAsAShare) {
+  ordered_json after = sound();
+  ordered_json& error = metrics_of(after).at("early_position_error");
+  error = 1.5 * error.get<double>();
+  const TemporaryFolder folder;
+  const std::string one = folder.file("a.json", sound().dump());
+  const std::string two = folder.file("b.json", after.dump());
+  EXPECT_EQ(program({"compare", one, two}).code, 1);
+  EXPECT_EQ(program({"compare", one, two, "--tolerance", "0.5"}).code, 0);
+  for (const std::string wrong : {"-0.1", "1", "nan"}) {
+    const Outcome refused = program({"compare", one, two, "--tolerance=" + wrong});
+    EXPECT_EQ(refused.code, 2) << wrong;
+    EXPECT_NE(refused.errors.find("must be at least 0 and below 1"), std::string::npos)
+        << refused.errors;
   }
 }
 

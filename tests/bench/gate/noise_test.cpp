@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -29,14 +30,22 @@ Report measured_report(double value, const std::string& precision = "float64",
   return report;
 }
 
+/// Noise alone, without the tolerance beside it.
+Noise noise_alone() {
+  Noise noise;
+  noise.tolerance = 0.0;
+  return noise;
+}
+
 /// What changes if one metric of that run goes from `one` to `two`.
 Changes changed(std::string_view metric, double one, double two,
-                const std::string& precision = "float64", std::size_t exact_impacts = 10) {
+                const std::string& precision = "float64", std::size_t exact_impacts = 10,
+                const Noise& noise = noise_alone()) {
   Report before = measured_report(0.0, precision, exact_impacts);
   Report after = before;
   before.runs.front().metrics->at(place(metric)) = one;
   after.runs.front().metrics->at(place(metric)) = two;
-  return changes(before, after);
+  return changes(before, after, noise);
 }
 
 TEST(Noise, EveryMetricButThoseBeyondTheHorizonIsCompared) {
@@ -95,6 +104,55 @@ TEST(Noise, OneImpactMayChangeSidesAndOfManyTheirShare) {
   }
   EXPECT_FALSE(changed("missed_impacts", 0.0, 20.0 / 1000.0, "float64", 1000).worse());
   EXPECT_TRUE(changed("missed_impacts", 0.0, 21.0 / 1000.0, "float64", 1000).worse());
+}
+
+TEST(Noise, AChangeThatTwoDigitsDoNotTellIsWithinTheTolerance) {
+  const auto worse = [](double one, double two, double tolerance) {
+    Noise noise;
+    noise.tolerance = tolerance;
+    return changed("early_position_error", one, two, "float64", 10, noise).worse();
+  };
+  const double usual = Noise().tolerance;
+  EXPECT_FALSE(worse(0.0546, 0.0548, usual)) << "shown as a change by a factor of 1";
+  EXPECT_TRUE(worse(0.0546, 0.0548, 0.0)) << "it is beyond noise";
+  EXPECT_FALSE(worse(1.0, 1.04, usual));
+  EXPECT_TRUE(worse(1.0, 1.06, usual));
+  EXPECT_FALSE(worse(1.0, 1.9, 0.5));
+  // what is noise stays noise, however small the tolerance
+  EXPECT_FALSE(worse(0.0, std::numeric_limits<double>::epsilon(), 0.0));
+}
+
+/// A report of runs of one engine, model "row", over `cases` x `steps`.
+Report wide_report(std::size_t cases, const std::vector<double>& steps) {
+  Report report = made_report();
+  add_engine(report, "e");
+  for (std::size_t index = 0; index < cases; ++index) {
+    for (const double step : steps) {
+      add_run(report, "e", 0.1, step).key.the_case = "case-" + std::to_string(index);
+    }
+  }
+  const CaseRow ball = report.cases.front();
+  for (std::size_t index = 0; index < cases; ++index) {
+    report.cases.push_back(ball);
+    report.cases.back().name = "case-" + std::to_string(index);
+  }
+  return report;
+}
+
+TEST(Changes, RunsThatAreGoneAreCountedNotListed) {
+  const Report before = wide_report(30, {1e-2, 1e-3, 1e-4});
+  Report after = before;
+  after.runs.resize(1);  // case-0 at 1e-2
+  const std::string text = changes_text(changes(before, after));
+  EXPECT_NE(text.find("Runs that are gone (89):"), std::string::npos) << text;
+  EXPECT_NE(text.find("e       row    0.0001, 0.001, 0.01     30    89"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("case-7"), std::string::npos) << "one of 89 by its name";
+  EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 10) << text;
+  after = before;
+  after.runs.pop_back();
+  const std::string one = changes_text(changes(before, after));
+  EXPECT_NE(one.find("case-29"), std::string::npos) << "that one alone is gone\n" << one;
 }
 
 TEST(Changes, AMetricThatIsMeasuredInOneReportAloneIsOne) {

@@ -85,8 +85,23 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"PatternWhereOneIsMeant",
                  {"solve", "breakwater/*"},
                  "means 21 cases; this command takes one"},
-        BadUsage{"NoCommand", {}, "A subcommand is required"},
-        BadUsage{"UnknownOption", {"solve", "bouncing-ball", "--untill", "3"}, "--untill"},
+        BadUsage{"UnknownCommand", {"slove", "x"}, "unknown command slove; did you mean solve?"},
+        BadUsage{
+            "StrangeCommand", {"xyzzy"}, "unknown command xyzzy; `tautline --help` lists them"},
+        BadUsage{"UnknownOption",
+                 {"solve", "bouncing-ball", "--untill", "3"},
+                 "solve has no option --untill; did you mean --until"},
+        BadUsage{"UnknownOptionWithItsValue", with(bench_ball, {"--step=1e-3"}),
+                 "bench has no option --step; did you mean --steps"},
+        BadUsage{"StrangeOption",
+                 {"engines", "--xyzzy"},
+                 "engines has no option --xyzzy; `tautline engines --help` lists them"},
+        BadUsage{"UnknownOptionWithoutCommand",
+                 {"--verison"},
+                 "there is no option --verison; did you mean --version?"},
+        BadUsage{
+            "OneWordTooMany", {"engines", "bullet64"}, "engines takes no further word: bullet64"},
+        BadUsage{"NoCase", {"solve"}, "solve: CASE is required; `tautline solve --help` says more"},
         BadUsage{"EngineTwice",
                  {"bench", "bouncing-ball", "--engines", "exact,exact"},
                  "engine exact is given twice"},
@@ -131,7 +146,7 @@ TEST(Solve, PrintsTheDocumentedJsonForScripts) {
 
 TEST(Solve, WritesJsonToAFileAndStaysSilent) {
   const TemporaryFolder folder;
-  const std::string file = (folder.path() / "deep/er/s.json").string();
+  const std::string file = (folder.path() / "s.json").string();
   const Outcome outcome = program({"solve", "bouncing-ball", "--json", file});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.output, "");
@@ -140,16 +155,17 @@ TEST(Solve, WritesJsonToAFileAndStaysSilent) {
   EXPECT_NEAR(solution.at("settling").at("lock").at("time").get<double>(), 3.0, 1e-12);
 }
 
-TEST(Solve, EndsItsTextWithWhatBecameOfTheMotion) {
+TEST(Solve, BeginsItsTextWithWhatBecameOfTheMotion) {
   const Outcome outcome = program({"solve", "breakwater/1910121100"});
   EXPECT_EQ(outcome.code, 0);
-  const std::size_t table = outcome.output.rfind(" taut     0+1 ");
+  const std::size_t table = outcome.output.find("event at");
   ASSERT_NE(table, std::string::npos);
-  const std::string end = outcome.output.substr(table);
-  for (const char* part : {"The run reached its duration, t = 20.\n",
+  std::string summary = outcome.output.substr(0, table);
+  std::replace(summary.begin(), summary.end(), '\n', ' ');  // wherever a line is broken
+  for (const char* part : {"The run reached its duration, t = 20. ",
                            "on cables 0+1 are taut, for good", "amplitude 0.6502",
                            "Of the initial energy 0.125 above the equilibrium 0.0196791 is left"}) {
-    EXPECT_NE(end.find(part), std::string::npos) << part << "\nis not in\n" << end;
+    EXPECT_NE(summary.find(part), std::string::npos) << part << "\nis not in\n" << summary;
   }
   const std::string ball = program({"solve", "bouncing-ball", "--until", "2.7"}).output;
   EXPECT_NE(ball.find("At the end no cable is taut."), std::string::npos) << ball;
@@ -160,7 +176,7 @@ TEST(Solve, CertifiesInTextAndJson) {
   const Outcome text = program(ball);
   EXPECT_EQ(text.code, 0);
   for (const char* part :
-       {"9 digits are correct to the end", "both took the same events", "\n30 digits "}) {
+       {"9 digits are correct to the end", "both took the same events", "  30 digits\n"}) {
     EXPECT_NE(text.output.find(part), std::string::npos) << part << "\n" << text.output;
   }
   std::vector<std::string> words = ball;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <regex>
+
 #include "bench/solution/plot_svg.hpp"
 #include "bench/solution/plot_view.hpp"
 #include "tautline/scenarios.hpp"
@@ -99,6 +102,63 @@ TEST(Plot, HugeTinyAndStillMotionsHaveAPictureToo) {
   bench::Extent still;
   still.add({3.0, 4.0});
   EXPECT_GT(still.with_margin().size().minCoeff(), 0.0);
+}
+
+/// The text elements of a picture that leave it, if letters are as wide as those of common fonts:
+/// 0.6 of their size [em].
+std::string cut_off(const std::string& svg) {
+  const std::regex sheet("viewBox=\"0 0 ([0-9.]+) ");
+  const std::regex text("<text([^>]*)>([^<]*)</text>");
+  std::smatch found;
+  std::regex_search(svg, found, sheet);
+  const double width = std::stod(found[1]);
+  std::string result;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), text), end; at != end; ++at) {
+    const std::string attributes = (*at)[1];
+    std::smatch x;
+    if (!std::regex_search(attributes, x, std::regex(" x=\"([-0-9.e+]+)\""))) {
+      continue;  // the label of the y axis, which is turned
+    }
+    const double size = attributes.find("\"title\"") != std::string::npos ? 16.0 : 13.0;
+    std::smatch length;
+    const double own = std::regex_search(attributes, length, std::regex("textLength=\"([0-9.]+)\""))
+                           ? std::stod(length[1])
+                           : 0.6 * size * static_cast<double>((*at)[2].length());
+    const bool ends = attributes.find("\"end\"") != std::string::npos;
+    const bool middle = attributes.find("\"middle\"") != std::string::npos;
+    const double start = std::stod(x[1]) - (ends ? own : middle ? 0.5 * own : 0.0);
+    if (start < 0.0 || start + own > width) {
+      result += (*at)[2].str() + "; ";
+    }
+  }
+  return result;
+}
+
+TEST(Plot, NoLabelIsCutOffAtAnySizeOrShape) {
+  for (const double scale : {1e-12, 1e-8, 0.37, 1.0, 123.0, 1e9, 1e18}) {
+    for (const char* name : {"bouncing-ball", "breakwater/1910121100", "plate-four-cables"}) {
+      Case the_case = case_named(name);
+      for (Cable& cable : the_case.cables) {
+        cable.anchor *= scale;
+        cable.attachment *= scale;
+        cable.length *= scale;
+      }
+      the_case.initial.position *= scale;
+      the_case.initial.velocity *= scale;
+      the_case.gravity *= scale;
+      the_case.body.inertia *= scale * scale;
+      the_case.duration = std::min(the_case.duration, 3.0);
+      const std::string svg = plot_svg(the_case, solve(the_case));
+      EXPECT_EQ(cut_off(svg), "") << name << " times " << scale;
+    }
+  }
+  // tall and narrow: a short panel beside a long scale
+  Case tall = case_named("bouncing-ball");
+  tall.name = std::string(64, 'n');
+  for (const double height : {1.0, 3.0, 10.0, 100.0}) {
+    tall.cables.front().length = height;
+    EXPECT_EQ(cut_off(plot_svg(tall, solve(tall))), "") << height;
+  }
 }
 
 TEST(Plot, GoesToAFileOrToStandardOutputAndSaysWhenItCannot) {

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "bench/base/atomic_file.hpp"
+#include "bench/base/terminal.hpp"
+#include "bench/base/text.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/manual/completion/completion.hpp"
+#include "bench/program/manual/help_text.hpp"
+#include "bench/program/manual/man_page.hpp"
+#include "bench/program/manual/mistake.hpp"
+#include "bench/program/manual/outline.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// What `tautline help` was asked.
+struct HelpCommand {
+  std::string command;           // or empty: the program
+  bool man = false;              // as a manual page
+  std::string completion;        // of this shell, or empty
+  std::filesystem::path folder;  // to write all of them to, or empty
+};
+
+/// What completes for each shell.
+const std::map<std::string, std::string (*)(const Outline& outline)>& shells() {
+  static const std::map<std::string, std::string (*)(const Outline& outline)> all = {
+      {"bash", bash_completion}, {"fish", fish_completion}, {"zsh", zsh_completion}};
+  return all;
+}
+
+/// All manual pages and scripts, where they lie below a share/ folder.
+void write_manual(const Outline& outline, const std::filesystem::path& share) {
+  write_file(share / "man/man1/tautline.1", man_page(outline));
+  for (const Command& command : outline.commands) {
+    write_file(share / ("man/man1/tautline-" + command.name + ".1"), man_page(outline, command));
+  }
+  write_file(share / "bash-completion/completions/tautline", bash_completion(outline));
+  write_file(share / "zsh/site-functions/_tautline", zsh_completion(outline));
+  write_file(share / "fish/vendor_completions.d/tautline.fish", fish_completion(outline));
+}
+
+int help_command(const HelpCommand& asked, const Outline& outline) {
+  if (!asked.folder.empty()) {
+    if (!std::filesystem::is_directory(asked.folder)) {
+      complain({fmt::format("--write {}: is not a folder that exists",
+                            printable(asked.folder.string()))});
+      return exit_usage;
+    }
+    write_manual(outline, asked.folder);
+    return exit_done;
+  }
+  if (!asked.completion.empty()) {
+    fmt::print("{}", shells().at(asked.completion)(outline));
+    return exit_done;
+  }
+  const std::size_t width = output_style().width;
+  if (asked.command.empty()) {
+    fmt::print("{}", asked.man ? man_page(outline) : help_text(outline, width));
+    return exit_done;
+  }
+  const auto command = std::find_if(outline.commands.begin(), outline.commands.end(),
+                                    [&](const Command& one) { return one.name == asked.command; });
+  if (command == outline.commands.end()) {
+    complain({unknown_command(asked.command, outline)});
+    return exit_usage;
+  }
+  fmt::print("{}", asked.man ? man_page(outline, *command) : help_text(*command, width));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_help(CLI::App& app, int& code) {
+  CLI::App* const command = app.add_subcommand(
+      "help", "The help of a command, its manual page, and completion for a shell");
+  const auto asked = std::make_shared<HelpCommand>();
+  command->add_option("COMMAND", asked->command, "a command of tautline (default: all of them)");
+  command->add_flag("--man", asked->man, "print the manual page, for `man -l -`");
+  command->add_option("--completion", asked->completion, "print the completion for this shell")
+      ->check(CLI::IsMember(shells()));
+  command->add_option("--write", asked->folder,
+                      "write all manual pages and completions below this folder, as they lie in "
+                      "/usr/share");
+  command->footer(
+      "source <(tautline help --completion bash)    complete in this shell\n"
+      "tautline help run --man | man -l -           a manual page without an installation");
+  command->callback([asked, &app, &code] { code = help_command(*asked, outline_of(app)); });
+}
+
+}  // namespace tautline::bench

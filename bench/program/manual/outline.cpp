@@ -1,0 +1,130 @@
+#include "bench/program/manual/outline.hpp"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace tautline::bench {
+namespace {
+
+/// What stands for the value of an option, in all commands; a shell completes by it.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> value_names = {{
+    {"--json", "FILE"},
+    {"--plot", "FILE"},
+    {"--gate", "LIMITS"},
+    {"--out", "FOLDER"},
+    {"--write", "FOLDER"},
+    {"--engines", "ENGINES"},
+    {"--engine", "ENGINE"},
+    {"--model", "MODEL"},
+    {"--models", "MODELS"},
+    {"--step", "SECONDS"},
+    {"--steps", "SECONDS"},
+    {"--until", "SECONDS"},
+    {"--time-limit", "SECONDS"},
+    {"--at", "SECONDS"},
+    {"--law", "LAW"},
+    {"--completion", "SHELL"},
+}};
+
+std::string value_of(const CLI::Option& option) {
+  const bool is_flag = option.get_items_expected_max() == 0;
+  if (is_flag) {
+    return "";
+  }
+  for (const auto& [name, value] : value_names) {
+    if (option.check_name(std::string(name))) {
+      return std::string(value);
+    }
+  }
+  const std::string type = option.get_type_name();
+  return type.starts_with("TEXT") ? "TEXT" : "NUMBER";
+}
+
+/// The values between the braces of "TEXT:{a,b}": CLI11 tells them in no other way.
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t open = type.find('{');
+  const std::size_t close = type.find('}');
+  if (open == std::string::npos || close == std::string::npos) {
+    return {};
+  }
+  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
+}
+
+Argument argument_of(const CLI::Option& option) {
+  Argument argument;
+  for (const std::string& name : option.get_snames()) {
+    argument.names.push_back("-" + name);
+  }
+  for (const std::string& name : option.get_lnames()) {
+    argument.names.push_back("--" + name);
+  }
+  if (argument.names.empty()) {
+    argument.names.push_back(option.get_name(true));
+  }
+  argument.value = argument.is_word() ? "" : value_of(option);
+  argument.meaning = option.get_description();
+  argument.otherwise = option.get_default_str();
+  argument.choices = choices_of(option);
+  argument.required = option.get_required();
+  argument.repeats = option.get_items_expected_max() > 1;
+  return argument;
+}
+
+std::vector<Argument> arguments_of(const CLI::App& app, bool words) {
+  std::vector<Argument> result;
+  for (const CLI::Option* option : app.get_options()) {
+    Argument argument = argument_of(*option);
+    if (argument.is_word() == words) {
+      result.push_back(std::move(argument));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Command command_of(const CLI::App& app) {
+  return {app.get_name(), app.get_description(), arguments_of(app, true), arguments_of(app, false),
+          app.get_footer()};
+}
+
+Outline outline_of(const CLI::App& app) {
+  Outline outline{app.get_description(), app.get_footer(), arguments_of(app, false), {}};
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    outline.commands.push_back(command_of(*command));
+  }
+  return outline;
+}
+
+std::string spelling(const Argument& argument) {
+  std::string result;
+  for (const std::string& name : argument.names) {
+    result += (result.empty() ? "" : ", ") + name;
+  }
+  return result + (argument.value.empty() ? "" : " " + argument.value);
+}
+
+std::string words_of(const Command& command) {
+  std::string result;
+  for (const Argument& word : command.words) {
+    const std::string name = word.names.front() + (word.repeats ? "..." : "");
+    result += (result.empty() ? "" : " ") + (word.required ? name : "[" + name + "]");
+  }
+  return result;
+}
+
+std::string whole_meaning(const Argument& argument) {
+  std::string result = argument.meaning;
+  for (std::size_t place = 0; place < argument.choices.size(); ++place) {
+    result += (place == 0 ? ": " : ", ") + argument.choices[place];
+  }
+  if (argument.required && !argument.is_word()) {
+    result += " (required)";
+  }
+  return argument.otherwise.empty() ? result : result + " (default: " + argument.otherwise + ")";
+}
+
+}  // namespace tautline::bench

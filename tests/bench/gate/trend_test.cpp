@@ -1,0 +1,96 @@
+// How engines do over several reports, made by hand.
+
+#include "bench/gate/trend/trend.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "bench/gate/trend/trend_text.hpp"
+#include "tests/bench/gate/made_report.hpp"
+
+namespace tautline::bench::test {
+namespace {
+
+/// One engine of this version in cases whose metrics are these.
+Report version(const std::string& version, const std::vector<double>& values) {
+  Report report = made_report();
+  add_engine(report, "e");
+  report.engines.front().info->version = version;
+  const CaseRow ball = report.cases.front();
+  for (std::size_t index = 0; index < values.size(); ++index) {
+    report.cases.push_back(ball);
+    report.cases.back().name = "case-" + std::to_string(index);
+    add_run(report, "e", values[index]).key.the_case = report.cases.back().name;
+  }
+  return report;
+}
+
+const std::vector<std::string> files = {"a.json", "b.json", "c.json"};
+
+const TrendRow& row_of(const Trend& trend, std::string_view metric) {
+  for (const TrendRow& row : trend.rows) {
+    if (metric_list()[row.metric].name == metric) {
+      return row;
+    }
+  }
+  throw std::logic_error("no row of the metric");
+}
+
+TEST(Trend, IsMedianAndQuartilesOverTheCasesByVersion) {
+  const Trend found = trend(
+      {version("1", {1, 2, 3, 4, 5}), version("2", {1, 2, 3, 4, 5}), version("3", {2, 4, 6, 8, 5})},
+      files);
+  const TrendRow& row = row_of(found, "early_position_error");
+  ASSERT_EQ(row.points.size(), 3U);
+  EXPECT_EQ(row.cases, 5U);
+  EXPECT_EQ(row.points[0]->version, "1");
+  EXPECT_DOUBLE_EQ(row.points[0]->median, 3.0);
+  EXPECT_DOUBLE_EQ(row.points[0]->low, 2.0);
+  EXPECT_DOUBLE_EQ(row.points[0]->high, 4.0);
+  EXPECT_DOUBLE_EQ(row.points[2]->median, 5.0);
+  EXPECT_EQ(row.points[1]->worse + row.points[1]->better, 0U);
+  EXPECT_EQ(row.points[2]->worse, 4U);
+  EXPECT_TRUE(row.moves());
+  EXPECT_TRUE(found.latest.worse());
+}
+
+TEST(Trend, TakesTheCasesThatAllReportsCouldMeasure) {
+  Report second = version("2", {1, 2, 3, 4, 5});
+  second.runs[4].metrics->at(place("early_position_error")) = std::nullopt;
+  second.cases[2].gravity.x() = 3.0;  // case-1 is another
+  const Trend found = trend({version("1", {1, 2, 3, 4, 5, 60}), second}, {"a", "b"});
+  const TrendRow& row = row_of(found, "early_position_error");
+  EXPECT_EQ(row.cases, 3U) << "case-0, case-2 and case-3";
+  EXPECT_DOUBLE_EQ(row.points[0]->median, 3.0);
+  EXPECT_DOUBLE_EQ(row.points[1]->median, 3.0);
+}
+
+TEST(Trend, AReportWithoutTheEngineHasNoPoint) {
+  Report second = version("2", {1, 2});
+  second.runs.clear();
+  const Trend found = trend({version("1", {1, 2}), second, version("3", {1, 2})}, files);
+  const TrendRow& row = row_of(found, "early_position_error");
+  EXPECT_TRUE(row.points[0]);
+  EXPECT_FALSE(row.points[1]);
+  EXPECT_TRUE(row.points[2]);
+  const std::string text = trend_text(found, true, {80, false});
+  EXPECT_NE(text.find("no runs"), std::string::npos) << text;
+}
+
+TEST(Trend, ShowsWhatMovesAndCountsTheRest) {
+  const Report still = version("1", {1, 2, 3});
+  Report moved = version("2", {1, 2, 3});
+  moved.runs[0].metrics->at(place("overstretch")) = 9.0;
+  const std::string text = trend_text(trend({still, still, moved}, files), false, {80, false});
+  EXPECT_NE(text.find("e row, step 0.001 s"), std::string::npos) << text;
+  EXPECT_NE(text.find("stretch [m]"), std::string::npos) << text;
+  EXPECT_EQ(text.find("early [m]"), std::string::npos) << "it does not move\n" << text;
+  EXPECT_NE(text.find("1 of 5 metrics"), std::string::npos) << text;
+  const std::string all = trend_text(trend({still, still, moved}, files), true, {80, false});
+  EXPECT_NE(all.find("early [m]"), std::string::npos) << all;
+}
+
+}  // namespace
+}  // namespace tautline::bench::test

@@ -1,0 +1,165 @@
+// Help, manual pages and completion say what the command line takes: no option is missing.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+/// The manual and the scripts, written once.
+const std::filesystem::path& share() {
+  static const TemporaryFolder folder;
+  static const int code = program({"help", "--write", folder.path().string()}).code;
+  static const std::filesystem::path path = code == 0 ? folder.path() : "/no/such";
+  return path;
+}
+
+/// The long options of each command, as the sources of the program add them.
+std::map<std::string, std::set<std::string>> options_in_the_sources() {
+  std::map<std::string, std::set<std::string>> result;
+  const std::regex adds(R"(add_subcommand\(\s*"([a-z-]+)\")");
+  const std::regex takes(R"re(add_(?:option|flag)\w*(?:<[^>]*>)?\(\s*"(--[a-z,-]+)")re");
+  for (const auto& entry : std::filesystem::directory_iterator(TAUTLINE_PROGRAM_SOURCES)) {
+    const std::string text = content_of(entry.path().string());
+    std::smatch command;
+    if (entry.path().extension() != ".cpp" || !std::regex_search(text, command, adds)) {
+      continue;
+    }
+    std::set<std::string>& options = result[command[1]];
+    for (std::sregex_iterator found(text.begin(), text.end(), takes), end; found != end; ++found) {
+      std::istringstream names((*found)[1]);
+      for (std::string name; std::getline(names, name, ',');) {
+        options.insert(name);
+      }
+    }
+    if (text.find("add_law(") != std::string::npos) {
+      options.insert("--law");
+    }
+  }
+  return result;
+}
+
+/// "--time-limit" as a page has it.
+std::string in_roff(const std::string& option) {
+  return std::regex_replace(option, std::regex("-"), "\\-");
+}
+
+TEST(Manual, HasEveryOptionOfEveryCommand) {
+  const auto all = options_in_the_sources();
+  ASSERT_GE(all.size(), 9U);
+  const std::string bash = content_of((share() / "bash-completion/completions/tautline").string());
+  const std::string zsh = content_of((share() / "zsh/site-functions/_tautline").string());
+  const std::string fish =
+      content_of((share() / "fish/vendor_completions.d/tautline.fish").string());
+  const std::string overview = content_of((share() / "man/man1/tautline.1").string());
+  std::size_t checked = 0;
+  for (const auto& [command, options] : all) {
+    const std::string page =
+        content_of((share() / ("man/man1/tautline-" + command + ".1")).string());
+    const std::string help = program({command, "--help"}).output;
+    EXPECT_NE(overview.find("tautline\\-" + command), std::string::npos) << command;
+    const std::size_t part = bash.find("\n    " + command + ")");
+    ASSERT_NE(part, std::string::npos) << command;
+    const std::string of_command = bash.substr(part, bash.find(";;\n    ", part + 5) - part);
+    for (const std::string& option : options) {
+      ++checked;
+      EXPECT_NE(page.find("\\fB" + in_roff(option) + "\\fR"), std::string::npos)
+          << command << " " << option;
+      EXPECT_NE(help.find(option), std::string::npos) << command << " " << option;
+      EXPECT_NE(bash.find(option, part), std::string::npos) << command << " " << option;
+      EXPECT_NE(zsh.find(option + "["), std::string::npos) << command << " " << option;
+      EXPECT_NE(fish.find("__fish_seen_subcommand_from " + command + "' -l " + option.substr(2)),
+                std::string::npos)
+          << command << " " << option;
+    }
+  }
+  EXPECT_GE(checked, 40U);
+}
+
+bool here(const std::string& program_name) {
+  return std::system(("command -v " + program_name + " >/dev/null 2>&1").c_str()) == 0;  // NOLINT
+}
+
+/// What a shell command prints, errors with it.
+std::string printed_by(const std::string& command) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "out").string();
+  static_cast<void>(std::system((command + " >'" + file + "' 2>&1").c_str()));  // NOLINT
+  return content_of(file);
+}
+
+TEST(Manual, PagesAreReadWithoutAWarning) {
+  if (!here("man") || !here("groff")) {
+    GTEST_SKIP() << "man and groff are not here";
+  }
+  std::size_t pages = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(share() / "man/man1")) {
+    const std::string warnings =
+        printed_by("LC_ALL=C.UTF-8 MANWIDTH=80 MANROFFSEQ= man -l --warnings '" +
+                   entry.path().string() + "' >/dev/null");
+    EXPECT_EQ(warnings, "") << entry.path();
+    const std::string text =
+        printed_by("LC_ALL=C.UTF-8 MANWIDTH=80 man -l '" + entry.path().string() + "' | col -b");
+    for (const char* part : {"NAME", "SYNOPSIS", "OPTIONS", "EXIT STATUS", "SEE ALSO"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << entry.path() << text;
+    }
+    ++pages;
+  }
+  EXPECT_GE(pages, 10U);
+}
+
+/// What bash offers for a command line, whose last word is the one that is being typed.
+std::string offered(const std::vector<std::string>& words) {
+  std::string line =
+      "PATH='" + std::filesystem::path(TAUTLINE_PROGRAM_PATH).parent_path().string() +
+      "':$PATH; source '" + (share() / "bash-completion/completions/tautline").string() +
+      "'; COMP_WORDS=(tautline";
+  for (const std::string& word : words) {
+    line += " '" + word + "'";
+  }
+  line += "); COMP_CWORD=" + std::to_string(words.size()) +
+          "; _tautline; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  const TemporaryFolder folder;
+  return printed_by("bash --norc '" + folder.file("complete.sh", line).string() + "'");
+}
+
+TEST(Completion, OffersWhatFits) {
+  if (!here("bash")) {
+    GTEST_SKIP() << "bash is not here";
+  }
+  EXPECT_EQ(offered({"so"}), "solve\n");
+  EXPECT_EQ(offered({"solve", "--pl"}), "--plot\n");
+  EXPECT_EQ(offered({"solve", "bounc"}), "bouncing-ball\n");
+  EXPECT_EQ(offered({"run", "bouncing-ball", "--engine", "exa"}), "exact\n");
+  EXPECT_EQ(offered({"bench", "--models", "event,ev"}), "event,event\n");
+  EXPECT_EQ(offered({"bench", "--law", "po"}), "poisson\n");
+  EXPECT_EQ(offered({"help", "rep"}), "reproduce\n");
+  EXPECT_NE(offered({""}).find("compare\n"), std::string::npos);
+  EXPECT_EQ(offered({"solve", "--xy"}), "\n") << "nothing fits";
+}
+
+TEST(Completion, ScriptsAreRightForTheirShells) {
+  const std::map<std::string, std::string> scripts = {
+      {"bash", "bash-completion/completions/tautline"},
+      {"zsh", "zsh/site-functions/_tautline"},
+      {"fish", "fish/vendor_completions.d/tautline.fish"}};
+  for (const auto& [shell, file] : scripts) {
+    EXPECT_EQ(program({"help", "--completion", shell}).output,
+              content_of((share() / file).string()));
+    if (here(shell)) {
+      EXPECT_EQ(printed_by(shell + " -n '" + (share() / file).string() + "'"), "") << shell;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -67,17 +67,16 @@ std::vector<Sample> samples_of(const Case& the_case, const Trajectory& run) {
                                                        [](const auto& i) { return i.steps == 0; });
   std::vector<Sample> samples;
   samples.reserve(run.points.size() + impacts.size());
-  for (const Point& point : run.points) {
-    samples.push_back(sample(the_case, point.time, point.state, point.state));
-  }
   for (const RecordedImpact& impact : impacts) {
     // a push over whole steps starts from a pose of the run; where it leads is another one
     samples.push_back(sample(the_case, impact.time, impact.before,
                              impact.steps == 0 ? impact.after : impact.before));
   }
-  // of one instant, the impact stands before the point: its pose is the same, its energy jumps
-  std::inplace_merge(samples.begin(),
-                     samples.begin() + static_cast<std::ptrdiff_t>(run.points.size()),
+  for (const Point& point : run.points) {
+    samples.push_back(sample(the_case, point.time, point.state, point.state));
+  }
+  // of one instant, the impact stands before the point, which is after it
+  std::inplace_merge(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(impacts.size()),
                      samples.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   samples = merged(the_case, samples);
   if (!located) {
@@ -89,15 +88,23 @@ std::vector<Sample> samples_of(const Case& the_case, const Trajectory& run) {
 std::vector<Sample> samples_of(const Case& the_case, const Solution& solution) {
   constexpr double fine = 2000.0;   // parts of the whole motion
   constexpr std::size_t least = 5;  // parts of an arc: a cubic has none to spare
+  // an accumulation that is completed moves the body at once: so soon it is where it then goes on
+  const double soon = 4e-6 * solution.end_time();  // [s], wide enough for two knots
   std::vector<Sample> samples;
+  const auto add = [&](const Arc& arc, double dt) {
+    const State state = arc.after(dt, solution.gravity());
+    samples.push_back(sample(the_case, arc.start + dt, state, state));
+  };
   for (const Arc& arc : solution.arcs()) {
     const double length = arc.end - arc.start;
+    add(arc, 0.0);
+    if (static_cast<double>(least) * soon < length) {
+      add(arc, soon);
+    }
     const std::size_t parts =
         std::max(least, static_cast<std::size_t>(fine * length / solution.end_time()));
-    for (std::size_t part = 0; part <= parts; ++part) {
-      const double dt = length * static_cast<double>(part) / static_cast<double>(parts);
-      const State state = arc.after(dt, solution.gravity());
-      samples.push_back(sample(the_case, arc.start + dt, state, state));
+    for (std::size_t part = 1; part <= parts; ++part) {
+      add(arc, length * static_cast<double>(part) / static_cast<double>(parts));
     }
   }
   return merged(the_case, samples);

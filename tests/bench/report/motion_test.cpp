@@ -168,7 +168,7 @@ TEST(Motion, RunsAreDrawnAsNearToTheirRecordAsTheySay) {
 
 TEST(Motion, ARunThatShakesIsDrawnWorseAndSaysSo) {
   const ReferenceCase reference = reference_of(shipped_cases().front());
-  Trajectory run = stepped_run(reference.the_case, 1e-3);
+  Trajectory run = stepped_run(reference.the_case, 5e-3);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shake(-5.0, 5.0);  // [pixels]
   for (Point& point : run.points) {
@@ -183,6 +183,7 @@ TEST(Motion, ARunThatShakesIsDrawnWorseAndSaysSo) {
 TEST(Motion, ARunThatFliesAwayIsDrawnToo) {
   const ReferenceCase reference = reference_of(shipped_cases().front());
   Trajectory run = stepped_run(reference.the_case, 1e-2);
+  run.impacts.clear();
   for (std::size_t i = 500; i < run.points.size(); ++i) {
     State& state = run.points[i].state;
     state.position *= std::pow(10.0, static_cast<double>(i - 500) / 400.0);
@@ -205,7 +206,7 @@ TEST(Motion, ARunOfOneSampleIsAPoint) {
 }
 
 TEST(Motion, TautIsWhatTheExactMotionHoldsAndNothingElse) {
-  for (const std::size_t which : {6U, 8U}) {
+  for (const std::size_t which : {0U, 8U}) {
     const ReferenceCase reference = reference_of(shipped_cases().at(which));
     const DrawnPath drawn(as_read(exact_path(reference)));
     std::size_t told = 0;
@@ -233,24 +234,20 @@ TEST(Motion, TautIsWhereTheRecordHoldsACableAtItsLength) {
   std::size_t told = 0;
   for (std::size_t cable = 0; cable < the_case.cables.size(); ++cable) {
     const double near = taut_part * the_case.cables[cable].length;
-    std::vector<bool> within;
-    for (const Point& point : run.points) {
-      within.push_back(gap(the_case.cables[cable], point.state) <= near);
-    }
-    for (std::size_t i = 0; i < within.size(); ++i) {
-      std::size_t from = i;
-      std::size_t until = i;
-      while (within[i] && from > 0 && within[from - 1]) {
-        --from;
+    const auto within = [&](const Point& point) {
+      return gap(the_case.cables[cable], point.state) <= near;
+    };
+    for (auto from = run.points.begin(); from != run.points.end();) {
+      // the points up to the next that is on the other side
+      const bool side = within(*from);
+      const auto to = std::find_if(from, run.points.end(),
+                                   [&](const Point& point) { return within(point) != side; });
+      const bool held = side && std::prev(to)->time - from->time >= shortest_hold;
+      for (; from != to; ++from) {
+        ASSERT_EQ(drawn.is_taut(cable, from->time), held)
+            << "cable " << cable << ", t = " << from->time;
+        told += held ? 1U : 0U;
       }
-      while (within[i] && until + 1 < within.size() && within[until + 1]) {
-        ++until;
-      }
-      const bool held =
-          within[i] && run.points[until].time - run.points[from].time >= shortest_hold;
-      ASSERT_EQ(drawn.is_taut(cable, run.points[i].time), held)
-          << "cable " << cable << ", t = " << run.points[i].time;
-      told += held ? 1U : 0U;
     }
     for (const double shown : path.cables[cable].gap) {
       EXPECT_LE(shown, near);

@@ -161,7 +161,10 @@ void add_idle(const Report& report, const Limits& limits, const Precisions& prec
               std::vector<BrokenRow>& rows) {
   bool checked = false;
   for (const RunRow& run : report.runs) {
-    if (run.verdict.value().checks.empty()) {
+    const auto& checks = run.verdict.value().checks;
+    if (std::none_of(checks.begin(), checks.end(), [](const Check& check) {
+          return check.limit || check.metric == failure;  // a finding alone judges nothing
+        })) {
       continue;
     }
     checked = true;

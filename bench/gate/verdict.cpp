@@ -96,6 +96,7 @@ bool held(const Check& check) { return check.holds == Holds::yes; }
 bool broken(const Check& check) { return check.holds == Holds::no; }
 bool unknown(const Check& check) { return broken(check) && !check.known; }
 bool failed(const Check& check) { return broken(check) && check.metric == failure; }
+bool limited(const Check& check) { return check.limit.has_value(); }
 
 /// Failing is judged of every run, and limits of those that the file judges.
 Verdict verdict_on(const RunRow& run, std::vector<Check> checks, const Unjudged* unjudged) {
@@ -108,14 +109,14 @@ Verdict verdict_on(const RunRow& run, std::vector<Check> checks, const Unjudged*
   if (unjudged != nullptr && !any(failed)) {
     return with(Word::not_judged, unjudged->reason);
   }
+  if (!any(limited) && !any(failed)) {  // there is no pass that a finding could contradict
+    return with(Word::not_judged, "no limit is on it");
+  }
   if (any(broken)) {
     return with(any(unknown) ? Word::breaks_limit : Word::known_deviation);
   }
   if (run.status == Status::stopped) {
     return with(Word::not_judged, "the model goes no further: " + run.reason);
-  }
-  if (checks.empty()) {
-    return with(Word::not_judged, "no limit is on it");
   }
   return any(held) ? with(Word::pass)
                    : with(Word::not_judged, "nothing that has a limit could be measured");

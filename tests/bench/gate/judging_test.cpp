@@ -131,6 +131,8 @@ TEST(Verdict, OfARunThatShowsAFindingIsNeverAPass) {
     add_run(report, "e", 0.25, 1e-2);  // it is not found in this one
     report.findings = {finding(name)};
     limits.known.clear();
+    add_verdicts(report, Limits());
+    EXPECT_EQ(report.runs[0].verdict->word, Word::not_judged) << "there is nothing to contradict";
     add_verdicts(report, limits);
     EXPECT_EQ(report.runs[0].verdict->word,
               kind.contradicts_a_pass ? Word::breaks_limit : Word::pass)

@@ -100,6 +100,19 @@ TEST(AuditOfBullet, FindsItsDeactivation) {
   ASSERT_EQ(asleep.size(), 1U);
   // the heavy body is slower than 0.8 m/s and 1 rad/s from its start: gDeactivationTime is 2 s
   EXPECT_NEAR(asleep[0].at("value").get<double>(), 2.0, 0.1);
+  // none of the runs that it froze passes, and no other is told to be frozen
+  std::size_t frozen = 0;
+  for (const json& run : report.at("runs")) {
+    const json key = {{"case", run.at("case")}, {"step", run.at("step")}};
+    const json& shown_in = asleep[0].at("evidence").at("shown_in");
+    const bool is_frozen = run.at("model") == "row-sleeping" &&
+                           std::find(shown_in.begin(), shown_in.end(), key) != shown_in.end();
+    frozen += is_frozen ? 1U : 0U;
+    EXPECT_EQ(run.at("verdict").at("checks").dump().find("\"sleeping\"") != std::string::npos,
+              is_frozen);
+    EXPECT_TRUE(!is_frozen || run.at("verdict").at("word") == "known deviation") << run.at("case");
+  }
+  EXPECT_EQ(frozen, asleep[0].at("evidence").at("runs"));
 }
 
 TEST(AuditOfBullet, FindsItsDeactivationInAPathOfAnySampling) {

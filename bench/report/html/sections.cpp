@@ -117,7 +117,8 @@ std::string runs_section(const Report& report) {
                 "its errors, its files, and the command that repeats it.") +
           table_html(report, runs_table(report), "cases-table",
                      "By case, engine, model and step; the exact motion as a control "
-                     "below. Cost: of one step, in closed-form flights.") +
+                     "below. Cost: of one step, in closed-form flights. A case whose gravity is "
+                     "one has units of its own.") +
           "<script type=\"application/json\" id=\"run-folders\">" + folders_json(report) +
           "</script>\n");
 }

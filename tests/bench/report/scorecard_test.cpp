@@ -257,10 +257,10 @@ TEST(ScorecardsTable, HasARowForEachMakerAndItsNumbersAreTheCards) {
   const Table table = scorecards_table(report);
   ASSERT_EQ(table.rows().size(), 2U);
   EXPECT_EQ(table.rows()[0].cells[2].text, "as shipped");
-  EXPECT_EQ(table.rows()[0].cells[4].text, "joint");
-  EXPECT_DOUBLE_EQ(table.rows()[0].cells[6].number.value(), 2.0);
+  EXPECT_EQ(table.rows()[0].cells[5].text, "joint");
+  EXPECT_DOUBLE_EQ(table.rows()[0].cells[7].number.value(), 2.0);
   EXPECT_EQ(table.rows()[1].cells[2].text, "tautline’s driver");
-  EXPECT_DOUBLE_EQ(table.rows()[1].cells[6].number.value(), 0.1);
+  EXPECT_DOUBLE_EQ(table.rows()[1].cells[7].number.value(), 0.1);
   EXPECT_NE(report_markdown(report).find("## Engines"), std::string::npos);
 }
 

@@ -27,7 +27,7 @@ constexpr std::size_t least_path_samples = 40;  // fewer do not show an arc betw
 
 /// The impacts of all runs may take so many bytes, each as a row of the columns and as a sample of
 /// the path.
-constexpr std::size_t impact_budget = 4'000'000;
+constexpr std::size_t impact_budget = 800'000;
 constexpr std::size_t impact_size = 120;
 constexpr std::size_t least_impacts = 24;
 

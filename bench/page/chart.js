@@ -67,7 +67,7 @@ window.tautline = (() => {
 
   /// A figure in the units of the report: see `inUnits` of common.js; the chapter has its own.
   function inUnits(figure) {
-    const change = (text) => (window.tautline.inUnits ? window.tautline.inUnits(text) : text);
+    const change = (text) => (window.tautline.inUnits ? window.tautline.inUnits(text, figure.system) : text);
     for (const trace of figure.data) {
       trace.hovertemplate = trace.hovertemplate && change(trace.hovertemplate);
       trace.text = Array.isArray(trace.text) ? trace.text.map(change) : trace.text;

@@ -51,10 +51,14 @@
   const afterNumber = new RegExp(`(\\d|%\\{[^}]*\\}|none) ${physical}(?![\\w/²])`, 'g');
   const inBrackets = new RegExp(`\\[${physical}\\]`, 'g');
 
-  /// `text` in the units of the report: without metres, seconds and joules where every case has
-  /// units of its own.
-  const inUnits = (text) => (ownUnits && typeof text === 'string'
-    ? text.replace(inBrackets, '[-]').replace(afterNumber, '$1') : text);
+  /// `text` in the units of `system`, or of the case that the page is of: without metres, seconds
+  /// and joules where it, or every case, has units of its own.
+  function inUnits(text, system) {
+    const name = tautline.address?.get('case');
+    const of = system || (name && report.cases.find((one) => one.name === name));
+    return (of ? nondimensional(of) : ownUnits) && typeof text === 'string'
+      ? text.replace(inBrackets, '[-]').replace(afterNumber, '$1') : text;
+  }
 
   /// A metric of the list: its name in words, its unit and what it means.
   function metric(name) {

@@ -67,7 +67,7 @@
     graph.cursor(state.time);
     // a moving text is read out by nobody: with the play, only the time
     status.setAttribute('aria-live', speak ? 'polite' : 'off');
-    status.textContent = tautline.inUnits(describe());
+    status.textContent = tautline.inUnits(describe(), state.system);
     if (speak) {
       tautline.replay.changed?.();
     }

@@ -51,6 +51,7 @@
       const panel = (title, i, more) => axis(colours, { title: { text: title, font: { size: 12 } },
         domain: fourths[i], nticks: 4, ...more });
       return {
+        system,
         // the exact one last, on top
         data: [...state.motions].reverse().flatMap((motion) => lines(state, motion, colours)),
         layout: { height: 640, margin: { l: 64, r: 12, t: 10, b: 46 },

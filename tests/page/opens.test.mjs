@@ -52,7 +52,7 @@ test('the picture at the top is of the run that its caption names, with the numb
   const run = runs.find((one) => one.case === name && one.engine === engine && one.model === model);
   const at = run.impacts.time.findIndex((one) => Math.abs(one - Number(time)) < 6e-4);
   assert.ok(at >= 0, caption);
-  const [, before, after] = /closes at ([\d.e-]+) and opens at ([\d.e-]+)/.exec(caption);
+  const [, before, after] = /closes at ([\d.e-]*\d) and opens at ([\d.e-]*\d)/.exec(caption);
   // shown to three digits, and the page has six
   assert.ok(Math.abs(Number(before) + run.impacts.rate_before[at]) < 6e-3 * before, caption);
   assert.ok(Math.abs(Number(after) - run.impacts.rate_after[at]) < 6e-3 * after, caption);

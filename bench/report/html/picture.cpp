@@ -32,7 +32,7 @@ const CaseRow* case_of(const Report& report, const RunRow& run) {
 }
 
 /// The least gap of all cables, of their length [-].
-double least_gap(const CaseRow& the_case, const Path& path, double time) {
+double least_gap(const CaseRow& the_case, const DrawnPath& path, double time) {
   const Pose pose = pose_at(path, time);
   double least = std::numeric_limits<double>::infinity();
   for (const CableRow& cable : the_case.geometry) {
@@ -42,7 +42,7 @@ double least_gap(const CaseRow& the_case, const Path& path, double time) {
 }
 
 /// The instant between two others at which the body flies, with every cable as slack as it gets.
-double slackest(const CaseRow& the_case, const Path& path, double from, double until) {
+double slackest(const CaseRow& the_case, const DrawnPath& path, double from, double until) {
   double best = from;
   for (int instant = 1; instant < instants; ++instant) {
     const double time = from + (until - from) * instant / instants;
@@ -55,8 +55,8 @@ double slackest(const CaseRow& the_case, const Path& path, double from, double u
 
 /// The stills of the impact at `place`; none where its cable does not look taut at it, or slack
 /// around it.
-std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run, const Path& path,
-                                      std::size_t place) {
+std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run,
+                                      const DrawnPath& path, std::size_t place) {
   const ImpactColumns& impacts = *run.impacts;
   const std::size_t index = impacts.cable[place];
   if (index >= the_case.geometry.size() || impacts.rate_after[place] <= 0.0) {
@@ -74,13 +74,13 @@ std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run
       std::abs(gap_of(cable, pose_at(path, time))) > taut * cable.length) {
     return std::nullopt;
   }
-  return ImpactStills{&the_case, &run, &path, index, place, times};
+  return ImpactStills{&the_case, &run, path, index, place, times};
 }
 
 /// How slack all cables are seen to be, before or after, whichever is less [-].
 double clearness(const ImpactStills& stills) {
-  return std::min(least_gap(*stills.the_case, *stills.path, stills.times[0]),
-                  least_gap(*stills.the_case, *stills.path, stills.times[2]));
+  return std::min(least_gap(*stills.the_case, stills.path, stills.times[0]),
+                  least_gap(*stills.the_case, stills.path, stills.times[2]));
 }
 
 /// The path of a run; that of the case for the exact motion, none where a report was read without.
@@ -90,13 +90,14 @@ const Path* path_of(const CaseRow& the_case, const RunRow& run) {
 
 std::optional<ImpactStills> stills_of(const Report& report, const RunRow& run) {
   const CaseRow* const the_case = case_of(report, run);
-  const Path* const path = the_case != nullptr ? path_of(*the_case, run) : nullptr;
-  if (path == nullptr || !run.impacts) {
+  const Path* const recorded = the_case != nullptr ? path_of(*the_case, run) : nullptr;
+  if (recorded == nullptr || !run.impacts) {
     return std::nullopt;
   }
+  const DrawnPath path(*recorded);
   std::optional<ImpactStills> best;
   for (std::size_t place = 0; place < run.impacts->time.size(); ++place) {
-    const auto stills = stills_of(*the_case, run, *path, place);
+    const auto stills = stills_of(*the_case, run, path, place);
     if (stills && (!best || clearness(*stills) > clearness(*best))) {
       best = stills;
     }
@@ -162,10 +163,10 @@ std::string picture_html(const Report& report) {
   const std::vector<std::string> texts = captions(*stills);
   std::string out = "<figure class=\"stills\">\n<ol>\n";
   for (std::size_t still = 0; still < stills->times.size(); ++still) {
-    out += fmt::format(
-        "<li>{}<span class=\"still\"><b>{}</b> {}</span></li>\n",
-        still_svg(*stills->the_case, *stills->path, stills->times, still, stills->cable),
-        instant_text(*stills, still), texts[still]);
+    out +=
+        fmt::format("<li>{}<span class=\"still\"><b>{}</b> {}</span></li>\n",
+                    still_svg(*stills->the_case, stills->path, stills->times, still, stills->cable),
+                    instant_text(*stills, still), texts[still]);
   }
   return out + "</ol>\n" + legend_html(*stills) + "</figure>\n";
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bench/report/motion/drawn_path.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
@@ -15,7 +16,7 @@ namespace tautline::bench {
 struct ImpactStills {
   const CaseRow* the_case;
   const RunRow* run;
-  const Path* path;             // of the run
+  DrawnPath path;               // of the run
   std::size_t cable;            // that becomes taut
   std::size_t impact;           // its place in the run's columns
   std::array<double, 3> times;  // [s]: slack, taut, rebound

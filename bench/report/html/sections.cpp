@@ -103,11 +103,13 @@ std::string model_html(const Model& model, const std::string& id) {
 std::string answers_section(const Report& report) {
   constexpr std::size_t longest_list = 2000;  // [bytes], of all models that stopped
   const std::string stopped = stopped_sentence(report);
-  return section("answers", "Every number over the cases",
-                 table_html(report, answers_table(report), "answers-table",
-                            "Over all cases, by engine, model and step; the verdict is that of the worst. "
-                            "The exact motion as a control below. Cost: of one step, in closed-form flights.") +
-                     (stopped.empty() ? "" : note(html_text(stopped, longest_list))));
+  return section(
+      "answers", "Every number over the cases",
+      table_html(
+          report, answers_table(report), "answers-table",
+          "Over all cases, by engine, model and step; the verdict is that of the worst. "
+          "The exact motion as a control below. Cost: of one step, in closed-form flights.") +
+          (stopped.empty() ? "" : note(html_text(stopped, longest_list))));
 }
 
 std::string runs_section(const Report& report) {
@@ -117,7 +119,8 @@ std::string runs_section(const Report& report) {
                 "its errors, its files, and the command that repeats it.") +
           table_html(report, runs_table(report), "cases-table",
                      "By case, engine, model and step; the exact motion as a control "
-                     "below. Cost: of one step, in closed-form flights.") +
+                     "below. Cost: of one step, in closed-form flights. A case whose gravity is "
+                     "one has units of its own.") +
           "<script type=\"application/json\" id=\"run-folders\">" + folders_json(report) +
           "</script>\n");
 }

@@ -39,7 +39,7 @@ Vec2 end_of(const CableRow& cable, const Pose& pose) {
 }
 
 /// Room for the anchors and for the body at every still.
-Place place_of_stills(const CaseRow& the_case, const Path& path,
+Place place_of_stills(const CaseRow& the_case, const DrawnPath& path,
                       const std::array<double, 3>& times) {
   std::vector<Vec2> points;
   for (const CableRow& cable : the_case.geometry) {
@@ -123,7 +123,7 @@ std::string body_svg(const CaseRow& the_case, const Pose& pose, const Place& pla
 }
 
 /// The centre from one instant to another.
-std::string trail_svg(const Path& path, double from, double until, const Place& place) {
+std::string trail_svg(const DrawnPath& path, double from, double until, const Place& place) {
   std::string points;
   for (int point = 0; point <= trail_points; ++point) {
     const double time = from + (until - from) * point / trail_points;
@@ -135,29 +135,17 @@ std::string trail_svg(const Path& path, double from, double until, const Place& 
 
 }  // namespace
 
-Pose pose_at(const Path& path, double time) {
-  if (path.time.empty()) {
-    return {};
-  }
-  const auto next = static_cast<std::size_t>(
-      std::lower_bound(path.time.begin(), path.time.end(), time) - path.time.begin());
-  const std::size_t last = path.time.size() - 1;
-  const std::size_t to = std::min(next, last);
-  const std::size_t from = to > 0 && next <= last ? to - 1 : to;
-  const double span = path.time[to] - path.time[from];
-  const double part = span > 0.0 ? (time - path.time[from]) / span : 1.0;
-  const auto between = [&](const std::vector<double>& column) {
-    return column[from] + part * (column[to] - column[from]);
-  };
-  return {{between(path.x), between(path.y)}, between(path.angle)};
+Pose pose_at(const DrawnPath& path, double time) {
+  const Eigen::Vector3d pose = path.pose(time);
+  return {Vec2(pose.head<2>()), pose[2]};
 }
 
 double gap_of(const CableRow& cable, const Pose& pose) {
   return cable.length - (end_of(cable, pose) - cable.anchor).norm();
 }
 
-std::string still_svg(const CaseRow& the_case, const Path& path, const std::array<double, 3>& times,
-                      std::size_t still, std::size_t struck) {
+std::string still_svg(const CaseRow& the_case, const DrawnPath& path,
+                      const std::array<double, 3>& times, std::size_t still, std::size_t struck) {
   const Place place = place_of_stills(the_case, path, times);
   const Pose pose = pose_at(path, times.at(still));
   std::string out = fmt::format("<svg viewBox=\"0 0 {} {}\" aria-hidden=\"true\">", width, height) +

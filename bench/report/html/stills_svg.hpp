@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "bench/report/motion/drawn_path.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
@@ -14,15 +15,14 @@ struct Pose {
   double angle = 0.0;          // [rad]
 };
 
-/// The pose of a path at an instant; before its first sample and after its last one, theirs.
-[[nodiscard]] Pose pose_at(const Path& path, double time);
+[[nodiscard]] Pose pose_at(const DrawnPath& path, double time);
 
 /// The gap of a cable at a pose [m].
 [[nodiscard]] double gap_of(const CableRow& cable, const Pose& pose);
 
 /// One still of three: the body at its instant, the way it came from the first, and its cables, of
 /// which `struck` stands out. All stills of a motion have one scale.
-[[nodiscard]] std::string still_svg(const CaseRow& the_case, const Path& path,
+[[nodiscard]] std::string still_svg(const CaseRow& the_case, const DrawnPath& path,
                                     const std::array<double, 3>& times, std::size_t still,
                                     std::size_t struck);
 

@@ -59,13 +59,16 @@ Json drawn_impacts(const ImpactColumns& impacts) {
           {"left_out", impacts.left_out}};
 }
 
-/// Every number of `json` with the digits that a chart or a tooltip can show.
-void round_for_charts(Json& json) {
+/// Digits of what a chart has many of.
+constexpr int point_digits = 4;
+
+/// Every number of `json` with as many digits as a chart or a tooltip can show.
+void round_for_charts(Json& json, int digits) {
   if (json.is_number_float()) {
-    json = rounded(json.get<double>());
+    json = rounded(json.get<double>(), digits);
   } else if (json.is_structured()) {
     for (Json& inside : json) {
-      round_for_charts(inside);
+      round_for_charts(inside, digits);
     }
   }
 }
@@ -90,15 +93,32 @@ Json for_charts(Json report) {
     }
     keep(run.at("metrics"), {"early_position_error", "horizon_position_error"});
     keep(run.at("attribution"), {"deviation", "parts"});
-    if (run.at("impacts").is_object()) {
-      run.at("impacts").erase("steps");
+    Json& impacts = run.at("impacts");
+    if (impacts.is_object()) {
+      impacts.erase("steps");
+      for (const char* key :
+           {"rate_before", "rate_after", "arm", "tangential_error", "angular_error"}) {
+        round_for_charts(impacts.at(key), point_digits);
+      }
     }
+    round_for_charts(run.at("attribution"), point_digits);
+  }
+  for (Json& engine : report.at("engines")) {
+    if (engine.contains("models")) {
+      for (Json& model : engine.at("models")) {
+        keep(model, {"name"});
+      }
+    }
+  }
+  for (Json& timing : report.at("context").at("timing")) {
+    keep(timing, {"case", "engine", "model", "step", "second_cost"});
   }
   for (Json& row : report.at("summary")) {
     keep(row.at("metrics"), {"early_position_error", "horizon_position_error"});
   }
-  for (const char* key : {"runs", "summary", "causes", "context"}) {  // the replay needs its cases whole
-    round_for_charts(report.at(key));
+  for (const char* key :
+       {"runs", "summary", "causes", "context"}) {  // the replay needs its cases whole
+    round_for_charts(report.at(key), 6);
   }
   return report;
 }
@@ -162,9 +182,7 @@ std::string report_json(const Report& report) {
   return out + "\n";
 }
 
-std::string page_json(const Report& report) {
-  return on_one_line(for_charts(whole(report)));
-}
+std::string page_json(const Report& report) { return on_one_line(for_charts(whole(report))); }
 
 std::string motions_json(const Report& report, const std::string& the_case) {
   std::string out = "[";

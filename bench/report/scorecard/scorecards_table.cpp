@@ -17,12 +17,12 @@ std::vector<Column> columns_of() {
           word_column("version", ""),
           word_column("cable", "maker"),
           word_column("restitution at impacts", "restitution"),
+          word_column("verdict", "verdict"),
           word_column("use", "use"),
           number_column("step", "s", "", "step"),
           number_column("off", "%", "", "off"),
           number_column("cost", "ms/s", "", "cost"),
-          word_column("found", ""),
-          word_column("verdict", "verdict")};
+          word_column("found", "")};
 }
 
 Colour colour_of(const Worst& worst) {
@@ -63,10 +63,9 @@ Row row_of(const Scorecard& card, const MakerCard& of) {
     found.text = "nothing";
   }
   return {{word_cell(card.engine), word_cell(card.version + ", " + card.precision),
-           words_of(of.maker), sentence_cell(rebounds_text(of)), use_cell(of),
-           number_cell(of.use ? std::optional(of.use->step) : std::nullopt, as_count),
-           brief_cell(percent(of.use)), brief_cell(cost_of(of.use)), std::move(found),
-           verdict_cell(of.verdicts)},
+           words_of(of.maker), sentence_cell(rebounds_text(of)), verdict_cell(of.verdicts),
+           use_cell(of), number_cell(of.use ? std::optional(of.use->step) : std::nullopt, as_count),
+           brief_cell(percent(of.use)), brief_cell(cost_of(of.use)), std::move(found)},
           "",
           ""};
 }

@@ -264,7 +264,11 @@ void draw_energy(const std::vector<Sample>& samples, const Nearness& nearness, P
   for (const std::size_t index : *knots) {
     if (!time.empty()) {
       const std::size_t before = knots->at(time.size() - 1);
-      path.energy_error = std::max(path.energy_error, line_error(levels, before, index) + grid);
+      const double length = levels[index].time - levels[before].time;
+      const double slope =
+          length > 0.0 ? std::abs(levels[index].energy - levels[before].energy) / length : 0.0;
+      path.energy_error =
+          std::max(path.energy_error, line_error(levels, before, index) + grid + slope * time_grid);
     }
     time.push_back(levels[index].time);
     energy.push_back(levels[index].energy);

@@ -86,8 +86,8 @@ std::vector<Sample> samples_of(const Case& the_case, const Trajectory& run) {
 }
 
 std::vector<Sample> samples_of(const Case& the_case, const Solution& solution) {
-  constexpr double fine = 2000.0;   // parts of the whole motion
-  constexpr std::size_t least = 5;  // parts of an arc: a cubic has none to spare
+  constexpr double fine = 20000.0;   // parts of the whole motion: a millisecond of 20 s
+  constexpr std::size_t least = 24;  // parts of an arc: a cubic may cut the corner at its end
   // an accumulation that is completed moves the body at once: so soon it is where it then goes on
   const double soon = 4e-6 * solution.end_time();  // [s], wide enough for two knots
   std::vector<Sample> samples;

@@ -115,9 +115,9 @@ TEST(Terminal, ARunIsACardWithItsVerdictAndTheMetricsThatMatter) {
   std::vector<std::string> all = words;
   all.emplace_back("--all");
   EXPECT_NE(program(all).output.find("whole velocity error"), std::string::npos);
-  std::vector<std::string> json = words;
-  json.insert(json.end(), {"--json", "-"});
-  EXPECT_EQ(nlohmann::json::parse(program(json).output).at("verdict").at("word"), "pass");
+  std::vector<std::string> in_json = words;
+  in_json.insert(in_json.end(), {"--json", "-"});
+  EXPECT_EQ(nlohmann::json::parse(program(in_json).output).at("verdict").at("word"), "pass");
 }
 
 TEST(Terminal, ARunThatBreaksALimitSaysWhich) {
@@ -188,8 +188,8 @@ TEST(Terminal, NothingIsWrittenButWhatIsNamed) {
 TEST(Terminal, BenchPrintsTheSchemaOfItsReport) {
   const Outcome schema = program({"bench", "--schema"});
   EXPECT_EQ(schema.code, 0) << schema.errors;
-  const auto json = nlohmann::json::parse(schema.output);
-  EXPECT_TRUE(json.contains("$schema"));
+  const auto schema_json = nlohmann::json::parse(schema.output);
+  EXPECT_TRUE(schema_json.contains("$schema"));
   EXPECT_NE(schema.output.find("early_position_error"), std::string::npos)
       << "the metrics are filled in";
 }

@@ -59,7 +59,7 @@ int engines_command(const EnginesCommand& command) {
 
 void add_engines(CLI::App& app, int& code) {
   CLI::App* const command = app.add_subcommand(
-      "engines", "The engines that are here, their models, and the engines that are missing");
+      "engines", "The engines here, their models, and the engines that are missing");
   const auto asked = std::make_shared<EnginesCommand>();
   command->add_option("--json", asked->json, "write the list as JSON to this file, or to stdout: -")
       ->check(named_file);

@@ -74,10 +74,9 @@ std::string reasons_of(const RunRow& run, std::size_t width) {
 
 /// The impacts of each window and how far the run was compared.
 Table windows_of(const RunDetails& details) {
-  Table table({word_column("up to", ""), number_column("instant [s]", "", "", ""),
-               number_column("compared to [s]", "", "", ""),
-               number_column("exact impacts", "", "", ""), number_column("found", "", "", ""),
-               number_column("matched", "", "", "")});
+  Table table({word_column("impacts up to", ""), number_column("instant [s]", "", "", ""),
+               number_column("compared [s]", "", "", ""), number_column("exact", "", "", ""),
+               number_column("found", "", "", ""), number_column("matched", "", "", "")});
   for (const Window window : windows) {
     const RunDetails::OfWindow& of = details.in(window);
     const char* name = window == Window::early     ? "the first impacts"
@@ -199,7 +198,7 @@ std::string run_card(const Report& report, bool all_metrics, const TerminalStyle
   }
   out += sentences_of(*run.details, style.width);
   for (const Finding& finding : report.findings) {
-    out += wrapped(printable(finding.sentence, longest_sentence), style.width);
+    out += wrapped("Found: " + printable(finding.sentence, longest_sentence) + ".", style.width);
   }
   out += cost_text(report, style.width);
   return all_metrics ? out

@@ -32,7 +32,7 @@ std::string case_list(const TerminalStyle& style) {
 int cases_command(const CasesCommand& command) {
   if (command.the_case.empty()) {
     const TerminalStyle style = output_style();
-    fmt::print("{}\n{}", case_list(style), wrapped_lines(case_number_text(), style.width));
+    fmt::print("{}\n{}", case_list(style), wrapped_lines(case_number_text(), style.text));
     return exit_done;
   }
   const std::optional<Case> the_case = one_case(command.the_case);

@@ -25,8 +25,7 @@ void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
     const std::string why = engine.missing.empty() ? engine.failure : "not here: " + engine.missing;
     const std::string package =
         engine.missing.empty() || engine.package.empty() ? "" : " (package " + engine.package + ")";
-    fmt::print("{}\n",
-               wrapped_lines(engine.name + "  " + printable(why) + package, style.width, 2));
+    fmt::print("{}\n", wrapped_lines(engine.name + "  " + printable(why) + package, style.text, 2));
     return;
   }
   fmt::print("{}  version {}, {}\n", engine.info->name, printable(engine.info->version),

@@ -64,7 +64,7 @@ TEST(Terminal, TextFitsTheWidthThereIs) {
       {"run", "bouncing-ball", "--engine", "exact", "--model", "event", "--all"},
       {"bench", "bouncing-ball", "--engines", "exact", "--steps", "1e-2", "--out", out}};
   for (const auto& [shell, width] :
-       {std::pair<const char*, std::size_t>{"", 80}, {"COLUMNS=100", 100}, {"COLUMNS=60", 60}}) {
+       {std::pair<const char*, std::size_t>{"COLUMNS=80", 80}, {"", 100}, {"COLUMNS=60", 60}}) {
     for (const std::vector<std::string>& command : commands) {
       const bool is_long = command.size() > 5 && command[0] != "run";
       if (width != 80 && is_long) {
@@ -76,6 +76,17 @@ TEST(Terminal, TextFitsTheWidthThereIs) {
           << width << " columns: " << longest;
     }
   }
+}
+
+TEST(Terminal, SentencesHave80ColumnsWhereThereIsNoTerminal) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{}, {"bench", "--help"}, {"compare", "--help"}}) {
+    EXPECT_LE(bench::terminal_width(longest_line(program(command).output)), 80U);
+  }
+  const std::string solved = program({"solve", "breakwater/1910121100"}).output;
+  const std::string summary = solved.substr(0, solved.find("event at"));
+  const std::string last = longest_line(summary.substr(0, summary.rfind('\n')));
+  EXPECT_LE(bench::terminal_width(last), 80U) << last;
 }
 
 TEST(Terminal, SolveSaysTheSummaryFirstAndFewEvents) {

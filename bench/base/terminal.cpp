@@ -36,12 +36,14 @@ std::optional<std::size_t> number_in(std::string_view text) {
 TerminalStyle output_style() {
   TerminalStyle style;
   if (::isatty(STDOUT_FILENO) != 1) {
-    style.width = std::max(narrowest, number_in(variable("COLUMNS")).value_or(style.width));
+    if (const auto columns = number_in(variable("COLUMNS"))) {
+      style.width = style.text = std::max(narrowest, *columns);
+    }
     return style;
   }
   winsize size{};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
-    style.width = std::max<std::size_t>(narrowest, size.ws_col);
+    style.width = style.text = std::max<std::size_t>(narrowest, size.ws_col);
   }
   const std::string_view kind = variable("TERM");
   style.colour = variable("NO_COLOR").empty() && !kind.empty() && kind != "dumb";

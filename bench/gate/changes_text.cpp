@@ -153,8 +153,8 @@ std::string changes_sentence(const Changes& changes) {
   const std::size_t bad =
       changes.new_failures.size() + changes.got_worse.size() + changes.only_before.size();
   const std::size_t good = changes.recovered.size() + changes.got_better.size();
-  const std::string beyond = fmt::format("beyond noise and a tolerance of {:g} %",
-                                         100.0 * changes.noise.tolerance);
+  const std::string beyond =
+      fmt::format("beyond noise and a tolerance of {:g} %", 100.0 * changes.noise.tolerance);
   if (bad + good == 0) {
     return fmt::format("{} runs compared: nothing changed {}.", changes.compared, beyond);
   }
@@ -175,7 +175,7 @@ std::string changes_text(const Changes& changes, const TerminalStyle& style) {
          counted_runs("Not compared, the case is not the same", changes.other_case, style) +
          section("Costs of a step, which are noisy and judge nothing", changes.costs,
                  {"engine", "model", "step", "cases", "factor"}, 2, 0, cost_cells, style) +
-         wrapped(changes_sentence(changes), style.width);
+         wrapped(changes_sentence(changes), style.text);
 }
 
 }  // namespace tautline::bench

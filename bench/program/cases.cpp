@@ -32,7 +32,7 @@ std::string case_list(const TerminalStyle& style) {
 int cases_command(const CasesCommand& command) {
   if (command.the_case.empty()) {
     const TerminalStyle style = output_style();
-    fmt::print("{}\n{}", case_list(style), wrapped_lines(case_number_text(), style.width));
+    fmt::print("{}\n{}", case_list(style), wrapped_lines(case_number_text(), style.text));
     return exit_done;
   }
   const std::optional<Case> the_case = one_case(command.the_case);
@@ -46,8 +46,8 @@ int cases_command(const CasesCommand& command) {
 }  // namespace
 
 void add_cases(CLI::App& app, int& code) {
-  CLI::App* const command = app.add_subcommand(
-      "cases", "A list of the shipped cases, or one of them as a case file to start from");
+  CLI::App* const command =
+      app.add_subcommand("cases", "The shipped cases, or one of them as a case file to start from");
   const auto asked = std::make_shared<CasesCommand>();
   command->add_option("CASE", asked->the_case, "the name of a shipped case");
   command->callback([asked, &code] { code = cases_command(*asked); });

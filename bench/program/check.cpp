@@ -60,7 +60,7 @@ void print_check(const EngineInfo& info, const CheckedModel& checked) {
                settled.holds ? "holds" : "does not hold", printable(settled.sentence, 1000)});
   }
   const TerminalStyle style = output_style();
-  fmt::print("{}\n{}\n", table.plain(style), wrapped(verdict(checked), style.width));
+  fmt::print("{}\n{}\n", table.plain(style), wrapped(verdict(checked), style.text));
 }
 
 /// The last sentence: of all models together.
@@ -129,7 +129,7 @@ int check_command(const CheckCommand& command) {
     }
   }
   if (command.json.empty()) {
-    fmt::print("{}", wrapped(closing(*engine.info, models), output_style().width));
+    fmt::print("{}", wrapped(closing(*engine.info, models), output_style().text));
   } else {
     write_output(command.json, check_json(engine, models));
   }

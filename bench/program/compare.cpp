@@ -109,7 +109,7 @@ int compare_command(const CompareCommand& command) {
 
 void add_compare(CLI::App& app, int& code) {
   CLI::App* const command = app.add_subcommand(
-      "compare", "What changed from one report to another beyond noise, or a trend over several");
+      "compare", "What changed from one report to another, or a trend over several");
   const auto asked = std::make_shared<CompareCommand>();
   command
       ->add_option("REPORTS", asked->reports,

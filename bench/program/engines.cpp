@@ -25,8 +25,7 @@ void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
     const std::string why = engine.missing.empty() ? engine.failure : "not here: " + engine.missing;
     const std::string package =
         engine.missing.empty() || engine.package.empty() ? "" : " (package " + engine.package + ")";
-    fmt::print("{}\n",
-               wrapped_lines(engine.name + "  " + printable(why) + package, style.width, 2));
+    fmt::print("{}\n", wrapped_lines(engine.name + "  " + printable(why) + package, style.text, 2));
     return;
   }
   fmt::print("{}  version {}, {}\n", engine.info->name, printable(engine.info->version),
@@ -59,7 +58,7 @@ int engines_command(const EnginesCommand& command) {
 
 void add_engines(CLI::App& app, int& code) {
   CLI::App* const command = app.add_subcommand(
-      "engines", "The engines that are here, their models, and the engines that are missing");
+      "engines", "The engines here, their models, and the engines that are missing");
   const auto asked = std::make_shared<EnginesCommand>();
   command->add_option("--json", asked->json, "write the list as JSON to this file, or to stdout: -")
       ->check(named_file);

@@ -60,7 +60,7 @@ int help_command(const HelpCommand& asked, const Outline& outline) {
     fmt::print("{}", shells().at(asked.completion)(outline));
     return exit_done;
   }
-  const std::size_t width = output_style().width;
+  const std::size_t width = output_style().text;
   if (asked.command.empty()) {
     fmt::print("{}", asked.man ? man_page(outline) : help_text(outline, width));
     return exit_done;

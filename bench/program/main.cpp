@@ -51,7 +51,7 @@ std::string typed(int count, char** arguments) {
 
 /// Help as this program writes it, instead of the parser's own.
 std::string help_of(const CLI::App* app, const std::string& /*name*/, CLI::AppFormatMode /*mode*/) {
-  const std::size_t width = output_style().width;
+  const std::size_t width = output_style().text;
   return app->get_parent() == nullptr ? help_text(outline_of(*app), width)
                                       : help_text(command_of(*app), width);
 }

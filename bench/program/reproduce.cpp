@@ -78,7 +78,7 @@ int reproduce_command(const ReproduceCommand& command) {
         "beside it",
         study.cases.size(), report.tables.size(), report.figures.size(), wrong,
         (command.out / "chapter.html").string());
-    fmt::print("{}", wrapped(said, output_style().width));
+    fmt::print("{}", wrapped(said, output_style().text));
   }
   return exit_done;
 }

@@ -50,11 +50,11 @@ void print_solution(const SolveCommand& command, const Case& the_case, const Sol
   fmt::print("{}: {} cable{}, {} event{}\n\n{}", printable(the_case.name), the_case.cables.size(),
              the_case.cables.size() == 1 ? "" : "s", solution.events().size(),
              solution.events().size() == 1 ? "" : "s",
-             wrapped_lines(solution_text(the_case, solution, extras.settling), style.width));
+             wrapped_lines(solution_text(the_case, solution, extras.settling), style.text));
   if (extras.certificate) {
     fmt::print("\n{}",
                wrapped_lines(certificate_text(*extras.certificate, the_case, solution, style),
-                             style.width, 2));
+                             style.text, 2));
   }
   fmt::print("{}{}", samples_text(solution, command.at, style),
              events_text(the_case, solution, command.events, style));

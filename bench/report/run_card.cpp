@@ -77,10 +77,9 @@ std::string reasons_of(const RunRow& run, std::size_t width) {
 
 /// The impacts of each window and how far the run was compared.
 Table windows_of(const RunDetails& details) {
-  Table table({word_column("up to", ""), number_column("instant [s]", "", "", ""),
-               number_column("compared to [s]", "", "", ""),
-               number_column("exact impacts", "", "", ""), number_column("found", "", "", ""),
-               number_column("matched", "", "", "")});
+  Table table({word_column("impacts up to", ""), number_column("instant [s]", "", "", ""),
+               number_column("compared [s]", "", "", ""), number_column("exact", "", "", ""),
+               number_column("found", "", "", ""), number_column("matched", "", "", "")});
   for (const Window window : windows) {
     const RunDetails::OfWindow& of = details.in(window);
     const char* name = window == Window::early     ? "the first impacts"
@@ -183,29 +182,29 @@ std::string cost_text(const Report& report, std::size_t width) {
 std::string run_card(const Report& report, bool all_metrics, const TerminalStyle& style) {
   const RunRow& run = report.runs.front();
   std::string out =
-      wrapped(printable(run.key.the_case) + " on " + setup_text(report, run.key), style.width) +
+      wrapped(printable(run.key.the_case) + " on " + setup_text(report, run.key), style.text) +
       wrapped_lines(fmt::format("run: {}{}", to_string(run.status),
                                 run.reason.empty() ? "" : ", " + printable(run.reason)),
-                    style.width, 2) +
+                    style.text, 2) +
       verdict_text(report, run, style);
   if (!run.metrics || !run.details) {
     return out;
   }
-  out += "\n" + metrics_of(run, all_metrics).plain(style) + reasons_of(run, style.width) + "\n";
+  out += "\n" + metrics_of(run, all_metrics).plain(style) + reasons_of(run, style.text) + "\n";
   if (all_metrics) {
     out += windows_of(*run.details).plain(style) + "\n";
   }
-  out += sentences_of(*run.details, style.width);
+  out += sentences_of(*run.details, style.text);
   for (const Finding& finding : report.findings) {
-    out += wrapped(printable(finding.sentence, longest_sentence), style.width);
+    out += wrapped("Found: " + printable(finding.sentence, longest_sentence) + ".", style.text);
   }
-  out += cost_text(report, style.width);
+  out += cost_text(report, style.text);
   return all_metrics ? out
                      : out + "\n" +
                            wrapped(fmt::format("--all prints all {} metrics; --json FILE writes "
                                                "them, and the rest of the run, for scripts.",
                                                metric_list().size()),
-                                   style.width);
+                                   style.text);
 }
 
 }  // namespace tautline::bench

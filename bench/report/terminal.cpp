@@ -41,9 +41,9 @@ std::string legend(const Report& report, std::size_t width) {
 }  // namespace
 
 std::string report_summary(const Report& report, const TerminalStyle& style) {
-  std::string out = answers_table(report).plain(style) + "\n" + legend(report, style.width);
+  std::string out = answers_table(report).plain(style) + "\n" + legend(report, style.text);
   if (const std::string stopped = stopped_sentence(report); !stopped.empty()) {
-    out += wrapped(stopped, style.width);
+    out += wrapped(stopped, style.text);
   }
   const Table failures = failures_table(report);
   return failures.empty() ? out : out + "\n" + failures.plain(style);

@@ -67,7 +67,7 @@ std::string events_text(const Case& the_case, const Solution& solution, bool all
                                      "every digit",
                                      count - shown)
                                : "";
-  return "\n" + table.plain(style) + wrapped(rest, style.width);
+  return "\n" + table.plain(style) + wrapped(rest, style.text);
 }
 
 std::string samples_text(const Solution& solution, const std::vector<double>& times,

@@ -98,7 +98,9 @@ std::string environment_section() {
               "program's own.") +
          item("\\fBNO_COLOR\\fR", "Where it is not empty, there are no colours on a terminal.") +
          item("\\fBCOLUMNS\\fR",
-              "How wide the text is where it goes to no terminal: 80 columns if it does not say.");
+              "How wide the text is where it goes to no terminal: if it does not say, 80 columns, "
+              "and of "
+              "tables 100.");
 }
 
 std::string page_name(const Command& command) { return "tautline-" + command.name; }

@@ -175,11 +175,11 @@ TEST(Compare, MoreThanTwoReportsAreATrendByVersion) {
   const TemporaryFolder folder;
   const std::string one = folder.file("a.json", sound().dump());
   const std::string two = folder.file("b.json", after.dump());
-  const std::string json = (folder.path() / "trend.json").string();
-  const Outcome outcome = program({"compare", one, one, two, "--json", json});
+  const std::string file_of_trend = (folder.path() / "trend.json").string();
+  const Outcome outcome = program({"compare", one, one, two, "--json", file_of_trend});
   EXPECT_EQ(outcome.code, 1) << "the last is worse" << outcome.errors;
   EXPECT_NE(outcome.output.find("of tomorrow"), std::string::npos) << outcome.output;
-  const ordered_json trend = ordered_json::parse(content_of(json));
+  const ordered_json trend = ordered_json::parse(content_of(file_of_trend));
   EXPECT_TRUE(keeps_the_schema(trend, TAUTLINE_TREND_SCHEMA));
   std::size_t moved = 0;
   for (const ordered_json& row : trend.at("rows")) {

@@ -145,7 +145,7 @@ TEST(Changes, RunsThatAreGoneAreCountedNotListed) {
   after.runs.resize(1);  // case-0 at 1e-2
   const std::string text = changes_text(changes(before, after));
   EXPECT_NE(text.find("Runs that are gone (89):"), std::string::npos) << text;
-  EXPECT_NE(text.find("e       row    0.0001, 0.001, 0.01     30    89"), std::string::npos)
+  EXPECT_NE(text.find("e       row    0.0001, 0.001, 0.01  30       89"), std::string::npos)
       << text;
   EXPECT_EQ(text.find("case-7"), std::string::npos) << "one of 89 by its name";
   EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 10) << text;

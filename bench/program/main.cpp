@@ -47,6 +47,7 @@ int run_program(int count, char** arguments) {
   add_solve(app, code);
   add_run(app, code);
   add_bench(app, code, typed(count, arguments));
+  add_merge(app, code, typed(count, arguments));
   add_compare(app, code);
   add_check(app, code);
   add_reproduce(app, code);

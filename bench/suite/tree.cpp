@@ -34,7 +34,7 @@ Descriptor open_tree(const fs::path& out, bool clear) {
   }
   if (clear) {
     fs::remove_all(out / "runs", error);
-    for (const char* file : {"report.json", "report.md", "index.html"}) {
+    for (const char* file : {"suite.json", "report.json", "report.md", "index.html"}) {
       fs::remove(out / file, error);
     }
   }

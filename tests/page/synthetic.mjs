@@ -127,7 +127,7 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
   const runs = made.flatMap((the) => models.flatMap(({ engine, model }, which) =>
     steps.map((step) => runOf(the, engine, model, step, which, settings))));
   const groups = models.flatMap(({ engine, model }, which) => steps.map((step) => ({ engine, model, step, which })));
-  return { schema: 4, program: { name: 'tautline', version: 'synthetic' }, complete: true, planned_runs: runs.length,
+  return { schema: 5, program: { name: 'tautline', version: 'synthetic' }, complete: true, planned_runs: runs.length,
     options: { steps, law: 'simultaneous', count_speed: 0.01, early_impacts: 5, time_limit: 60, memory_limit: 1e9 },
     metrics: Object.entries(units).map(([name, unit]) => ({ name, unit, meaning: 'Synthetic.' })),
     engines: [...engines.map((name) => ({ name, version: '1', precision: 'float64', problem: null, missing: false,
@@ -153,5 +153,5 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
         second_cost: 1e-6 * (1 + engine.length) / step })),
       timing: runs.map(({ case: name, engine, model, step }) => ({ case: name, engine, model, step, memory: 1e7,
         step_cost: 1e-6 * (1 + engine.length), reference_cost: 1e-8, cost_ratio: 100,
-        second_cost: 1e-6 * (1 + engine.length) / step })) } };
+        second_cost: 1e-6 * (1 + engine.length) / step })), shards: [] } };
 }

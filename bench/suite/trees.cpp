@@ -192,11 +192,11 @@ TreeSet read_trees(const std::vector<fs::path>& paths) {
   for (const fs::path& path : paths) {
     read_tree(path, set);
   }
-  std::map<std::size_t, const ResultTree*> by_number;
+  std::map<Shard, const ResultTree*> by_shard;
   for (const ResultTree& tree : set.trees) {
     std::vector<std::string> found = Differences(tree, set.trees.front()).sentences();
     std::move(found.begin(), found.end(), std::back_inserter(set.problems));
-    const auto [other, is_new] = by_number.emplace(tree.options.shard.number, &tree);
+    const auto [other, is_new] = by_shard.emplace(tree.options.shard, &tree);
     if (!is_new) {
       set.problems.push_back(fmt::format("{}: is shard {}, and so is {}; give each shard once",
                                          tree_name(tree.path), to_string(tree.options.shard),

@@ -33,11 +33,11 @@ std::string seen(const std::string& text) {
 TEST(Progress, TimeLeftGoesByTheWorkAndNotByTheCount) {
   Fake fake;
   Progress progress(1000.0, 4, "runs", fake.screen(true));
-  fake.now += 10.0;
+  fake.now += 8.0;
   progress.ended(100.0);  // a tenth of the work: nine times as long to go
   EXPECT_EQ(seen(fake.written.back()).substr(seen(fake.written.back()).find(']')),
-            "]  10 %, 1 of 4 runs, about 90 s left");
-  fake.now += 40.0;
+            "]  10 %, 1 of 4 runs, about 72 s left");
+  fake.now += 42.0;
   progress.ended(400.0);
   EXPECT_NE(fake.written.back().find(" 50 %, 2 of 4 runs, about 50 s left"), std::string::npos)
       << fake.written.back();

@@ -46,7 +46,7 @@ Words merge_of(const std::vector<fs::path>& trees, const fs::path& out) {
 }
 
 /// The report up to `context`, which holds all that may differ: times, costs, machine, command.
-std::string comparable(const fs::path& out) {
+std::string before_context(const fs::path& out) {
   const std::string whole = content_of(out / "report.json");
   EXPECT_NE(whole.find("\n \"context\""), std::string::npos) << out;
   return whole.substr(0, whole.find("\n \"context\""));
@@ -91,9 +91,9 @@ TEST_F(Merge, OfTwoShardsIsTheReportOfOneMachineButForItsContext) {
   const Outcome outcome = program(merge_of({path("2"), path("1")}, path("merged")));
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
-  const std::string whole = comparable(path("whole"));
+  const std::string whole = before_context(path("whole"));
   EXPECT_GT(whole.size(), 10'000U);
-  EXPECT_EQ(comparable(path("merged")), whole);
+  EXPECT_EQ(before_context(path("merged")), whole);
   EXPECT_EQ(run_files(path("merged")), run_files(path("whole")));
   const json report = report_in(path("merged"));
   EXPECT_EQ(report.at("complete"), true);
@@ -115,7 +115,7 @@ TEST_F(Merge, OfThreeShardsAndOfMoreThanThereAreRunsIsTheSame) {
       EXPECT_EQ(outcome.code, 0) << outcome.errors;
     }
     EXPECT_EQ(program(merge_of(paths, trees.path() / "merged")).code, 0);
-    EXPECT_EQ(comparable(trees.path() / "merged"), comparable(path("whole"))) << of;
+    EXPECT_EQ(before_context(trees.path() / "merged"), before_context(path("whole"))) << of;
   }
 }
 
@@ -130,7 +130,7 @@ TEST_F(Merge, ShardSaysThatItIsOne) {
 TEST_F(Merge, OfAMergedTreeIsThatTree) {
   ASSERT_EQ(program(merge_of({path("1"), path("2")}, path("once"))).code, 0);
   ASSERT_EQ(program(merge_of({path("once")}, path("twice"))).code, 0);
-  EXPECT_EQ(comparable(path("twice")), comparable(path("whole")));
+  EXPECT_EQ(before_context(path("twice")), before_context(path("whole")));
 }
 
 TEST_F(Merge, WithoutAShardReportsTheOthersAndSaysSo) {
@@ -174,7 +174,7 @@ reason = "nothing with fixed steps can keep it"
       program(merge_of({path("1"), path("2")}, path("gated-too")) + Words{"--gate", limits});
   EXPECT_EQ(whole.code, 1);
   EXPECT_EQ(merged.code, 1);
-  EXPECT_EQ(comparable(path("gated-too")), comparable(path("gated")));
+  EXPECT_EQ(before_context(path("gated-too")), before_context(path("gated")));
   const auto verdict = [](const std::string& text) { return text.substr(text.rfind("\n\n")); };
   EXPECT_EQ(verdict(merged.output), verdict(whole.output));
   const Outcome shard = program(shard_of(small_suite, "1/2", path("no")) + Words{"--gate", limits});
@@ -289,7 +289,7 @@ TEST(Shards, KilledAndResumedMergesLikewise) {
   ASSERT_EQ(program(first + Words{"--resume"}).code, 0);
   EXPECT_GE(report_in(folder.path() / "1").at("context").at("kept_runs").get<std::size_t>(), 2U);
   EXPECT_EQ(program(merge).code, 0);
-  EXPECT_EQ(comparable(folder.path() / "merged"), comparable(folder.path() / "whole"));
+  EXPECT_EQ(before_context(folder.path() / "merged"), before_context(folder.path() / "whole"));
 }
 
 }  // namespace

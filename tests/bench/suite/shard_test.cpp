@@ -54,6 +54,7 @@ TEST(Shard, IsTwoWholeNumbersTheFirstAtMostTheSecond) {
 
 TEST(Shard, EveryRunIsInExactlyOne) {
   SuiteOptions options = some_suite();
+  options.engines.resize(1);
   const std::size_t runs = plan(options).size();
   for (const std::size_t of : {std::size_t{1}, std::size_t{2}, std::size_t{16}, runs + 5}) {
     std::multiset<std::size_t> places;

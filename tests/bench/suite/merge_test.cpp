@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -104,19 +105,31 @@ TEST_F(Merge, OfTwoShardsIsTheReportOfOneMachineButForItsContext) {
   EXPECT_NE(shards.at(1).at("command").get<std::string>().find("--shard 2/2"), std::string::npos);
 }
 
-TEST_F(Merge, OfThreeShardsAndOfMoreThanThereAreRunsIsTheSame) {
-  for (const std::size_t of : {std::size_t{3}, small_suite_runs + 2}) {
-    const TemporaryFolder trees;
-    std::vector<fs::path> paths;
-    for (std::size_t number = 1; number <= of; ++number) {
-      paths.push_back(trees.path() / std::to_string(number));
-      const std::string shard = std::to_string(number) + "/" + std::to_string(of);
-      const Outcome outcome = program(shard_of(small_suite, shard, paths.back()));
-      EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    }
-    EXPECT_EQ(program(merge_of(paths, trees.path() / "merged")).code, 0);
-    EXPECT_EQ(before_context(trees.path() / "merged"), before_context(path("whole"))) << of;
+/// Runs `suite` in so many shards and merges them into `merged`.
+void merge_shards(const Words& suite, std::size_t of, const fs::path& folder) {
+  std::vector<fs::path> paths;
+  for (std::size_t number = 1; number <= of; ++number) {
+    paths.push_back(folder / std::to_string(number));
+    const std::string shard = std::to_string(number) + "/" + std::to_string(of);
+    const Outcome outcome = program(shard_of(suite, shard, paths.back()));
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
   }
+  EXPECT_EQ(program(merge_of(paths, folder / "merged")).code, 0);
+}
+
+TEST_F(Merge, OfThreeShardsIsTheSame) {
+  const TemporaryFolder trees;
+  merge_shards(small_suite, 3, trees.path());
+  EXPECT_EQ(before_context(trees.path() / "merged"), before_context(path("whole")));
+}
+
+TEST(Shards, MayBeMoreThanThereAreRuns) {
+  const TemporaryFolder trees;
+  const Words two_runs = {"bench",    "bouncing-ball", "elastic-box", "--engines", "exact",
+                          "--models", "event",         "--steps",     "1e-2"};
+  ASSERT_EQ(program(two_runs + Words{"--out", (trees.path() / "whole").string()}).code, 0);
+  merge_shards(two_runs, 4, trees.path());
+  EXPECT_EQ(before_context(trees.path() / "merged"), before_context(trees.path() / "whole"));
 }
 
 TEST_F(Merge, ShardSaysThatItIsOne) {
@@ -190,41 +203,43 @@ struct Refused {
 };
 
 TEST_F(Merge, RefusesWhatDoesNotBelongTogether) {
-  const auto also = [](const std::string& name, const Words& suite) {
-    EXPECT_EQ(program(shard_of(suite, "2/2", path(name))).code, 0) << name;
+  // the second shard as it would be if its suite.json said this instead
+  const json manifest = json::parse(content_of(path("2") / "suite.json"));
+  const auto altered = [&](const std::string& name, const char* place, const json& value) {
+    json other = manifest;
+    other[json::json_pointer(place)] = value;
+    fs::create_directory(path(name));
+    static_cast<void>(folder->file(name + "/suite.json", other.dump()));
   };
-  const auto with = [](const std::string& option, const std::string& value) {
-    Words words = small_suite;
-    *(std::find(words.begin(), words.end(), option) + 1) = value;
-    return words;
+  const auto ball_with = [&](const std::string& old, const std::string& other) {
+    std::string text = manifest.at("cases").at(1).get<std::string>();
+    EXPECT_NE(text.find(old), std::string::npos) << text;
+    return text.replace(text.find(old), old.size(), other);
   };
-  also("steps", with("--steps", "1e-2"));
-  also("engines", with("--engines", "exact"));
-  also("models", with("--models", "event"));
-  also("until", with("--until", "2"));
-  also("law", small_suite + Words{"--law", "poisson"});
-  also("time", small_suite + Words{"--time-limit", "50"});
-  Words other_case = small_suite;
-  other_case[1] = "elastic-box";
-  also("cases", other_case);
-  ASSERT_EQ(program(shard_of(small_suite, "2/3", path("third"))).code, 0);
+  altered("steps", "/options/steps", {0.01});
+  altered("engines", "/engines", json::array({manifest.at("engines").at(0)}));
+  altered("plug-in", "/engines/1/plugin", "0123456789abcdef");
+  altered("engine version", "/engines/1/version", "3.26");
+  altered("models", "/models", {"event"});
+  altered("until", "/cases/1", ball_with("duration = 3.0", "duration = 2.0"));
+  altered("cases", "/cases/1", ball_with("bouncing-ball", "bouncing-cube"));
+  altered("no case", "/cases/1", "mass = 1");
+  altered("law", "/options/law", "poisson");
+  altered("time", "/options/time_limit", 50.0);
+  altered("third", "/shard/of", 3);
+  altered("version", "/program/version", "0.0.1");
+  altered("build", "/program/hash", "0123456789abcdef");
   fs::create_directory(path("nothing"));
-  fs::copy(path("2"), path("version"), fs::copy_options::recursive);
-  fs::copy(path("2"), path("build"), fs::copy_options::recursive);
-  const auto alter = [](const std::string& tree, const char* key, const char* value) {
-    json manifest = json::parse(content_of(path(tree) / "suite.json"));
-    manifest["program"][key] = value;
-    static_cast<void>(folder->file(tree + "/suite.json", manifest.dump()));
-  };
-  alter("version", "version", "0.0.1");
-  alter("build", "hash", "0123456789abcdef");
   const std::vector<Refused> all = {
       {"a shard twice", {"1", "2", "2"}, "is shard 2/2, and so is "},
+      {"another plug-in", {"1", "plug-in"}, "has another plug-in for bullet64 than "},
+      {"another engine", {"1", "engine version"}, "has bullet64 3.26, must have 3."},
+      {"no case", {"1", "no case"}, "its suite.json makes no sense"},
       {"other steps", {"1", "steps"}, "has the steps 0.01, must have 0.01, 0.005 as "},
       {"other engines", {"1", "engines"}, "lacks the engine bullet64"},
       {"other models", {"1", "models"}, "has models event, must have row, event as "},
       {"another duration", {"1", "until"}, "has another case bouncing-ball than "},
-      {"other cases", {"1", "cases"}, "has the case elastic-box, which "},
+      {"other cases", {"1", "cases"}, "has the case bouncing-cube, which "},
       {"another law", {"1", "law"}, "has the law poisson, must have simultaneous as "},
       {"another limit", {"1", "time"}, "has the time limit 50 s, must have 60 s as "},
       {"another number", {"1", "third"}, "has a number of shards of 3, must have 2"},
@@ -248,6 +263,33 @@ TEST_F(Merge, RefusesWhatDoesNotBelongTogether) {
   EXPECT_TRUE(fs::exists(path("1") / "suite.json"));
 }
 
+TEST(Bench, WithoutCasesRunsTheQuickSuiteAndNamesItsTime) {
+  const TemporaryFolder folder;
+  const Outcome outcome = program({"bench", "--engines", "exact", "--models", "event", "--out",
+                                   (folder.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("\nquick suite: 12 runs in "), std::string::npos) << outcome.output;
+  const json report = report_in(folder.path() / "r");
+  EXPECT_EQ(report.at("options").at("steps"), json({1e-2, 1e-3}));
+  EXPECT_EQ(report.at("cases").size(), 6U);
+}
+
+TEST(Bench, SuiteIsOneOfThoseThereAreAndNotBesideCases) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "r").string();
+  const Outcome chapter = program({"bench", "--suite", "chapter", "--engines", "exact", "--models",
+                                   "event", "--steps", "0.1", "--until", "1", "--out", out});
+  EXPECT_EQ(chapter.code, 0) << chapter.errors;
+  EXPECT_EQ(report_in(out).at("cases").size(), 21U);
+  const Outcome unknown = program({"bench", "--suite", "swift", "--out", out + "2"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.errors.find("--suite swift: must be quick, chapter or all"), std::string::npos)
+      << unknown.errors;
+  const Outcome both = program({"bench", "bouncing-ball", "--suite", "all", "--out", out + "2"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_NE(both.errors.find("--suite: cases are named too"), std::string::npos) << both.errors;
+}
+
 TEST(Shards, WrongOnesAreRefusedWithASentence) {
   for (const char* wrong : {"0/3", "4/3", "a/b", "1/0", "", "2"}) {
     const TemporaryFolder folder;
@@ -260,10 +302,12 @@ TEST(Shards, WrongOnesAreRefusedWithASentence) {
 
 TEST(Shards, KilledAndResumedMergesLikewise) {
   const TemporaryFolder folder;
-  const Words suite = {
-      "bench",    "breakwater/15*", "breakwater/17*", "--engines",      "exact,bullet64",
-      "--models", "row,event",      "--steps",        "1e-2,1e-3,5e-4", "--jobs",
-      "1"};
+  const Words suite = {"bench",     "breakwater/1[57]10121100",
+                       "--engines", "exact,bullet64",
+                       "--models",  "row,event",
+                       "--steps",   "1e-3,5e-4,2.5e-4",
+                       "--until",   "5",
+                       "--jobs",    "1"};
   ASSERT_EQ(program(suite + Words{"--out", (folder.path() / "whole").string()}).code, 0);
   ASSERT_EQ(program(shard_of(suite, "2/2", folder.path() / "2")).code, 0);
   const Words first = shard_of(suite, "1/2", folder.path() / "1");

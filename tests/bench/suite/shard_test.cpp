@@ -7,11 +7,8 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 #include "bench/cases/catalogue.hpp"
-#include "bench/suite/suites.hpp"
-#include "tests/bench/support.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -103,38 +100,6 @@ TEST(Shard, EachHasAboutAsManyDearRunsOfEveryModel) {
     const auto [least, most] = std::minmax_element(of_shard.begin(), of_shard.end());
     EXPECT_LE(*most - *least, 6) << model.first << " " << model.second;
     EXPECT_GE(*least, 5) << model.first << " " << model.second;
-  }
-}
-
-TEST(Suites, NameShippedCasesAndSayWhatEachShows) {
-  std::set<std::string_view> names;
-  for (const Suite& suite : suites()) {
-    EXPECT_TRUE(names.insert(suite.name).second) << suite.name;
-    EXPECT_FALSE(suite.steps.empty()) << suite.name;
-    const CaseSelection selection = select_cases(cases_of(suite));
-    EXPECT_TRUE(selection.problems.empty()) << selection.problems.front();
-    EXPECT_GE(selection.cases.size(), suite.entries.size());
-    for (const SuiteCases& entry : suite.entries) {
-      EXPECT_FALSE(entry.shows.empty()) << entry.cases;
-    }
-  }
-  EXPECT_EQ(suites().front().name, "quick");
-  EXPECT_EQ(find_suite("chapter")->steps, usual_steps());
-  EXPECT_EQ(find_suite("swift"), nullptr);
-}
-
-TEST(Suites, AreListedInTheDocumentAsTheProgramHasThem) {
-  const std::string document = test::content_of(TAUTLINE_SCALING);
-  const std::string mark = "<!-- suites -->\n```\n";
-  ASSERT_NE(document.find(mark), std::string::npos);
-  const std::size_t start = document.find(mark) + mark.size();
-  EXPECT_EQ(document.substr(start, document.find("```", start) - start), suites_text());
-}
-
-TEST(Suites, TextFitsATerminal) {
-  std::istringstream lines(suites_text());
-  for (std::string line; std::getline(lines, line);) {
-    EXPECT_LT(line.size(), 80U) << line;
   }
 }
 

@@ -55,6 +55,59 @@ Case tilted_breakwater() {
   return result;
 }
 
+/// A load of two cables that hangs level and is dropped: both go taut in the same instant, and as
+/// they rebound differently it then tumbles from one to the other, SI units.
+Case level_beam() {
+  Case result;
+  result.name = "level-beam";
+  result.body = {800.0, 1100.0};
+  result.gravity = Vec2(0.0, -9.81);
+  result.cables = {{Vec2(-3.0, 8.0), Vec2(-2.0, 0.2), 5.0, 0.6},
+                   {Vec2(3.0, 8.0), Vec2(2.0, 0.2), 5.0, 0.4}};
+  result.initial.position = Vec2(0.0, 3.4);
+  result.duration = 3.0;
+  return result;
+}
+
+/// A ball thrown into its cable, which does not rebound: it is caught, swings up above the anchor,
+/// lets go, falls, and is caught again, SI units.
+Case caught_swing() {
+  Case result;
+  result.name = "caught-swing";
+  result.body = {5.0, 0.05};
+  result.gravity = Vec2(0.0, -9.81);
+  result.cables = {{Vec2(0.0, 0.0), Vec2(0.0, 0.0), 1.0, 0.0}};
+  result.initial = {Vec2(0.0, -0.9), 0.0, Vec2(6.3, 0.0), 1.0};
+  result.duration = 4.0;
+  return result;
+}
+
+/// A rod held by its end and dropped level: a body whose arm is five times its radius of gyration
+/// turns its fall into spin, SI units.
+Case spinning_rod() {
+  Case result;
+  result.name = "spinning-rod";
+  result.body = {4.0, 0.05};
+  result.gravity = Vec2(0.0, -9.81);
+  result.cables = {{Vec2(0.0, 3.0), Vec2(0.6, 0.0), 1.5, 0.5}};
+  result.initial.position = Vec2(-0.3, 2.0);
+  result.duration = 2.0;
+  return result;
+}
+
+/// A box on one cable at its corner that loses nothing, SI units.
+Case elastic_box() {
+  Case result;
+  result.name = "elastic-box";
+  result.body = {12.0, 0.5};
+  result.gravity = Vec2(0.0, -9.81);
+  result.cables = {{Vec2(0.0, 3.0), Vec2(0.2, 0.15), 2.0, 1.0}};
+  result.initial.position = Vec2(0.3, 1.4);
+  result.initial.angle = 0.2;
+  result.duration = 3.0;
+  return result;
+}
+
 }  // namespace
 
 Case bouncing_ball(double restitution) {
@@ -74,7 +127,8 @@ std::vector<Case> shipped_cases() {
         breakwater(table_row.parameters, "breakwater/" + std::string(table_row.number)));
   }
   for (Case& other : std::vector<Case>{bouncing_ball(), crane_load(), buoy_three_cables(),
-                                       plate_four_cables(), tilted_breakwater()}) {
+                                       plate_four_cables(), tilted_breakwater(), elastic_box(),
+                                       caught_swing(), spinning_rod(), level_beam()}) {
     cases.push_back(std::move(other));
   }
   return cases;

@@ -14,6 +14,7 @@ namespace tautline::bench {
 void add_solve(CLI::App& app, int& code);
 void add_run(CLI::App& app, int& code);
 void add_bench(CLI::App& app, int& code, const std::string& command_line);  // as it was typed
+void add_merge(CLI::App& app, int& code, const std::string& command_line);
 void add_compare(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_reproduce(CLI::App& app, int& code);

@@ -60,6 +60,7 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
   add_solve(app, code);
   add_run(app, code);
   add_bench(app, code, command_line);
+  add_merge(app, code, command_line);
   add_compare(app, code);
   add_check(app, code);
   add_reproduce(app, code);

@@ -60,8 +60,9 @@ int reproduce_command(const ReproduceCommand& command) {
   }
   // the runs and the report of `tautline bench` in the same folder stay
   const Descriptor tree = open_tree(command.out, false);
-  Progress progress(table_5_1().size(), "cases");
-  const ChapterStudy study = solve_chapter([&](std::size_t solved) { progress.show(solved); });
+  const std::size_t cases = table_5_1().size();
+  Progress progress(static_cast<double>(cases), cases, "cases");
+  const ChapterStudy study = solve_chapter([&](std::size_t) { progress.ended(1.0); });
   progress.finish();
   const ChapterReport report = chapter_report(study);
   write_files(report, command.out);

@@ -65,7 +65,7 @@ int run_command(const RunCommand& command) {
   const Descriptor tree = options.out.empty() ? Descriptor() : open_tree(options.out, false);
   const auto references = solve_cases(options.cases, options.law);
   catch_interruption();
-  const SuiteResult result = run_suite(options, references, [](std::size_t) {});
+  const SuiteResult result = run_suite(options, references, [](const PlannedRun&, bool) {});
   if (result.runs.empty()) {
     complain({"interrupted"});
     return exit_failed;

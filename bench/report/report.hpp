@@ -279,6 +279,17 @@ struct LimitsSource {
   std::string version;
 };
 
+/// One of the parts that a suite was dealt out in, and how it was made.
+struct ShardRow {
+  std::size_t number = 1;  // from 1 to `of`
+  std::size_t of = 1;
+  std::string command;   // as it was typed
+  std::string started;   // ISO 8601, UTC
+  double elapsed = 0.0;  // [s]; 0 of one that did not come to its end
+  std::string processor;
+  std::size_t cores = 0;
+};
+
 /// What made the report: all that differs from machine to machine and from day to day.
 struct Context {
   std::string command;          // as it was typed
@@ -295,6 +306,7 @@ struct Context {
   std::string commit;
   std::vector<CostRow> costs;
   std::vector<TimingRow> timing;
+  std::vector<ShardRow> shards;  // that were merged; none of one machine's report
 };
 
 struct Report {

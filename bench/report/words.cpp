@@ -216,6 +216,12 @@ std::vector<Fact> context_facts(const Report& report) {
       {"memory", fmt::format("at most {} in the program and {} in a worker",
                              megabytes(context.program_memory), megabytes(context.worker_memory))},
   };
+  if (!context.shards.empty()) {
+    facts.push_back({"merged", fmt::format("from {} of {}, whose times add up; costs are those of "
+                                           "the machine that each run was on",
+                                           counted(context.shards.size(), "shard"),
+                                           context.shards.front().of)});
+  }
   if (report.limits) {
     facts.push_back({"limits", fmt::format("{}, version {}", text_of(report.limits->file),
                                            text_of(report.limits->version))});

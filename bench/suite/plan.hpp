@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,6 +16,14 @@
 
 namespace tautline::bench {
 
+/// One of the parts into which the runs of a suite are dealt out, for a machine each.
+struct Shard {
+  std::size_t number = 1;  // from 1 to `of`
+  std::size_t of = 1;
+
+  auto operator<=>(const Shard&) const = default;  // NOLINT(modernize-use-nullptr): it has none
+};
+
 /// What is run: every case on every engine, with every model and step.
 struct SuiteOptions {
   std::vector<Case> cases;
@@ -23,10 +33,13 @@ struct SuiteOptions {
   ImpactLaw law = ImpactLaw::simultaneous;
   std::filesystem::path out;  // a result tree from `open_tree`; empty writes nothing
   unsigned jobs = 1;          // worker processes at a time
+  Shard shard;                // of the runs, that are done here
   bool resume = false;        // keep runs that `out` already has
   std::size_t samples = 500;  // rows of a trajectory.csv, next to those at impacts
   WorkerLimits limits;
   CompareOptions compare;
+  /// A hash of each engine's plug-in, where the files are not here; empty: where they are.
+  std::vector<std::uint64_t> plugins;
 };
 
 /// One run of the suite.
@@ -44,6 +57,9 @@ struct PlannedRun {
 /// Sentences that say why `options` cannot run: no steps, a step that is not above 0 or needs more
 /// than `most_steps` for a case, an output folder that holds something else.
 [[nodiscard]] std::vector<std::string> suite_problems(const SuiteOptions& options);
+
+/// Of a command line that is quoted in a report [bytes].
+inline constexpr std::size_t longest_command = 1000;
 
 /// More worker processes than this at a time are refused.
 inline constexpr unsigned most_jobs = 256;

@@ -1,7 +1,6 @@
 #include "bench/suite/report_of.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -10,33 +9,12 @@
 #include "bench/measure/audit/audit.hpp"
 #include "bench/report/rows.hpp"
 #include "bench/report/summary.hpp"
+#include "bench/suite/manifest.hpp"
 #include "bench/suite/motion_files.hpp"
 #include "bench/suite/source_commit.hpp"
 
 namespace tautline::bench {
 namespace {
-
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) {
-      return printable(line.substr(colon + 2));
-    }
-  }
-  return "unknown";
-}
-
-EngineRow engine_row(const RegisteredEngine& engine) {
-  EngineRow row;
-  row.name = engine.info ? engine.info->name : engine.name;
-  row.info = engine.info;
-  if (!engine.info) {
-    row.problem = printable(engine.failure.empty() ? engine.missing : engine.failure);
-  }
-  row.missing = !engine.missing.empty();
-  return row;
-}
 
 /// What is found in the audits of all runs.
 std::vector<Finding> findings_in(const std::vector<RunRecord>& runs) {
@@ -51,10 +29,12 @@ std::vector<Finding> findings_in(const std::vector<RunRecord>& runs) {
 }
 
 Context filled(Context context, const SuiteResult& result) {
-  context.command = printable(context.command, 1000);
+  context.command = printable(context.command, longest_command);
   context.kept_runs = result.kept;
-  context.processor = processor_name();
-  context.cores = std::thread::hardware_concurrency();
+  if (context.shards.empty()) {
+    context.processor = processor_name();
+    context.cores = std::thread::hardware_concurrency();
+  }
   context.compiler = TAUTLINE_COMPILER;
   context.build_type = TAUTLINE_BUILD_TYPE;
   context.flags = TAUTLINE_FLAGS;
@@ -77,15 +57,8 @@ Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& 
   report.version = TAUTLINE_VERSION;
   report.complete = result.runs.size() == result.planned;
   report.planned_runs = result.planned;
-  report.options = {options.steps,
-                    std::string(to_string(options.law)),
-                    options.compare.count_speed,
-                    options.compare.early_impacts,
-                    options.limits.time,
-                    static_cast<double>(options.limits.memory)};
-  for (const RegisteredEngine& engine : options.engines) {
-    report.engines.push_back(engine_row(engine));
-  }
+  report.options = report_options(options);
+  report.engines = engine_rows(options.engines);
   for (const ReferenceCase& reference : references) {
     report.cases.push_back(case_row(reference, options.compare));
     if (references.size() > most_cases_in_page) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -51,13 +53,26 @@ std::string file_content(const fs::path& path) {
   return std::move(content).str();
 }
 
-/// Of the program itself: what it compares, and how, may change without its version.
-std::uint64_t program_hash() {
-  static const std::uint64_t value = stable_hash(file_content("/proc/self/exe"));
-  return value;
+/// Of a file's content, read the first time it is asked for.
+std::uint64_t file_hash(const fs::path& path) {
+  static std::mutex guard;
+  static std::map<fs::path, std::uint64_t> known;
+  const std::scoped_lock lock(guard);
+  const auto [place, is_new] = known.try_emplace(path, 0);
+  if (is_new) {
+    place->second = stable_hash(file_content(path));
+  }
+  return place->second;
 }
 
 }  // namespace
+
+std::uint64_t program_hash() { return file_hash("/proc/self/exe"); }
+
+std::uint64_t plugin_hash(const SuiteOptions& options, std::size_t engine) {
+  return options.plugins.empty() ? file_hash(options.engines[engine].plugin)
+                                 : options.plugins[engine];
+}
 
 fs::path run_folder(const fs::path& out, const RunKey& run) {
   return out / "runs" / folder_name(run.the_case) / folder_name(run.engine) /
@@ -102,7 +117,7 @@ std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
       write_case(options.cases[run.the_case]) + settings_json(*engine.info, run.model, run.step) +
       fmt::format("{} {} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
                   options.samples, to_string(options.law), TAUTLINE_VERSION) +
-      file_content(engine.plugin);
+      fmt::format(" {:016x}", plugin_hash(options, run.engine));
   return fmt::format("{:016x}{:016x}", stable_hash(text), program_hash());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +21,12 @@ namespace tautline::bench {
 
 /// The impacts of a run as CSV.
 [[nodiscard]] std::string events_csv(const Trajectory& run);
+
+/// Of the program itself: what it compares, and how, may change without its version.
+[[nodiscard]] std::uint64_t program_hash();
+
+/// Of the plug-in of one of the engines of `options`.
+[[nodiscard]] std::uint64_t plugin_hash(const SuiteOptions& options, std::size_t engine);
 
 /// The same text for the same run, another for any other: case, engine, version, plug-in file,
 /// model, settings, step and how it is compared.

@@ -11,33 +11,33 @@
 #include "bench/report/rows.hpp"
 #include "bench/run/worker.hpp"
 #include "bench/suite/run_files.hpp"
+#include "bench/suite/shard.hpp"
 
 namespace tautline::bench {
 namespace {
 
-/// One run: from the result tree if it is there, else in a worker, compared and written.
-/// None if the program was interrupted.
+/// A run that need not be done again: the result tree has it, and it did not fail.
+std::optional<RunRecord> earlier_run(const SuiteOptions& options, const PlannedRun& run) {
+  if (options.out.empty() || !options.resume) {
+    return std::nullopt;
+  }
+  auto earlier = read_run(run_folder(options.out, key_of(options, run)), fingerprint(options, run));
+  return earlier && earlier->row.status != Status::failed ? earlier : std::nullopt;
+}
+
+/// One run in a worker, compared and written. None if the program was interrupted.
 std::optional<RunRecord> do_run(const SuiteOptions& options, const ReferenceCase& reference,
-                                const PlannedRun& run, std::atomic<std::size_t>& kept) {
+                                const PlannedRun& run) {
   const RegisteredEngine& engine = options.engines[run.engine];
   const RunKey key = key_of(options, run);
-  const bool writes = !options.out.empty();
-  const auto folder = run_folder(options.out, key);
-  if (writes && options.resume) {
-    if (auto earlier = read_run(folder, fingerprint(options, run));
-        earlier && earlier->row.status != Status::failed) {
-      ++kept;
-      return earlier;
-    }
-  }
   const RunReply reply = run_in_worker(
       {engine.plugin, reference.the_case, run.model.name, {run.step, options.law}, options.limits});
   if (reply.interrupted) {
     return std::nullopt;
   }
   RunRecord record = run_record(reference, *engine.info, key, reply, {options.compare});
-  if (writes) {
-    write_run(folder, options, run, reply, record);
+  if (!options.out.empty()) {
+    write_run(run_folder(options.out, key), options, run, reply, record);
   }
   return record;
 }
@@ -45,26 +45,33 @@ std::optional<RunRecord> do_run(const SuiteOptions& options, const ReferenceCase
 }  // namespace
 
 SuiteResult run_suite(const SuiteOptions& options, const std::vector<ReferenceCase>& references,
-                      const std::function<void(std::size_t)>& progress) {
+                      const SuiteProgress& progress) {
   const std::vector<PlannedRun> runs = plan(options);
-  std::vector<std::optional<RunRecord>> results(runs.size());
+  const std::vector<std::size_t> due = places_in_shard(options);
+  std::vector<std::optional<RunRecord>> results(due.size());
   std::atomic<std::size_t> next{0};
-  std::atomic<std::size_t> kept{0};
-  std::size_t ended = 0;
+  std::size_t kept = 0;
   std::exception_ptr failure;
-  std::mutex guard;  // of `ended`, `failure` and `progress`
+  std::mutex guard;  // of `kept`, `failure` and `progress`
   const auto work = [&] {
-    for (std::size_t index = next++; index < runs.size() && !interruption(); index = next++) {
+    for (std::size_t index = next++; index < due.size() && !interruption(); index = next++) {
+      const PlannedRun& run = runs[due[index]];
+      bool earlier = false;
       try {
-        results[index] = do_run(options, references[runs[index].the_case], runs[index], kept);
+        results[index] = earlier_run(options, run);
+        earlier = results[index].has_value();
+        if (!earlier) {
+          results[index] = do_run(options, references[run.the_case], run);
+        }
       } catch (...) {
         const std::scoped_lock lock(guard);
         failure = std::current_exception();
-        next = runs.size();
+        next = due.size();
         return;
       }
       const std::scoped_lock lock(guard);
-      progress(++ended);
+      kept += earlier ? 1U : 0U;
+      progress(run, earlier);
     }
   };
   {
@@ -78,6 +85,7 @@ SuiteResult run_suite(const SuiteOptions& options, const std::vector<ReferenceCa
   }
   SuiteResult suite;
   suite.planned = runs.size();
+  suite.due = due.size();
   suite.kept = kept;
   suite.interrupted = interruption();
   for (std::optional<RunRecord>& result : results) {

@@ -83,7 +83,7 @@ class EventDriven final : public Simulation {
       if (stop_) {
         break;
       }
-      rest -= held_ ? swing_to_event(rest, time) : fly_to_contact(rest);
+      rest -= swings() ? swing_to_event(rest, time) : fly_to_contact(rest, time);
       const std::size_t strikes = events_.size();
       strike(clock_.now() + (dt - rest));
       idle = events_.size() > strikes ? 0 : idle + 1;
@@ -139,23 +139,36 @@ class EventDriven final : public Simulation {
       }
     }
     taut_ = held_ ? held_->taut() : CableSet{};
-    if (held_ && held_->pulling.empty()) {
-      held_.reset();  // a flight
-    }
   }
+
+  [[nodiscard]] bool swings() const { return held_ && !held_->pulling.empty(); }
 
   /// Flies to the first contact, at most `rest` [s], and returns how long that took. Leaves in
   /// `touching_` the cables in contact there: what is known to touch holds for one instant only.
-  double fly_to_contact(double rest) {
-    const State start = adapter_->state();
-    const auto contact = first_contact(case_, start, touching(start), rest).contact;
-    const double dt = contact ? contact->dt : rest;
+  double fly_to_contact(double rest, double time) {
+    const auto [dt, contact] = first_on_flight(rest);
+    if (std::isnan(dt)) {
+      stop("numbers overflow", time);
+      return rest;
+    }
     if (dt > 0.0) {
       adapter_->fly(dt);
       touching_ = taut_;  // those that follow without a tension
     }
-    touching_ = contact ? touching_ | contact->cables : touching_;
+    touching_ = touching_ | contact;
     return dt;
+  }
+
+  /// The first contact of a flight, at most `rest` [s]. A cable that is let go opens with its third
+  /// derivative: what rounding leaves of the others would bring it back at once, and so for ever.
+  [[nodiscard]] BasicFirstContact<double> first_on_flight(double rest) const {
+    if (held_) {
+      return first_change(case_, *held_, rest);
+    }
+    const State start = adapter_->state();
+    const auto contact = first_contact(case_, start, touching(start), rest).contact;
+    return contact ? BasicFirstContact<double>{contact->dt, contact->cables}
+                   : BasicFirstContact<double>{rest, {}};
   }
 
   /// Moves on taut cables to the first contact or release, at most `rest` [s], and returns how long
@@ -167,7 +180,7 @@ class EventDriven final : public Simulation {
       stop("numbers overflow", time);
       return rest;
     }
-    dt = std::clamp(dt, shortest_swing * rest, rest);
+    dt = std::clamp(dt, shortest_move(start, rest), rest);
     bool holds = taut_step(case_, *adapter_, held_->pulling, dt);
     // the exact motion foretells the contact of the engine's but for the error of its step
     for (int pass = 0; holds && pass < most_corrections; ++pass) {
@@ -189,6 +202,14 @@ class EventDriven final : public Simulation {
     }
     touching_ = taut_ | contact;
     return dt;
+  }
+
+  /// The shortest swing to a foretold release, at most `rest` [s]: in less the velocity would not
+  /// change by more than the engine rounds, and the tension might stay what it is for ever.
+  [[nodiscard]] double shortest_move(const State& start, double rest) const {
+    const double rounding = rounding_.rate * speed_scale(case_, start);
+    return std::min(rest,
+                    std::max(shortest_swing * rest, rounding / acceleration_scale(case_, start)));
   }
 
   /// By how long the end of a swing is too late [s] for the contact of `expected`, or of the slack
@@ -274,7 +295,7 @@ class EventDriven final : public Simulation {
   Clock clock_;
   CableSet touching_;         // at zero gap now
   CableSet taut_;             // of those, the ones that stay so
-  std::optional<Hold> held_;  // the exact motion from here while cables pull
+  std::optional<Hold> held_;  // the exact motion from here while cables pull, or as they let go
   std::vector<double> impulses_;
   std::vector<Event> events_;
   std::optional<Stop> stop_;

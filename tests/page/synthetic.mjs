@@ -173,5 +173,5 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
       timing: runs.map(({ case: name, engine, model, step }) => ({ case: name, engine, model, step, memory: 1e7,
         step_cost: 1e-6 * (1 + engine.length), reference_cost: 1e-8, cost_ratio: 100,
         second_cost: 1e-6 * (1 + engine.length) / step, second_spread: spreadOf(1e-6 * (1 + engine.length) / step),
-        repetitions: 9 })) } };
+        repetitions: 9 })), shards: [] } };
 }

@@ -129,7 +129,7 @@ std::string answer_paragraph(const Report& report) {
                   scope(report), endings_sentence(report));
   if (!report.complete) {
     out += fmt::format(
-        " <strong>The suite was interrupted: {} planned.</strong>",
+        " <strong>This report is incomplete: {} planned.</strong>",
         counted(report.planned_runs, "run") + (report.planned_runs == 1 ? " was" : " were"));
   }
   return out + errors_sentence(report) + missing_sentence(report) + "</p>\n" +

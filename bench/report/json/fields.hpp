@@ -209,6 +209,17 @@ void fields(Visitor& visit, LimitsSource& limits) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, ShardRow& shard) {
+  visit("number", shard.number);
+  visit("of", shard.of);
+  visit("command", shard.command);
+  visit("started", shard.started);
+  visit("elapsed", shard.elapsed);
+  visit("processor", shard.processor);
+  visit("cores", shard.cores);
+}
+
+template <class Visitor>
 void fields(Visitor& visit, Context& context) {
   visit("command", context.command);
   visit("started", context.started);
@@ -224,6 +235,7 @@ void fields(Visitor& visit, Context& context) {
   visit("commit", context.commit);
   visit("costs", context.costs);
   visit("timing", context.timing);
+  visit("shards", context.shards);
 }
 
 /// All of it but the form, the program and the list of metrics, which stand before.

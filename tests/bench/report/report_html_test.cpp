@@ -268,7 +268,7 @@ TEST(ReportPage, IsWholeForAReportWithNothingInIt) {
   report.complete = false;
   const std::string page = report_html(report, page_assets());
   EXPECT_EQ(unbalanced(page), "");
-  EXPECT_NE(page.find("The suite was interrupted"), std::string::npos);
+  EXPECT_NE(page.find("This report is incomplete"), std::string::npos);
 }
 
 /// `report` with another name for a case, an engine or a model.

@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "bench/base/process.hpp"
+#include "bench/base/text.hpp"
+#include "bench/gate/verdict.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/limit_names.hpp"
+#include "bench/program/options.hpp"
+#include "bench/program/suites/request.hpp"
+#include "bench/program/suites/results.hpp"
+#include "bench/suite/gathering.hpp"
+#include "bench/suite/manifest.hpp"
+#include "bench/suite/report_of.hpp"
+#include "bench/suite/tree.hpp"
+
+namespace tautline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What `tautline merge` was asked.
+struct MergeCommand {
+  std::vector<std::string> trees;
+  std::string out;
+  std::optional<std::string> gate;
+  std::string json;
+  std::string command_line;  // as it was typed, for the report
+};
+
+/// What hinders --out from taking the merged tree; "" if nothing.
+std::string out_problem(const MergeCommand& command) {
+  if (command.out.empty()) {
+    return "--out: is empty; give a folder to write the results to";
+  }
+  const bool is_a_tree =
+      std::any_of(command.trees.begin(), command.trees.end(), [&](const std::string& tree) {
+        std::error_code ignored;
+        return fs::equivalent(tree, command.out, ignored);
+      });
+  if (is_a_tree) {
+    return fmt::format("--out {}: is one of the trees; give another folder",
+                       printable(command.out, 1024));
+  }
+  return tree_problem(command.out).value_or("");
+}
+
+int merge_command(const MergeCommand& command) {
+  TreeSet set = read_trees({command.trees.begin(), command.trees.end()});
+  std::vector<std::string> problems = set.problems;
+  if (std::string problem = out_problem(command); !problem.empty()) {
+    problems.push_back(std::move(problem));
+  }
+  for (std::string& problem : missing_folder("--json", command.json, command.out)) {
+    problems.push_back(std::move(problem));
+  }
+  const SuiteOptions options =
+      set.problems.empty() ? whole_suite(set.trees, command.out) : SuiteOptions();
+  ResultsTarget target = {command.out, command.json, command.gate, {}};
+  target.limits =
+      limits_of(command.gate, limit_names(options.engines, options.cases), problems);
+  if (!problems.empty()) {
+    complain(problems);
+    return exit_usage;
+  }
+  const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
+  const Descriptor tree = open_tree(options.out, true);
+  const Gathering gathering = gather(set.trees, options.out);
+  Context context = made_by(set.trees);
+  context.command = command.command_line;
+  context.program_memory = peak_memory();
+  Manifest manifest = manifest_of(options, context.command, context.started);
+  manifest.shard.elapsed = context.elapsed;
+  write_manifest(options.out, manifest);
+  Report report = report_of(options, references, gathering.result, std::move(context));
+  add_verdicts(report, target.limits);
+  write_results(target, report);
+  print_results(
+      target, report,
+      fmt::format("{} of {} runs from {} result tree{}", report.runs.size(), report.planned_runs,
+                  set.trees.size(), set.trees.size() == 1 ? "" : "s"));
+  if (!gathering.missing.empty()) {
+    complain(gathering.missing);
+    complain({"the merged report is incomplete"});
+    return exit_failed;
+  }
+  return judged(target, report);
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, int& code, const std::string& command_line) {
+  CLI::App* const command =
+      app.add_subcommand("merge", "One report from the result folders of `tautline bench --shard`");
+  const auto asked = std::make_shared<MergeCommand>();
+  asked->command_line = command_line;
+  command
+      ->add_option("TREES", asked->trees,
+                   "the folders that the shards had as their --out, in any order")
+      ->required();
+  command->add_option("--out", asked->out, "folder for the merged report and the runs' files")
+      ->required();
+  command->add_option("--gate", asked->gate, gate_help);
+  command
+      ->add_option("--json", asked->json,
+                   "also write the report as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command->callback([asked, &code] { code = merge_command(*asked); });
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,166 @@
+#include "bench/program/suites/request.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "bench/base/text.hpp"
+#include "bench/cases/catalogue.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/limit_names.hpp"
+#include "bench/program/options.hpp"
+#include "bench/report/json/json.hpp"
+#include "bench/suite/shard.hpp"
+
+namespace tautline::bench {
+namespace {
+
+void append(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
+  sentences.insert(sentences.end(), more.begin(), more.end());
+}
+
+/// The suite that is meant; null where cases are named, or with a sentence on what is wrong.
+const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& problems) {
+  if (!command.suite) {
+    return command.cases.empty() ? &suites().front() : nullptr;
+  }
+  if (!command.cases.empty()) {
+    problems.emplace_back("--suite: cases are named too; give the one or the other");
+    return nullptr;
+  }
+  const Suite* suite = find_suite(*command.suite);
+  if (suite == nullptr) {
+    std::vector<std::string> names;
+    for (const Suite& one : suites()) {
+      names.emplace_back(one.name);
+    }
+    problems.push_back(
+        fmt::format("--suite {}: must be {}", printable(*command.suite), joined(names, "or")));
+  }
+  return suite;
+}
+
+/// The cases that are meant, each as long as --until says.
+std::vector<Case> cases_of(const BenchCommand& command, const Suite* suite,
+                           std::vector<std::string>& problems) {
+  CaseSelection selection = select_cases(suite != nullptr ? cases_of(*suite) : command.cases);
+  append(problems, selection.problems);
+  if (command.until && !(*command.until > 0.0 && std::isfinite(*command.until))) {
+    problems.push_back(
+        fmt::format("--until {}: must be a finite number above 0 [s]", *command.until));
+    return std::move(selection.cases);
+  }
+  for (Case& the_case : selection.cases) {
+    the_case.duration = command.until.value_or(the_case.duration);
+  }
+  return std::move(selection.cases);
+}
+
+/// The part of the runs that is meant.
+Shard shard_of(const BenchCommand& command, std::vector<std::string>& problems) {
+  if (!command.shard) {
+    return {};
+  }
+  const std::optional<Shard> shard = shard_from(*command.shard);
+  if (!shard) {
+    problems.push_back(fmt::format(
+        "--shard {}: must be two whole numbers K/N with K from 1 to N, and N at most {}",
+        printable(*command.shard), most_shards));
+  } else if (shard->of > 1 && command.gate) {
+    problems.emplace_back(
+        "--gate: a shard does not have all runs; give it to the `tautline merge` of all shards");
+  }
+  return shard.value_or(Shard());
+}
+
+void print_schema() {
+  fmt::print("{}", report_schema_json());
+  throw CLI::Success();  // as --help ends
+}
+
+}  // namespace
+
+Limits limits_of(const std::optional<std::string>& gate, const LimitNames& names,
+                 std::vector<std::string>& problems) {
+  if (!gate) {
+    return shipped_limits();
+  }
+  LimitsReading reading = read_limits_file(*gate, names);
+  append(problems, reading.problems);
+  return std::move(reading.limits).value_or(Limits());
+}
+
+Request read_request(const BenchCommand& command) {
+  Request request;
+  SuiteOptions& options = request.options;
+  request.suite = suite_of(command, request.problems);
+  if (request.problems.empty()) {
+    options.cases = cases_of(command, request.suite, request.problems);
+  }
+  EngineChoice choice = choose_engines(command.engines);
+  append(request.problems, choice.problems);
+  append(request.problems, unknown_models(choice.engines, command.models));
+  options.engines = std::move(choice.engines);
+  options.models = command.models;
+  options.steps = request.suite != nullptr ? request.suite->steps : usual_steps();
+  if (!command.steps.empty()) {
+    options.steps = command.steps;
+  }
+  options.law = command.law;
+  options.out = command.out;
+  options.shard = shard_of(command, request.problems);
+  options.resume = command.resume;
+  options.limits.time = command.time_limit;
+  options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
+  append(request.problems, suite_problems(options));
+  append(request.problems, missing_folder("--json", command.json, command.out));
+  request.limits =
+      limits_of(command.gate, limit_names(options.engines, options.cases), request.problems);
+  if (command.out.empty()) {
+    request.problems.emplace_back("--out: is empty; give a folder to write the results to");
+  }
+  return request;
+}
+
+void add_bench_options(CLI::App& command, BenchCommand& asked) {
+  command.add_option("CASES", asked.cases, std::string(case_help) + ". Without: --suite quick");
+  command.add_option("--suite", asked.suite,
+                     "a selection of shipped cases: quick, chapter or all; see below");
+  command
+      .add_option("--engines,--engine", asked.engines,
+                  "names or plug-in paths: bullet64,./libmine.so (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);  // a case may follow
+  command.add_option("--models", asked.models, "only these models: row,event (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      .add_option("--steps", asked.steps,
+                  "steps [s] (default: those of the suite; of CASES 0.01,0.001,0.0001)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_option("--until", asked.until, "end every run at this time [s]");
+  add_law(command, asked.law, law_help);
+  command.add_option("--out", asked.out, "folder for the report and the runs' files")
+      ->capture_default_str();
+  command.add_option("--jobs", asked.jobs, "runs at a time (default: one per core)");
+  command.add_option("--shard", asked.shard,
+                     "do only part K of N of the runs: 3/16; `tautline merge` puts the N result "
+                     "folders together");
+  command.add_flag("--resume", asked.resume, "keep the runs that --out already has");
+  command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
+      ->capture_default_str();
+  command
+      .add_option("--json", asked.json,
+                  "also write the report as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command.add_flag_callback("--schema", print_schema,
+                            "print the JSON schema of report.json, and end");
+  command.add_option("--gate", asked.gate, gate_help);
+  command.footer("Suites, and what their cases show:\n" + suites_text());
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,56 @@
+#include "bench/report/json/manifest.hpp"
+
+#include "bench/report/json/reader.hpp"
+#include "bench/report/json/writer.hpp"
+
+namespace tautline::bench {
+
+template <class Visitor>
+void fields(Visitor& visit, Manifest::Program& program) {
+  visit("version", program.version);
+  visit("commit", program.commit);
+  visit("hash", program.hash);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Manifest::Engine& engine) {
+  fields(visit, engine.row);
+  visit("plugin", engine.plugin);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Manifest& manifest) {
+  visit("program", manifest.program);
+  visit("shard", manifest.shard);
+  visit("options", manifest.options);
+  visit("models", manifest.models);
+  visit("engines", manifest.engines);
+  visit("cases", manifest.cases);
+}
+
+std::string manifest_json(const Manifest& manifest) {
+  Json json = {{"schema", manifest_schema}};
+  json.update(json_of(manifest));
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::optional<Manifest> manifest_from(std::string_view text) {
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("schema") != manifest_schema) {
+      return std::nullopt;
+    }
+    Manifest manifest;
+    read(json, manifest);
+    for (Manifest::Engine& engine : manifest.engines) {
+      if (engine.row.info) {
+        engine.row.info->name = engine.row.name;  // which stands once in the file
+      }
+    }
+    return manifest;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,64 @@
+#include "bench/suite/suites.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace tautline::bench {
+
+const std::vector<double>& usual_steps() {
+  static const std::vector<double> steps = {1e-2, 1e-3, 1e-4};
+  return steps;
+}
+
+std::span<const Suite> suites() {
+  static const std::vector<Suite> all = {
+      {"quick",
+       "a first answer in a minute",
+       {1e-2, 1e-3},
+       {{"bouncing-ball", "single impacts that accumulate, and then rest"},
+        {"level-beam", "two cables struck in one instant, then in turn"},
+        {"elastic-box", "e = 1: energy only moves between flight and spin"},
+        {"caught-swing", "e = 0: a taut swing, a release, and a second catch"},
+        {"spinning-rod", "an arm 5 times the radius of gyration: spin-up"},
+        {"breakwater/1910121100", "79 impacts, ever slower, into a swing without losses"}}},
+      {"chapter",
+       "the cases of the source chapter",
+       usual_steps(),
+       {{"breakwater/*", "e from 0.5 to 1; rings, boxes and a point mass"}}},
+      {"all",
+       "every shipped case",
+       usual_steps(),
+       {{"*", "those of both, a load, a buoy, a plate: 1 to 4 cables"}}},
+  };
+  return all;
+}
+
+const Suite* find_suite(std::string_view name) {
+  const auto found = std::find_if(suites().begin(), suites().end(),
+                                  [&](const Suite& suite) { return suite.name == name; });
+  return found != suites().end() ? &*found : nullptr;
+}
+
+std::vector<std::string> cases_of(const Suite& suite) {
+  std::vector<std::string> result;
+  for (const SuiteCases& entry : suite.entries) {
+    result.emplace_back(entry.cases);
+  }
+  return result;
+}
+
+std::string suites_text() {
+  std::string out;
+  for (const Suite& suite : suites()) {
+    out += fmt::format("{}: {}; steps {} s\n", suite.name, suite.sentence,
+                       fmt::join(suite.steps, ", "));
+    for (const SuiteCases& entry : suite.entries) {
+      out += fmt::format("  {:<23}{}\n", entry.cases, entry.shows);
+    }
+  }
+  return out;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tautline::bench {
+
+/// Cases of a suite.
+struct SuiteCases {
+  std::string_view cases;  // the name of a shipped case, or a pattern of such names
+  std::string_view shows;  // what happens in them
+};
+
+/// A selection of shipped cases with the steps that they are run with.
+struct Suite {
+  std::string_view name;
+  std::string_view sentence;  // what it is for
+  std::vector<double> steps;  // [s]
+  std::vector<SuiteCases> entries;
+};
+
+/// The suites that `tautline bench` has, the one that it runs unasked first.
+[[nodiscard]] std::span<const Suite> suites();
+
+/// Null if there is none of this name.
+[[nodiscard]] const Suite* find_suite(std::string_view name);
+
+/// Names and patterns, as `select_cases` takes them.
+[[nodiscard]] std::vector<std::string> cases_of(const Suite& suite);
+
+/// The steps of cases that are named one by one [s].
+[[nodiscard]] const std::vector<double>& usual_steps();
+
+/// Every suite with its steps and what each of its cases shows, for a terminal.
+[[nodiscard]] std::string suites_text();
+
+}  // namespace tautline::bench

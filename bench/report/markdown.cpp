@@ -122,7 +122,8 @@ std::string report_markdown(const Report& report) {
       fmt::format("# Physics engines on slack cables, against the exact solution\n\n{}, {}{}.\n\n",
                   counted(report.cases.size(), "case"), counted(report.runs.size(), "run"),
                   report.complete ? "" : fmt::format(" of {} (INCOMPLETE)", report.planned_runs));
-  out += engines_markdown(report) + answers_markdown(report) + convergence_section(report) + causes_markdown(report);
+  out += engines_markdown(report) + answers_markdown(report) + convergence_section(report) +
+         causes_markdown(report);
   out += failures_section(report) + audit_markdown(report);
   out += "\n## The exact solutions\n\n" + cases_table(report).markdown();
   out += runs_markdown(report) + models_markdown(report) + reading_markdown(report);

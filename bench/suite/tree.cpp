@@ -35,7 +35,8 @@ Descriptor open_tree(const fs::path& out, bool clear) {
   if (clear) {
     fs::remove_all(out / "runs", error);
     fs::remove_all(out / "motions", error);
-    for (const char* file : {"suite.json", "report.json", "report.md", "index.html", "summary.md"}) {
+    for (const char* file :
+         {"suite.json", "report.json", "report.md", "index.html", "summary.md"}) {
       fs::remove(out / file, error);
     }
     for (const fs::directory_entry& file : fs::directory_iterator(out, error)) {

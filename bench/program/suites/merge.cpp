@@ -61,8 +61,7 @@ int merge_command(const MergeCommand& command) {
   const SuiteOptions options =
       set.problems.empty() ? whole_suite(set.trees, command.out) : SuiteOptions();
   ResultsTarget target = {command.out, command.json, command.gate, {}};
-  target.limits =
-      limits_of(command.gate, limit_names(options.engines, options.cases), problems);
+  target.limits = limits_of(command.gate, limit_names(options.engines, options.cases), problems);
   if (!problems.empty()) {
     complain(problems);
     return exit_usage;

@@ -9,7 +9,8 @@ namespace tautline::bench {
 
 /// What changed, for a terminal: what is broken first. Runs that are in one report alone are
 /// counted.
-[[nodiscard]] std::string changes_text(const Changes& changes, const TerminalStyle& style = unlimited);
+[[nodiscard]] std::string changes_text(const Changes& changes,
+                                       const TerminalStyle& style = unlimited);
 
 /// Its last line: how many changes.
 [[nodiscard]] std::string changes_sentence(const Changes& changes);

@@ -77,12 +77,12 @@ std::string reasons_of(const RunRow& run, std::size_t width) {
 
 /// The impacts of each window and how far the run was compared.
 Table windows_of(const RunDetails& details) {
-  Table table({word_column("impacts up to", ""), number_column("instant [s]", "", "", ""),
+  Table table({word_column("impacts up to", ""), number_column("t [s]", "", "", ""),
                number_column("compared [s]", "", "", ""), number_column("exact", "", "", ""),
                number_column("found", "", "", ""), number_column("matched", "", "", "")});
   for (const Window window : windows) {
     const RunDetails::OfWindow& of = details.in(window);
-    const char* name = window == Window::early     ? "the first impacts"
+    const char* name = window == Window::early     ? "the first few"
                        : window == Window::horizon ? "the horizon"
                                                    : "the end";
     table.add({name, number_cell(of.until, as_instant), number_cell(of.covered, as_instant),
@@ -113,7 +113,7 @@ std::string restitution_sentence(const MeasuredRestitution& measured) {
 }
 
 /// Settling, the swing, restitution and what was recorded, a sentence each.
-std::string sentences_of(const RunDetails& details, std::size_t width) {
+std::string sentences_of(const RunDetails& details, bool all, std::size_t width) {
   const RunDetails::OfWindow& horizon = details.in(Window::horizon);
   std::vector<std::string> sentences = {
       fmt::format("Impacts up to the predictability horizon, t = {:.4f} s: {} of {} exact ones are "
@@ -129,8 +129,10 @@ std::string sentences_of(const RunDetails& details, std::size_t width) {
   if (details.restitution) {
     sentences.push_back(restitution_sentence(*details.restitution));
   }
-  sentences.push_back(fmt::format("Recorded: {}.", counted(details.recorded_impacts, "impact")));
-  if (details.slow_impacts > 0) {
+  if (all) {
+    sentences.push_back(fmt::format("Recorded: {}.", counted(details.recorded_impacts, "impact")));
+  }
+  if (all && details.slow_impacts > 0) {
     sentences.push_back(
         fmt::format("Slower, and only counted: {}.", counted(details.slow_impacts, "impact")));
   }
@@ -194,17 +196,19 @@ std::string run_card(const Report& report, bool all_metrics, const TerminalStyle
   if (all_metrics) {
     out += windows_of(*run.details).plain(style) + "\n";
   }
-  out += sentences_of(*run.details, style.text);
+  out += sentences_of(*run.details, all_metrics, style.text);
   for (const Finding& finding : report.findings) {
     out += wrapped("Found: " + printable(finding.sentence, longest_sentence) + ".", style.text);
   }
   out += cost_text(report, style.text);
-  return all_metrics ? out
-                     : out + "\n" +
-                           wrapped(fmt::format("--all prints all {} metrics; --json FILE writes "
-                                               "them, and the rest of the run, for scripts.",
-                                               metric_list().size()),
-                                   style.text);
+  return all_metrics
+             ? out
+             : out + "\n" +
+                   wrapped(
+                       fmt::format(
+                           "--all prints all {} metrics; --json FILE writes the run for scripts.",
+                           metric_list().size()),
+                       style.text);
 }
 
 }  // namespace tautline::bench

@@ -158,6 +158,7 @@ TEST(Plot, NoLabelIsCutOffAtAnySizeOrShape) {
   tall.name = std::string(64, 'n');
   for (const double height : {1.0, 3.0, 10.0, 100.0}) {
     tall.cables.front().length = height;
+    tall.cables.front().anchor.y() = height;
     EXPECT_EQ(cut_off(plot_svg(tall, solve(tall))), "") << height;
   }
 }

@@ -9,7 +9,7 @@ namespace tautline::bench {
 namespace {
 
 /// What stands for the value of an option, in all commands; a shell completes by it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> value_names = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> value_names = {{
     {"--json", "FILE"},
     {"--plot", "FILE"},
     {"--gate", "LIMITS"},
@@ -19,6 +19,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> value_na
     {"--engine", "ENGINE"},
     {"--model", "MODEL"},
     {"--models", "MODELS"},
+    {"--suite", "SUITE"},
+    {"--shard", "K/N"},
     {"--step", "SECONDS"},
     {"--steps", "SECONDS"},
     {"--until", "SECONDS"},

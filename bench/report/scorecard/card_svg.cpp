@@ -12,7 +12,7 @@ namespace tautline::bench {
 namespace {
 
 // Both schemes in one file: what shows it decides. The colours are the page's.
-constexpr const char* style =
+constexpr const char* card_style =
     "<style>.b{fill:#fdfcf9;stroke:#d6d1c7}.i{fill:#1c1b19}.m{fill:#66625b}.pass{fill:#2c6144}"
     ".breaks-a-limit{fill:#9c3a14}.known-deviation{fill:#7a5200}.not-judged{fill:#66625b}"
     "text{font-family:'Helvetica Neue',Arial,'Liberation Sans',sans-serif}"
@@ -70,7 +70,7 @@ std::string card_svg(const Report& report, const std::string& engine) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" height=\"176\" viewBox=\"0 0 400 "
       "176\" role=\"img\" aria-label=\"{}: {}\">\n",
       name_of(engine), xml_text(verdict));
-  out += style;
+  out += card_style;
   out += "<rect class=\"b\" x=\"0.5\" y=\"0.5\" width=\"399\" height=\"175\" rx=\"4\"/>\n";
   out += line(34, 22, "i", name_of(engine));
   out += line(52, 12, "m", name_of(card.version) + ", " + name_of(card.precision));

@@ -26,15 +26,15 @@ const std::filesystem::path& share() {
 /// The long options of each command, as the sources of the program add them.
 std::map<std::string, std::set<std::string>> options_in_the_sources() {
   std::map<std::string, std::set<std::string>> result;
-  const std::regex adds(R"(add_subcommand\(\s*"([a-z-]+)\")");
+  const std::regex adds(R"re(add_subcommand\(\s*"([a-z-]+)"|void add_([a-z]+)_options\()re");
   const std::regex takes(R"re(add_(?:option|flag)\w*(?:<[^>]*>)?\(\s*"(--[a-z,-]+)")re");
-  for (const auto& entry : std::filesystem::directory_iterator(TAUTLINE_PROGRAM_SOURCES)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TAUTLINE_PROGRAM_SOURCES)) {
     const std::string text = content_of(entry.path().string());
     std::smatch command;
     if (entry.path().extension() != ".cpp" || !std::regex_search(text, command, adds)) {
       continue;
     }
-    std::set<std::string>& options = result[command[1]];
+    std::set<std::string>& options = result[command[1].matched ? command[1] : command[2]];
     for (std::sregex_iterator found(text.begin(), text.end(), takes), end; found != end; ++found) {
       std::istringstream names((*found)[1]);
       for (std::string name; std::getline(names, name, ',');) {

@@ -138,8 +138,8 @@ TEST(Terminal, ARunThatBreaksALimitSaysWhichAndWhy) {
   bench::test::add_engine(report, "e");
   RunRow& run = bench::test::add_run(report, "e", 0.5);
   run.verdict = Verdict();
-  run.verdict->checks = {{"overstretch", 0.5, 0.25, false, false, "a step of fall"},
-                         {"energy_gain", 0.5, 0.3, false, true, "its spring"}};
+  run.verdict->checks = {{"overstretch", 0.5, 0.25, Holds::no, false, "a step of fall"},
+                         {"energy_gain", 0.5, 0.3, Holds::no, true, "its spring"}};
   const std::string card = run_card(report, false, {80, false});
   for (const char* part :
        {"ball on e 1 (float64), model row, step 0.001 s\n",

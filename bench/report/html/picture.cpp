@@ -83,9 +83,11 @@ double clearness(const ImpactStills& stills) {
                   least_gap(*stills.the_case, stills.path, stills.times[2]));
 }
 
-/// The path of a run; that of the case for the exact motion, none where a report was read without.
+/// The path of a run: of the exact motion that of its case, which a report that was read back has
+/// too; none of another run there.
 const Path* path_of(const CaseRow& the_case, const RunRow& run) {
-  return run.path ? &*run.path : run.key.engine == control ? &the_case.path : nullptr;
+  const bool is_exact = run.key.engine == control && run.key.model == "event";
+  return is_exact ? &the_case.path : run.path ? &*run.path : nullptr;
 }
 
 std::optional<ImpactStills> stills_of(const Report& report, const RunRow& run) {

@@ -164,7 +164,7 @@ TEST(ReportPage, IsWholeOrNotThere) {
               "ulimit -f 200;");  // room for every other file
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.errors.find("index.html: File too large"), std::string::npos) << outcome.errors;
-  const std::vector<std::string> whole = {"report.json", "report.md", "runs",
+  const std::vector<std::string> whole = {"report.json", "report.md", "runs", "suite.json",
                                           "tautline-results.txt"};
   EXPECT_EQ(bench::test::names_in(out.path() / "r"), whole);
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "tests/bench/program.hpp"
@@ -28,6 +29,7 @@ TEST(DifficultEngines, AreCleanRowsInTime) {
   if (engines.empty()) {
     GTEST_SKIP() << "none of them is built";
   }
+  static const std::regex progress("\\d+ of \\d+ runs, about [^\n]* left\n");
   const TemporaryFolder folder;
   const auto start = std::chrono::steady_clock::now();
   const Outcome outcome =
@@ -36,7 +38,8 @@ TEST(DifficultEngines, AreCleanRowsInTime) {
                "--time-limit", std::to_string(time_limit), "--out", folder.path().string()});
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   EXPECT_TRUE(outcome.code == 0 || outcome.code == 1) << outcome.code << outcome.errors;
-  EXPECT_EQ(outcome.errors, "") << "an engine reached our terminal";
+  const std::string told = std::regex_replace(outcome.errors, progress, "");
+  EXPECT_EQ(told, "") << "an engine reached our terminal";
 
   const json report = json::parse(content_of(folder.path() / "report.json"));
   EXPECT_TRUE(report["complete"]);

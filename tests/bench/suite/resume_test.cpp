@@ -49,12 +49,21 @@ int interrupted_suite(const fs::path& out, int signal) {
   return wait_for(process);
 }
 
+/// The report of the whole suite, not interrupted.
+const json& whole_report() {
+  static const json report = [] {
+    const TemporaryFolder folder;
+    EXPECT_EQ(program(suite(folder.path() / "whole")).code, 0);
+    return comparable(folder.path() / "whole");
+  }();
+  return report;
+}
+
 class Interrupted : public testing::TestWithParam<int> {};
 
 TEST_P(Interrupted, SuiteIsCompletedByResumeWithAnEqualReport) {
   const TemporaryFolder folder;
-  ASSERT_EQ(program(suite(folder.path() / "whole")).code, 0);
-  const json whole = comparable(folder.path() / "whole");
+  const json& whole = whole_report();
   ASSERT_TRUE(whole.is_object());
 
   const fs::path out = folder.path() / "broken";

@@ -173,7 +173,7 @@
     }
     const exact = runs.map((run) => run.audit.ladder.exact).sort((a, b) => b.length - a.length)[0]
       .filter((height) => height >= lowest);
-    const counted = (values) => values.map((value, n) => n);
+    const counted = (values) => values.map((value, i) => i + 1); // h_0 is the first height itself
     const traces = runs.map((run) => {
       const { colour, symbol, dash } = own(run.engine, run.model);
       const heights = run.audit.ladder.heights.slice(0, Math.max(2, exact.length));

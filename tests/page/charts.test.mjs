@@ -45,6 +45,25 @@ test('no two models of all engines share a marker', async () => {
   });
 });
 
+test('the ladder of bounces has e^(2n) at n, and no more decades than have a label', async () => {
+  const report = synthetic({ cases: ['one'], engines: ['ode'], steps: [1e-2], duration: 1 });
+  for (const { audit } of report.runs.filter((run) => run.audit.ladder)) {
+    audit.ladder.exact = Array.from({ length: 120 }, (_, i) => 0.25 ** (i + 1));
+    audit.ladder.heights = [0.24, 0.06, 1e-40, 0];
+  }
+  await withText(withReport(readFileSync(benchPage(), 'utf8'), report), async ({ page }) => {
+    await drawAll(page);
+    const { x, y, labels } = await page.evaluate(() => {
+      const { body } = tautline.charts['chart-ladder'];
+      const { x: n, y: height } = body._fullData.find((one) => one.name === 'e^(2n)');
+      return { x: [...n], y: [...height], labels: body.querySelectorAll('.ytick').length };
+    });
+    assert.ok(x.length > 5);
+    x.forEach((n, i) => assert.equal(y[i], 0.25 ** n));
+    assert.ok(labels >= 3 && labels <= 9, `${labels} labels`);
+  });
+});
+
 /// The points of a chart's own curves (not of the grey ones): {name, step?, x, y}.
 const own = (id) => tautline.charts[id].body._fullData.filter((one) => / /.test(one.name) && one.hoverinfo !== 'skip'
   && one.visible === true).map((one) => ({ name: one.name, x: [...one.x], y: [...one.y], text: [...one.text],

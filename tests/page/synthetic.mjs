@@ -123,8 +123,8 @@ function runOf(the, engine, model, step, which, settings) {
       recorded_impacts: hits.length, slow_impacts: 0 },
     impacts: impactColumns(hits, bias),
     audit: { ladder: which % 3 ? null : { cable: 0, exact_ratio: 0.81,
-      heights: [1, 0.8, 0.63, 0.5, 0.38].map((h) => six(h * (1 - bias * step))),
-      exact: [1, 0.81, 0.6561, 0.531441, 0.430467] },
+      heights: [0.8, 0.63, 0.5, 0.38].map((h) => six(h * (1 - bias * step))),
+      exact: [0.81, 0.6561, 0.531441, 0.430467] },
     scatter: { count: hits.length, mean: 0.85, standard_deviation: 0.01, smallest: 0.8, largest: 0.9 } },
     attribution: error > 0 ? { covered: 0.5, deviation: error, parts: Object.values(parts) } : null,
     cost: costOf(engine, step) };

@@ -111,9 +111,8 @@ void shorten_impacts(Json& impacts) {
                           "tangential_error", "angular_error"}) {
     const Json& column = impacts.at(key);
     const bool constant =
-        !column.empty() && std::all_of(column.begin(), column.end(), [&](const Json& one) {
-          return one == column.front();
-        });
+        !column.empty() && std::all_of(column.begin(), column.end(),
+                                       [&](const Json& one) { return one == column.front(); });
     columns.push_back(constant ? column.front() : column);
   }
   columns.push_back(impacts.at("left_out"));

@@ -159,9 +159,9 @@
         ...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.angular),
           { yaxis: 'y2', showlegend: false }))],
       layout: { height: colours.printing ? 460 : 560, ...withLegend, xaxis: speedAxis(colours, { title: { text: 'impact speed [m/s]' }, anchor: 'y2' }),
-        yaxis: logAxis(colours, { title: { text: 'across the cable [N s]' }, domain: [0.54, 1],
+        yaxis: logAxis(colours, { title: { text: 'across the cable [N s]', standoff: 8 }, domain: [0.54, 1],
           ...spread(decades('tangential')) }),
-        yaxis2: logAxis(colours, { title: { text: 'angular error [N m s]' }, domain: [0, 0.46],
+        yaxis2: logAxis(colours, { title: { text: 'angular error [N m s]', standoff: 8 }, domain: [0, 0.46],
           ...spread(decades('angular')) }) } };
   }
 

@@ -156,7 +156,7 @@
       const span = [Math.min(...xs), Math.max(...xs)];
       const xRange = [Math.log10(span[0]) - 0.2, Math.log10(span[1]) + 0.2];
       const height = rows * panelHeight + 90;
-      const layout = { height, margin: { l: 70, r: 14, t: 50, b: 52 }, annotations: [], showlegend: false };
+      const layout = { height, margin: { l: 82, r: 14, t: 50, b: 52 }, annotations: [], showlegend: false };
       const data = [];
       const title = { step: 'step [s]', cost: width / columns < 300 ? 'cost [s/s]' : 'processor time per simulated second [s/s]' }[abscissa];
       const error = metric(choice.metric);
@@ -173,7 +173,7 @@
           matches: panel === 0 ? undefined : 'x', showticklabels: last, automargin: false });
         layout[`yaxis${panel === 0 ? '' : panel + 1}`] = logAxis(colours, { domain: [high - size[1], high],
           anchor: axisName('x', panel), ...ticks, tickmode: 'array', matches: panel === 0 ? undefined : 'y',
-          title: column === 0 ? { text: `${error.words} [${error.unit}]`, font: { size: 12 } } : undefined,
+          title: column === 0 ? { text: `${error.words} [${error.unit}]`, font: { size: 12 }, standoff: 8 } : undefined,
           showticklabels: column === 0, automargin: false });
         layout.annotations.push({ xref: 'paper', yref: 'paper', x: left, y: high, yanchor: 'bottom', xanchor: 'left',
           text: `<b>${engine}</b>`, showarrow: false, font: { color: colours.ink, size: 13 } });

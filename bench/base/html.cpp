@@ -79,6 +79,9 @@ std::string cell_html(const Cell& cell, bool numbers, std::size_t span) {
   constexpr std::size_t longest = 1100;  // [bytes], of a whole sentence
   const std::string wide = span > 1 ? fmt::format(" colspan=\"{}\"", span) : "";
   if (cell.is_number) {
+    if (cell.number && span == 1 && cell.text == shortest(*cell.number)) {
+      return "<td class=\"n\">" + html_text(cell.text) + "</td>";  // which says it all
+    }
     return fmt::format("<td data-value=\"{}\"{}>{}</td>", cell.number ? shortest(*cell.number) : "",
                        wide, html_text(cell.text));
   }

@@ -21,7 +21,8 @@ namespace tautline::bench {
 [[nodiscard]] std::string html_json(std::string json);
 
 /// `table` in a box of its own, which scrolls where the page is narrower. The whole of a number
-/// stands in its cell's attribute data-value. A body for each run of rows with one `Row::body`.
+/// stands in its cell: in the attribute data-value, or as its text where that is all of it. A body
+/// for each run of rows with one `Row::body`.
 [[nodiscard]] std::string html_table(const Table& table, const std::string& id,
                                      const std::string& caption);
 

@@ -21,7 +21,7 @@
   /// Shares of the sum of the sizes of all parts; null where the run has none.
   function sharesOf(run) {
     const parts = run.attribution && run.attribution.parts;
-    const sizes = causes.map(([name]) => Math.abs(parts && parts[name] || 0));
+    const sizes = causes.map((cause, i) => Math.abs(parts && parts[i] || 0));
     const sum = sizes.reduce((a, b) => a + b, 0);
     return sum > 0 ? Object.fromEntries(causes.map(([name], i) => [name, sizes[i] / sum])) : null;
   }

@@ -10,6 +10,8 @@
   const most = () => (tautline.theme().printing ? 800 : 4000);
   /// Errors at or below this are rounding and drawn here, as a logarithm has no zero [N s, N m s].
   const floor = 1e-17;
+  /// A ladder ends where the exact one is this low: nobody sees a lower bounce [-].
+  const lowest = 1e-6;
 
   const app = document.getElementById('audit-app');
   if (!app) {
@@ -157,9 +159,9 @@
         ...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.angular),
           { yaxis: 'y2', showlegend: false }))],
       layout: { height: colours.printing ? 460 : 560, ...withLegend, xaxis: speedAxis(colours, { title: { text: 'impact speed [m/s]' }, anchor: 'y2' }),
-        yaxis: logAxis(colours, { title: { text: 'across the cable [N s]' }, domain: [0.54, 1],
+        yaxis: logAxis(colours, { title: { text: 'across the cable [N s]', standoff: 8 }, domain: [0.54, 1],
           ...spread(decades('tangential')) }),
-        yaxis2: logAxis(colours, { title: { text: 'angular error [N m s]' }, domain: [0, 0.46],
+        yaxis2: logAxis(colours, { title: { text: 'angular error [N m s]', standoff: 8 }, domain: [0, 0.46],
           ...spread(decades('angular')) }) } };
   }
 
@@ -169,21 +171,25 @@
       return { empty: 'No run of this choice bounces straight up and down on one cable, as a ladder '
         + 'of heights needs.' };
     }
-    const exact = runs.map((run) => run.audit.ladder.exact).sort((a, b) => b.length - a.length)[0];
-    const counted = (values) => values.map((value, n) => n);
+    const exact = runs.map((run) => run.audit.ladder.exact).sort((a, b) => b.length - a.length)[0]
+      .filter((height) => height >= lowest);
+    const counted = (values) => values.map((value, i) => i + 1); // h_0 is the first height itself
     const traces = runs.map((run) => {
       const { colour, symbol, dash } = own(run.engine, run.model);
-      const { heights } = run.audit.ladder;
+      const heights = run.audit.ladder.heights.slice(0, Math.max(2, exact.length));
       return { type: 'scatter', mode: 'lines+markers', x: counted(heights), y: heights,
         name: `${run.engine} ${run.model}, step ${number(run.step)} s`,
         hovertemplate: '<b>%{fullData.name}</b><br>bounce %{x}: %{y:.3g}<extra></extra>',
         line: { color: colour, dash, width: 1.3 }, marker: { color: colour, symbol, size: 8 } };
     });
+    const shownHeights = [...exact, ...traces.flatMap((one) => one.y)].filter((height) => height > 0);
     return { data: [{ type: 'scatter', mode: 'lines', name: 'e^(2n)', x: counted(exact), y: exact,
       hovertemplate: 'e^(2n), bounce %{x}: %{y:.3g}<extra></extra>',
       line: { color: colours.muted, width: 4 } }, ...traces],
     layout: { ...withLegend, xaxis: axis(colours, { title: { text: 'bounce n [-]' } }),
-      yaxis: logAxis(colours, { title: { text: 'height over the first, h<sub>n</sub>/h<sub>0</sub> [-]' } }) } };
+      yaxis: logAxis(colours, { title: { text: 'height over the first, h<sub>n</sub>/h<sub>0</sub> [-]' },
+        ...spread([Math.log10(Math.max(lowest, Math.min(...shownHeights))) - 0.2,
+          Math.log10(Math.max(...shownHeights)) + 0.2]) }) } };
   }
 
   const ids = { restitution: 'chart-restitution', arm: 'chart-arm', impulse: 'chart-impulse',

@@ -16,7 +16,6 @@
   const models = [...new Map(report.runs.map((run) => [key(run), run])).values()]
     .map(({ engine, model }) => ({ engine, model }));
   const byKey = (list, of) => new Map(list.map((row) => [of(row), row]));
-  const timings = byKey(report.context.timing, (row) => `${row.case}\n${key(row)}\n${row.step}`);
   const costs = byKey(report.context.costs, (row) => `${key(row)}\n${row.step}`);
   const slopes = Object.fromEntries(report.convergence.filter((row) => row.slope)
     .map((row) => [key(row), `slope ${number(Number(row.slope.median.toFixed(2)))}`]));
@@ -28,27 +27,19 @@
   };
   const runsOf = grouped(report.runs);
   const summaryOf = grouped(report.summary);
-  const timingOf = grouped(report.context.timing);
   const worked = (run) => run.status === 'finished' || run.status === 'stopped';
 
-  /// The quartiles of what a simulated second costs over the cases; null of fewer than four.
-  function quartiles(model, step) {
-    const sorted = (timingOf.get(model) || []).filter((row) => row.step === step)
-      .map((row) => row.second_cost).sort((a, b) => a - b);
-    const at = (share) => sorted[Math.round(share * (sorted.length - 1))];
-    return sorted.length < 4 ? null : [at(0.25), at(0.75)];
-  }
-
-  /// The points of one model, in falling step: {step, error, cost, spread, cases}. Over all cases
-  /// they are the report's medians, and `spread` the quartiles over the cases.
+  /// The points of one model, in falling step: {step, error, cost, spread, cases}. The costs are the
+  /// report's medians and `spread` its quartiles: over the cases, or of one case over the repetitions.
   function points(model, choice) {
     const found = choice.case
       ? (runsOf.get(model) || []).filter((run) => run.case === choice.case && worked(run) && run.metrics).map((run) => ({
-        step: run.step, error: run.metrics[choice.metric], cases: 1, spread: null,
-        cost: timings.get(`${run.case}\n${model}\n${run.step}`)?.second_cost }))
-      : (summaryOf.get(model) || []).map((row) => ({ step: row.step,
-        error: row.metrics[choice.metric]?.median, cases: row.cases - row.failed,
-        cost: costs.get(`${model}\n${row.step}`)?.second_cost, spread: quartiles(model, row.step) }));
+        step: run.step, error: run.metrics[choice.metric], cases: 1, cost: run.cost?.[0], spread: run.cost?.slice(1) }))
+      : (summaryOf.get(model) || []).map((row) => {
+        const { second_cost: cost, second_spread: quartiles } = costs.get(`${model}\n${row.step}`) ?? {};
+        return { step: row.step, error: row.metrics[choice.metric]?.median, cases: row.cases - row.failed, cost,
+          spread: quartiles && [quartiles.lower, quartiles.upper] };
+      });
     return found.filter(({ error }) => typeof error === 'number').sort((a, b) => b.step - a.step);
   }
 
@@ -72,8 +63,8 @@
 
   function told(point, choice) {
     const error = metric(choice.metric);
-    const over = choice.case ? '' : `, median of ${point.cases} cases`;
-    const spread = point.spread ? `, half of the cases ${number(1e3 * point.spread[0])} to ${number(1e3 * point.spread[1])}` : '';
+    const over = choice.case ? '' : `, median of ${point.cases} ${point.cases === 1 ? 'case' : 'cases'}`;
+    const spread = point.spread ? `, the middle half of the ${choice.case ? 'repetitions' : 'cases'} ${number(1e3 * point.spread[0])} to ${number(1e3 * point.spread[1])}` : '';
     return `step ${number(point.step)} s<br>${error.words}: ${number(point.error)} ${error.unit}${over}`
       + `<br>cost: ${number(point.cost === undefined ? undefined : 1e3 * point.cost)} ms per simulated second${spread}<br><i>${lines(error.meaning)}</i>`;
   }
@@ -165,7 +156,7 @@
       const span = [Math.min(...xs), Math.max(...xs)];
       const xRange = [Math.log10(span[0]) - 0.2, Math.log10(span[1]) + 0.2];
       const height = rows * panelHeight + 90;
-      const layout = { height, margin: { l: 70, r: 14, t: 50, b: 52 }, annotations: [], showlegend: false };
+      const layout = { height, margin: { l: 82, r: 14, t: 50, b: 52 }, annotations: [], showlegend: false };
       const data = [];
       const title = { step: 'step [s]', cost: width / columns < 300 ? 'cost [s/s]' : 'processor time per simulated second [s/s]' }[abscissa];
       const error = metric(choice.metric);
@@ -182,7 +173,7 @@
           matches: panel === 0 ? undefined : 'x', showticklabels: last, automargin: false });
         layout[`yaxis${panel === 0 ? '' : panel + 1}`] = logAxis(colours, { domain: [high - size[1], high],
           anchor: axisName('x', panel), ...ticks, tickmode: 'array', matches: panel === 0 ? undefined : 'y',
-          title: column === 0 ? { text: `${error.words} [${error.unit}]`, font: { size: 12 } } : undefined,
+          title: column === 0 ? { text: `${error.words} [${error.unit}]`, font: { size: 12 }, standoff: 8 } : undefined,
           showticklabels: column === 0, automargin: false });
         layout.annotations.push({ xref: 'paper', yref: 'paper', x: left, y: high, yanchor: 'bottom', xanchor: 'left',
           text: `<b>${engine}</b>`, showarrow: false, font: { color: colours.ink, size: 13 } });
@@ -193,7 +184,7 @@
               abscissa === 'cost' ? onFront : new Set())));
       });
       const what = abscissa === 'cost' ? 'Dotted: the front of all engines, on which nothing is both cheaper and more '
-        + 'accurate; its points are ringed. Bars: half of the cases. Grey: the other engines.'
+        + `accurate; its points are ringed. Bars: the middle half of the ${choice.case ? 'repetitions' : 'cases'}. Grey: the other engines.`
         : 'Grey: the other engines; the straight lines have slopes 1 and 2.';
       return { data, layout, note: what };
     };

@@ -6,13 +6,21 @@
   const report = JSON.parse(document.getElementById('report-data').textContent);
   // Plotly makes links of <a> in names
   for (const row of [report.runs, report.cases, report.engines, report.summary, report.convergence,
-    report.findings || [], report.causes || [], report.context.timing,
-    report.context.costs || []].flat()) {
+    report.findings || [], report.causes || [], report.context.costs || []].flat()) {
     for (const key of ['case', 'engine', 'model', 'name']) {
       if (typeof row[key] === 'string' && /[<>]/.test(row[key])) {
         row[key] = row[key].replaceAll('<', '‹').replaceAll('>', '›');
       }
     }
+  }
+
+  // impacts come as columns without names; a column of one value throughout as that value
+  const columns = ['time', 'cable', 'requested', 'rate_before', 'rate_after', 'arm', 'tangential_error', 'angular_error'];
+  for (const run of report.runs.filter((one) => one.impacts)) {
+    const [time] = run.impacts;
+    const full = (column) => (Array.isArray(column) ? column : Array(time.length).fill(column));
+    run.impacts = { ...Object.fromEntries(columns.map((name, i) => [name, full(run.impacts[i])])),
+      left_out: run.impacts[columns.length] };
   }
 
   const shapes = ['circle', 'square', 'diamond', 'triangle-up', 'triangle-down', 'pentagon', 'star',
@@ -79,5 +87,5 @@
     return made.join('<br>');
   }
 
-  Object.assign(tautline, { report, mark, engines, modelsOf, ownUnits, inUnits, metric, lines });
+  Object.assign(tautline, { report, mark, engines, modelsOf, nondimensional, ownUnits, inUnits, metric, lines });
 })();

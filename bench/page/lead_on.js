@@ -59,7 +59,7 @@
       make('h2', { id: 'lead-on-title' }, short(`${engine} ${model}`), make('small', {},
         ` step ${step}${name ? `, ${short(name)}` : ', all cases'}`)),
       make('ul', {},
-        ...(name && run?.path !== null ? [to('its replay over the exact motion', 'replay',
+        ...(name && run?.impacts ? [to('its replay over the exact motion', 'replay',
           { ...here, 'replay.runs': `${engine} ${model} ${step}`, 'replay.t': '' })] : []),
         to('its impacts, one by one', 'audit', { ...here, 'audit.model': model }),
         to('what its errors come from', 'attribution', here),

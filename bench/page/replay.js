@@ -130,12 +130,13 @@
   /// How near to what it stands for a motion is drawn, and what of its impacts is not shown.
   function drawnHow(one) {
     const { error, spacing } = one.path;
-    const near = `within ${number(1000 * error, 2)} mm (${number(error / picture.pixel(), 1)} pixel)`;
+    const size = tautline.nondimensional(state.system) ? number(error, 2) : `${number(1000 * error, 2)} mm`;
+    const near = `within ${size} (${number(error / picture.pixel(), 1)} pixel)`;
     const count = (value) => value.toLocaleString('en');
     const [shown, all] = [one.impacts.length, one.impacts.length + one.leftOut];
     const whole = ['It has no impact that counts.', 'Its one impact is shown.'][all] || `All ${count(all)} impacts are shown.`;
     return `${one.name}: drawn ${near} of ${one.reference ? 'the solution' : `the run’s record, every ${
-      number(spacing)} s and at its impacts; in between nothing is known`}. ${one.leftOut
+      tautline.inUnits(`${number(spacing)} s`, state.system)} and at its impacts; in between nothing is known`}. ${one.leftOut
       ? `${count(shown)} of ${count(all)} impacts shown, the fastest.` : whole}`;
   }
 

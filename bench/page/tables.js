@@ -20,7 +20,9 @@
       const values = {};
       [...keys.keys()].forEach((key, index) => {
         const cell = row.cells[index];
-        const value = cell?.dataset.value;
+        // a number that is shown in full stands in its cell alone
+        const shown = cell?.className === 'n' && Number.isFinite(Number(cell.textContent)) ? cell.textContent : undefined;
+        const value = cell?.dataset.value ?? shown;
         const spread = (cell?.colSpan ?? 2) > 1;
         values[key] = spread || value === '' ? null : value === undefined ? cell.textContent : Number(value);
       });

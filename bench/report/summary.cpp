@@ -153,8 +153,9 @@ CausesRow causes_row(const Group<RunRow>& runs) {
     for (const double part : *found.parts) {
       all += std::abs(part);
     }
-    for (std::size_t cause = 0; cause < causes.size(); ++cause) {
-      shares[cause].push_back(all > 0.0 ? std::abs((*found.parts)[cause]) / all : 0.0);
+    // of a run without any error there is nothing to share out
+    for (std::size_t cause = 0; all > 0.0 && cause < causes.size(); ++cause) {
+      shares[cause].push_back(std::abs((*found.parts)[cause]) / all);
     }
     deviations.push_back(found.deviation);
     covered.push_back(found.covered);
@@ -165,8 +166,10 @@ CausesRow causes_row(const Group<RunRow>& runs) {
   row.cases = deviations.size();
   row.deviation = median_and_worst(deviations);
   if (row.deviation) {
-    row.shares.emplace();
-    std::transform(shares.begin(), shares.end(), row.shares->begin(), mean);
+    if (!shares.front().empty()) {
+      row.shares.emplace();
+      std::transform(shares.begin(), shares.end(), row.shares->begin(), mean);
+    }
     row.covered = median(covered);
     row.remainder = remainder;
   }

@@ -54,6 +54,7 @@ test('a row leads on to its replay, settings, causes and files, and to the comma
     await dialog.locator('a', { hasText: 'replay' }).press('Enter');
     await page.locator('.replay-status:not(:empty)').waitFor();
     await settled(page);
+    await page.locator('.replay-note li', { hasText: `${engine} ${model}, step ${step} s: drawn within` }).waitFor();
     assert.equal(await page.getByLabel('Run 1').inputValue(), `${engine} ${model} ${step}`);
     assert.equal(await page.locator('#replay-app select').first().inputValue(), name);
     await page.goBack();

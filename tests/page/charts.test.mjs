@@ -45,6 +45,25 @@ test('no two models of all engines share a marker', async () => {
   });
 });
 
+test('the ladder of bounces has e^(2n) at n, and no more decades than have a label', async () => {
+  const report = synthetic({ cases: ['one'], engines: ['ode'], steps: [1e-2], duration: 1 });
+  for (const { audit } of report.runs.filter((run) => run.audit.ladder)) {
+    audit.ladder.exact = Array.from({ length: 120 }, (_, i) => 0.25 ** (i + 1));
+    audit.ladder.heights = [0.24, 0.06, 1e-40, 0];
+  }
+  await withText(withReport(readFileSync(benchPage(), 'utf8'), report), async ({ page }) => {
+    await drawAll(page);
+    const { x, y, labels } = await page.evaluate(() => {
+      const { body } = tautline.charts['chart-ladder'];
+      const { x: n, y: height } = body._fullData.find((one) => one.name === 'e^(2n)');
+      return { x: [...n], y: [...height], labels: body.querySelectorAll('.ytick').length };
+    });
+    assert.ok(x.length > 5);
+    x.forEach((n, i) => assert.equal(y[i], 0.25 ** n));
+    assert.ok(labels >= 3 && labels <= 9, `${labels} labels`);
+  });
+});
+
 /// The points of a chart's own curves (not of the grey ones): {name, step?, x, y}.
 const own = (id) => tautline.charts[id].body._fullData.filter((one) => / /.test(one.name) && one.hoverinfo !== 'skip'
   && one.visible === true).map((one) => ({ name: one.name, x: [...one.x], y: [...one.y], text: [...one.text],
@@ -69,18 +88,32 @@ test('the points of error against step are the numbers of the report', () => onS
 
 test('the points of error against cost over all cases are the medians of the report, their bars the quartiles', () => onSharedPage(async ({ page }) => {
   const { report, curves } = await page.evaluate((read) => ({ curves: eval(read)('chart-cost'), report: {
-    summary: tautline.report.summary, costs: tautline.report.context.costs, timing: tautline.report.context.timing } }), `(${own})`);
+    summary: tautline.report.summary, costs: tautline.report.context.costs } }), `(${own})`);
   const rows = report.summary.filter((row) => row.metrics.early_position_error?.median > 1e-9); // the rest is at the foot
   assert.ok(rows.length > 2);
   for (const row of rows) {
     const same = (one) => one.engine === row.engine && one.model === row.model && one.step === row.step;
     const curve = curves.find((one) => one.name === `${row.engine} ${row.model}`);
-    const at = curve.x.indexOf(report.costs.find(same).second_cost);
+    const { second_cost: cost, second_spread: spread } = report.costs.find(same);
+    const at = curve.x.indexOf(cost);
     assert.equal(curve.y[at], row.metrics.early_position_error.median, curve.name);
-    const costs = report.timing.filter(same).map((one) => one.second_cost).sort((a, b) => a - b);
-    if (costs.length >= 4) {
-      assert.ok(Math.abs(curve.x[at] + curve.spread.up[at] - Math.max(curve.x[at], costs[Math.round(0.75 * (costs.length - 1))])) < 1e-12);
-    }
+    assert.ok(Math.abs(curve.spread.up[at] - (spread.upper - cost)) < 1e-12 && spread.upper >= cost, curve.name);
+    assert.ok(Math.abs(curve.spread.down[at] - (cost - spread.lower)) < 1e-12 && spread.lower <= cost, curve.name);
+  }
+}));
+
+test('of one case the points are the medians of its repetitions, their bars the quartiles', () => onSharedPage(async ({ page }) => {
+  const name = await page.evaluate(() => tautline.report.cases[0].name);
+  await go(page, `#error?case=${name}`);
+  const { runs, curves } = await page.evaluate(([the, read]) => ({ curves: eval(read)('chart-cost'),
+    runs: tautline.report.runs.filter((run) => run.case === the && run.metrics && run.engine !== 'exact') }), [name, `(${own})`]);
+  assert.ok(runs.length > 10);
+  for (const run of runs) {
+    const curve = curves.find((one) => one.name === `${run.engine} ${run.model}`);
+    const [cost, lower, upper] = run.cost;
+    const at = curve.x.indexOf(cost);
+    assert.ok(at >= 0 && lower <= cost && cost <= upper, `${curve.name}: ${run.cost}`);
+    assert.deepEqual([curve.spread.up[at], curve.spread.down[at]], [upper - cost, cost - lower], curve.name);
   }
 }));
 

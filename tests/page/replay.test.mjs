@@ -300,7 +300,7 @@ test('how near each motion is drawn stands beside it, and how many of its impact
       : `All ${impacts} impacts are shown`));
     assert.ok(told.length > 1);
     for (const text of told.slice(1)) {
-      const [, engine, model, step] = /^(\S+) (\S+), step (\S+) s: drawn within [\d.e-]+ mm \([\d.e-]+ pixel\)/.exec(text);
+      const [, engine, model, step] = /^(\S+) (\S+), step (\S+) s: drawn within [\d.e-]+ \([\d.e-]+ pixel\)/.exec(text);
       const all = rowsOf(join(folderOf({ case: system.name, engine, model, step }), 'events.csv'))
         .filter((row) => -row.rate_before > report.options.count_speed).length;
       assert.match(text, new RegExp(all > 300 ? `300 of ${all.toLocaleString('en')} impacts shown, the fastest` : `All ${all} impacts are shown`));

@@ -85,18 +85,21 @@ function simulate({ geometry, gravity, body, start }, duration, dt, samples, bia
   return { path, hits };
 }
 
-const impactColumns = (hits, bias) => ({ time: hits.map((h) => six(h.time)), cable: hits.map((h) => h.cable),
-  requested: hits.map((h) => h.requested), rate_before: hits.map((h) => six(h.rate)),
-  rate_after: hits.map((h) => six(h.after)), arm: hits.map((h) => six(h.arm)),
-  tangential_error: hits.map((h) => six(1e-6 * bias * h.impulse)),
-  angular_error: hits.map((h) => six(1e-7 * bias * h.impulse)), steps: hits.map(() => 1), left_out: 0 });
+/// The columns of impacts in the order of bench/page/common.js.
+const impactColumns = (hits, bias) => [hits.map((h) => six(h.time)), hits.map((h) => h.cable), hits.map((h) => h.requested),
+  hits.map((h) => six(h.rate)), hits.map((h) => six(h.after)), hits.map((h) => six(h.arm)),
+  hits.map((h) => six(1e-6 * bias * h.impulse)), hits.map((h) => six(1e-7 * bias * h.impulse)), 0];
 
 const causes = ['flight_bias', 'event_lag', 'late_rate', 'position_correction', 'threshold',
   'restitution_ignored', 'solver_residual', 'taut_drift', 'amplification'];
 const partsOf = (size, seed) => Object.fromEntries(causes.map((cause, i) =>
   [cause, six(size * (1 + Math.sin(3 * seed + 2 * i)) / 8)]));
 
-const spreadOf = (cost) => ({ smallest: 0.9 * cost, lower: 0.95 * cost, upper: 1.1 * cost });
+/// A simulated second: median and quartiles.
+function costOf(engine, step) {
+  const cost = 1e-6 * (1 + engine.length) / step;
+  return [cost, 0.95 * cost, 1.1 * cost];
+}
 
 const windowOf = (until, exact, found) => ({ until, covered: until, exact, found, matched: Math.min(exact, found) });
 
@@ -113,18 +116,18 @@ function runOf(the, engine, model, step, which, settings) {
   const bias = engine === 'exact' ? 0 : 1 / (1 + which % 5);
   const { path, hits } = simulate(the.system, settings.duration, Math.max(settings.finest, step), settings.samples, bias);
   const parts = partsOf(error, which);
-  return { case: the.name, engine, model, step, status: 'finished', reason: '', metrics: metricsOf(error),
+  return { case: the.name, engine, model, step, status: 'finished', metrics: metricsOf(error),
     details: { early: windowOf(0.3 * settings.duration, 5, 5), horizon: windowOf(0.6 * settings.duration, 20, hits.length),
       whole: windowOf(settings.duration, 30, hits.length), last_impacts: [], swing: null,
       restitution: { count: hits.length, smallest: 0.8, mean: 0.85, largest: 0.9 }, stride: 1,
       recorded_impacts: hits.length, slow_impacts: 0 },
-    path: null, impacts: impactColumns(hits, bias),
+    impacts: impactColumns(hits, bias),
     audit: { ladder: which % 3 ? null : { cable: 0, exact_ratio: 0.81,
-      heights: [1, 0.8, 0.63, 0.5, 0.38].map((h) => six(h * (1 - bias * step))),
-      exact: [1, 0.81, 0.6561, 0.531441, 0.430467] },
+      heights: [0.8, 0.63, 0.5, 0.38].map((h) => six(h * (1 - bias * step))),
+      exact: [0.81, 0.6561, 0.531441, 0.430467] },
     scatter: { count: hits.length, mean: 0.85, standard_deviation: 0.01, smallest: 0.8, largest: 0.9 } },
-    attribution: error > 0 ? { until: 5, covered: 0.5, deviation: error, parts, remainder: 0.01 * error, arcs: 9, impacts: 8,
-      reason: '' } : null };
+    attribution: error > 0 ? { covered: 0.5, deviation: error, parts: Object.values(parts) } : null,
+    cost: costOf(engine, step) };
 }
 
 function caseOf(name, index, settings) {
@@ -168,10 +171,9 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
     limits: null,
     context: { command: 'synthetic', started: '2026-01-01T00:00:00Z', elapsed: 1, program_memory: 1, worker_memory: 1,
       kept_runs: 0, processor: 'none', cores: 1, compiler: 'none', build_type: 'none', flags: '', commit: 'unknown',
-      costs: groups.map(({ engine, model, step }) => ({ engine, model, step, cost_ratio: 100, cases: cases.length,
-        second_cost: 1e-6 * (1 + engine.length) / step, second_spread: spreadOf(1e-6 * (1 + engine.length) / step) })),
-      timing: runs.map(({ case: name, engine, model, step }) => ({ case: name, engine, model, step, memory: 1e7,
-        step_cost: 1e-6 * (1 + engine.length), reference_cost: 1e-8, cost_ratio: 100,
-        second_cost: 1e-6 * (1 + engine.length) / step, second_spread: spreadOf(1e-6 * (1 + engine.length) / step),
-        repetitions: 9 })), shards: [] } };
+      costs: groups.map(({ engine, model, step }) => {
+        const [cost, lower, upper] = costOf(engine, step);
+        return { engine, model, step, cost_ratio: 100, cases: cases.length, second_cost: cost,
+          second_spread: { smallest: 0.9 * cost, lower, upper } };
+      }), shards: [] } };
 }

@@ -5,8 +5,9 @@ import { benchPage, onSharedPage, withPage } from './browser.mjs';
 /// The column `index` of the shown rows of the plain bodies of a table, from top to bottom.
 const column = (page, id, index) => page.evaluate(([table, i]) => [...document.getElementById(table).tBodies]
   .filter((body) => body.className === '').flatMap((body) => [...body.rows]).filter((row) => !row.hidden)
-  .map((row) => row.cells[i]).map((cell) => (cell.dataset.value === undefined ? cell.textContent
-    : cell.dataset.value === '' ? null : Number(cell.dataset.value))), [id, index]);
+  .map((row) => row.cells[i]).map((cell) => ({ text: cell.textContent, ...cell.dataset, plain: cell.className === 'n' }))
+  .map(({ text, value, plain }) => (value === '' ? null : value !== undefined ? Number(value)
+    : plain && Number.isFinite(Number(text)) ? Number(text) : text)), [id, index]);
 
 /// The index of the column of a heading with this key.
 const indexOf = (page, id, key) => page.evaluate(([table, wanted]) => {

@@ -91,9 +91,9 @@ std::string verdict_paragraph(const Report& report) {
   for (const Scorecard& card : scorecards(report)) {
     all.add(card.verdicts);
   }
-  const Worst worst = worst_of(all);
-  return fmt::format("<p class=\"answer\"><b class=\"verdict {}\"><span>{}</span></b>: {}</p>\n",
-                     worst.look, worst.word, html_text(sentence_of(all), 500));
+  return fmt::format("<p class=\"answer\"><b class=\"{}\"><span>{}</span></b>: {}</p>\n",
+                     verdict_kind(all.worst()), to_string(all.worst()),
+                     html_text(sentence_of(all), 500));
 }
 
 std::string scorecards_section(const Report& report) {

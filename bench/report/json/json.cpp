@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -59,13 +63,18 @@ Json drawn_impacts(const ImpactColumns& impacts) {
           {"left_out", impacts.left_out}};
 }
 
-/// Digits of what a chart has many of.
+// Digits of what a chart has many of, and of what it draws over decades without a tooltip.
 constexpr int point_digits = 4;
+constexpr int decade_digits = 3;
 
-/// Every number of `json` with as many digits as a chart or a tooltip can show.
+/// Every number of `json` with as many digits as a chart or a tooltip can show; a whole one without
+/// its point.
 void round_for_charts(Json& json, int digits) {
   if (json.is_number_float()) {
-    json = rounded(json.get<double>(), digits);
+    constexpr double countable = 1e15;
+    const double value = rounded(json.get<double>(), digits);
+    const bool whole_number = std::trunc(value) == value && std::abs(value) < countable;
+    json = whole_number ? Json(static_cast<std::int64_t>(value)) : Json(value);
   } else if (json.is_structured()) {
     for (Json& inside : json) {
       round_for_charts(inside, digits);
@@ -85,24 +94,75 @@ void keep(Json& object, std::initializer_list<std::string_view> keys) {
   object = std::move(kept);
 }
 
-/// `report` without what no chart of the page reads: its tables have every number.
-Json for_charts(Json report) {
+/// The impacts of a run as the audit draws them: the columns without their names, in an order that
+/// common.js knows. A column of one value throughout is that value.
+void shorten_impacts(Json& impacts) {
+  if (!impacts.is_object()) {
+    return;
+  }
+  for (const char* key : {"rate_before", "rate_after", "arm"}) {
+    round_for_charts(impacts.at(key), point_digits);
+  }
+  for (const char* key : {"tangential_error", "angular_error"}) {
+    round_for_charts(impacts.at(key), decade_digits);
+  }
+  Json columns = Json::array({impacts.at("time")});
+  for (const char* key : {"cable", "requested", "rate_before", "rate_after", "arm",
+                          "tangential_error", "angular_error"}) {
+    const Json& column = impacts.at(key);
+    const bool constant =
+        !column.empty() && std::all_of(column.begin(), column.end(),
+                                       [&](const Json& one) { return one == column.front(); });
+    columns.push_back(constant ? column.front() : column);
+  }
+  columns.push_back(impacts.at("left_out"));
+  impacts = std::move(columns);
+}
+
+/// The parts of a deviation without their names, in the order of the causes.
+void shorten_attribution(Json& attribution) {
+  keep(attribution, {"deviation", "covered", "parts"});
+  if (attribution.is_object() && attribution.at("parts").is_object()) {
+    Json parts = Json::array();
+    for (const Json& part : attribution.at("parts")) {
+      parts.push_back(part);
+    }
+    attribution["parts"] = std::move(parts);
+  }
+  round_for_charts(attribution, point_digits);
+}
+
+/// What a simulated second cost, run by run: [median, quartile, quartile] of the repetitions.
+void add_costs(Json& runs, const Report& report) {
+  std::map<RunKey, const TimingRow*> timing;
+  for (const TimingRow& row : report.context.timing) {
+    timing.emplace(row.key, &row);
+  }
+  for (std::size_t place = 0; place < report.runs.size(); ++place) {
+    if (const auto found = timing.find(report.runs[place].key); found != timing.end()) {
+      const TimingRow& row = *found->second;
+      runs[place]["cost"] = {row.second_cost, row.second_spread.lower, row.second_spread.upper};
+      round_for_charts(runs[place]["cost"], point_digits);
+    }
+  }
+}
+
+/// `report`, which is `of` as JSON, without what no chart of the page reads: its tables have every
+/// number.
+Json for_charts(Json report, const Report& of) {
   for (Json& run : report.at("runs")) {
-    for (const char* key : {"details", "verdict", "output_tail"}) {
+    for (const char* key : {"details", "verdict", "output_tail", "reason", "path"}) {
       run.erase(key);
     }
     keep(run.at("metrics"), {"early_position_error", "horizon_position_error"});
-    keep(run.at("attribution"), {"deviation", "parts"});
-    Json& impacts = run.at("impacts");
-    if (impacts.is_object()) {
-      impacts.erase("steps");
-      for (const char* key :
-           {"rate_before", "rate_after", "arm", "tangential_error", "angular_error"}) {
-        round_for_charts(impacts.at(key), point_digits);
-      }
+    shorten_impacts(run.at("impacts"));
+    keep(run.at("audit"), {"ladder"});
+    if (run.at("audit").is_null() || run.at("audit").at("ladder").is_null()) {
+      run.erase("audit");
     }
-    round_for_charts(run.at("attribution"), point_digits);
+    shorten_attribution(run.at("attribution"));
   }
+  add_costs(report.at("runs"), of);
   for (Json& engine : report.at("engines")) {
     if (engine.contains("models")) {
       for (Json& model : engine.at("models")) {
@@ -110,9 +170,7 @@ Json for_charts(Json report) {
       }
     }
   }
-  for (Json& timing : report.at("context").at("timing")) {
-    keep(timing, {"case", "engine", "model", "step", "second_cost"});
-  }
+  report.at("context").erase("timing");
   for (Json& row : report.at("summary")) {
     keep(row.at("metrics"), {"early_position_error", "horizon_position_error"});
   }
@@ -182,7 +240,9 @@ std::string report_json(const Report& report) {
   return out + "\n";
 }
 
-std::string page_json(const Report& report) { return on_one_line(for_charts(whole(report))); }
+std::string page_json(const Report& report) {
+  return on_one_line(for_charts(whole(report), report));
+}
 
 std::string motions_json(const Report& report, const std::string& the_case) {
   std::string out = "[";

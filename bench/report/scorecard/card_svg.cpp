@@ -6,6 +6,7 @@
 #include "bench/cases/catalogue.hpp"
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"
+#include "bench/report/tables/columns.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {
@@ -64,7 +65,6 @@ std::string numbers(const Report& report, const MakerCard& card) {
 
 std::string card_svg(const Report& report, const std::string& engine) {
   const Scorecard card = scorecard(report, engine);
-  const Worst worst = worst_of(card.verdicts);
   const std::string verdict = tally_text(card.verdicts);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" height=\"176\" viewBox=\"0 0 400 "
@@ -74,8 +74,9 @@ std::string card_svg(const Report& report, const std::string& engine) {
   out += "<rect class=\"b\" x=\"0.5\" y=\"0.5\" width=\"399\" height=\"175\" rx=\"4\"/>\n";
   out += line(34, 22, "i", name_of(engine));
   out += line(52, 12, "m", name_of(card.version) + ", " + name_of(card.precision));
-  out += line(76, 15, worst.look.c_str(),
-              xml_text(verdict) + (worst.count < card.verdicts.runs() ? " runs" : ""));
+  const bool all = card.verdicts.of(card.verdicts.worst()) == card.verdicts.runs();
+  out += line(76, 15, word_look(card.verdicts.worst()).c_str(),
+              xml_text(verdict) + (all ? "" : " runs"));
   if (const MakerCard* const of = spoken_of(card)) {
     out += numbers(report, *of);
   }

@@ -20,26 +20,6 @@ const std::set<std::string> against_rebounds = {
 
 constexpr std::array makers = {Maker::engine, Maker::by_hand, Maker::tautline};
 
-void count(Tally& tally, const RunRow& run) {
-  if (!run.verdict) {  // of a report without limits
-    ++(did_its_work(run.status) ? tally.not_judged : tally.breaks_limit);
-    return;
-  }
-  switch (run.verdict->word) {
-    case Word::pass:
-      ++tally.pass;
-      return;
-    case Word::known_deviation:
-      ++tally.known_deviation;
-      return;
-    case Word::breaks_limit:
-      ++tally.breaks_limit;
-      return;
-    case Word::not_judged:
-      ++tally.not_judged;
-  }
-}
-
 /// The shortest cable of each case [m].
 std::map<std::string, double> shortest_cables(const Report& report) {
   std::map<std::string, double> result;
@@ -101,7 +81,7 @@ ModelCard model_card(const Report& report, const std::string& engine, const Mode
   for (const RunRow& run : report.runs) {
     if (run.key.engine == engine && run.key.model == model.name) {
       by_step[run.key.step].push_back(&run);
-      count(card.verdicts, run);
+      card.verdicts.add(run);
     }
   }
   for (const auto& [step, runs] : by_step) {
@@ -167,26 +147,6 @@ MakerCard maker_card(const Report& report, const std::string& engine, Maker make
 }
 
 }  // namespace
-
-void Tally::add(const Tally& other) {
-  pass += other.pass;
-  known_deviation += other.known_deviation;
-  breaks_limit += other.breaks_limit;
-  not_judged += other.not_judged;
-}
-
-Worst worst_of(const Tally& tally) {
-  if (tally.breaks_limit > 0) {
-    return {"breaks a limit", "breaks-a-limit", tally.breaks_limit};
-  }
-  if (tally.known_deviation > 0) {
-    return {"known deviation", "known-deviation", tally.known_deviation};
-  }
-  if (tally.not_judged > 0) {
-    return {"not judged", "not-judged", tally.not_judged};
-  }
-  return {"pass", "pass", tally.pass};
-}
 
 Scorecard scorecard(const Report& report, const std::string& engine) {
   Scorecard card;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/report/report.hpp"
+#include "bench/report/tally.hpp"
 
 namespace tautline::bench {
 
@@ -15,28 +16,6 @@ namespace tautline::bench {
 /// An early position error this small, of the shortest cable of its case, is good enough for a
 /// picture: a pixel where that cable is a hundred pixels long [-].
 inline constexpr double good_enough = 0.01;
-
-/// How many runs came to which verdict.
-struct Tally {
-  std::size_t pass = 0;
-  std::size_t known_deviation = 0;
-  std::size_t breaks_limit = 0;  // failed and diverged ones too
-  std::size_t not_judged = 0;
-
-  auto operator<=>(const Tally&) const = default;  // NOLINT(modernize-use-nullptr): it has none
-  void add(const Tally& other);
-  [[nodiscard]] std::size_t runs() const {
-    return pass + known_deviation + breaks_limit + not_judged;
-  }
-};
-
-/// The worst verdict of some runs, and how many have it.
-struct Worst {
-  std::string word;   // "pass", "known deviation", "breaks a limit", "not judged"
-  std::string look;   // the same as a name of a class: "breaks-a-limit"
-  std::size_t count;  //
-};
-[[nodiscard]] Worst worst_of(const Tally& tally);
 
 /// A model at a step: medians over its cases.
 struct Setup {

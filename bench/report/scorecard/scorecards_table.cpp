@@ -25,21 +25,6 @@ std::vector<Column> columns_of() {
           word_column("found", "")};
 }
 
-Colour colour_of(const Worst& worst) {
-  return worst.look == "pass"              ? Colour::green
-         : worst.look == "breaks-a-limit"  ? Colour::red
-         : worst.look == "known-deviation" ? Colour::yellow
-                                           : Colour::grey;
-}
-
-Cell verdict_cell(const Tally& tally) {
-  const Worst worst = worst_of(tally);
-  Cell cell = tally_text(tally);
-  cell.kind = "verdict " + worst.look;
-  cell.colour = colour_of(worst);
-  return cell;
-}
-
 std::optional<double> percent(const std::optional<Setup>& use) {
   return use && use->off ? std::optional(100.0 * *use->off) : std::nullopt;
 }
@@ -63,7 +48,7 @@ Row row_of(const Scorecard& card, const MakerCard& of) {
     found.text = "nothing";
   }
   return {{word_cell(card.engine), word_cell(card.version + ", " + card.precision),
-           words_of(of.maker), sentence_cell(rebounds_text(of)), verdict_cell(of.verdicts),
+           words_of(of.maker), sentence_cell(rebounds_text(of)), tally_cell(of.verdicts),
            use_cell(of), number_cell(of.use ? std::optional(of.use->step) : std::nullopt, as_count),
            brief_cell(percent(of.use)), brief_cell(cost_of(of.use)), std::move(found)},
           "",
@@ -125,29 +110,6 @@ std::string rebounds_text(const MakerCard& card) {
   return wrong.empty()
              ? "right"
              : fmt::format("right in {}; wrong in {}", joined(right, "and"), joined(wrong, "and"));
-}
-
-std::string tally_text(const Tally& tally) {
-  const Worst worst = worst_of(tally);
-  return worst.count == tally.runs()
-             ? worst.word
-             : fmt::format("{} {}/{}", worst.word, worst.count, tally.runs());
-}
-
-std::string sentence_of(const Tally& tally) {
-  std::vector<std::string> parts;
-  const auto say = [&](std::size_t count, const char* one, const char* several) {
-    if (count > 0) {
-      parts.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
-    }
-  };
-  say(tally.breaks_limit, "breaks a limit", "break a limit");
-  say(tally.known_deviation, "deviates as is known", "deviate as is known");
-  say(tally.not_judged, "is not judged", "are not judged");
-  say(tally.pass, "passes", "pass");
-  return parts.empty()
-             ? "no run."
-             : fmt::format("of {}, {}.", counted(tally.runs(), "run"), joined(parts, "and"));
 }
 
 std::vector<std::string> findings_texts(const Scorecard& card, const MakerCard& of) {

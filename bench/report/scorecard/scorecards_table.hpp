@@ -24,12 +24,6 @@ namespace tautline::bench {
 /// "right", "right; not in contact", "wrong", "not measured": the rebounds of some models.
 [[nodiscard]] std::string rebounds_text(const MakerCard& card);
 
-/// "pass", or "breaks a limit 3/21".
-[[nodiscard]] std::string tally_text(const Tally& tally);
-
-/// "of 60 runs 3 break a limit, 2 deviate as is known and 55 pass."
-[[nodiscard]] std::string sentence_of(const Tally& tally);
-
 /// "contact: threshold, gain", a model each: what was found of the models of one maker.
 [[nodiscard]] std::vector<std::string> findings_texts(const Scorecard& card, const MakerCard& of);
 

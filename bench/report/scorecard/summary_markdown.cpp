@@ -31,8 +31,8 @@ std::vector<ModelRow> models_of(const std::vector<Scorecard>& cards) {
   }
   const auto urgency = [](const ModelRow& row) {
     const Tally& tally = row.card.verdicts;
-    return std::tuple(tally.breaks_limit, tally.known_deviation, row.card.wrong.size(),
-                      tally.not_judged);
+    return std::tuple(tally.of(Word::breaks_limit), tally.of(Word::known_deviation),
+                      row.card.wrong.size(), tally.of(Word::not_judged));
   };
   std::stable_sort(rows.begin(), rows.end(), [&](const ModelRow& one, const ModelRow& two) {
     return urgency(one) > urgency(two);
@@ -79,7 +79,7 @@ std::string verdict_line(const std::vector<Scorecard>& cards) {
   for (const Scorecard& card : cards) {
     all.add(card.verdicts);
   }
-  return fmt::format("**{}**: {}\n", worst_of(all).word, sentence_of(all));
+  return fmt::format("**{}**: {}\n", to_string(all.worst()), sentence_of(all));
 }
 
 std::string scope_line(const Report& report, std::size_t engines) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
@@ -17,39 +16,14 @@ namespace {
 constexpr int seldom_missed = 1;
 constexpr int beside_the_median = 9;
 
-/// The words from the worst to the best: which of several stands for all.
-constexpr std::array worst_first = {Word::breaks_limit, Word::known_deviation, Word::not_judged,
-                                    Word::pass};
-
-/// How many runs of one engine, model and step have each word.
-using Tally = std::map<Word, std::size_t>;
 using Tallies = std::map<SetupKey, Tally>;
 
 Tallies tallies(const Report& report) {
   Tallies result;
   for (const RunRow& run : report.runs) {
-    if (run.verdict) {
-      ++result[setup_of(run.key)][run.verdict->word];
-    }
+    result[setup_of(run.key)].add(run);
   }
   return result;
-}
-
-/// "pass", or "breaks a limit in 3 of 21".
-Cell tally_cell(const Tally& tally, std::size_t runs) {
-  for (const Word word : worst_first) {
-    const auto found = tally.find(word);
-    if (found == tally.end()) {
-      continue;
-    }
-    const std::string name = to_string(word);
-    Cell cell =
-        found->second == runs ? name : fmt::format("{} in {} of {}", name, found->second, runs);
-    cell.kind = verdict_kind(word);
-    cell.colour = colour_of(word);
-    return cell;
-  }
-  return dash;
 }
 
 bool is_shown_over_cases(const Metric& metric) {
@@ -112,7 +86,7 @@ std::vector<Column> columns_of(const Report& report) {
 Row answers_row(const SummaryRow& summary, const Tally* verdict, std::optional<double> cost) {
   Row row = {setup_cells(summary.key), "", body_of(summary.key.engine)};
   if (verdict != nullptr) {
-    row.cells.push_back(tally_cell(*verdict, summary.cases));
+    row.cells.push_back(tally_cell(*verdict));
   }
   for (std::size_t place = 0; place < metric_list().size(); ++place) {
     if (is_shown_over_cases(metric_list()[place])) {

@@ -66,10 +66,21 @@ Cell sentence_cell(std::string_view text) { return printable(text, longest_sente
 
 Cell count_cell(std::size_t count) { return number_cell(static_cast<double>(count), as_count); }
 
-std::string verdict_kind(Word word) {
-  std::string kind = to_string(word);
-  std::replace(kind.begin(), kind.end(), ' ', '-');
-  return "verdict " + kind;
+std::string word_look(Word word) {
+  std::string look = to_string(word);
+  std::replace(look.begin(), look.end(), ' ', '-');
+  return look;
+}
+
+std::string verdict_kind(Word word) { return "verdict " + word_look(word); }
+
+Cell tally_cell(const Tally& tally) {
+  Cell cell = tally.runs() == 0 ? dash : tally_text(tally);
+  if (tally.runs() > 0) {
+    cell.kind = verdict_kind(tally.worst());
+    cell.colour = colour_of(tally.worst());
+  }
+  return cell;
 }
 
 std::vector<Column> setup_columns() {

@@ -8,6 +8,7 @@
 #include "bench/base/table.hpp"
 #include "bench/measure/metric_list.hpp"
 #include "bench/report/report.hpp"
+#include "bench/report/tally.hpp"
 
 namespace tautline::bench {
 
@@ -39,6 +40,12 @@ inline constexpr Digits as_instant = fixed(4);
 
 /// The colour of a verdict on a terminal.
 [[nodiscard]] Colour colour_of(Word word);
+
+/// A word as the name of a look: "known-deviation".
+[[nodiscard]] std::string word_look(Word word);
+
+/// The worst verdict of some runs and how many have it, or a dash of none.
+[[nodiscard]] Cell tally_cell(const Tally& tally);
 
 /// The look of a verdict's cell: "verdict known-deviation".
 [[nodiscard]] std::string verdict_kind(Word word);

@@ -125,10 +125,10 @@ TEST(Scorecard, VerdictsAreCountedRunByRunAndTheWorstIsSaid) {
   EXPECT_EQ(tally_text(scorecard(report, "e").verdicts), "pass");
   report.runs.back().status = Status::failed;
   const Tally tally = scorecard(report, "e").verdicts;
-  EXPECT_EQ(tally.pass, 2U);
-  EXPECT_EQ(tally.breaks_limit, 1U);
+  EXPECT_EQ(tally.of(Word::pass), 2U);
+  EXPECT_EQ(tally.of(Word::breaks_limit), 1U);
   EXPECT_EQ(tally.runs(), report.runs.size());
-  EXPECT_EQ(tally_text(tally), "breaks a limit 1/3");
+  EXPECT_EQ(tally_text(tally), "breaks a limit in 1 of 3");
   EXPECT_EQ(sentence_of(tally), "of 3 runs, 1 breaks a limit and 2 pass.");
 }
 

@@ -24,7 +24,9 @@ endif()
 # Debian's packages have a file `copyright` of their own in place of the licence
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 install(FILES THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES CITATION.cff VALIDATION.md docs/ci-recipe.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES CITATION.cff VALIDATION.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/ci-recipe.md docs/program.md docs/report.md docs/scaling.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials)
 install(FILES docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)

@@ -30,7 +30,9 @@ export const reportOf = (file) => JSON.parse(
 /// One browser for all tests of a process: to start one costs as much as a test.
 let browser = null;
 const theBrowser = () => (browser ??= chromium.launch(options));
-after(async () => (await browser)?.close());
+/// What is no test has to call it at its end, or its process stays.
+export const closeBrowser = async () => (await browser)?.close();
+after(closeBrowser);
 
 /// Opens `file` in a context of its own and passes {page, said, asked, dialogs, waited, worked}
 /// to `action`; the last two are what opening took by the clock and on the page's processor [ms]; `context` is Playwright's options of a context.

@@ -1,7 +1,7 @@
 // Writes the charts of a page as files: see scripts/pictures.
 import { statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { withPage } from './browser.mjs';
+import { closeBrowser, withPage } from './browser.mjs';
 
 const [file, folder] = process.argv.slice(2);
 const charts = { 'error-step': 'chart-step', 'error-cost': 'chart-cost', attribution: 'chart-attribution',
@@ -39,7 +39,8 @@ await withPage(file, async ({ page }) => {
       }
     }
   }
-}, { width: 1600, height: 1000, colorScheme: 'light' });
+}, { width: 1440, height: 1000, colorScheme: 'light' });
+await closeBrowser();
 if (failures === 2 * Object.keys(charts).length) {
   process.exit(1);
 }

@@ -63,9 +63,15 @@ class Names {
   }
 
   void check(const RunPattern& runs, StrictTable& table) const {
-    check_slip("engine", runs.engine, engines_, table);
-    check_model(runs, table);
-    check_case(runs.the_case, table);
+    for (const std::string& engine : alternatives(runs.engine)) {
+      check_slip("engine", engine, engines_, table);
+    }
+    for (const std::string& model : alternatives(runs.model)) {
+      check_model(runs.engine, model, table);
+    }
+    for (const std::string& the_case : alternatives(runs.the_case)) {
+      check_case(the_case, table);
+    }
   }
 
  private:
@@ -84,20 +90,21 @@ class Names {
   }
 
   /// A model that none of the engines has, all of them being here.
-  void check_model(const RunPattern& runs, StrictTable& table) const {
+  void check_model(const std::string& engine_pattern, const std::string& model,
+                   StrictTable& table) const {
     std::vector<std::string> models;
     bool all_here = true;
     for (const LimitNames::Engine& engine : names_.engines) {
-      if (matches(runs.engine, engine.name)) {
+      if (matches(engine_pattern, engine.name)) {
         all_here = all_here && engine.models;
         const auto& own = engine.models ? *engine.models : std::vector<std::string>();
         models.insert(models.end(), own.begin(), own.end());
       }
     }
-    if (!models.empty() && all_here && !any_matches(runs.model, models)) {
+    if (!models.empty() && all_here && !any_matches(model, models)) {
       std::sort(models.begin(), models.end());
       models.erase(std::unique(models.begin(), models.end()), models.end());
-      const std::string near = suggestion(runs.model, models);
+      const std::string near = suggestion(model, models);
       table.refuse_value("model", "no engine that this means has such a model" +
                                       (near.empty() ? ", must be " + joined(models, "or") : near));
     }

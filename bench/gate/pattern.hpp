@@ -2,13 +2,18 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
 
-/// True where `name` is one that `pattern` means: * and ? are as for files, and nothing else is.
+/// True where `name` is one that `pattern` means: * and ? are as for files, a | stands between
+/// patterns of which any will do, and nothing else is special.
 [[nodiscard]] bool matches(const std::string& pattern, const std::string& name);
+
+/// The patterns between which `pattern` has a |.
+[[nodiscard]] std::vector<std::string> alternatives(const std::string& pattern);
 
 /// Which runs an entry of a limits file is about. Names are patterns as for files: * and ?.
 struct RunPattern {

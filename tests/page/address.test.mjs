@@ -89,7 +89,7 @@ test('the replay’s case, runs and instant are in the address, and a link shows
   });
 });
 
-test('no table shows more than 40 rows without a fold that counts them', () => onSharedPage(async ({ page }) => {
+test('no table shows more than 40 rows without a fold that counts them', () => withPage(benchPage(), async ({ page }) => {
   const found = await page.evaluate(() => [...document.querySelectorAll('table')].map((table) => ({ id: table.id,
     rows: [...table.tBodies].flatMap((body) => [...body.rows]).filter((row) => !row.hidden).length,
     fold: table.closest('details'), said: table.closest('details')?.querySelector('summary').textContent ?? '' }))

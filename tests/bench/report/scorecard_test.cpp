@@ -123,7 +123,7 @@ TEST(Scorecard, VerdictsAreCountedRunByRunAndTheWorstIsSaid) {
     add_audited(report, "e", "row", 1e-3, 0.1);
   }
   EXPECT_EQ(tally_text(scorecard(report, "e").verdicts), "pass");
-  report.runs.back().status = Status::failed;
+  report.runs.back().verdict->word = Word::breaks_limit;
   const Tally tally = scorecard(report, "e").verdicts;
   EXPECT_EQ(tally.of(Word::pass), 2U);
   EXPECT_EQ(tally.of(Word::breaks_limit), 1U);
@@ -216,7 +216,7 @@ TEST(SummaryMarkdown, HasAtMostTwentyRowsTheBrokenFirstAndCountsTheRest) {
     add_makers(report, "e" + std::to_string(engine));
     add_audited(report, "e" + std::to_string(engine), "row", 1e-3, 0.1);
   }
-  report.runs[25].status = Status::failed;
+  report.runs[25].verdict->word = Word::breaks_limit;
   const std::string text = summary_markdown(report);
   EXPECT_EQ(rows_of(text), 20);
   EXPECT_TRUE(text.starts_with("**breaks a limit**: of 30 runs, 1 breaks a limit and 29 pass.\n"))

@@ -44,7 +44,7 @@ struct Model {
   std::string name;               // [a-z0-9-]+, such as "row" or "event"
   std::string sentence;           // what it does, in one sentence
   std::vector<Setting> settings;  // every one that is not the engine's default
-  Maker maker = Maker::by_hand;
+  Maker maker = Maker::by_hand;   // whose its cable is
 };
 
 /// What an engine says of itself.

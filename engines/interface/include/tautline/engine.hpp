@@ -27,6 +27,7 @@ enum class Maker {
   by_hand,   // built by the plug-in with the engine's parts
   tautline,  // tautline's: its event driver, or its exact solver
 };
+/// Its name, as it stands in report.json.
 [[nodiscard]] constexpr const char* to_string(Maker maker) {
   switch (maker) {
     case Maker::engine:

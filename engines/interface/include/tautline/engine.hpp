@@ -27,6 +27,7 @@ enum class Maker {
   by_hand,   // built by the plug-in with the engine's parts
   tautline,  // tautline's: its event driver, or its exact solver
 };
+/// Its name, as it stands in report.json.
 [[nodiscard]] constexpr const char* to_string(Maker maker) {
   switch (maker) {
     case Maker::engine:
@@ -44,7 +45,7 @@ struct Model {
   std::string name;               // [a-z0-9-]+, such as "row" or "event"
   std::string sentence;           // what it does, in one sentence
   std::vector<Setting> settings;  // every one that is not the engine's default
-  Maker maker = Maker::by_hand;
+  Maker maker = Maker::by_hand;   // whose its cable is
 };
 
 /// What an engine says of itself.

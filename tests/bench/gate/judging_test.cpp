@@ -39,7 +39,7 @@ Report report_of(double value, double step = 1e-3) {
   return report;
 }
 
-TEST(Pattern, OnlyStarsAndQuestionMarksAreSpecial) {
+TEST(Pattern, OnlyStarsQuestionMarksAndBarsAreSpecial) {
   const auto on = [](const std::string& pattern, const std::string& name) {
     RunPattern runs;
     runs.model = pattern;
@@ -50,6 +50,27 @@ TEST(Pattern, OnlyStarsAndQuestionMarksAreSpecial) {
   EXPECT_FALSE(on("row[2]", "row2"));
   EXPECT_TRUE(on("a\\*", "a\\b"));
   EXPECT_FALSE(on("a\\*", "a*"));
+  EXPECT_TRUE(on("row|ear*", "row"));
+  EXPECT_TRUE(on("row|ear*", "early"));
+  EXPECT_FALSE(on("row|ear*", "row|early-bird"));
+  EXPECT_FALSE(on("row|ear*", "rows"));
+}
+
+TEST(Limits, EachOfSeveralPatternsMustNameSomethingThatIsThere) {
+  LimitNames names;
+  names.engines = {{"e", std::vector<std::string>{"row", "early"}}};
+  names.cases = {"c/one", "c/two", "ball"};
+  const auto problems = [&](const std::string& model, const std::string& the_case) {
+    return read_limits_text("schema = 1\nversion = \"1\"\n[[limits]]\nengine = \"e\"\nmodel = \"" +
+                                model + "\"\ncase = \"" + the_case +
+                                "\"\nmetric = \"overstretch\"\nlimit = 0.5\nunit = \"m\"\n"
+                                "reason = \"r\"\n",
+                            "l.toml", names)
+        .problems.size();
+  };
+  EXPECT_EQ(problems("row|early", "c/*|ball"), 0U);
+  EXPECT_EQ(problems("row|none", "c/*|ball"), 1U);
+  EXPECT_EQ(problems("row|early", "ball|c/three"), 1U);
 }
 
 TEST(Pattern, HoldsForAllThatItNamesTogether) {

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "bench/gate/limits.hpp"
+#include "bench/gate/verdict.hpp"
+#include "bench/measure/metric_list.hpp"
+#include "bench/suite/suites.hpp"
 #include "tests/bench/program.hpp"
 
 namespace tautline::test {
@@ -100,13 +104,69 @@ TEST(Limits, WhatShipsIsSoundAndIsOnEveryModelThatIsBuilt) {
   EXPECT_GE(limits.limits.size(), 20U);
   const TemporaryFolder out;
   const Outcome outcome =
-      program({"bench", "breakwater/1710121100", "--until", "4", "--steps", "1e-2,1e-3", "--gate",
-               TAUTLINE_LIMITS, "--out", (out.path() / "r").string()});
+      program({"bench", "breakwater/1710121100", "level-beam", "--until", "2", "--steps",
+               "1e-2,1e-3", "--gate", TAUTLINE_LIMITS, "--out", (out.path() / "r").string()});
   EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
   EXPECT_NE(outcome.output.find("The gate holds ("), std::string::npos) << outcome.output;
   const json report = json::parse(content_of(out.path() / "r/report.json"));
   for (const json& run : report.at("runs")) {
     EXPECT_FALSE(run.at("verdict").at("checks").empty()) << run.at("engine") << run.at("model");
+  }
+}
+
+/// The quick suite as the engines that are built would run it: no run breaks anything.
+bench::Report sound_quick_suite() {
+  const json listed = json::parse(program({"engines", "--json", "-"}).output);
+  const bench::Suite& quick = *bench::find_suite("quick");
+  bench::Report report;
+  for (const json& engine : listed.at("engines")) {
+    if (!engine.at("models").is_array() || !engine.at("precision").is_string()) {
+      continue;  // not built
+    }
+    const std::string name = engine.at("name");
+    bench::EngineRow row;
+    row.name = name;
+    row.info = EngineInfo{name, "1", engine.at("precision"), {}};
+    report.engines.push_back(row);
+    for (const json& model : engine.at("models")) {
+      for (const std::string& the_case : bench::cases_of(quick)) {
+        for (const double step : quick.steps) {
+          bench::RunRow run;
+          run.key = {the_case, name, model.at("name").get<std::string>(), step};
+          run.metrics = bench::MetricValues(bench::metric_list().size(), 0.0);
+          report.runs.push_back(run);
+        }
+      }
+    }
+  }
+  return report;
+}
+
+TEST(Limits, JudgeAtLeastFourFifthsOfTheQuickSuiteOfEveryEngineThatIsBuilt) {
+  bench::Report report = sound_quick_suite();
+  bench::add_verdicts(report, bench::shipped_limits());
+  std::map<std::string, int> runs;
+  std::map<std::string, int> not_judged;
+  for (const bench::RunRow& run : report.runs) {
+    ++runs[run.key.engine];
+    not_judged[run.key.engine] += run.verdict->word == bench::Word::not_judged ? 1 : 0;
+  }
+  ASSERT_TRUE(runs.contains("exact"));
+  for (const auto& [engine, count] : runs) {
+    EXPECT_LE(5 * not_judged[engine], count) << engine;
+  }
+}
+
+TEST(Limits, TheControlPassesOnEveryCaseOfTheQuickSuite) {
+  const TemporaryFolder out;
+  const Outcome outcome = program({"bench", "--suite", "quick", "--engines", "exact", "--gate",
+                                   TAUTLINE_LIMITS, "--out", (out.path() / "r").string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
+  const json report = json::parse(content_of(out.path() / "r/report.json"));
+  EXPECT_EQ(report.at("runs").size(), 24U);
+  for (const json& run : report.at("runs")) {
+    EXPECT_EQ(run.at("verdict").at("word"), "pass")
+        << run.at("case") << run.at("model") << run.at("step");
   }
 }
 
@@ -118,7 +178,7 @@ TEST(Verdict, WithoutAGateTheLimitsThatShipAreShownAndTheCodeIsAsEver) {
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   const json report = json::parse(content_of(out.path() / "r/report.json"));
   EXPECT_EQ(report.at("runs").at(0).at("verdict").at("word"), "breaks a limit");
-  EXPECT_EQ(report.at("limits"), json({{"file", "limits.toml, built in"}, {"version", "2"}}));
+  EXPECT_EQ(report.at("limits"), json({{"file", "limits.toml, built in"}, {"version", "3"}}));
   EXPECT_NE(outcome.output.find("breaks a limit"), std::string::npos) << outcome.output;
 }
 

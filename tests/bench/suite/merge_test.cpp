@@ -20,7 +20,7 @@ Words operator+(Words one, const Words& more) {
   return one;
 }
 
-/// Twelve runs of two cases, some of which break a limit or are not judged.
+/// Twelve runs of two cases.
 const Words small_suite = {"bench",
                            "bouncing-ball",
                            "breakwater/1510121100",

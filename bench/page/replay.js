@@ -134,10 +134,12 @@
     const near = `within ${size} (${number(error / picture.pixel(), 1)} pixel)`;
     const count = (value) => value.toLocaleString('en');
     const [shown, all] = [one.impacts.length, one.impacts.length + one.leftOut];
-    const whole = ['It has no impact that counts.', 'Its one impact is shown.'][all] || `All ${count(all)} impacts are shown.`;
+    const counted = one.reference ? 'impacts' : `impacts faster than ${
+      tautline.inUnits(`${number(tautline.report.options.count_speed)} m/s`, state.system)}`;
+    const whole = all === 0 ? `It has no ${counted}.` : `All ${count(all)} ${counted} are shown.`;
     return `${one.name}: drawn ${near} of ${one.reference ? 'the solution' : `the run’s record, every ${
       tautline.inUnits(`${number(spacing)} s`, state.system)} and at its impacts; in between nothing is known`}. ${one.leftOut
-      ? `${count(shown)} of ${count(all)} impacts shown, the fastest.` : whole}`;
+      ? `${count(shown)} of ${count(all)} ${counted} are shown, the fastest.` : whole}`;
   }
 
   function tellHow() {

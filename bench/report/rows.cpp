@@ -84,8 +84,8 @@ TimingRow timing_row(const RunKey& key, const Cost& cost) {
   row.step_cost = cost.step;
   row.reference_cost = cost.reference;
   row.cost_ratio = cost.reference > 0.0 ? cost.step / cost.reference : 0.0;
-  row.second_cost = cost.step / key.step;
-  row.second_spread = {cost.smallest / key.step, cost.lower / key.step, cost.upper / key.step};
+  row.second_cost = cost.step / cost.dt;
+  row.second_spread = {cost.smallest / cost.dt, cost.lower / cost.dt, cost.upper / cost.dt};
   row.repetitions = cost.repetitions;
   return row;
 }

@@ -74,6 +74,7 @@ Cost measure_cost(const Case& the_case, const Engine& engine, const std::string&
           .smallest = quantile(of_step, 0.0),
           .lower = quantile(of_step, 0.25),
           .upper = quantile(of_step, 0.75),
+          .dt = dt,
           .repetitions = repetitions};
 }
 

@@ -17,6 +17,7 @@ struct Cost {
   double smallest = 0.0;   // [s], of a step in the fastest repetition
   double lower = 0.0;      // [s], its lower quartile
   double upper = 0.0;      // [s], its upper quartile
+  double dt = 1.0;         // [s], length of a step: the run's own, or all that is timed
   std::size_t repetitions = 0;
 };
 

@@ -133,6 +133,7 @@ void pass_run(auto& numbers, auto& run) {
   numbers(run.cost.smallest);
   numbers(run.cost.lower);
   numbers(run.cost.upper);
+  numbers(run.cost.dt);
   numbers(run.cost.repetitions);
   auto& trajectory = run.trajectory;
   numbers(trajectory.step);

@@ -296,14 +296,15 @@ test('how near each motion is drawn stands beside it, and how many of its impact
     const told = await page.locator('.replay-note li').allTextContents();
     const impacts = system.events.kind.filter((kind) => kind === 'impact').length;
     assert.match(told[0], new RegExp(system.events.left_out
-      ? `${impacts} of ${(impacts + system.events.left_out).toLocaleString('en')} impacts shown, the fastest`
+      ? `${impacts} of ${(impacts + system.events.left_out).toLocaleString('en')} impacts are shown, the fastest`
       : `All ${impacts} impacts are shown`));
     assert.ok(told.length > 1);
     for (const text of told.slice(1)) {
       const [, engine, model, step] = /^(\S+) (\S+), step (\S+) s: drawn within [\d.e-]+ \([\d.e-]+ pixel\)/.exec(text);
       const all = rowsOf(join(folderOf({ case: system.name, engine, model, step }), 'events.csv'))
         .filter((row) => -row.rate_before > report.options.count_speed).length;
-      assert.match(text, new RegExp(all > 300 ? `300 of ${all.toLocaleString('en')} impacts shown, the fastest` : `All ${all} impacts are shown`));
+      const counted = `impacts faster than ${report.options.count_speed}( m/s)? are shown`;
+      assert.match(text, new RegExp(all > 300 ? `300 of ${all.toLocaleString('en')} ${counted}, the fastest` : `All ${all} ${counted}`));
     }
   }
 }));

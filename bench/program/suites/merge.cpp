@@ -32,19 +32,25 @@ struct MergeCommand {
   std::string command_line;  // as it was typed, for the report
 };
 
+/// True where `folder` is `inner`, or one of the folders above it.
+bool contains(const fs::path& folder, const fs::path& inner) {
+  const fs::path outer = fs::weakly_canonical(folder);
+  const fs::path path = fs::weakly_canonical(inner);
+  return std::mismatch(outer.begin(), outer.end(), path.begin(), path.end()).first == outer.end();
+}
+
 /// What hinders --out from taking the merged tree; "" if nothing.
 std::string out_problem(const MergeCommand& command) {
   if (command.out.empty()) {
     return "--out: is empty; give a folder to write the results to";
   }
-  const bool is_a_tree =
-      std::any_of(command.trees.begin(), command.trees.end(), [&](const std::string& tree) {
-        std::error_code ignored;
-        return fs::equivalent(tree, command.out, ignored);
-      });
-  if (is_a_tree) {
-    return fmt::format("--out {}: is one of the trees; give another folder",
-                       printable(command.out, 1024));
+  for (const std::string& tree : command.trees) {
+    if (contains(tree, command.out) || contains(command.out, tree)) {
+      return fmt::format(
+          "--out {}: is, holds or lies in the tree {}, which stays as it is; give a "
+          "folder beside it",
+          printable(command.out, 1024), printable(tree, 1024));
+    }
   }
   return tree_problem(command.out).value_or("");
 }

@@ -76,8 +76,10 @@ void round_for_charts(Json& json, int digits) {
     const bool whole_number = std::trunc(value) == value && std::abs(value) < countable;
     json = whole_number ? Json(static_cast<std::int64_t>(value)) : Json(value);
   } else if (json.is_structured()) {
-    for (Json& inside : json) {
-      round_for_charts(inside, digits);
+    for (auto& [key, inside] : json.items()) {
+      if (key != "step") {  // which names a run
+        round_for_charts(inside, digits);
+      }
     }
   }
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/report/report.hpp"
-#include "bench/report/tally.hpp"
+#include "bench/report/tables/tally.hpp"
 
 namespace tautline::bench {
 

@@ -8,7 +8,7 @@
 #include "bench/base/table.hpp"
 #include "bench/measure/metric_list.hpp"
 #include "bench/report/report.hpp"
-#include "bench/report/tally.hpp"
+#include "bench/report/tables/tally.hpp"
 
 namespace tautline::bench {
 

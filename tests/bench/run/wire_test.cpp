@@ -40,7 +40,7 @@ TEST(Wire, ARequestComesAsItWasSent) {
 
 TEST(Wire, ARunComesBitForBit) {
   RunAnswer run;
-  run.cost = {1e-7, 2e8, 3e-9, 4e-8, 5e-8, 6e-7, 9};
+  run.cost = {1e-7, 2e8, 3e-9, 4e-8, 5e-8, 6e-7, 0.5, 9};
   run.trajectory.step = 0.1;
   run.trajectory.stride = 3;
   run.trajectory.points = {{0.0, some_state()}, {0.3, State()}};
@@ -57,6 +57,7 @@ TEST(Wire, ARunComesBitForBit) {
   EXPECT_EQ(read.cost.smallest, run.cost.smallest);
   EXPECT_EQ(read.cost.lower, run.cost.lower);
   EXPECT_EQ(read.cost.upper, run.cost.upper);
+  EXPECT_EQ(read.cost.dt, run.cost.dt);
   EXPECT_EQ(read.cost.repetitions, run.cost.repetitions);
   EXPECT_EQ(read.trajectory.step, 0.1);
   EXPECT_EQ(read.trajectory.stride, 3U);

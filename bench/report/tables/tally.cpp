@@ -1,4 +1,4 @@
-#include "bench/report/tally.hpp"
+#include "bench/report/tables/tally.hpp"
 
 #include <fmt/format.h>
 

@@ -158,9 +158,18 @@ std::string changes_sentence(const Changes& changes) {
   if (bad + good == 0) {
     return fmt::format("{} runs compared: nothing changed {}.", changes.compared, beyond);
   }
+  const std::string gone =
+      changes.only_before.empty()
+          ? ""
+          : fmt::format(" ({} of them runs that are gone)", changes.only_before.size());
   return fmt::format(
-      "{} runs compared: {} changes for the worse, {} for the better. A changed number is {}.",
-      changes.compared, bad, good, beyond);
+      "{} runs compared: {} changes for the worse{}, {} for the better. A changed number is {}.",
+      changes.compared, bad, gone, good, beyond);
+}
+
+std::string missing_text(const Changes& changes, const TerminalStyle& style) {
+  return statuses("New failures", changes.new_failures, style) +
+         counted_runs("Runs that are gone", changes.only_before, style);
 }
 
 std::string changes_text(const Changes& changes, const TerminalStyle& style) {

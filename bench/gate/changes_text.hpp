@@ -12,6 +12,9 @@ namespace tautline::bench {
 [[nodiscard]] std::string changes_text(const Changes& changes,
                                        const TerminalStyle& style = unlimited);
 
+/// Of these what fails anew, and the runs that are gone; "" without any.
+[[nodiscard]] std::string missing_text(const Changes& changes, const TerminalStyle& style);
+
 /// Its last line: how many changes.
 [[nodiscard]] std::string changes_sentence(const Changes& changes);
 

@@ -23,7 +23,6 @@ using namespace tautline::bench;
 
 constexpr const char* first_steps =
     "tautline solve bouncing-ball           an exact motion, solved now\n"
-    "tautline engines                       the engines that are here\n"
     "tautline bench                         hold them against the exact motion\n"
     "tautline bench --engine ./mine.so      and your own";
 

@@ -84,7 +84,7 @@ std::string trend_text(const Trend& trend, bool all, const TerminalStyle& style)
       "{} of {} metrics of an engine, model and step move from one report to the next{}. Worse and "
       "better are runs since the report before.",
       moving, trend.rows.size(), all || moving == trend.rows.size() ? "" : "; --all prints all");
-  return result + wrapped(counted, style.text) +
+  return result + missing_text(trend.latest, style) + wrapped(counted, style.text) +
          wrapped(fmt::format("From report {} to {}: {}", trend.reports.size() - 1,
                              trend.reports.size(), changes_sentence(trend.latest)),
                  style.text);

@@ -92,7 +92,7 @@ std::string scope_line(const Report& report, std::size_t engines) {
       "tautline {}{}.\n\n",
       counted(report.cases.size(), "case"), counted(engines, "engine"), joined(steps, "and"),
       markdown_text(printable(report.version)),
-      report.complete ? "" : " (INCOMPLETE: interrupted)");
+      report.complete ? "" : " (INCOMPLETE)");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -194,6 +195,21 @@ TEST(Compare, MoreThanTwoReportsAreATrendByVersion) {
   EXPECT_EQ(moved, 1U);
   EXPECT_EQ(program({"compare", one, two, one}).code, 0) << "the last is better";
   EXPECT_EQ(program({"compare", one}).code, 2);
+}
+
+TEST(Compare, ATrendCountsTheRunsThatAreGone) {
+  ordered_json after = sound();
+  after.at("runs").erase(after.at("runs").size() - 1);
+  const TemporaryFolder folder;
+  const std::string one = folder.file("a.json", sound().dump());
+  const std::string two = folder.file("b.json", after.dump());
+  const Outcome outcome = program({"compare", one, one, two});
+  EXPECT_EQ(outcome.code, 1) << outcome.errors;
+  EXPECT_NE(outcome.output.find("Runs that are gone (1)"), std::string::npos) << outcome.output;
+  std::string flat = outcome.output;
+  std::replace(flat.begin(), flat.end(), '\n', ' ');
+  EXPECT_NE(flat.find("1 changes for the worse (1 of them runs that are gone)"), std::string::npos)
+      << outcome.output;
 }
 
 TEST(Compare, AToleranceIsGivenAsAShare) {

@@ -140,7 +140,7 @@ TEST(Completion, OffersWhatFits) {
   EXPECT_EQ(offered({"solve", "--pl"}), "--plot\n");
   EXPECT_EQ(offered({"solve", "bounc"}), "bouncing-ball\n");
   EXPECT_EQ(offered({"run", "bouncing-ball", "--engine", "exa"}), "exact\n");
-  EXPECT_EQ(offered({"bench", "--models", "event,ev"}), "event,event\n");
+  EXPECT_EQ(offered({"bench", "--models", "row,sampl"}), "row,sampled\n");
   EXPECT_EQ(offered({"bench", "--law", "po"}), "poisson\n");
   EXPECT_EQ(offered({"help", "rep"}), "reproduce\n");
   EXPECT_NE(offered({""}).find("compare\n"), std::string::npos);

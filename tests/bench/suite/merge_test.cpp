@@ -259,8 +259,15 @@ TEST_F(Merge, RefusesWhatDoesNotBelongTogether) {
         << refused.what << ": " << outcome.errors;
     EXPECT_FALSE(fs::exists(path("refused"))) << refused.what;
   }
-  EXPECT_EQ(program(merge_of({path("1"), path("2")}, path("1"))).code, 2);
+  // a tree, a folder that holds the trees, and one inside a tree: clearing it would clear them
+  for (const fs::path& out : {path("1"), path("."), path("2") / "inner"}) {
+    const Outcome outcome = program(merge_of({path("1"), path("2")}, out));
+    EXPECT_EQ(outcome.code, 2) << out;
+    EXPECT_NE(outcome.errors.find("is, holds or lies in the tree"), std::string::npos)
+        << outcome.errors;
+  }
   EXPECT_TRUE(fs::exists(path("1") / "suite.json"));
+  EXPECT_TRUE(fs::exists(path("2") / "suite.json"));
 }
 
 TEST(Bench, WithoutCasesRunsTheQuickSuiteAndNamesItsTime) {

@@ -91,8 +91,7 @@ std::string scope_line(const Report& report, std::size_t engines) {
       "\n{} on {}, at steps {} s, each run held against the exact motion by "
       "tautline {}{}.\n\n",
       counted(report.cases.size(), "case"), counted(engines, "engine"), joined(steps, "and"),
-      markdown_text(printable(report.version)),
-      report.complete ? "" : " (INCOMPLETE)");
+      markdown_text(printable(report.version)), report.complete ? "" : " (INCOMPLETE)");
 }
 
 }  // namespace

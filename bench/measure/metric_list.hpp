@@ -52,6 +52,11 @@ struct Metric {
 /// Every metric, in the order of the tables.
 [[nodiscard]] std::span<const Metric> metric_list();
 
+/// What is asked of a run or of a model first, where there is little room.
+[[nodiscard]] inline bool is_asked_first(const Metric& metric) {
+  return metric.shown == Shown::by_run_and_over_cases && !metric.brief.empty();
+}
+
 /// The place of `name` in the list; none if there is no such metric.
 [[nodiscard]] std::optional<std::size_t> place_of(std::string_view name);
 

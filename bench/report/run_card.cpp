@@ -17,11 +17,6 @@ std::string number_and_unit(double value, const Digits& digits, const std::strin
   return number_text(value, digits) + (unit.empty() ? "" : " " + unit);
 }
 
-/// What a run is asked for first: the metrics of the answers.
-bool is_of_a_card(const Metric& metric) {
-  return metric.shown == Shown::by_run_and_over_cases && !metric.brief.empty();
-}
-
 const Check* check_of(const RunRow& run, std::string_view metric) {
   if (!run.verdict) {
     return nullptr;
@@ -53,7 +48,7 @@ Table metrics_of(const RunRow& run, bool all) {
   for (std::size_t place = 0; place < metric_list().size(); ++place) {
     const Metric& metric = metric_list()[place];
     const Check* check = check_of(run, metric.name);
-    if (!all && !is_of_a_card(metric) && check == nullptr) {
+    if (!all && !is_asked_first(metric) && check == nullptr) {
       continue;
     }
     table.add({in_words(metric.name), number_cell(run.metric(place), metric.digits),

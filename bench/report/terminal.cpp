@@ -18,7 +18,7 @@ namespace {
 std::string legend(const Report& report, std::size_t width) {
   std::string out;
   for (const Metric& metric : metric_list()) {
-    if (metric.shown == Shown::by_run_and_over_cases && !metric.brief.empty()) {
+    if (is_asked_first(metric)) {
       const char* over = metric.aggregate == Aggregate::typical ? "median" : "worst";
       out += wrapped(fmt::format("{} ({}): {}", metric.brief, over, metric.meaning), width);
     }

@@ -54,10 +54,6 @@ MovesByRow moves_of(const Changes& changes) {
   return result;
 }
 
-bool is_of_a_trend(const Metric& metric) {
-  return metric.shown == Shown::by_run_and_over_cases && !metric.brief.empty();
-}
-
 /// Goes through the reports once for each row.
 class Trends {
  public:
@@ -82,7 +78,7 @@ class Trends {
     std::vector<TrendRow> result;
     for (const SetupKey& key : keys) {
       for (std::size_t metric = 0; metric < metric_list().size(); ++metric) {
-        if (is_of_a_trend(metric_list()[metric])) {
+        if (is_asked_first(metric_list()[metric])) {
           result.push_back(row(key, metric));
         }
       }

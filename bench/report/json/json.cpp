@@ -280,11 +280,7 @@ ReportReading report_from(std::string_view text, const std::string& name) {
     }
     Report report;
     read(json, report);
-    for (EngineRow& engine : report.engines) {
-      if (engine.info) {
-        engine.info->name = engine.name;  // which stands once in the file
-      }
-    }
+    std::for_each(report.engines.begin(), report.engines.end(), complete);
     report.version = json.at("program").at("version").get<std::string>();
     return {std::move(report), {}};
   } catch (const Json::parse_error& error) {

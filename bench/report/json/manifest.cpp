@@ -43,9 +43,7 @@ std::optional<Manifest> manifest_from(std::string_view text) {
     Manifest manifest;
     read(json, manifest);
     for (Manifest::Engine& engine : manifest.engines) {
-      if (engine.row.info) {
-        engine.row.info->name = engine.row.name;  // which stands once in the file
-      }
+      complete(engine.row);
     }
     return manifest;
   } catch (const Json::exception&) {

@@ -154,4 +154,11 @@ void read(const Json& json, Row& row) {
   fields(reader, row);
 }
 
+/// Gives engines that were read the name that stands once in their files.
+inline void complete(EngineRow& engine) {
+  if (engine.info) {
+    engine.info->name = engine.name;
+  }
+}
+
 }  // namespace tautline::bench

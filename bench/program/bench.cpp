@@ -7,11 +7,14 @@
 
 #include "bench/base/process.hpp"
 #include "bench/base/progress.hpp"
+
 #include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/suites/request.hpp"
 #include "bench/program/suites/results.hpp"
+#include "bench/report/words.hpp"
+#include "bench/suite/certification.hpp"
 #include "bench/suite/manifest.hpp"
 #include "bench/suite/report_of.hpp"
 #include "bench/suite/shard.hpp"
@@ -49,9 +52,11 @@ std::string what_was_done(const Request& request, const SuiteResult& result,
   if (const Shard shard = request.options.shard; shard.of > 1) {
     out += fmt::format("{}shard {}", out.empty() ? "" : ", ", to_string(shard));
   }
-  const std::string all = result.due < result.planned ? fmt::format(" of {}", result.planned) : "";
-  return fmt::format("{}{}{}{} runs in {:.1f} s, {:.0f} MB", out, out.empty() ? "" : ": ",
-                     result.runs.size(), all, context.elapsed,
+  const std::string runs = result.due < result.planned ? fmt::format("{} of {}", result.runs.size(),
+                                                                     counted(result.planned, "run"))
+                                                       : counted(result.runs.size(), "run");
+  return fmt::format("{}{}{} in {:.1f} s, {:.0f} MB", out, out.empty() ? "" : ": ", runs,
+                     context.elapsed,
                      (context.program_memory + request.options.jobs * context.worker_memory) / 1e6);
 }
 
@@ -71,10 +76,13 @@ int bench_command(const BenchCommand& command) {
   const Descriptor tree = open_tree(options.out, !options.resume);
   Manifest manifest = manifest_of(options, context.command, context.started);
   write_manifest(options.out, manifest);  // before the first run: a tree that is cut off has it
+  // of a suite in parts that is for the merge of them
+  Certification certification(references, options.certify && options.shard.of == 1);
   const SuiteResult result = run_visibly(options, references);
+  const auto digits = certification.digits();
   context.elapsed = seconds_since(start);
   context.program_memory = peak_memory();
-  Report report = report_of(options, references, result, std::move(context));
+  Report report = report_of(options, references, digits, result, std::move(context));
   add_verdicts(report, request.limits);
   const ResultsTarget target = {command.out, command.json, command.gate, request.limits};
   write_results(target, report);

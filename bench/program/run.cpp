@@ -70,7 +70,7 @@ int run_command(const RunCommand& command) {
     complain({"interrupted"});
     return exit_failed;
   }
-  Report report = report_of(options, references, result, Context());
+  Report report = report_of(options, references, {std::nullopt}, result, Context());
   add_verdicts(report, shipped_limits());
   const RunRow& row = report.runs.front();
   if (command.json.empty()) {

@@ -10,6 +10,7 @@
 #include "bench/measure/audit/audit.hpp"
 #include "bench/measure/metric_list.hpp"
 #include "bench/report/motion/path.hpp"
+#include "bench/solution/certificate.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 #include "tautline/settling.hpp"
@@ -162,6 +163,12 @@ struct EventColumns {
   std::size_t left_out = 0;  // impacts that are not here, all slower
 };
 
+/// Until when the exact solution in double is right, held against the same motion in many digits.
+struct CertifiedDigits {
+  int digits = 0;                      // decimal, of the other solution's numbers
+  std::vector<CorrectDigits> correct;  // falling in digits
+};
+
 /// What the exact solution says of a case, and what a page needs to draw it.
 struct CaseRow {
   std::string name;
@@ -182,6 +189,7 @@ struct CaseRow {
   Path path;            // of the exact motion
   EventColumns events;
   std::optional<std::string> motions;  // file beside the page with those of its runs; none: in it
+  std::optional<CertifiedDigits> certified;  // none where it was not asked for
 };
 
 /// An engine, or why there are no runs of it.
@@ -271,6 +279,7 @@ struct ReportOptions {
   std::size_t early_impacts = 0;
   double time_limit = 0.0;    // [s]
   double memory_limit = 0.0;  // [bytes]
+  bool certify = false;       // each case, in many digits
 };
 
 /// What the verdicts hold the runs against.

@@ -50,10 +50,13 @@ void ImpactDetector::take(double start, double dt, const State& before, const St
                              " impulses for " + std::to_string(bursts_.size()) + " cables");
   }
   const Eigen::Vector3d stray = unexplained(before, after, impulses, dt);
+  const bool shared = std::count_if(impulses.begin(), impulses.end(),
+                                    [this](double impulse) { return impulse > threshold_; }) > 1;
   for (std::size_t index = 0; index < bursts_.size(); ++index) {
     if (impulses[index] > threshold_) {
       extend(index, start, before, after, impulses[index]);
       bursts_[index]->stray += stray;
+      bursts_[index]->shared = bursts_[index]->shared || shared;
     } else {
       close(index);
     }
@@ -89,7 +92,8 @@ void ImpactDetector::take_located(const Event& event) {
   for (const std::size_t index : cables) {
     const Cable& cable = case_.cables[index];
     keep({event.time, index, impulses[index], gap_rate(cable, event.before),
-          gap_rate(cable, event.after), 0, event.before, event.after, stray, event.time});
+          gap_rate(cable, event.after), 0, event.before, event.after, stray, event.time,
+          cables.size() > 1});
   }
 }
 

@@ -31,6 +31,7 @@ struct RecordedImpact {
   /// the cables explain [N s, N s, N m s].
   Eigen::Vector3d stray = Eigen::Vector3d::Zero();
   double ended = time;  // [s], start of the last of those steps: where `after` is
+  bool shared = false;  // another cable pulled in its steps: the velocity jump is of both
 };
 
 /// What one run did.

@@ -124,6 +124,7 @@ void pass_impact(auto& numbers, auto& impact) {
   for (int k = 0; k < 3; ++k) {
     numbers(impact.stray[k]);
   }
+  numbers(impact.shared);
 }
 
 void pass_run(auto& numbers, auto& run) {

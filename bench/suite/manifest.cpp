@@ -83,7 +83,8 @@ ReportOptions report_options(const SuiteOptions& options) {
           options.compare.count_speed,
           options.compare.early_impacts,
           options.limits.time,
-          static_cast<double>(options.limits.memory)};
+          static_cast<double>(options.limits.memory),
+          options.certify};
 }
 
 std::string processor_name() {
@@ -134,6 +135,7 @@ SuiteOptions options_of(const Manifest& manifest) {
   options.law = law_from(manifest.options.law);
   options.limits.time = manifest.options.time_limit;
   options.limits.memory = static_cast<std::size_t>(manifest.options.memory_limit);
+  options.certify = manifest.options.certify;
   options.shard = {manifest.shard.number, manifest.shard.of};
   return options;
 }

@@ -52,6 +52,7 @@ Context filled(Context context, const SuiteResult& result) {
 }  // namespace
 
 Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& references,
+                 const std::vector<std::optional<CertifiedDigits>>& certified,
                  const SuiteResult& result, Context context) {
   Report report;
   report.version = TAUTLINE_VERSION;
@@ -59,11 +60,13 @@ Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& 
   report.planned_runs = result.planned;
   report.options = report_options(options);
   report.engines = engine_rows(options.engines);
-  for (const ReferenceCase& reference : references) {
-    report.cases.push_back(case_row(reference, options.compare));
+  for (std::size_t place = 0; place < references.size(); ++place) {
+    const ReferenceCase& reference = references[place];
+    CaseRow& row = report.cases.emplace_back(case_row(reference, options.compare));
     if (references.size() > most_cases_in_page) {
-      report.cases.back().motions = motion_file(reference.the_case.name);
+      row.motions = motion_file(reference.the_case.name);
     }
+    row.certified = certified.at(place);
   }
   for (const RunRecord& run : result.runs) {
     report.runs.push_back(run.row);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bench/measure/reference.hpp"
@@ -9,10 +10,12 @@
 
 namespace tautline::bench {
 
-/// The report of a suite, without verdicts. Of `context`, the command, the times and the memory are
-/// the caller's to tell; what the suite and this build know is filled in.
+/// The report of a suite, without verdicts. `certified` has an entry for each of `references`. Of
+/// `context`, the command, the times and the memory are the caller's to tell; what the suite and
+/// this build know is filled in.
 [[nodiscard]] Report report_of(const SuiteOptions& options,
                                const std::vector<ReferenceCase>& references,
+                               const std::vector<std::optional<CertifiedDigits>>& certified,
                                const SuiteResult& result, Context context);
 
 }  // namespace tautline::bench

@@ -34,10 +34,25 @@ double acceleration(const ReferenceCase& reference) {
   return the_case.gravity.norm() + 2.0 * largest / the_case.body.mass / shortest_cable(the_case);
 }
 
-/// True where no other impact of the run is at the same time: those share one velocity jump.
+/// By how much a step may change what is read of `impact` itself [m/s]: the rate before it is one
+/// of a flight that goes on for up to a step, and the rate after it is of a velocity that has flown
+/// on and of the pose before. A body that spins fast turns the cable's pull more than gravity does.
+double change_in_a_step(const Case& the_case, const RecordedImpact& impact, double step) {
+  const Cable& cable = the_case.cables[impact.cable];
+  const double before = std::abs(free_gap_acceleration(the_case, impact.cable, impact.before));
+  const Eigen::Vector3d gone(impact.after.velocity.x(), impact.after.velocity.y(),
+                             impact.after.spin);
+  const double turned = std::abs(gap_gradient_rate(cable, impact.before).dot(gone));
+  const double fallen =
+      std::abs(gap_gradient(cable, impact.before).head<2>().dot(the_case.gravity));
+  return step * (restitution(cable, impact.rate_before) * before + turned + fallen);
+}
+
+/// True where no other cable pulled in the impact's steps, and no other impact of the run is at the
+/// same time: those share one velocity jump.
 bool alone(const std::vector<const RecordedImpact*>& impacts, std::size_t index) {
   const double time = impacts[index]->time;
-  return (index == 0 || impacts[index - 1]->time != time) &&
+  return !impacts[index]->shared && (index == 0 || impacts[index - 1]->time != time) &&
          (index + 1 == impacts.size() || impacts[index + 1]->time != time);
 }
 
@@ -98,11 +113,14 @@ std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const
   const auto impacts = counted(run, count_speed);
   std::vector<AuditedImpact> result;
   for (std::size_t index = 0; index < impacts.size(); ++index) {
-    if (impacts[index]->time > end || !alone(impacts, index)) {
+    const RecordedImpact& recorded = *impacts[index];
+    if (recorded.time > end || !alone(impacts, index)) {
       continue;
     }
-    const AuditedImpact impact = audited(reference.the_case, *impacts[index], floor);
-    if (std::isfinite(impact.effective * impact.requested) && floor <= readable * impact.speed) {
+    const double changed = change_in_a_step(reference.the_case, recorded, run.step);
+    const AuditedImpact impact = audited(reference.the_case, recorded, std::max(floor, changed));
+    if (std::isfinite(impact.effective * impact.requested) &&
+        impact.rate_floor <= readable * impact.speed) {
       result.push_back(impact);
     }
   }

@@ -13,6 +13,7 @@
 #include "bench/program/options.hpp"
 #include "bench/program/suites/request.hpp"
 #include "bench/program/suites/results.hpp"
+#include "bench/suite/certification.hpp"
 #include "bench/suite/gathering.hpp"
 #include "bench/suite/manifest.hpp"
 #include "bench/suite/report_of.hpp"
@@ -81,7 +82,9 @@ int merge_command(const MergeCommand& command) {
   Manifest manifest = manifest_of(options, context.command, context.started);
   manifest.shard.elapsed = context.elapsed;
   write_manifest(options.out, manifest);
-  Report report = report_of(options, references, gathering.result, std::move(context));
+  Report report =
+      report_of(options, references, Certification(references, options.certify).digits(),
+                gathering.result, std::move(context));
   add_verdicts(report, target.limits);
   write_results(target, report);
   print_results(

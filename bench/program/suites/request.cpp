@@ -113,6 +113,7 @@ Request read_request(const BenchCommand& command) {
   options.out = command.out;
   options.shard = shard_of(command, request.problems);
   options.resume = command.resume;
+  options.certify = command.certify.value_or(request.suite != nullptr);
   options.limits.time = command.time_limit;
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   append(request.problems, suite_problems(options));
@@ -151,6 +152,9 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
                      "do only part K of N of the runs: 3/16; `tautline merge` puts the N result "
                      "folders together");
   command.add_flag("--resume", asked.resume, "keep the runs that --out already has");
+  command.add_flag("--certify,!--no-certify", asked.certify,
+                   "say until when the exact solution of each case is right, held against many "
+                   "digits: seconds a case (default: of a suite)");
   command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
       ->capture_default_str();
   command

@@ -103,7 +103,8 @@ std::string main_findings(const Report& report) {
   return out.empty() ? "" : "<ul class=\"findings\">\n" + out + "</ul>\n";
 }
 
-/// "2 cases on 3 engines with 7 models, at steps 0.01 and 0.001 s: 42 runs".
+/// "2 cases on 3 engines with 7 models, at steps 0.01 and 0.001 s: 42 runs (40 of engines, 2 of the
+/// control)".
 std::string scope(const Report& report) {
   std::set<std::string> engines;
   std::set<std::pair<std::string, std::string>> models;
@@ -115,10 +116,17 @@ std::string scope(const Report& report) {
   for (const double step : report.options.steps) {
     steps.push_back(number_text(step, as_count));
   }
-  return fmt::format("{} on {} with {}, at {} of {} s: {}", counted(report.cases.size(), "case"),
-                     counted(engines.size(), "engine"), counted(models.size(), "model"),
-                     steps.size() == 1 ? "a step" : "steps", joined(steps, "and"),
-                     counted(report.runs.size(), "run"));
+  const auto controls = std::count_if(report.runs.begin(), report.runs.end(),
+                                      [](const RunRow& run) { return run.key.engine == control; });
+  const auto all = static_cast<std::ptrdiff_t>(report.runs.size());
+  return fmt::format(
+      "{} on {} with {}, at {} of {} s: {}{}", counted(report.cases.size(), "case"),
+      counted(engines.size(), "engine"), counted(models.size(), "model"),
+      steps.size() == 1 ? "a step" : "steps", joined(steps, "and"),
+      counted(report.runs.size(), "run"),
+      controls == 0 || controls == all
+          ? ""
+          : fmt::format(" ({} of engines, {} of the control)", all - controls, controls));
 }
 
 }  // namespace

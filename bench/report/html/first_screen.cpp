@@ -11,6 +11,7 @@
 #include "bench/base/table.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"
 #include "bench/report/tables/columns.hpp"
+#include "bench/report/tables/tables.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {
@@ -76,6 +77,13 @@ std::string control_paragraph(const Report& report) {
                     "Worst over the cases of `exact sampled`, the exact motion seen at steps.");
 }
 
+/// With how many digits the cases are certified.
+int digits_of_certificates(const Report& report) {
+  const auto found = std::find_if(report.cases.begin(), report.cases.end(),
+                                  [](const CaseRow& row) { return row.certified.has_value(); });
+  return found != report.cases.end() ? found->certified->digits : 0;
+}
+
 }  // namespace
 
 std::string command_html(const std::string& command) {
@@ -111,12 +119,18 @@ std::string trust_section(const Report& report) {
   std::string out =
       "<section id=\"trust\">\n<h2>Can the reference be believed?</h2>\n"
       "<p><b>Against many digits.</b> The exact motion is computed in double precision. The same "
-      "motion in 50 digits says until when 9, 6 and 3 digits of it are right";
-  if (!report.cases.empty()) {
-    out += ", case by case; it takes seconds:</p>\n<p>" +
-           command_html("tautline solve " + report.cases.front().name + " --certify") + "</p>\n";
+      "motion in many digits says until when 9, 6 and 3 digits of it are right";
+  if (const Table table = in_units_of(report, certified_table(report)); !table.empty()) {
+    out += ":</p>\n" + html_table(table, "certified-table",
+                                  fmt::format("The exact motion against the same in {} digits, of "
+                                              "the same doubles.",
+                                              digits_of_certificates(report)));
   } else {
-    out += ".</p>\n";
+    out += ": <code>--certify</code> brings the figures into this report, in seconds a case.</p>\n";
+  }
+  if (!report.cases.empty()) {
+    out += "<p>One case, and all that is sure of it:</p>\n<p>" +
+           command_html("tautline solve " + report.cases.front().name + " --certify") + "</p>\n";
   }
   out +=
       "<p><b>The horizon.</b> Errors of 1e-12 grow to 1e-3 by the predictability horizon of each "

@@ -64,6 +64,18 @@ void fields(Visitor& visit, EventColumns& events) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, CorrectDigits& correct) {
+  visit("digits", correct.digits);
+  visit("until", correct.until);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, CertifiedDigits& certified) {
+  visit("digits", certified.digits);
+  visit("correct", certified.correct);
+}
+
+template <class Visitor>
 void fields(Visitor& visit, CaseRow& row) {
   visit("name", row.name);
   visit("title", row.title);
@@ -83,6 +95,7 @@ void fields(Visitor& visit, CaseRow& row) {
   visit("path", row.path);
   visit("events", row.events);
   visit("motions", row.motions);
+  visit("certified", row.certified);
 }
 
 template <class Visitor>
@@ -200,6 +213,7 @@ void fields(Visitor& visit, ReportOptions& options) {
   visit("early_impacts", options.early_impacts);
   visit("time_limit", options.time_limit);
   visit("memory_limit", options.memory_limit);
+  visit("certify", options.certify);
 }
 
 template <class Visitor>

@@ -113,6 +113,33 @@ Table cases_table(const Report& report) {
   return table;
 }
 
+Table certified_table(const Report& report) {
+  std::vector<Column> columns = {word_column("case", "case"),
+                                 number_column("ends at", "s", "", "end-time")};
+  std::vector<std::vector<Cell>> rows;
+  for (const CaseRow& row : report.cases) {
+    if (!row.certified) {
+      continue;
+    }
+    std::vector<Cell>& cells = rows.emplace_back();
+    cells = {word_cell(row.name), number_cell(row.end_time, fixed(3))};
+    for (const CorrectDigits& correct : row.certified->correct) {
+      if (rows.size() == 1) {
+        columns.push_back(number_column(fmt::format("{} digits", correct.digits), "s",
+                                        "right until", fmt::format("digits-{}", correct.digits)));
+      }
+      cells.push_back(correct.until ? number_cell(correct.until, fixed(3)) : word_cell("the end"));
+    }
+    cells.push_back(number_cell(row.horizon, fixed(3)));
+  }
+  columns.push_back(number_column("horizon", "s", "", "horizon"));
+  Table table(std::move(columns));
+  for (std::vector<Cell>& cells : rows) {
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
 Table convergence_table(const Report& report) {
   using Slope = ConvergenceRow::Slope;
   std::vector<Row> rows;

@@ -11,6 +11,9 @@ namespace tautline::bench {
 /// What the exact solutions say of every case.
 [[nodiscard]] Table cases_table(const Report& report);
 
+/// Until when digits of the exact solutions are right; empty where none was held against many.
+[[nodiscard]] Table certified_table(const Report& report);
+
 /// How fast errors shrink with the step.
 [[nodiscard]] Table convergence_table(const Report& report);
 

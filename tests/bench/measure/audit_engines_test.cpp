@@ -8,7 +8,9 @@
 #include <sstream>
 
 #include "bench/cases/catalogue.hpp"
+#include "bench/measure/audit/audit.hpp"
 #include "bench/measure/audit/sleep.hpp"
+#include "bench/measure/compare.hpp"
 #include "bench/measure/reference.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/record.hpp"
@@ -170,6 +172,45 @@ TEST(Audit, FindsNothingInTheControlAtAnyStep) {
   const TemporaryFolder out;
   const json report = report_of(out, "exact", "event,sampled", "1e-2,1e-3,1e-4");
   EXPECT_EQ(report.at("findings"), json::array());
+}
+
+/// What is found in `runs` of the control, each with its case.
+std::string told_of(const std::vector<const std::pair<std::string, bench::RunAudit>*>& runs,
+                    double step) {
+  std::vector<bench::AuditedRun> audited;
+  std::string result;
+  for (const auto* const run : runs) {
+    audited.push_back({run->first, "exact", "sampled", &run->second, step});
+  }
+  for (const bench::Finding& finding : bench::findings(audited)) {
+    result += finding.kind + " in " + runs.front()->first + " and " + runs.back()->first + "\n";
+  }
+  return result;
+}
+
+// What it finds must not depend on the company a case is in: alone, the spins of one would be taken
+// for scatter that the many bounces of another hide.
+TEST(Audit, FindsNothingInTheControlWhateverTheCases) {
+  const std::string every = "*";
+  const std::vector<Case> cases = bench::select_cases({&every, 1}).cases;
+  const std::vector<bench::ReferenceCase> references =
+      bench::solve_cases(cases, ImpactLaw::simultaneous);
+  const bench::Plugin plugin = bench::Plugin::open(TAUTLINE_ENGINE_DIR "/tautline-engine-exact.so");
+  for (const double step : {1e-2, 1e-3}) {
+    std::vector<std::pair<std::string, bench::RunAudit>> audits;
+    for (const bench::ReferenceCase& reference : references) {
+      const auto simulation = plugin.engine().start(reference.the_case, "sampled", step);
+      const bench::Trajectory run = bench::record(reference.the_case, *simulation, step);
+      audits.emplace_back(reference.the_case.name,
+                          bench::audit(reference, run, bench::CompareOptions().count_speed));
+    }
+    for (std::size_t one = 0; one < audits.size(); ++one) {
+      EXPECT_EQ(told_of({&audits[one]}, step), "") << step;
+      for (std::size_t two = one + 1; two < audits.size(); ++two) {
+        EXPECT_EQ(told_of({&audits[one], &audits[two]}, step), "") << step;
+      }
+    }
+  }
 }
 
 /// The rows of a CSV file, without its headings.

@@ -83,6 +83,29 @@ TEST(Record, ConsecutiveStepsWithAnImpulseAreOneImpact) {
   EXPECT_NEAR(-run.impacts[1].rate_after / run.impacts[1].rate_before, 0.5, 1e-15);
 }
 
+TEST(Record, TellsImpactsThatShareAStep) {
+  Case both = plumb();
+  both.cables.push_back(both.cables.front());
+  Scripted simulation(both, [](Scripted& s, int index, double) {
+    if (index == 3) {
+      s.now.velocity.y() = 0.5;
+      s.pulls = {0.75, 0.75};
+    }
+    if (index == 6) {
+      s.now.velocity.y() = -0.4;  // something turns it round
+    }
+    if (index == 7) {
+      s.now.velocity.y() = 0.2;
+      s.pulls[1] = 0.6;
+    }
+  });
+  const Trajectory run = record(both, simulation, 0.1);
+  ASSERT_EQ(run.impacts.size(), 3U);
+  EXPECT_TRUE(run.impacts[0].shared);
+  EXPECT_TRUE(run.impacts[1].shared);
+  EXPECT_FALSE(run.impacts[2].shared);
+}
+
 TEST(Record, TheRowAfterAPushOverSeveralStepsStandsWhereItEnded) {
   Scripted simulation(plumb(), [](Scripted& s, int index, double dt) {
     if (index == 3 || index == 4) {

@@ -44,7 +44,8 @@ TEST(Wire, ARunComesBitForBit) {
   run.trajectory.step = 0.1;
   run.trajectory.stride = 3;
   run.trajectory.points = {{0.0, some_state()}, {0.3, State()}};
-  run.trajectory.impacts = {{0.25, 7, 1.5, -1.0, 0.5, 2, some_state(), State(), {1.0, 2.0, 3.0}}};
+  run.trajectory.impacts = {
+      {0.25, 7, 1.5, -1.0, 0.5, 2, some_state(), State(), {1.0, 2.0, 3.0}, 0.3, true}};
   run.trajectory.slow_impacts = 123'456'789;
   run.trajectory.overstretch = 1e-9;
   run.trajectory.largest_energy = 2.0;
@@ -81,6 +82,7 @@ TEST(Wire, ARunComesBitForBit) {
   EXPECT_EQ(impact.rate_after, 0.5);
   EXPECT_EQ(impact.steps, 2U);
   EXPECT_EQ(impact.stray, Eigen::Vector3d(1.0, 2.0, 3.0));
+  EXPECT_TRUE(impact.shared);
   expect_same(impact.before, some_state());
 }
 

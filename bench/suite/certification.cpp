@@ -1,0 +1,49 @@
+#include "bench/suite/certification.hpp"
+
+#include <utility>
+
+#include "bench/base/process.hpp"
+#include "bench/solution/certify.hpp"
+
+namespace tautline::bench {
+namespace {
+
+CertifiedDigits certified(const ReferenceCase& reference) {
+  const Certificate certificate =
+      certify(reference.the_case, {.law = reference.law}, reference.solution, default_digits);
+  return {certificate.digits, {certificate.correct.begin(), certificate.correct.end()}};
+}
+
+}  // namespace
+
+Certification::Certification(const std::vector<ReferenceCase>& references, bool wanted)
+    : digits_(references.size()) {
+  if (wanted) {
+    thread_ =
+        std::jthread([this, &references](const std::stop_token& stop) { work(stop, references); });
+  }
+}
+
+std::vector<std::optional<CertifiedDigits>> Certification::digits() {
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+  if (failure_) {
+    std::rethrow_exception(failure_);
+  }
+  return std::move(digits_);
+}
+
+void Certification::work(const std::stop_token& stop,
+                         const std::vector<ReferenceCase>& references) {
+  try {
+    for (std::size_t place = 0;
+         place < references.size() && !stop.stop_requested() && !interruption(); ++place) {
+      digits_[place] = certified(references[place]);
+    }
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+}
+
+}  // namespace tautline::bench

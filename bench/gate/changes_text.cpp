@@ -13,6 +13,7 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/report/words.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -156,15 +157,15 @@ std::string changes_sentence(const Changes& changes) {
   const std::string beyond =
       fmt::format("beyond noise and a tolerance of {:g} %", 100.0 * changes.noise.tolerance);
   if (bad + good == 0) {
-    return fmt::format("{} runs compared: nothing changed {}.", changes.compared, beyond);
+    return fmt::format("{} compared: nothing changed {}.", counted(changes.compared, "run"),
+                       beyond);
   }
   const std::string gone =
       changes.only_before.empty()
           ? ""
           : fmt::format(" ({} of them runs that are gone)", changes.only_before.size());
-  return fmt::format(
-      "{} runs compared: {} changes for the worse{}, {} for the better. A changed number is {}.",
-      changes.compared, bad, gone, good, beyond);
+  return fmt::format("{} compared: {} for the worse{}, {} for the better. A changed number is {}.",
+                     counted(changes.compared, "run"), counted(bad, "change"), gone, good, beyond);
 }
 
 std::string missing_text(const Changes& changes, const TerminalStyle& style) {

@@ -152,9 +152,12 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
                      "do only part K of N of the runs: 3/16; `tautline merge` puts the N result "
                      "folders together");
   command.add_flag("--resume", asked.resume, "keep the runs that --out already has");
-  command.add_flag("--certify,!--no-certify", asked.certify,
-                   "say until when the exact solution of each case is right, held against many "
-                   "digits: seconds a case (default: of a suite)");
+  command.add_flag_callback(
+      "--certify", [&asked] { asked.certify = true; },
+      "say until when the exact solution of each case is right, held against many digits: up to "
+      "seconds a case (default: of a --suite)");
+  command.add_flag_callback(
+      "--no-certify", [&asked] { asked.certify = false; }, "do not");
   command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
       ->capture_default_str();
   command

@@ -208,7 +208,7 @@ TEST(Compare, ATrendCountsTheRunsThatAreGone) {
   EXPECT_NE(outcome.output.find("Runs that are gone (1)"), std::string::npos) << outcome.output;
   std::string flat = outcome.output;
   std::replace(flat.begin(), flat.end(), '\n', ' ');
-  EXPECT_NE(flat.find("1 changes for the worse (1 of them runs that are gone)"), std::string::npos)
+  EXPECT_NE(flat.find("1 change for the worse (1 of them runs that are gone)"), std::string::npos)
       << outcome.output;
 }
 

@@ -244,7 +244,7 @@ TEST(Changes, NamesInTextAreMadeHarmlessAndMetricsHaveTheirUnits) {
   const std::string text = changes_text(found);
   EXPECT_EQ(text.find('\033'), std::string::npos);
   EXPECT_NE(text.find("ro\\x1bw"), std::string::npos) << text;
-  EXPECT_NE(text.find("1 runs compared: 1 changes for the worse, 0 for the better."),
+  EXPECT_NE(text.find("1 run compared: 1 change for the worse, 0 for the better."),
             std::string::npos)
       << text;
   const auto row = nlohmann::json::parse(changes_json(found)).at("got_worse").at(0);

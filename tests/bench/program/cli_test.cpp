@@ -329,7 +329,7 @@ TEST(Bench, TakesACaseAfterAnEngine) {
       program({"bench", "--engine", "exact", "--steps", "0.1", "--models", "event", "bouncing-ball",
                "--out", (folder.path() / "r").string()});
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_NE(outcome.output.find("1 runs"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("1 run in "), std::string::npos) << outcome.output;
 }
 
 TEST(Cases, AreWrittenAsFilesThatSolveToTheSame) {

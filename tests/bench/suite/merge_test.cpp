@@ -272,13 +272,36 @@ TEST_F(Merge, RefusesWhatDoesNotBelongTogether) {
 
 TEST(Bench, WithoutCasesRunsTheQuickSuiteAndNamesItsTime) {
   const TemporaryFolder folder;
-  const Outcome outcome = program({"bench", "--engines", "exact", "--models", "event", "--out",
-                                   (folder.path() / "r").string()});
+  const Outcome outcome = program({"bench", "--engines", "exact", "--models", "event",
+                                   "--no-certify", "--out", (folder.path() / "r").string()});
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_NE(outcome.output.find("\nquick suite: 12 runs in "), std::string::npos) << outcome.output;
   const json report = report_in(folder.path() / "r");
   EXPECT_EQ(report.at("options").at("steps"), json({1e-2, 1e-3}));
   EXPECT_EQ(report.at("cases").size(), 6U);
+  EXPECT_TRUE(report.at("cases").at(0).at("certified").is_null());
+}
+
+// as `tautline solve --certify` says, in the report, on the page and in the text
+TEST(Bench, CertifiesTheDigitsOfItsCases) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "r";
+  const Outcome outcome =
+      program({"bench", "breakwater/1910121100", "level-beam", "--certify", "--engines", "exact",
+               "--models", "event", "--steps", "0.01", "--out", out.string()});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const json certified = report_in(out).at("cases").at(0).at("certified");
+  const Outcome solved = program({"solve", "breakwater/1910121100", "--certify", "--json", "-"});
+  const json correct = json::parse(solved.output).at("certificate").at("correct");
+  for (std::size_t place = 0; place < 3; ++place) {
+    EXPECT_EQ(certified.at("correct").at(place).at("digits"), correct.at(place).at("digits"));
+    EXPECT_EQ(certified.at("correct").at(place).at("until"), correct.at(place).at("until"));
+  }
+  EXPECT_EQ(correct.at(0).at("digits"), 9);
+  EXPECT_GT(correct.at(0).at("until"), 7.0);
+  EXPECT_NE(content_of(out / "index.html").find("id=\"certified-table\""), std::string::npos);
+  EXPECT_NE(content_of(out / "report.md").find("Held against the same motions in many digits"),
+            std::string::npos);
 }
 
 TEST(Bench, SuiteIsOneOfThoseThereAreAndNotBesideCases) {
@@ -288,6 +311,9 @@ TEST(Bench, SuiteIsOneOfThoseThereAreAndNotBesideCases) {
                                    "event", "--steps", "0.1", "--until", "1", "--out", out});
   EXPECT_EQ(chapter.code, 0) << chapter.errors;
   EXPECT_EQ(report_in(out).at("cases").size(), 21U);
+  for (const json& the_case : report_in(out).at("cases")) {
+    EXPECT_TRUE(the_case.at("certified").is_object()) << the_case.at("name");
+  }
   const Outcome unknown = program({"bench", "--suite", "swift", "--out", out + "2"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_NE(unknown.errors.find("--suite swift: must be quick, chapter or all"), std::string::npos)

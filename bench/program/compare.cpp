@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bench/base/terminal.hpp"
+#include "bench/base/text.hpp"
 #include "bench/gate/changes.hpp"
 #include "bench/gate/changes_json.hpp"
 #include "bench/gate/changes_text.hpp"
@@ -61,6 +62,10 @@ Reading read_all(const std::vector<std::string>& files) {
 
 std::vector<std::string> usage_problems(const CompareCommand& command) {
   std::vector<std::string> broken = missing_folder("--json", command.json);
+  if (command.reports.size() < 2) {
+    broken.push_back(fmt::format("compare: {} is one report; give two or more, the older first",
+                                 printable(command.reports.front(), 1024)));
+  }
   if (!(command.tolerance >= 0.0 && command.tolerance < 1.0)) {
     broken.push_back(fmt::format("--tolerance {}: must be at least 0 and below 1, as 0.05 for 5 %",
                                  command.tolerance));
@@ -116,7 +121,7 @@ void add_compare(CLI::App& app, int& code) {
                    "report.json of two `tautline bench`, the older first; or of more, for a trend "
                    "by version of the engines")
       ->required()
-      ->expected(2, CLI::detail::expected_max_vector_size);
+      ->expected(1, CLI::detail::expected_max_vector_size);
   command
       ->add_option(
           "--tolerance", asked->tolerance,

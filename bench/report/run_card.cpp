@@ -149,7 +149,7 @@ std::string setup_text(const Report& report, const RunKey& key) {
          fmt::format(", model {}, step {:g} s", printable(key.model), key.step);
 }
 
-/// What the run comes to: a word of the verdicts, and what it is judged by.
+/// What the run comes to: a word of the verdicts, what it is judged by, and why it is not.
 std::string verdict_text(const Report& report, const RunRow& run, const TerminalStyle& style) {
   if (!run.verdict) {
     return "";
@@ -159,7 +159,10 @@ std::string verdict_text(const Report& report, const RunRow& run, const Terminal
                                            printable(report.limits->version))
                              : "";
   const Word word = run.verdict->word;
-  return "verdict: " + coloured(to_string(word), colour_of(word), style) + by + "\n";
+  const std::string& reason = run.verdict->reason;
+  return "verdict: " + coloured(to_string(word), colour_of(word), style) + by + "\n" +
+         (reason.empty() ? ""
+                         : wrapped("because: " + printable(reason, longest_sentence), style.text));
 }
 
 /// Processor time, where the run was timed.

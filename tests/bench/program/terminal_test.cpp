@@ -149,6 +149,24 @@ TEST(Terminal, ARunThatBreaksALimitSaysWhichAndWhy) {
   }
 }
 
+TEST(Terminal, ARunThatIsNotJudgedSaysWhy) {
+  using namespace bench;
+  Report report = bench::test::made_report();
+  bench::test::add_engine(report, "e");
+  RunRow& run = bench::test::add_run(report, "e", 0.5);
+  run.verdict = Verdict{Word::not_judged, "its limit is a spring", {}};
+  const std::string card = run_card(report, false, {80, false});
+  EXPECT_NE(card.find("verdict: not judged\nbecause: its limit is a spring\n"), std::string::npos)
+      << card;
+}
+
+TEST(Terminal, CompareOfOneReportAsksForAnother) {
+  const Outcome outcome = program({"compare", "a.json"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.errors,
+            "tautline: compare: a.json is one report; give two or more, the older first\n");
+}
+
 /// Every file and folder below `folder`, by its path from there.
 std::set<std::string> tree(const std::filesystem::path& folder) {
   std::set<std::string> result;

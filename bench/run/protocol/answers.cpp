@@ -56,10 +56,12 @@ class Answer {
     if (message.at("jsonrpc").text() != "2.0") {
       message.at("jsonrpc").refuse("\"2.0\"");
     }
-    if (message_.at("id") != Json(id)) {
+    const auto error = message_.find("error");
+    const bool of_none = error != message_.end() && message_.value("id", Json()).is_null();
+    if (!of_none && message_.value("id", Json()) != Json(id)) {  // it may not have read the id
       message.at("id").refuse(fmt::format("{}, that of the request", id));
     }
-    if (const auto error = message_.find("error"); error != message_.end()) {
+    if (error != message_.end()) {
       refuse_error(*error, method);
     }
     static_cast<void>(message.at("result"));

@@ -25,9 +25,8 @@ constexpr std::size_t longest_message = 1000;
   throw ProtocolError(fmt::format(
       "the engine wrote on its standard output what is no message: {}; {}",
       line.empty() ? "an empty line" : printable(line, excerpt_length),
-      bare && line.starts_with('{')
-          ? "JSON has no NaN and no Infinity, they are the strings \"NaN\" and \"Infinity\""
-          : "what a library prints must go to standard error"));
+      bare && line.starts_with('{') ? "JSON has no NaN, say \"NaN\""
+                                    : "what a library prints must go to standard error"));
 }
 
 [[noreturn]] void refuse_error(const Json& error, std::string_view method) {

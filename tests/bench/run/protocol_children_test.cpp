@@ -21,11 +21,13 @@ struct BadChild {
 
 const std::vector<BadChild>& every_child() {
   static const std::vector<BadChild> ways = {
-      {"noise", "failed", "what is no message: Loading the engine ...; what a library prints must"},
+      {"noise", "failed",
+       "what is no message: Loading the engine ...; what a library prints must go to standard "
+       "error"},
       {"half-a-line", "failed", "exit code 0 before it answered step in the middle of a line: {"},
       {"endless-line", "failed", "wrote a line of more than 1048576 bytes"},
       {"wrong-id", "failed", "id is 1000"},
-      {"nan", "failed", "JSON has no NaN and no Infinity"},
+      {"nan", "failed", "JSON has no NaN, say \"NaN\""},
       {"nan-word", "diverged", "left every reasonable range after t = 0.09"},
       {"null", "failed", "steps[2][2] is null, must be a number"},
       {"too-few", "failed", "answered 7 steps where 8 were asked, and not why it stopped"},
@@ -100,7 +102,7 @@ TEST_F(BadChildren, GiveOneClearRowEach) {
     if (status.empty()) {
       EXPECT_TRUE(runs.empty()) << way;
       for (const json& engine : report().at("engines")) {
-        said += engine.at("problem").get<std::string>() + "\n";
+        said += engine.at("problem").is_string() ? engine.at("problem").get<std::string>() : "";
       }
     } else {
       ASSERT_EQ(runs.size(), 1U) << way;
@@ -168,7 +170,7 @@ TEST(BadChild, DiesWithAProgramThatIsKilled) {
   // the program, its worker, the keeper, the child, and three that have made themselves sessions
   constexpr std::size_t all = 7;
   constexpr auto pause = std::chrono::milliseconds(10);
-  for (int look = 0; look < 2000 && marked_processes(mark).size() < all; ++look) {
+  for (int look = 0; look < 2000 && !std::filesystem::exists(folder.path() / "ready"); ++look) {
     std::this_thread::sleep_for(pause);
   }
   EXPECT_EQ(marked_processes(mark).size(), all);

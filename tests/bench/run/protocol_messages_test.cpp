@@ -35,13 +35,14 @@ Case speedy_case() {
   Case result;
   result.name = "speedy";
   result.cables.resize(2);
+  result.cables[0].anchor = Vec2(0.0, 1.0);
   result.cables[0].restitution = 0.7;
   result.cables[1].capture_speed = 0.1;
   result.cables[1].restitution_table = {{0.05, 0.9}, {0.2, 0.8}, {1.0, 0.4}};
   return result;
 }
 
-/// Every kind of request; the first five after `info` are what a run asks.
+/// Every kind of request, in an order in which a child can answer them.
 std::vector<std::string> requests() {
   const State state{Vec2(1.0, -0.0), 1e300, Vec2(5e-324, std::numeric_limits<double>::infinity()),
                     std::numeric_limits<double>::quiet_NaN()};
@@ -51,8 +52,8 @@ std::vector<std::string> requests() {
           bench::start_request(2, speedy_case(), {{"row", "", {}}, false, true}, 1e-3),
           bench::step_request(3, 1e-3, 100),
           bench::fly_request(4, 0.25),
-          bench::place_request(5, state),
-          bench::solve_request(6, CableSet::of(0) | CableSet::of(1), rates)};
+          bench::solve_request(5, CableSet::of(0) | CableSet::of(1), rates),
+          bench::place_request(6, state)};
 }
 
 TEST(Messages, OfTheProgramAreAsTheSchemaSays) {
@@ -81,7 +82,7 @@ TEST(Messages, OfAChildAreAsTheSchemaSays) {
 }
 
 TEST(Messages, SayNumbersThatJsonHasNotByWords) {
-  EXPECT_EQ(json::parse(requests()[4]).at("params").at("state").dump(),
+  EXPECT_EQ(json::parse(requests().back()).at("params").at("state").dump(),
             R"([1.0,-0.0,1e+300,5e-324,"Infinity","NaN"])");
 }
 

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "bench/cases/catalogue.hpp"
+#include "bench/run/plugin.hpp"
 #include "bench/run/protocol/children.hpp"
 #include "tests/bench/run/protocol_support.hpp"
 
@@ -37,9 +39,9 @@ Found found_with(const std::string& engine, const std::string& model, const std:
   return found;
 }
 
-class SoundChild : public testing::TestWithParam<std::pair<std::string, std::string>> {};
+class SoundChildren : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
-TEST_P(SoundChild, RunsLikeAPluginOfTheSameArithmeticBitForBit) {
+TEST_P(SoundChildren, RunsLikeAPluginOfTheSameArithmeticBitForBit) {
   if (!has_python()) {
     GTEST_SKIP() << no_python;
   }
@@ -54,7 +56,7 @@ TEST_P(SoundChild, RunsLikeAPluginOfTheSameArithmeticBitForBit) {
   EXPECT_EQ(outside.run.at("details"), plugin.run.at("details"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, SoundChild,
+INSTANTIATE_TEST_SUITE_P(Each, SoundChildren,
                          testing::Values(std::pair("row", "0.001"), std::pair("row", "0.03"),
                                          std::pair("event", "0.01")),
                          [](const auto& test) {
@@ -62,6 +64,35 @@ INSTANTIATE_TEST_SUITE_P(Each, SoundChild,
                            std::erase(name, '.');
                            return name;
                          });
+
+/// Both numbers of each step that follow from these lengths.
+std::vector<double> stepped(const bench::Plugin& plugin, const std::vector<double>& lengths) {
+  const std::vector<std::string> names = {"crane-load"};
+  const Case the_case = bench::select_cases(names).cases.front();
+  const auto simulation = plugin.engine().start(the_case, "row", lengths.front());
+  std::vector<double> numbers;
+  for (const double dt : lengths) {
+    simulation->step(dt);
+    const State state = simulation->state();
+    numbers.insert(numbers.end(),
+                   {state.position.x(), state.position.y(), state.angle, state.velocity.x(),
+                    state.velocity.y(), state.spin, simulation->impulses()[0]});
+  }
+  return numbers;
+}
+
+TEST(SoundChild, TakesAStepOfAnotherLengthWhereStepsWereAskedForAhead) {
+  if (!has_python()) {
+    GTEST_SKIP() << no_python;
+  }
+  std::vector<double> lengths(300, 0.01);
+  for (const std::size_t odd : {1U, 140U, 141U, 250U}) {
+    lengths[odd] = 0.004;
+  }
+  const TemporaryFolder folder;
+  EXPECT_EQ(stepped(bench::Plugin::open(sound_child(folder)), lengths),
+            stepped(bench::Plugin::open(bad_engine("twin")), lengths));
+}
 
 bench::KeptCommand twin_command() {
   return {{"python3", (children_folder / "twin.py").string()}, "/", std::size_t{1} << 30U};

@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <functional>
+#include <future>
 #include <iterator>
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "bench/base/text.hpp"
+#include "bench/run/protocol/engine_file.hpp"
 #include "bench/run/worker.hpp"
 
 namespace tautline::bench {
@@ -36,20 +40,68 @@ fs::path program_folder() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-RegisteredEngine ask(const fs::path& plugin) {
+/// Asks an engine what it is, unless that is known, or that it cannot answer.
+void ask(RegisteredEngine& engine) {
+  if (engine.info || !engine.missing.empty() || !engine.failure.empty()) {
+    return;
+  }
+  DescribeReply reply = describe_in_worker(engine.plugin);
+  engine.info = std::move(reply.info);
+  engine.failure = std::move(reply.failure);
+  if (engine.info) {
+    engine.name = engine.info->name;
+  }
+}
+
+/// The same for all of them, on all cores: some take a second to start.
+void ask_all(std::vector<RegisteredEngine>& engines) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t index = next++; index < engines.size(); index = next++) {
+      ask(engines[index]);
+    }
+  };
+  std::vector<std::future<void>> others;
+  for (unsigned count = 1; count < std::thread::hardware_concurrency(); ++count) {
+    others.push_back(std::async(std::launch::async, work));
+  }
+  work();
+  for (std::future<void>& other : others) {
+    other.get();
+  }
+}
+
+RegisteredEngine from_plugin(const fs::path& plugin) {
   RegisteredEngine engine;
   engine.plugin = plugin;
   engine.name = plugin.stem().string();
   if (engine.name.starts_with(prefix)) {
     engine.name.erase(0, prefix.size());
   }
-  DescribeReply reply = describe_in_worker(plugin);
-  engine.info = std::move(reply.info);
-  engine.failure = std::move(reply.failure);
-  if (engine.info) {
-    engine.name = engine.info->name;
-  }
   return engine;
+}
+
+/// What an engine.toml says of its engine, which is not asked.
+RegisteredEngine from_engine_file(const fs::path& path) {
+  const EngineFile file = read_engine_file(path);
+  RegisteredEngine engine;
+  engine.plugin = file.path;
+  if (!file.problems.empty()) {
+    engine.name = file.path.parent_path().filename().string();
+    engine.failure = joined(file.problems, "and");
+    return engine;
+  }
+  engine.name = file.name;
+  engine.missing = missing(file);
+  return engine;
+}
+
+/// True for an engine with an engine.toml.
+bool is_outside(const RegisteredEngine& engine) { return is_engine_file(engine.plugin); }
+
+/// The folder that holds the engine's: its name stands for all engines in it.
+std::string group_of(const RegisteredEngine& engine) {
+  return is_outside(engine) ? engine.plugin.parent_path().parent_path().filename().string() : "";
 }
 
 std::vector<fs::path> plugins_in(const fs::path& folder) {
@@ -66,7 +118,8 @@ std::vector<fs::path> plugins_in(const fs::path& folder) {
 }
 
 bool is_path(const std::string& wanted) {
-  return wanted.find('/') != std::string::npos || wanted.ends_with(".so");
+  return wanted.find('/') != std::string::npos || wanted.ends_with(".so") ||
+         wanted.ends_with(".toml");
 }
 
 /// The known engines in their order, each with what was found of it; then the rest of `found`.
@@ -107,6 +160,41 @@ std::string missing_sentence(const RegisteredEngine& engine) {
                                 : sentence + fmt::format(" (package {} brings it)", engine.package);
 }
 
+/// Adds the engine that is called `want` among `all`, or lies there, or those of the folder `want`.
+void choose(const std::string& want, const std::vector<RegisteredEngine>& all,
+            EngineChoice& choice) {
+  if (is_path(want)) {
+    const fs::path path = fs::absolute(want);
+    choice.engines.push_back(is_engine_file(path) ? from_engine_file(path) : from_plugin(path));
+    if (!choice.engines.back().missing.empty()) {
+      choice.problems.push_back(missing_sentence(choice.engines.back()));
+    }
+    return;
+  }
+  const auto here =
+      std::find_if(all.begin(), all.end(), [&](const auto& engine) { return engine.name == want; });
+  if (here != all.end()) {
+    if (!here->missing.empty()) {
+      choice.problems.push_back(missing_sentence(*here));
+    }
+    choice.engines.push_back(*here);
+    return;
+  }
+  bool any = false;
+  for (const RegisteredEngine& engine : all) {
+    if (group_of(engine) == want) {
+      any = true;
+      choice.engines.push_back(engine);
+    }
+  }
+  if (!any) {
+    std::vector<std::string> names(all.size());
+    std::transform(all.begin(), all.end(), names.begin(),
+                   [](const RegisteredEngine& engine) { return engine.name; });
+    choice.problems.push_back(unknown_name("engine", want, names));
+  }
+}
+
 /// Without an engine that could run at all there is nothing to compare.
 void refuse_if_none_is_usable(EngineChoice& choice) {
   const auto unusable = [](const RegisteredEngine& engine) {
@@ -139,14 +227,24 @@ std::vector<fs::path> engine_folders() {
   return {program_folder() / "../engines/modules", program_folder() / TAUTLINE_INSTALLED_ENGINES};
 }
 
-std::vector<RegisteredEngine> registered_engines() {
+std::vector<RegisteredEngine> registered_engines(Asked asked) {
   std::vector<RegisteredEngine> found;
   for (const fs::path& folder : engine_folders()) {
     for (const fs::path& plugin : plugins_in(folder)) {
-      found.push_back(ask(plugin));
+      found.push_back(from_plugin(plugin));
     }
   }
-  return in_known_order(std::move(found));
+  ask_all(found);
+  std::vector<RegisteredEngine> result = in_known_order(std::move(found));
+  for (const fs::path& folder : engine_folders()) {
+    for (const fs::path& file : engine_files_in(folder)) {
+      result.push_back(from_engine_file(file));
+    }
+  }
+  if (asked == Asked::all) {
+    ask_all(result);
+  }
+  return result;
 }
 
 bool is_no_plugin(const RegisteredEngine& engine) {
@@ -158,31 +256,17 @@ EngineChoice choose_engines(const std::vector<std::string>& wanted) {
   const bool named = std::any_of(wanted.begin(), wanted.end(), std::not_fn(is_path));
   std::vector<RegisteredEngine> all;
   if (wanted.empty() || named) {
-    all = registered_engines();
+    all = registered_engines(Asked::plugins);
   }
   if (wanted.empty()) {
+    std::erase_if(all, is_outside);
     choice.engines = std::move(all);
     return choice;
   }
-  std::vector<std::string> names(all.size());
-  std::transform(all.begin(), all.end(), names.begin(),
-                 [](const RegisteredEngine& engine) { return engine.name; });
   for (const std::string& want : wanted) {
-    if (is_path(want)) {
-      choice.engines.push_back(ask(fs::absolute(want)));
-      continue;
-    }
-    const auto here = std::find(names.begin(), names.end(), want);
-    if (here == names.end()) {
-      choice.problems.push_back(unknown_name("engine", want, names));
-      continue;
-    }
-    const RegisteredEngine& engine = all[static_cast<std::size_t>(here - names.begin())];
-    if (!engine.missing.empty()) {
-      choice.problems.push_back(missing_sentence(engine));
-    }
-    choice.engines.push_back(engine);
+    choose(want, all, choice);
   }
+  ask_all(choice.engines);
   refuse_if_none_is_usable(choice);
   std::set<std::string> seen;
   for (const RegisteredEngine& engine : choice.engines) {

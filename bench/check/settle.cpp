@@ -20,8 +20,9 @@ constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 /// Why a claim could not be measured.
 std::string reason(const std::exception& error) {
-  const bool stopped = dynamic_cast<const RunStopped*>(&error) != nullptr;
-  return (stopped ? "" : "the engine threw: ") + std::string(error.what());
+  const bool shown = dynamic_cast<const RunStopped*>(&error) != nullptr ||
+                     dynamic_cast<const NoMotion*>(&error) != nullptr;
+  return (shown ? "" : "the engine threw: ") + std::string(error.what());
 }
 
 SettledClaim settle(const Claim& claim, const Subject& subject) {

@@ -70,16 +70,16 @@ SettledClaim settle_quiet(std::size_t printed, const std::string& tail) {
   const std::string sentence =
       printed == 0 ? "prints nothing" : fmt::format("prints {} bytes", printed);
   if (bytes <= most_printed) {
-    return {"quiet", bytes, most_printed, true, sentence};
+    return {std::string(quiet_claim), bytes, most_printed, true, sentence};
   }
-  return {"quiet", bytes, most_printed, false,
+  return {std::string(quiet_claim), bytes, most_printed, false,
           sentence + ", the last line of them: " + printable(last_line(tail))};
 }
 
 std::vector<std::string> broken_claims(const std::vector<SettledClaim>& settled) {
   std::vector<std::string> names;
   for (const SettledClaim& one : settled) {
-    if (!one.holds) {
+    if (!one.as_expected()) {
       names.push_back(one.claim);
     }
   }

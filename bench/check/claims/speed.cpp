@@ -84,8 +84,8 @@ std::optional<Cap> cap(const Subject& subject, Left* left, double fastest, doubl
 
 /// "speeds are cut to 400 m/s", "spins are cut to 785 rad/s, 0.785 rad in a step".
 std::string sentence_of(std::string_view what, const Cap& cap, std::string_view unit) {
-  std::string text = fmt::format("{} are cut to {:.3g} {}/s", what, cap.value, unit);
-  return cap.step_s ? text + fmt::format(", {:.3g} {} in a step", *cap.step_s, unit) : text;
+  std::string text = fmt::format("{} are cut to {:.4g} {}/s", what, cap.value, unit);
+  return cap.step_s ? text + fmt::format(", {:.4g} {} in a step", *cap.step_s, unit) : text;
 }
 
 // What the cases that ship come to, rounded up: 6.3 m/s in elastic-box, 37.9 rad/s in spinning-rod.
@@ -111,7 +111,7 @@ std::string caps(const Subject& subject) {
                       : text;
 }
 
-constexpr std::array slow_speeds = {0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4};  // [m/s] and [rad/s]
+constexpr std::array slow_speeds = {2.0, 0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4};  // [m/s] and [rad/s]
 constexpr double slow_end = 2.5;  // [s]: engines that let bodies sleep wait for 0.5 to 2 s
 
 /// What a slow body lost.
@@ -134,7 +134,7 @@ Loss slow_loss(const Subject& subject, double speed) {
 
 /// "one at 0.1 m/s loses 61 % of its speed in 2.5 s".
 std::string sentence_of(const Loss& loss) {
-  return fmt::format("one at {:g} {}/s loses {:.2g} % of its {} in {:g} s", loss.at,
+  return fmt::format("one at {:g} {}/s loses {:.3g} % of its {} in {:g} s", loss.at,
                      loss.of == "spin" ? "rad" : "m", 100.0 * loss.share, loss.of, slow_end);
 }
 

@@ -38,15 +38,15 @@ class Unsupported(Exception):
     """Raised where the engine cannot do what a case asks for; says what and why."""
 
 
-def _mapped(value, change):
-    """`value` with `change` of every entry of its arrays."""
+def _mapped(value, change):  # with `change` of every number and text
     if isinstance(value, dict):
         return {key: _mapped(entry, change) for key, entry in value.items()}
-    return [change(_mapped(entry, change)) for entry in value] if isinstance(value, (list, tuple)) else value
+    return [_mapped(entry, change) for entry in value] if isinstance(value, (list, tuple)) else change(value)
 
 
-def _read(line):  # a text in an array is a number that JSON has none for
-    return _mapped(json.loads(line), lambda entry: float(entry) if isinstance(entry, str) else entry)
+def _read(line):  # four texts stand for numbers that JSON has none for
+    texts = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf, "-0": -0.0}
+    return _mapped(json.loads(line), lambda entry: texts.get(entry, entry) if isinstance(entry, str) else entry)
 
 
 def _written(answer):

@@ -51,7 +51,8 @@ std::vector<Flight> flights_of(const Subject& subject) {
 }
 
 Fallen fall(const Subject& subject, const std::vector<Flight>& flights, const Fall& plan) {
-  const Case the_case = spinning_on_one_cable(50.0);
+  Case the_case = spinning_on_one_cable(50.0);
+  the_case.duration = plan.end + last_part * plan.step;
   const auto simulation = subject.start(the_case, plan.step);
   std::vector<State> wanted(flights.size(), the_case.initial);
   Fallen result;

@@ -261,6 +261,30 @@ TEST(Check, IsNotFooledByWhatMakesNoSense) {
   }
 }
 
+/// True if the program has an answer to what the fixture is, and runs it.
+bool is_loaded(const std::string& fixture) {
+  const Outcome outcome = program({"check", bad_engine(fixture), "--json", "-"});
+  EXPECT_EQ(outcome.errors, "");
+  return outcome.code == 1;  // it flies through its cables
+}
+
+TEST(CheckLoads, APluginByClang) { EXPECT_TRUE(is_loaded("clang")); }
+
+TEST(CheckLoads, APluginWithVectorFlagsThatKeepsTheAlignment) {
+  if (!std::filesystem::exists(bad_engine("vector-flags"))) {
+    GTEST_SKIP() << "this processor is no x86-64";
+  }
+  const Outcome refused = program({"check", bad_engine("vector-flags")});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("keep them, and add -DEIGEN_MAX_STATIC_ALIGN_BYTES=16"),
+            std::string::npos)
+      << refused.errors;
+  if (!__builtin_cpu_supports("avx")) {
+    GTEST_SKIP() << "this processor has no AVX";
+  }
+  EXPECT_TRUE(is_loaded("vector-flags-aligned"));
+}
+
 /// A folder with the fixture "braked" and a contract.toml of `text`; gone with it.
 class WithContract {
  public:

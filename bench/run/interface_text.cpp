@@ -12,12 +12,12 @@ namespace {
 /// The parts of an interface text: each is a name and what stands behind it.
 constexpr std::array part_names = {"tautline-engine ", "C++ ABI ", "std::string ABI ", "Eigen ",
                                    "alignment "};
-enum Part : std::size_t { version, compiler, strings, eigen, alignment };
-using Parts = std::array<std::string, part_names.size()>;
+enum TextPart : std::size_t { version, compiler, strings, eigen, alignment };
+using TextParts = std::array<std::string, part_names.size()>;
 
 /// None where `text` is not made of them.
-std::optional<Parts> parts_of(std::string_view text) {
-  Parts parts;
+std::optional<TextParts> text_parts_of(std::string_view text) {
+  TextParts parts;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (!text.starts_with(part_names[k])) {
       return std::nullopt;
@@ -43,7 +43,7 @@ std::string abi_option(const std::string& abi) {
              : "the same -fabi-version";
 }
 
-std::string advice(const Parts& theirs, const Parts& ours) {
+std::string build_advice(const TextParts& theirs, const TextParts& ours) {
   if (theirs[version] != ours[version]) {
     return "rebuild it against this version's headers";
   }
@@ -77,9 +77,9 @@ std::string misfit(std::string_view theirs, std::string_view ours) {
   if (theirs == ours) {
     return "";
   }
-  const auto of_theirs = parts_of(theirs);
-  const auto of_ours = parts_of(ours);
-  const std::string way = of_theirs && of_ours ? advice(*of_theirs, *of_ours)
+  const auto of_theirs = text_parts_of(theirs);
+  const auto of_ours = text_parts_of(ours);
+  const std::string way = of_theirs && of_ours ? build_advice(*of_theirs, *of_ours)
                                                : "rebuild it against this version's headers";
   if (way.empty()) {
     return "";

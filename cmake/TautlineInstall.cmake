@@ -27,11 +27,14 @@ install(FILES THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES CITATION.cff VALIDATION.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES docs/ci-recipe.md docs/program.md docs/report.md docs/scaling.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
+install(FILES docs/tutorials/any-language.md docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials)
 install(FILES docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 install(FILES docs/tutorials/simulation-author.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials
   COMPONENT development)
+# the protocol and its kits, for engines in a process of their own
+install(DIRECTORY engines/protocol/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/protocol
+  PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE PATTERN node_modules EXCLUDE)
 # projects of their own, to copy: each finds this tree with find_package(tautline)
 foreach(example IN ITEMS own_engine bullet_crane ode_crane)
   install(DIRECTORY engines/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples

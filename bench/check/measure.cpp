@@ -20,4 +20,11 @@ double largest_difference(const State& a, const State& b) {
   return largest;
 }
 
+std::string_view not_finite(double number) {
+  if (std::isnan(number)) {
+    return "NaN";
+  }
+  return number > 0.0 ? "infinity" : "-infinity";
+}
+
 }  // namespace tautline::bench

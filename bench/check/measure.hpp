@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "tautline/case.hpp"
 
@@ -23,5 +24,8 @@ inline constexpr int longest_contact = 20;
 /// The largest difference of one of the six numbers of two states, each in its own unit; infinite
 /// where one is not a number.
 [[nodiscard]] double largest_difference(const State& a, const State& b);
+
+/// "NaN", "infinity" or "-infinity", for a number that is not finite.
+[[nodiscard]] std::string_view not_finite(double number);
 
 }  // namespace tautline::bench

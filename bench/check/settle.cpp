@@ -20,8 +20,9 @@ constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 /// Why a claim could not be measured.
 std::string reason(const std::exception& error) {
-  const bool stopped = dynamic_cast<const RunStopped*>(&error) != nullptr;
-  return (stopped ? "" : "the engine threw: ") + std::string(error.what());
+  const bool shown = dynamic_cast<const RunStopped*>(&error) != nullptr ||
+                     dynamic_cast<const NoMotion*>(&error) != nullptr;
+  return (shown ? "" : "the engine threw: ") + std::string(error.what());
 }
 
 SettledClaim settle(const Claim& claim, const Subject& subject) {
@@ -69,16 +70,16 @@ SettledClaim settle_quiet(std::size_t printed, const std::string& tail) {
   const std::string sentence =
       printed == 0 ? "prints nothing" : fmt::format("prints {} bytes", printed);
   if (bytes <= most_printed) {
-    return {"quiet", bytes, most_printed, true, sentence};
+    return {std::string(quiet_claim), bytes, most_printed, true, sentence};
   }
-  return {"quiet", bytes, most_printed, false,
+  return {std::string(quiet_claim), bytes, most_printed, false,
           sentence + ", the last line of them: " + printable(last_line(tail))};
 }
 
 std::vector<std::string> broken_claims(const std::vector<SettledClaim>& settled) {
   std::vector<std::string> names;
   for (const SettledClaim& one : settled) {
-    if (!one.holds) {
+    if (!one.as_expected()) {
       names.push_back(one.claim);
     }
   }

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+
+#include "bench/check/measure.hpp"
 
 namespace tautline::bench {
 
@@ -24,7 +27,9 @@ void run_whole(Simulation& simulation, double step, double end,
                const std::function<void(const Moment&)>& look) {
   run(simulation, step, end, look);
   if (const auto stop = simulation.stopped()) {
-    throw RunStopped(fmt::format("the run stopped at t = {:.4g}: {}", stop->time, stop->reason));
+    const std::string time = std::isfinite(stop->time) ? fmt::format("{:.4g}", stop->time)
+                                                       : std::string(not_finite(stop->time));
+    throw RunStopped(fmt::format("the run stopped at t = {}: {}", time, stop->reason));
   }
 }
 

@@ -14,6 +14,7 @@
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/check/claims.hpp"
+#include "bench/check/contract.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/options.hpp"
@@ -33,20 +34,61 @@ struct CheckCommand {
 };
 
 std::string number_text(double value) {
-  return std::isnan(value) ? "none" : fmt::format("{:.2g}", value);
+  return std::isfinite(value) ? fmt::format("{:.2g}", value) : "none";
 }
+
+std::string verdict_text(const SettledClaim& settled) {
+  if (!settled.known.empty()) {
+    return settled.holds ? "holds now" : "known";
+  }
+  return settled.holds ? "holds" : "does not hold";
+}
+
+std::string finding_text(const SettledClaim& settled) {
+  std::string text = printable(settled.sentence, 1000);
+  if (!settled.known.empty()) {
+    text += (settled.holds ? "; take it out of contract.toml, which says: " : "; known: ") +
+            printable(settled.known, 1000);
+  }
+  return text;
+}
+
+/// The claims of which `is_one` is true, by name.
+template <class Predicate>
+std::vector<std::string> claims_that(const CheckedModel& checked, Predicate is_one) {
+  std::vector<std::string> names;
+  for (const SettledClaim& settled : checked.claims) {
+    if (is_one(settled)) {
+      names.push_back(settled.claim);
+    }
+  }
+  return names;
+}
+
+bool is_known(const SettledClaim& settled) { return !settled.known.empty() && !settled.holds; }
+bool holds_now(const SettledClaim& settled) { return !settled.known.empty() && settled.holds; }
+bool is_broken(const SettledClaim& settled) { return settled.known.empty() && !settled.holds; }
 
 /// The end of what is said of one model.
 std::string verdict(const CheckedModel& checked) {
-  const auto broken = broken_claims(checked.claims);
-  std::string text =
-      broken.empty()
-          ? fmt::format("All {} claims hold.", checked.claims.size())
-          : fmt::format("{} of {} claims {} not hold: {}.", broken.size(), checked.claims.size(),
-                        broken.size() == 1 ? "does" : "do", joined(broken, "and"));
+  const auto broken = claims_that(checked, is_broken);
+  const auto known = claims_that(checked, is_known);
+  const std::size_t count = checked.claims.size();
+  std::string text = broken.empty()
+                         ? fmt::format("All {}{} claims hold.", known.empty() ? "" : "other ",
+                                       count - known.size())
+                         : fmt::format("{} of {} claims {} not hold: {}.", broken.size(), count,
+                                       broken.size() == 1 ? "does" : "do", joined(broken, "and"));
+  if (!known.empty()) {
+    text += fmt::format(" Known not to hold, from contract.toml: {}.", joined(known, "and"));
+  }
+  if (const auto now = claims_that(checked, holds_now); !now.empty()) {
+    text += fmt::format(" Said not to hold by contract.toml, and hold{}: {}.",
+                        now.size() == 1 ? "s" : "", joined(now, "and"));
+  }
   const std::size_t all = claims().size() + 1;  // and `quiet`
-  if (checked.claims.size() < all) {
-    text += fmt::format(" The other {} were not measured.", all - checked.claims.size());
+  if (count < all) {
+    text += fmt::format(" The other {} were not measured.", all - count);
   }
   return text;
 }
@@ -57,7 +99,7 @@ void print_check(const EngineInfo& info, const CheckedModel& checked) {
   Table table({"claim", "found", "limit", "verdict", "what was found"}, 1, 2);
   for (const SettledClaim& settled : checked.claims) {
     table.add({settled.claim, number_text(settled.found), number_text(settled.limit),
-               settled.holds ? "holds" : "does not hold", printable(settled.sentence, 1000)});
+               verdict_text(settled), finding_text(settled)});
   }
   const TerminalStyle style = output_style();
   fmt::print("{}\n{}\n", table.plain(style), wrapped(verdict(checked), style.text));
@@ -66,14 +108,17 @@ void print_check(const EngineInfo& info, const CheckedModel& checked) {
 /// The last sentence: of all models together.
 std::string closing(const EngineInfo& info, const std::vector<CheckedModel>& models) {
   std::vector<std::string> unsound;
+  bool some_known = false;
   for (const CheckedModel& checked : models) {
+    some_known = some_known || !claims_that(checked, is_known).empty();
     if (!broken_claims(checked.claims).empty()) {
       unsound.push_back(checked.name);
     }
   }
   if (unsound.empty()) {
-    return fmt::format("{}: every claim holds for {}.", info.name,
-                       models.size() == 1 ? "this model" : "all of its models");
+    return fmt::format("{}: every claim holds for {}{}.", info.name,
+                       models.size() == 1 ? "this model" : "all of its models",
+                       some_known ? ", but for those that are known not to" : "");
   }
   return fmt::format("{}: {} of {} models {} every claim; {} {} not.", info.name,
                      models.size() - unsound.size(), models.size(),
@@ -98,6 +143,15 @@ std::vector<std::string> usage_problems(const CheckCommand& command, const Engin
   return broken;
 }
 
+/// What is known of an engine that has answered, from the file beside it.
+Contract contract_of(const RegisteredEngine& engine) {
+  std::vector<std::string> models;
+  for (const Model& model : engine.info->models) {
+    models.push_back(model.name);
+  }
+  return contract_beside(engine.plugin, engine.info->name, models);
+}
+
 int check_command(const CheckCommand& command) {
   const EngineChoice choice = choose_engines({command.engine});
   if (const auto broken = usage_problems(command, choice); !broken.empty()) {
@@ -109,6 +163,11 @@ int check_command(const CheckCommand& command) {
     complain({fmt::format("engine {}: {}", engine.name, printable(engine.failure, 1000))});
     // the loader's own sentences name the file first: it is no plug-in of this version
     return is_no_plugin(engine) ? exit_usage : exit_failed;
+  }
+  const Contract contract = contract_of(engine);
+  if (!contract.problems.empty()) {
+    complain(contract.problems);
+    return exit_usage;
   }
   catch_interruption();
   std::vector<CheckedModel> models;
@@ -123,6 +182,7 @@ int check_command(const CheckCommand& command) {
       complain({"interrupted"});
       return exit_failed;
     }
+    mark_known(contract, model.name, reply.claims);
     models.push_back({model.name, std::move(reply.claims)});
     if (command.json.empty()) {
       print_check(*engine.info, models.back());

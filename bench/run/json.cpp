@@ -41,13 +41,17 @@ ordered_json engine_object(const EngineInfo& info) {
 /// A number that is not finite is null.
 ordered_json claim_json(const SettledClaim& settled) {
   const Claim* const claim = find_claim(settled.claim);
-  return {{"claim", settled.claim},
-          {"found", settled.found},
-          {"limit", settled.limit},
-          {"holds", settled.holds},
-          {"sentence", printable(settled.sentence, longest_sentence)},
-          {"claimed", claim != nullptr ? claim->sentence : quiet_sentence},
-          {"reason", claim != nullptr ? claim->reason : quiet_reason}};
+  ordered_json row = {{"claim", settled.claim},
+                      {"found", settled.found},
+                      {"limit", settled.limit},
+                      {"holds", settled.holds},
+                      {"sentence", printable(settled.sentence, longest_sentence)},
+                      {"claimed", claim != nullptr ? claim->sentence : quiet_sentence},
+                      {"reason", claim != nullptr ? claim->reason : quiet_reason}};
+  if (!settled.known.empty()) {
+    row["known"] = printable(settled.known, longest_sentence);
+  }
+  return row;
 }
 
 ordered_json model_json(const CheckedModel& model) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bench/base/text.hpp"
+#include "bench/run/interface_text.hpp"
 #include "bench/run/protocol/child_engine.hpp"
 #include "tautline/plugin.hpp"
 
@@ -52,10 +53,8 @@ Function* function(void* library, const char* name, const std::string& file) {
 /// Refuses a plug-in whose types may be laid out otherwise than ours. Nothing else of the plug-in
 /// may be called before this.
 void check_interface(const std::string& theirs, const std::string& file) {
-  if (theirs != TAUTLINE_INTERFACE) {
-    throw PluginError(file + ": built against another interface (\"" + theirs +
-                      "\", here it is \"" TAUTLINE_INTERFACE
-                      "\"); rebuild it against this version's headers");
+  if (const std::string problem = misfit(theirs, TAUTLINE_INTERFACE); !problem.empty()) {
+    throw PluginError(file + ": " + problem);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <set>
@@ -90,7 +91,24 @@ std::vector<Flaw> planted_flaws() {
        "it does not turn with the body",
        {"angular-momentum", "step-momentum", "off-centre-restitution", "energy", "taut-growth",
         "convergence"}},
-      {"drift", "flight", "drifts: a body that no cable pulls is off by", {"convergence"}},
+      {"drift",
+       "flight",
+       "drifts: a body that no cable pulls is off by",
+       {"slow-flight", "convergence"}},
+      {"drift",
+       "slow-flight",
+       "bodies are damped: one at 2 m/s loses 4.88 % of its speed in 2.5 s",
+       {"flight", "convergence"}},
+      // no integer fits a fall of 0.7 g h^2
+      {"half-substeps", "flight", "drifts: a body that no cable pulls is off by", {}},
+      {"capped",
+       "fast-flight",
+       "speeds are cut to 8 m/s; spins are cut to 30 rad/s, 0.03 rad in a step",
+       {}},
+      {"braked",
+       "slow-flight",
+       "slow bodies are braked: one at 0.03 m/s loses 100 % of its speed in 2.5 s",
+       {"slow-restitution", "convergence"}},
       {"energy-gain", "energy", "hits add energy", rebounds},
       {"energy-gain", "central-restitution", "something adds to the bounce",
        with(rebounds, "energy")},
@@ -125,6 +143,35 @@ TEST(Check, FindsNothingWrongWithASoundEngine) {
   EXPECT_NE(outcome.output.find(all), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find("sound: every claim holds for this model."), std::string::npos);
   EXPECT_EQ(outcome.output.find("does not hold"), std::string::npos);
+}
+
+/// What `claim` found, of the only model of a fixture that keeps it.
+std::string said_of(const std::string& fixture, const std::string& claim) {
+  const json model = check_fixture(fixture);
+  EXPECT_TRUE(model.at("holds")) << model.dump(2);
+  for (const json& finding : model.at("findings")) {
+    if (finding.at("claim") == claim) {
+      return finding.at("sentence");
+    }
+  }
+  return "none";
+}
+
+TEST(Check, NamesSubstepsAndArctangentsAndTakesThem) {
+  EXPECT_EQ(said_of("substeps", "flight"), "flies 4 substeps of semi-implicit Euler");
+  // 0.4 - 4 atan(0.1)
+  EXPECT_EQ(said_of("arctangent", "flight"),
+            "flies semi-implicit Euler, velocity first; turns by 4 atan(spin dt / 4), 0.0013 rad "
+            "short of 0.4");
+}
+
+TEST(Check, NeverSaysThatNoNumberIsOffBySomething) {
+  for (const std::string name : {"nan", "inf"}) {
+    const Outcome outcome = program({"check", bad_engine(name)});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.output.find(" inf "), std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find(" nan "), std::string::npos) << outcome.output;
+  }
 }
 
 TEST(Check, EndsItsTableWithWhatDoesNotHold) {
@@ -199,19 +246,93 @@ bool complains(const json& model, const std::string& sentence) {
 
 TEST(Check, IsNotFooledByWhatMakesNoSense) {
   const std::pair<std::string, std::string> fixtures[] = {
-      {"nan", "the state is not a number"},
-      {"inf", "the state is not a number"},
+      {"nan", "x is NaN at t = 0.1"},
+      {"inf", "x is infinity at t = 0.1"},
       {"throw", "the engine threw: the fixture throws at step 10"},
       {"own-exception", "the engine threw: an error of the module's own"},
       {"gives-up", "the run stopped at t = 0.1: the fixture has had enough"},
       {"stop-first", "the run stopped at t = 0: the fixture does not do this case"},
-      {"stop-nan", "the run stopped at t = nan"},
-      {"no-impulses", "the engine threw: it gives 0 impulses for 1 cables"},
-      {"wrong-cable", "the engine threw: it gives an event of a cable that is not of the case"},
+      {"stop-nan", "the run stopped at t = NaN"},
+      {"no-impulses", "it gives 0 impulses for 1 cables"},
+      {"wrong-cable", "it gives an event of a cable that is not of the case"},
       {"no-taut-motion", "the cable is never hit"}};
   for (const auto& [name, sentence] : fixtures) {
     EXPECT_TRUE(complains(check_fixture(name), sentence)) << name << ": " << sentence;
   }
+}
+
+/// True if the program has an answer to what the fixture is, and runs it.
+bool is_loaded(const std::string& fixture) {
+  const Outcome outcome = program({"check", bad_engine(fixture), "--json", "-"});
+  EXPECT_EQ(outcome.errors, "");
+  return outcome.code == 1;  // it flies through its cables
+}
+
+TEST(CheckLoads, APluginByClang) { EXPECT_TRUE(is_loaded("clang")); }
+
+TEST(CheckLoads, APluginWithVectorFlagsThatKeepsTheAlignment) {
+  if (!std::filesystem::exists(bad_engine("vector-flags"))) {
+    GTEST_SKIP() << "this processor is no x86-64";
+  }
+  const Outcome refused = program({"check", bad_engine("vector-flags")});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("keep them, and add -DEIGEN_MAX_STATIC_ALIGN_BYTES=16"),
+            std::string::npos)
+      << refused.errors;
+  if (!__builtin_cpu_supports("avx")) {
+    GTEST_SKIP() << "this processor has no AVX";
+  }
+  EXPECT_TRUE(is_loaded("vector-flags-aligned"));
+}
+
+/// A folder with the fixture "braked" and a contract.toml of `text`; gone with it.
+class WithContract {
+ public:
+  explicit WithContract(const std::string& text) {
+    std::filesystem::create_symlink(bad_engine("braked"), plugin_);
+    (void)folder_.file("contract.toml", text);
+  }
+  [[nodiscard]] Outcome check(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"check", plugin_.string()});
+    return program(more);
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::filesystem::path plugin_ = folder_.path() / "braked.so";
+};
+
+TEST(CheckContract, TakesWhatIsKnownFromTheFileBesideThePlugin) {
+  const WithContract braked(
+      "[[exception]]\nmodel = 'row'\nclaims = ['slow-flight', 'slow-restitution', 'convergence']\n"
+      "reason = 'so'\n"
+      "[[exception]]\nengine = 'other'\nmodel = 'rope'\nclaims = ['mass']\nreason = 'so'\n");
+  const Outcome outcome = braked.check({"--json", "-"});
+  EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
+  const json verdicts = json::parse(outcome.output);
+  EXPECT_TRUE(verdicts.at("holds"));
+  EXPECT_TRUE(is_sound_json(verdicts)) << verdicts.dump(2);
+  const std::string text = braked.check().output;
+  EXPECT_NE(text.find("All other 17 claims hold. Known not to hold, from contract.toml: "),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("this model, but for those that are known not to."), std::string::npos);
+}
+
+TEST(CheckContract, FailsWhereAClaimHoldsThatIsSaidNotTo) {
+  const WithContract braked(
+      "[[exception]]\nmodel = 'row'\nclaims = ['slow-flight', 'mass']\nreason = 'so'\n");
+  const Outcome outcome = braked.check();
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.output.find("holds now"), std::string::npos) << outcome.output;
+}
+
+TEST(CheckContract, IsRefusedWhereItIsUnsound) {
+  const WithContract braked("[[exception]]\nmodel = 'rows'\nclaims = ['mass']\nreason = 'so'\n");
+  const Outcome outcome = braked.check();
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("contract.toml:1: unknown model rows"), std::string::npos)
+      << outcome.errors;
 }
 
 /// Words and what the complaint must say.

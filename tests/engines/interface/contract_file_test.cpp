@@ -13,12 +13,12 @@ const std::vector<std::string> models = {"row", "slide-joint"};
 
 /// The problem of a file with this text.
 std::string refusal(const std::string& text) {
-  const ContractFile file = read_contract(text, "contract.toml", models);
+  const bench::Contract file = bench::read_contract(text, "contract.toml", models);
   return file.problems.empty() ? "accepted" : file.problems.front();
 }
 
 TEST(ContractFile, TakesOneExceptionForEachClaim) {
-  const ContractFile file = read_contract(
+  const bench::Contract file = bench::read_contract(
       "[[exception]]\nmodel = 'row'\nclaims = ['flight', 'convergence']\nreason = 'it is so'\n",
       "contract.toml", models);
   EXPECT_TRUE(file.problems.empty()) << file.problems.front();
@@ -29,7 +29,7 @@ TEST(ContractFile, TakesOneExceptionForEachClaim) {
 }
 
 TEST(ContractFile, MayBeOfOneOfTheEnginesThatShareItsFolder) {
-  const ContractFile file = read_contract(
+  const bench::Contract file = bench::read_contract(
       "[[exception]]\nengine = 'chipmunk32'\nmodel = 'row'\nclaims = ['flight']\nreason = 'so'\n",
       "contract.toml", models);
   EXPECT_TRUE(file.problems.empty()) << file.problems.front();

@@ -83,7 +83,7 @@ TEST_P(Contract, ComesToTheExactMotionAtFirstOrder) {
   EXPECT_FALSE(run.exact && run.slope > 0.5) << "taken as exact with a slope of " << run.slope;
   const double missed = GetParam().in_double() ? std::abs(1.0 - run.slope) : 1.0 - run.slope;
   expect_claim(engine_name, model, convergence_claim, run.exact ? 0.0 : missed, slope_scatter);
-  expect_claim(engine_name, model, accuracy_claim, worst, accuracy_limit);
+  expect_claim(engine_name, model, bench::accuracy_claim, worst, accuracy_limit);
 }
 
 /// The two models of Bullet whose error no step makes small, whatever slope it scatters to.

@@ -77,9 +77,9 @@ export function wantedRate({ gap, rate }, cable, step) {
 }
 
 /** The impulses behind a step that no reaction tells of; an impulse that is no more than rounding is zero. */
-function impulsesSeen(engine, { body, cables, gravity }, before, after, dt, drag) {
+function impulsesSeen(engine, { body, cables, gravity }, before, after, dt) {
   const rows = cables.map((cable) => cableRow(cable, before));
-  const jump = [3, 4, 5].map((k) => after[k] - drag * before[k] - dt * (gravity[k - 3] ?? 0));
+  const jump = [3, 4, 5].map((k) => after[k] - before[k] - dt * (gravity[k - 3] ?? 0));
   const speed = Math.hypot(before[3], before[4]) + dt * Math.hypot(...gravity);
   const noise = unseen[engine.precision] * (body.mass * speed + Math.sqrt(body.mass * body.inertia) * Math.abs(before[5]));
   return impulsesBehind(rows, body, jump).map((impulse, i) => {
@@ -88,12 +88,12 @@ function impulsesSeen(engine, { body, cables, gravity }, before, after, dt, drag
   });
 }
 
-/** The engine's own limit. `drag` is the part of a velocity [-] that its damping leaves in a step. */
-export function startLimit(engine, theCase, { drag = () => 1, before: prepare, ...options }) {
+/** The engine's own limit. `prepare(world, state, cables)` switches it before each step where a user would. */
+export function startLimit(engine, theCase, { prepare, ...options }) {
   return run(engine, theCase, { ...options, limit: options.limit ?? true }, (world, before, dt) => {
-    prepare?.(world, before, dt);
+    prepare?.(world, before, theCase.cables);
     world.step(dt);
-    return world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, world.state(), dt, drag(dt));
+    return world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, world.state(), dt);
   });
 }
 
@@ -108,7 +108,7 @@ export function startBounce(engine, theCase, options) {
     world.step(dt);
     kick(world, gravity, dt / (2 * engine.flight.substeps));
     const now = world.state();
-    const own = world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, now, dt, 1);
+    const own = world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, now, dt);
     const wanted = cables.map((cable) => cableRow(cable, before).rate).map((rate, i) => restitution(cables[i], rate) * Math.max(0, -rate));
     const pulled = [...own.keys()].filter((i) => own[i] > 0);
     const more = pull(world, theCase, cables.map((cable) => cableRow(cable, now)), pulled, wanted, own.map(() => 0));

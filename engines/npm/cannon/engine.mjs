@@ -1,8 +1,8 @@
 // cannon-es, in doubles. Its DistanceConstraint is a rod between two centres, so that a user builds a cable: of a contact
 // that the length makes, or as an equation of the solver's own.
 
-import { serve, Unsupported } from "../../protocol/javascript/engine.mjs";
-import { eventModel, limitModel, rowModels, setting, turnableInertia, unwrap } from "../common/models.mjs";
+import { serve } from "../../protocol/javascript/engine.mjs";
+import { atOneSpeed, eventModel, limitModel, rowModels, setting, turnableInertia, unwrap } from "../common/models.mjs";
 import { installedVersion } from "../common/version.mjs";
 import { solverRow } from "./row_constraint.mjs";
 
@@ -75,20 +75,12 @@ const contact = [...solver,
   setting("restitution", "the cable's", "Of the contact's equation; it bounces the velocity of the centre alone.")];
 const inSolver = (name, sentence, given, options) => limitModel(engine, name, sentence, given, { limit: false, ...options }, "by_hand");
 
-/** A contact has one restitution for all speeds. */
-function withoutTable({ start, ...told }) {
-  return { ...told, follows_speed: false, start(theCase, run) {
-    if (theCase.cables.some(({ restitution }) => typeof restitution !== "number")) throw new Unsupported("a contact of cannon-es has one restitution for all speeds");
-    return start(theCase, run);
-  } };
-}
-
 serve({
   name: "cannon",
   version: installedVersion(import.meta.url, "cannon-es"),
   precision: engine.precision,
   models: [
-    withoutTable(inSolver("contact", "A contact of cannon's between the body and the circle of the cable's length, in the steps that start overstretched; its restitution counts the velocity of the body's centre alone.", contact, { rows: "contact" })),
+    atOneSpeed(inSolver("contact", "A contact of cannon's between the body and the circle of the cable's length, in the steps that start overstretched; its restitution counts the velocity of the body's centre alone.", contact, { rows: "contact" }), "a contact of cannon-es has one restitution"),
     ...rowModels(engine, settings),
     inSolver("solver-row", "An equation of its own, a one-sided row in cannon's solver from the step after the cable is overstretched; it asks for the larger of the bounce and 0.2 of the overstretch per step.", solver, { rows: "row" }),
     inSolver("solver-early", "The same row already in the step that would overstretch the cable.", solver, { rows: "row", early: true }),

@@ -1,15 +1,18 @@
 // What tautline's event driver asks of an engine: to fly exactly, to be placed, and to solve an impact.
 
 import { cableRow } from "../../protocol/javascript/cable.mjs";
-import { checkCaps, fly } from "./flight.mjs";
+import { checkCaps, checkNumbers, initialState } from "./caps.mjs";
+import { fly } from "./flight.mjs";
 import { impulsesFor } from "./impulses.mjs";
 
 /** What an engine in float leaves near cables a few metres long [-]: two and some twenty roundings. */
 const floatRounding = { gap: 3e-7, rate: 3e-6 };
 
 export function startEvent(engine, theCase, options) {
-  const { body, cables, initial } = theCase, world = engine.world(theCase, { ...options, exact: true });
-  world.place([...initial.position, initial.angle, ...initial.velocity, initial.spin]);
+  const { body, cables } = theCase;
+  checkNumbers(engine, theCase);
+  const world = engine.world(theCase, { ...options, exact: true });
+  world.place(initialState(theCase));
   const capped = { ...engine, flight: { speed: engine.flight.speed } }; // the others are met by shorter flights
   return {
     rounding: engine.precision === "float32" ? floatRounding : undefined,

@@ -12,7 +12,8 @@
 
 import { cableRow, restitution } from "../../protocol/javascript/cable.mjs";
 import { impulsesBehind, impulsesFor } from "./impulses.mjs";
-import { checkCaps, kick } from "./flight.mjs";
+import { checkCaps, checkNumbers, initialState } from "./caps.mjs";
+import { kick } from "./flight.mjs";
 
 /** The part of an overstretch that is taken out in one step [-], as engines do unless told otherwise. */
 const usualCorrection = 0.2;
@@ -28,9 +29,10 @@ const touching = 1e-6;
 
 /** What is common to the runs: each step looks at the caps of the engine first. */
 function run(engine, theCase, options, step) {
+  checkNumbers(engine, theCase);
+  checkCaps(engine, theCase, initialState(theCase), options.step);
   const world = engine.world(theCase, options);
-  world.place([...theCase.initial.position, theCase.initial.angle, ...theCase.initial.velocity, theCase.initial.spin]);
-  checkCaps(engine, theCase, world.state(), options.step);
+  world.place(initialState(theCase));
   return {
     state: () => world.state(),
     step(dt) {
@@ -76,24 +78,27 @@ export function wantedRate({ gap, rate }, cable, step) {
   return Math.max(restitution(cable, rate) * Math.max(0, -rate), (usualCorrection / step) * Math.max(0, -gap));
 }
 
-/** The impulses behind a step that no reaction tells of; an impulse that is no more than rounding is zero. */
-function impulsesSeen(engine, { body, cables, gravity }, before, after, dt) {
+/**
+ * The impulses behind a step that no reaction tells of. One that is no more than rounding is zero, and so is that of a
+ * cable too slack to have pulled, unless the limit is one that `pullsSlack` cables too.
+ */
+function impulsesSeen(engine, { body, cables, gravity }, before, after, dt, pullsSlack) {
   const rows = cables.map((cable) => cableRow(cable, before));
   const jump = [3, 4, 5].map((k) => after[k] - before[k] - dt * (gravity[k - 3] ?? 0));
   const speed = Math.hypot(before[3], before[4]) + dt * Math.hypot(...gravity);
   const noise = unseen[engine.precision] * (body.mass * speed + Math.sqrt(body.mass * body.inertia) * Math.abs(before[5]));
   return impulsesBehind(rows, body, jump).map((impulse, i) => {
     const near = rows[i].gap < reach * Math.abs(rows[i].rate) * dt + touching * cables[i].length;
-    return near && impulse > noise ? impulse : 0;
+    return (near || pullsSlack) && impulse > noise ? impulse : 0;
   });
 }
 
 /** The engine's own limit. `prepare(world, state, cables)` switches it before each step where a user would. */
-export function startLimit(engine, theCase, { prepare, ...options }) {
+export function startLimit(engine, theCase, { prepare, pullsSlack = false, ...options }) {
   return run(engine, theCase, { ...options, limit: options.limit ?? true }, (world, before, dt) => {
     prepare?.(world, before, theCase.cables);
     world.step(dt);
-    return world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, world.state(), dt);
+    return world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, world.state(), dt, pullsSlack);
   });
 }
 
@@ -102,14 +107,17 @@ export function startLimit(engine, theCase, { prepare, ...options }) {
  * for. Between the bounces the body flies the parabola.
  */
 export function startBounce(engine, theCase, options) {
-  const { cables, gravity } = theCase;
+  const { cables, gravity } = theCase, half = 0.5 / engine.flight.substeps;
   return run(engine, theCase, { ...options, limit: options.limit ?? true }, (world, before, dt) => {
-    kick(world, gravity, -dt / (2 * engine.flight.substeps));
+    kick(world, gravity, -half * dt);
     world.step(dt);
-    kick(world, gravity, dt / (2 * engine.flight.substeps));
+    kick(world, gravity, half * dt);
     const now = world.state();
-    const own = world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, now, dt);
-    const wanted = cables.map((cable) => cableRow(cable, before).rate).map((rate, i) => restitution(cables[i], rate) * Math.max(0, -rate));
+    const own = world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, now, dt, false);
+    const wanted = cables.map((cable) => {
+      const { rate } = cableRow(cable, before);
+      return restitution(cable, rate) * Math.max(0, -rate);
+    });
     const pulled = [...own.keys()].filter((i) => own[i] > 0);
     const more = pull(world, theCase, cables.map((cable) => cableRow(cable, now)), pulled, wanted, own.map(() => 0));
     return own.map((impulse, i) => impulse + more[i]);

@@ -1,5 +1,4 @@
-// Exact flight by an engine that moves a body in n substeps of semi-implicit Euler, and the caps that it puts on a
-// body's speed. An engine's `flight` is
+// Exact flight by an engine that moves a body in n substeps of semi-implicit Euler. An engine's `flight` is
 //
 //   substeps           n: a step of dt moves a body by v dt + g dt^2 (n + 1) / (2 n)
 //   spinFor(w, dt)     the spin whose step turns the body by w dt, of engines that turn by an arctangent
@@ -9,6 +8,7 @@
 // of which all but the first may be absent.
 
 import { Unsupported } from "../../protocol/javascript/engine.mjs";
+import { fastest } from "./caps.mjs";
 
 /** A flight is split so that no part comes near what the engine allows in a step [-]. */
 const partOfCap = 0.9;
@@ -20,20 +20,6 @@ const mostParts = 1e5;
 export function kick(world, [gx, gy], dt) {
   const [, , , vx, vy, spin] = world.state();
   world.setVelocity(vx + dt * gx, vy + dt * gy, spin);
-}
-
-/** The largest speed [m/s] in a step. */
-const fastest = ([, , , vx, vy], [gx, gy], dt) => Math.hypot(vx, vy) + dt * Math.hypot(gx, gy);
-
-/** Throws a sentence where a step of `dt` [s] from `state` would meet a cap of the engine's. */
-export function checkCaps({ title, flight }, { gravity }, state, dt) {
-  const speed = fastest(state, gravity, dt), spin = Math.abs(state[5]);
-  const refuse = (cap, found) => {
-    throw new Unsupported(`${title} cuts a body's motion to ${cap}; here it is ${found.toPrecision(4)}`);
-  };
-  if (speed > flight.speed) refuse(`${flight.speed} m/s`, speed);
-  if (speed * dt > flight.move) refuse(`${flight.move} m in a step, for which ${dt} s is too long`, speed * dt);
-  if (spin * dt > flight.turn) refuse(`${flight.turn.toPrecision(4)} rad in a step, for which ${dt} s is too long`, spin * dt);
 }
 
 /**

@@ -1,5 +1,6 @@
 // The models that an engine's folder lists, as the kit takes them: what `info` says of each, and how it starts.
 
+import { Unsupported } from "../../protocol/javascript/engine.mjs";
 import { startEvent } from "./event.mjs";
 import { startBounce, startLimit, startRow } from "./fixed_step.mjs";
 
@@ -23,20 +24,27 @@ export function limitModel(engine, name, sentence, settings, options = {}, maker
   return model(name, maker, sentence, settings, (theCase, run) => startLimit(engine, theCase, { ...options, ...run }));
 }
 
+/** A model whose cable has `what`, one number for all speeds. */
+export function atOneSpeed({ start, ...told }, what) {
+  return { ...told, follows_speed: false, start(theCase, run) {
+    if (theCase.cables.some(({ restitution }) => typeof restitution !== "number")) throw new Unsupported(`${what} for all speeds`);
+    return start(theCase, run);
+  } };
+}
+
 /** The engine's own limit and a bounce by hand after it. */
 export function bounceModel(engine, name, sentence, settings, options = {}) {
-  const { substeps } = engine.flight;
-  const kicks = setting("body velocity", `gravity's impulse over ${2 * substeps} less before and more after each step`,
-    `${substeps > 1 ? `${substeps} substeps of semi-implicit` : "Semi-implicit"} Euler then fly the exact parabola.`);
-  return model(name, "by_hand", sentence, [...settings, kicks], (theCase, run) => startBounce(engine, theCase, { ...options, ...run }));
+  return model(name, "by_hand", sentence, [...settings, kicks(engine)], (theCase, run) => startBounce(engine, theCase, { ...options, ...run }));
 }
+
+/** What a model that flies the parabola says of it. */
+const kicks = ({ flight: { substeps: n } }) => setting("body velocity", `1/${2 * n} of gravity's impulse less before and more after each step`,
+  n > 1 ? `${n} substeps of semi-implicit Euler then fly the exact parabola.` : "Semi-implicit Euler then flies the exact parabola.");
 
 /** The event driver's model. */
 export function eventModel(engine, settings, options = {}) {
-  const { substeps, spinFor } = engine.flight;
-  const own = [setting("body velocity", `gravity's impulse over ${2 * substeps} less before and more after each step`,
-    `${substeps > 1 ? `${substeps} substeps of semi-implicit` : "Semi-implicit"} Euler then fly the exact parabola.`)];
-  if (spinFor) own.push(setting("body spin", "the tangent of the turn, during a step", `${engine.title} turns a body by the arctangent of spin times step.`));
+  const own = [kicks(engine)];
+  if (engine.flight.spinFor) own.push(setting("body spin", "the tangent of the turn, during a step", `${engine.title} turns a body by the arctangent of spin times step.`));
   return model("event", "tautline", `${engine.title} flies, the event driver finds the instants: each impact is solved by hand at the exact pose, in the mass and inertia that ${engine.title} has been given.`,
     [...settings, ...own], (theCase, run) => startEvent(engine, theCase, { ...options, ...run }), { drive: "events" });
 }

@@ -72,7 +72,7 @@ serve({
   version: K.version,
   precision: engine.precision,
   models: [
-    limitModel(engine, "constraint", "matter-js's Constraint, which pushes as it pulls and has a wrong effective mass off the centre: what one tries first.", constraint),
+    limitModel(engine, "constraint", "matter-js's Constraint, which pushes as it pulls and has a wrong effective mass off the centre: what one tries first.", constraint, { pullsSlack: true }),
     limitModel(engine, "constraint-toggled", "The same constraint, stiff only in the steps that start overstretched.", constraint, { prepare: toggle(1) }, "by_hand"),
     ...rowModels(engine, settings),
     { ...rowModels(engine, settings.slice(1), { air: shippedAir })[0], name: "row-defaults", sentence: "The impulses of row on a body in the air that matter-js ships it with." },

@@ -3,20 +3,16 @@
 
 import fs from "node:fs";
 import { syncBuiltinESMExports } from "node:module";
-
-const { readSync, writeSync } = fs;
-
 // Standard output belongs to the protocol. What a library prints goes to standard error: the console and
 // process.stdout here, and what Emscripten writes past both.
+const { readSync, writeSync } = fs;
 Object.defineProperty(process, "stdout", { get: () => process.stderr });
 fs.writeSync = (fd, ...rest) => writeSync(fd === 1 ? 2 : fd, ...rest);
 syncBuiltinESMExports();
 
 /** Thrown where the engine cannot do what a case asks for; says what and why. */
 export class Unsupported extends Error {
-  constructor(why) {
-    super(`unsupported: ${why}`);
-  }
+  constructor(why) { super(`unsupported: ${why}`); }
 }
 
 /** Tries `transfer` until the pipe, which may be a non-blocking one, is ready. */
@@ -39,11 +35,6 @@ function* lines() {
     rest = Buffer.concat([rest, chunk.subarray(0, size)]);
     for (let end; (end = rest.indexOf("\n")) >= 0; rest = rest.subarray(end + 1)) yield rest.toString("utf8", 0, end);
   }
-}
-
-function write(line) {
-  const bytes = Buffer.from(line + "\n");
-  for (let done = 0; done < bytes.length; ) done += patiently(() => writeSync(1, bytes, done));
 }
 
 /** A text in an array is a number that JSON has none for. */
@@ -98,10 +89,11 @@ export function serve({ models, ...engine }) {
       if (!run && method !== "info" && method !== "start") throw new Error(`"${method}" before "start"`);
       answer.result = spelled(methods[method](params ?? {}));
     } catch (error) {
-      const code = error instanceof Unsupported ? -32602 : error.code === -32601 ? error.code : -32000;
+      const code = error instanceof Unsupported ? -32602 : error?.code === -32601 ? -32601 : -32000;
       answer.error = { code, message: String(error?.message ?? error) };
     }
-    write(JSON.stringify(answer));
+    const bytes = Buffer.from(JSON.stringify(answer) + "\n");
+    for (let done = 0; done < bytes.length; ) done += patiently(() => writeSync(1, bytes, done));
   }
   run?.free?.();
 }

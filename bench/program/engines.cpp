@@ -43,7 +43,7 @@ int engines_command(const EnginesCommand& command) {
     complain(broken);
     return exit_usage;
   }
-  const auto engines = registered_engines();
+  const auto engines = registered_engines(Asked::all);
   if (!command.json.empty()) {
     write_output(command.json, engines_json(engines));
     return exit_done;

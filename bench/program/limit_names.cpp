@@ -24,7 +24,7 @@ LimitNames::Engine names_of(const RegisteredEngine& engine) {
 
 LimitNames limit_names(const std::vector<RegisteredEngine>& given, const std::vector<Case>& cases) {
   std::vector<RegisteredEngine> engines = given;
-  for (RegisteredEngine& engine : registered_engines()) {
+  for (RegisteredEngine& engine : registered_engines(Asked::plugins)) {
     const bool is_given = std::any_of(given.begin(), given.end(), [&](const auto& one) {
       return one.name == engine.name;  // one of the user's own may stand for it
     });

@@ -19,7 +19,7 @@ constexpr std::size_t most_repetitions = 9;
 constexpr std::size_t timed_steps = 20'000;
 
 /// Processor time of this thread [s].
-double processor_time() {
+double thread_time() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
@@ -48,9 +48,13 @@ void take_flights(const Case& the_case, std::size_t count, double dt) {
 
 }  // namespace
 
-Cost measure_cost(const Case& the_case, const Engine& engine, const std::string& model,
-                  const RunSettings& settings) {
-  const double motion = std::min(timed_motion, the_case.duration);
+Meter own_meter() { return {thread_time, peak_memory}; }
+
+Cost measure_cost(const Case& whole_case, const Engine& engine, const std::string& model,
+                  const RunSettings& settings, const Meter& meter) {
+  const double motion = std::min(timed_motion, whole_case.duration);
+  Case the_case = whole_case;
+  the_case.duration = motion;  // an engine that computes ahead computes nothing else
   const double dt = std::min(settings.step, motion);
   const auto wanted = static_cast<std::size_t>(std::lround(motion / dt));
   const std::size_t repetitions =
@@ -59,17 +63,17 @@ Cost measure_cost(const Case& the_case, const Engine& engine, const std::string&
   std::vector<double> of_flight;  // [s]
   for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
     const auto simulation = engine.start(the_case, model, settings);
-    const double start = processor_time();
+    const double start = meter.processor_time();
     const std::size_t steps = take_steps(*simulation, wanted, dt);
-    const double middle = processor_time();
+    const double end = meter.processor_time();
+    const double flights = thread_time();
     take_flights(the_case, steps, dt);
-    const double end = processor_time();
     const auto count = static_cast<double>(std::max<std::size_t>(1, steps));
-    of_step.push_back((middle - start) / count);
-    of_flight.push_back((end - middle) / count);
+    of_step.push_back((end - start) / count);
+    of_flight.push_back((thread_time() - flights) / count);
   }
   return {.step = median(of_step),
-          .memory = peak_memory(),
+          .memory = meter.peak_memory(),
           .reference = median(of_flight),
           .smallest = quantile(of_step, 0.0),
           .lower = quantile(of_step, 0.25),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "tautline/case.hpp"
@@ -21,6 +22,15 @@ struct Cost {
   std::size_t repetitions = 0;
 };
 
+/// What an engine uses, as a clock and a gauge.
+struct Meter {
+  std::function<double()> processor_time;  // [s], since some instant
+  std::function<double()> peak_memory;     // [bytes], the most at once
+};
+
+/// The meter of an engine that computes in this thread.
+[[nodiscard]] Meter own_meter();
+
 /// The motion that is timed [s], from the start of a case and the same at every step: timed over
 /// different stretches, a small step could look cheaper than a large one. The first hits of the
 /// shipped cases are in it.
@@ -28,6 +38,7 @@ inline constexpr double timed_motion = 1.0;
 
 /// The cost of runs of `the_case` that are only stepped. The start of a simulation does not count.
 [[nodiscard]] Cost measure_cost(const Case& the_case, const Engine& engine,
-                                const std::string& model, const RunSettings& settings);
+                                const std::string& model, const RunSettings& settings,
+                                const Meter& meter = own_meter());
 
 }  // namespace tautline::bench

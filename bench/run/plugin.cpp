@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "bench/base/text.hpp"
+#include "bench/run/protocol/child_engine.hpp"
 #include "tautline/plugin.hpp"
 
 namespace tautline::bench {
@@ -57,6 +59,19 @@ void check_interface(const std::string& theirs, const std::string& file) {
   }
 }
 
+/// The engine of an engine.toml.
+std::unique_ptr<ChildEngine> open_in_process(const std::filesystem::path& file,
+                                             std::size_t memory) {
+  const EngineFile engine = read_engine_file(file);
+  if (!engine.problems.empty()) {
+    throw PluginError(joined(engine.problems, "and"));
+  }
+  if (const std::string reason = missing(engine); !reason.empty()) {
+    throw PluginError(file.string() + ": engine " + engine.name + " is not here: " + reason);
+  }
+  return ChildEngine::open(engine, memory);
+}
+
 }  // namespace
 
 void Plugin::CloseLibrary::operator()(void* handle) const { ::dlclose(handle); }
@@ -64,10 +79,29 @@ void Plugin::CloseLibrary::operator()(void* handle) const { ::dlclose(handle); }
 Plugin::Plugin(Library library, OwnedEngine engine)
     : library_(std::move(library)), engine_(std::move(engine)) {}
 
-Plugin Plugin::open(const std::filesystem::path& file) {
+Plugin::Plugin(std::unique_ptr<ChildEngine> engine)
+    : engine_(engine.get(), DestroyEngine{[](Engine* made) { delete made; }}),
+      child_(engine.release()) {}
+
+Meter Plugin::meter() const {
+  if (child_ == nullptr) {
+    return own_meter();
+  }
+  // the event driver, which is part of such a model, computes here
+  return {[child = child_, own = own_meter()] {
+            return own.processor_time() + child->processor_time();
+          },
+          [child = child_] { return child->peak_memory(); }};
+}
+
+Plugin Plugin::open(const std::filesystem::path& file, std::size_t memory) {
+  if (is_engine_file(file)) {
+    return Plugin(open_in_process(file, memory));
+  }
   const std::string name = file.string();
   if (const std::string problem = problem_of(file); !problem.empty()) {
-    throw PluginError(name + ": " + problem + "; give the path of a plug-in (.so)");
+    throw PluginError(name + ": " + problem +
+                      "; give the path of a plug-in (.so) or of an engine.toml");
   }
   // a path without a slash would be looked up in the system's library folders
   const std::string path = std::filesystem::absolute(file).string();

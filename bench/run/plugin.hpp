@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 
+#include "bench/run/cost.hpp"
 #include "tautline/engine.hpp"
 
 namespace tautline::bench {
+
+class ChildEngine;
 
 /// Why a file is not a plug-in that can be used here, in one sentence that names the file.
 class PluginError : public std::runtime_error {
@@ -14,14 +18,23 @@ class PluginError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a process may hold in memory unless told otherwise [bytes].
+inline constexpr std::size_t usual_memory = std::size_t{2} << 30U;
+
 /// A loaded plug-in and its engine. Everything made by the engine must be gone before it.
 class Plugin {
  public:
-  /// Loads `file` with its symbols kept to itself. Throws PluginError if there is no such file, if
-  /// it is not a shared library or not a plug-in, or if it was built against another interface.
-  [[nodiscard]] static Plugin open(const std::filesystem::path& file);
+  /// Loads `file` with its symbols kept to itself; an engine.toml starts the engine's own process,
+  /// which may hold `memory` [bytes]. Throws PluginError if there is no such file, if it is not a
+  /// shared library or not a plug-in, or if it was built against another interface; and
+  /// std::runtime_error for an engine in another process that does not say who it is.
+  [[nodiscard]] static Plugin open(const std::filesystem::path& file,
+                                   std::size_t memory = usual_memory);
 
   [[nodiscard]] const Engine& engine() const { return *engine_; }
+
+  /// Measures what the engine uses, in the process where it computes.
+  [[nodiscard]] Meter meter() const;
 
  private:
   struct CloseLibrary {
@@ -36,9 +49,11 @@ class Plugin {
   using OwnedEngine = std::unique_ptr<Engine, DestroyEngine>;
 
   Plugin(Library library, OwnedEngine engine);
+  explicit Plugin(std::unique_ptr<ChildEngine> engine);
 
   Library library_;  // before engine_, whose code it holds
   OwnedEngine engine_;
+  const ChildEngine* child_ = nullptr;  // the engine, where it has a process of its own
 };
 
 }  // namespace tautline::bench

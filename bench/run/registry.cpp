@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "bench/base/text.hpp"
+#include "bench/run/protocol/engine_file.hpp"
 #include "bench/run/worker.hpp"
 
 namespace tautline::bench {
@@ -36,20 +37,57 @@ fs::path program_folder() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-RegisteredEngine ask(const fs::path& plugin) {
+/// Asks an engine what it is, unless that is known, or that it cannot answer.
+void ask(RegisteredEngine& engine) {
+  if (engine.info || !engine.missing.empty() || !engine.failure.empty()) {
+    return;
+  }
+  DescribeReply reply = describe_in_worker(engine.plugin);
+  engine.info = std::move(reply.info);
+  engine.failure = std::move(reply.failure);
+  if (engine.info) {
+    engine.name = engine.info->name;
+  }
+}
+
+RegisteredEngine from_plugin(const fs::path& plugin) {
   RegisteredEngine engine;
   engine.plugin = plugin;
   engine.name = plugin.stem().string();
   if (engine.name.starts_with(prefix)) {
     engine.name.erase(0, prefix.size());
   }
-  DescribeReply reply = describe_in_worker(plugin);
-  engine.info = std::move(reply.info);
-  engine.failure = std::move(reply.failure);
-  if (engine.info) {
-    engine.name = engine.info->name;
-  }
   return engine;
+}
+
+/// What an engine.toml says of its engine, which is not asked.
+RegisteredEngine from_engine_file(const fs::path& path) {
+  const EngineFile file = read_engine_file(path);
+  RegisteredEngine engine;
+  engine.plugin = file.path;
+  if (!file.problems.empty()) {
+    engine.name = file.path.parent_path().filename().string();
+    engine.failure = joined(file.problems, "and");
+    return engine;
+  }
+  engine.name = file.name;
+  engine.missing = missing(file);
+  return engine;
+}
+
+/// The engine of a path that was given.
+RegisteredEngine from_path(const fs::path& path) {
+  RegisteredEngine engine = is_engine_file(path) ? from_engine_file(path) : from_plugin(path);
+  ask(engine);
+  return engine;
+}
+
+/// True for an engine with an engine.toml.
+bool is_outside(const RegisteredEngine& engine) { return is_engine_file(engine.plugin); }
+
+/// The folder that holds the engine's: its name stands for all engines in it.
+std::string group_of(const RegisteredEngine& engine) {
+  return is_outside(engine) ? engine.plugin.parent_path().parent_path().filename().string() : "";
 }
 
 std::vector<fs::path> plugins_in(const fs::path& folder) {
@@ -66,7 +104,8 @@ std::vector<fs::path> plugins_in(const fs::path& folder) {
 }
 
 bool is_path(const std::string& wanted) {
-  return wanted.find('/') != std::string::npos || wanted.ends_with(".so");
+  return wanted.find('/') != std::string::npos || wanted.ends_with(".so") ||
+         wanted.ends_with(".toml");
 }
 
 /// The known engines in their order, each with what was found of it; then the rest of `found`.
@@ -107,6 +146,41 @@ std::string missing_sentence(const RegisteredEngine& engine) {
                                 : sentence + fmt::format(" (package {} brings it)", engine.package);
 }
 
+/// Adds the engine that is called `want` among `all`, or lies there, or those of the folder `want`.
+void choose(const std::string& want, const std::vector<RegisteredEngine>& all,
+            EngineChoice& choice) {
+  if (is_path(want)) {
+    choice.engines.push_back(from_path(fs::absolute(want)));
+    if (!choice.engines.back().missing.empty()) {
+      choice.problems.push_back(missing_sentence(choice.engines.back()));
+    }
+    return;
+  }
+  const auto here =
+      std::find_if(all.begin(), all.end(), [&](const auto& engine) { return engine.name == want; });
+  if (here != all.end()) {
+    if (!here->missing.empty()) {
+      choice.problems.push_back(missing_sentence(*here));
+    }
+    choice.engines.push_back(*here);
+    return ask(choice.engines.back());
+  }
+  bool any = false;
+  for (const RegisteredEngine& engine : all) {
+    if (group_of(engine) == want) {
+      any = true;
+      choice.engines.push_back(engine);
+      ask(choice.engines.back());
+    }
+  }
+  if (!any) {
+    std::vector<std::string> names(all.size());
+    std::transform(all.begin(), all.end(), names.begin(),
+                   [](const RegisteredEngine& engine) { return engine.name; });
+    choice.problems.push_back(unknown_name("engine", want, names));
+  }
+}
+
 /// Without an engine that could run at all there is nothing to compare.
 void refuse_if_none_is_usable(EngineChoice& choice) {
   const auto unusable = [](const RegisteredEngine& engine) {
@@ -139,14 +213,24 @@ std::vector<fs::path> engine_folders() {
   return {program_folder() / "../engines/modules", program_folder() / TAUTLINE_INSTALLED_ENGINES};
 }
 
-std::vector<RegisteredEngine> registered_engines() {
+std::vector<RegisteredEngine> registered_engines(Asked asked) {
   std::vector<RegisteredEngine> found;
   for (const fs::path& folder : engine_folders()) {
     for (const fs::path& plugin : plugins_in(folder)) {
-      found.push_back(ask(plugin));
+      found.push_back(from_plugin(plugin));
+      ask(found.back());
     }
   }
-  return in_known_order(std::move(found));
+  std::vector<RegisteredEngine> result = in_known_order(std::move(found));
+  for (const fs::path& folder : engine_folders()) {
+    for (const fs::path& file : engine_files_in(folder)) {
+      result.push_back(from_engine_file(file));
+      if (asked == Asked::all) {
+        ask(result.back());
+      }
+    }
+  }
+  return result;
 }
 
 bool is_no_plugin(const RegisteredEngine& engine) {
@@ -158,30 +242,15 @@ EngineChoice choose_engines(const std::vector<std::string>& wanted) {
   const bool named = std::any_of(wanted.begin(), wanted.end(), std::not_fn(is_path));
   std::vector<RegisteredEngine> all;
   if (wanted.empty() || named) {
-    all = registered_engines();
+    all = registered_engines(Asked::plugins);
   }
   if (wanted.empty()) {
+    std::erase_if(all, is_outside);
     choice.engines = std::move(all);
     return choice;
   }
-  std::vector<std::string> names(all.size());
-  std::transform(all.begin(), all.end(), names.begin(),
-                 [](const RegisteredEngine& engine) { return engine.name; });
   for (const std::string& want : wanted) {
-    if (is_path(want)) {
-      choice.engines.push_back(ask(fs::absolute(want)));
-      continue;
-    }
-    const auto here = std::find(names.begin(), names.end(), want);
-    if (here == names.end()) {
-      choice.problems.push_back(unknown_name("engine", want, names));
-      continue;
-    }
-    const RegisteredEngine& engine = all[static_cast<std::size_t>(here - names.begin())];
-    if (!engine.missing.empty()) {
-      choice.problems.push_back(missing_sentence(engine));
-    }
-    choice.engines.push_back(engine);
+    choose(want, all, choice);
   }
   refuse_if_none_is_usable(choice);
   std::set<std::string> seen;

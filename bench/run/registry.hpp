@@ -12,10 +12,10 @@ namespace tautline::bench {
 /// An engine this program knows of or was given.
 struct RegisteredEngine {
   std::string name;                // its own word for itself; the file's name if it cannot be asked
-  std::filesystem::path plugin;    // empty if there is none
+  std::filesystem::path plugin;    // its .so or its engine.toml; empty if there is none
   std::optional<EngineInfo> info;  // set if it answered
   std::string failure;             // set if a plug-in is there but did not answer
-  std::string missing;             // set if there is no plug-in: why
+  std::string missing;             // set if there is no plug-in, or nothing that it needs: why
   std::string package;             // what brings it, if known
 };
 
@@ -23,9 +23,12 @@ struct RegisteredEngine {
 /// TAUTLINE_ENGINE_PATH, or else the program's own.
 [[nodiscard]] std::vector<std::filesystem::path> engine_folders();
 
+/// Which engines are asked what they are. One in a process of its own takes a second to start.
+enum class Asked { plugins, all };
+
 /// Every engine there is or could be: the exact control first, then the known ones in their order,
-/// then others found. Each plug-in is asked in a worker process.
-[[nodiscard]] std::vector<RegisteredEngine> registered_engines();
+/// then others found, those with an engine.toml last. They are asked in worker processes.
+[[nodiscard]] std::vector<RegisteredEngine> registered_engines(Asked asked);
 
 /// True if its file is nothing that can be used here, and `failure` says why; false too for a
 /// plug-in that is one and went wrong when it was asked.
@@ -37,8 +40,9 @@ struct EngineChoice {
   std::vector<std::string> problems;
 };
 
-/// `wanted` are names, or paths of plug-ins (with a '/' or ending in .so); empty means all. Names
-/// of which none can run are a problem.
+/// `wanted` are names, or paths of plug-ins (with a '/', or ending in .so or .toml); empty means
+/// all that run in the program's own workers. The name of a folder stands for all engines with an
+/// engine.toml in it. Names of which none can run are a problem.
 [[nodiscard]] EngineChoice choose_engines(const std::vector<std::string>& wanted);
 
 /// The models of `engines` among `wanted` (all if empty), as sentences where one is unknown to all.

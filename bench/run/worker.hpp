@@ -7,6 +7,7 @@
 
 #include "bench/check/settle.hpp"
 #include "bench/run/cost.hpp"
+#include "bench/run/plugin.hpp"
 #include "bench/run/trajectory.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
@@ -15,8 +16,8 @@ namespace tautline::bench {
 
 /// Limits on one worker process.
 struct WorkerLimits {
-  double time = 60.0;                          // [s]
-  std::size_t memory = std::size_t{2} << 30U;  // [bytes] of address space
+  double time = 60.0;                 // [s]
+  std::size_t memory = usual_memory;  // [bytes] of address space, or held by an engine's process
 };
 
 /// One run, to be done by a worker process.

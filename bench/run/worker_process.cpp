@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -38,13 +39,14 @@ bool write_answer(const WorkerAnswer& answer) {
   return true;
 }
 
-RunAnswer do_run(const WorkerRequest& request, const Engine& engine) {
+RunAnswer do_run(const WorkerRequest& request, const Plugin& plugin) {
+  const Engine& engine = plugin.engine();
   const CaseReading reading = read_case_text(request.case_text, "request");
   const Case& the_case = reading.the_case.value();
   const auto simulation = engine.start(the_case, request.model, request.settings);
   RunAnswer answer;
   answer.trajectory = record(the_case, *simulation, request.settings.step);
-  answer.cost = measure_cost(the_case, engine, request.model, request.settings);
+  answer.cost = measure_cost(the_case, engine, request.model, request.settings, plugin.meter());
   return answer;
 }
 
@@ -63,12 +65,12 @@ CheckAnswer do_check(const std::string& model, const Engine& engine) {
 }
 
 WorkerAnswer obey(const WorkerRequest& request) {
-  const Plugin plugin = Plugin::open(request.plugin);
+  const Plugin plugin = Plugin::open(request.plugin, request.memory);
   switch (request.task) {
     case Task::describe:
       break;
     case Task::run:
-      return do_run(request, plugin.engine());
+      return do_run(request, plugin);
     case Task::check:
       return do_check(request.model, plugin.engine());
     case Task::digest:
@@ -82,7 +84,10 @@ void limit_this_process(std::size_t memory) {
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
 #ifndef TAUTLINE_SANITIZED  // whose shadow memory is terabytes of address space
-  const rlimit space{memory, memory};
+  rlimit space{};
+  ::getrlimit(RLIMIT_AS, &space);
+  // the most that may be asked for stays: an engine's own process is limited in what it holds
+  space.rlim_cur = std::min<rlim_t>(memory, space.rlim_max);
   ::setrlimit(RLIMIT_AS, &space);
 #else
   (void)memory;

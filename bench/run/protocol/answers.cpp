@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+#include "bench/base/text.hpp"
+#include "bench/run/protocol/json.hpp"
+#include "bench/run/protocol/messages.hpp"
+
+namespace tautline::bench {
+namespace {
+
+constexpr int protocol_version = 1;
+
+// the codes of JSON-RPC that mean more than the engine's own sentence
+constexpr int parse_error = -32700;
+constexpr int invalid_request = -32600;
+constexpr int unknown_method = -32601;
+
+/// Longer sentences of an engine are cut [bytes].
+constexpr std::size_t longest_message = 1000;
+
+[[noreturn]] void refuse_line(std::string_view line) {
+  const bool bare = line.find("NaN") != line.npos || line.find("Infinity") != line.npos;
+  throw ProtocolError(fmt::format(
+      "the engine wrote on its standard output what is no message: {}; {}",
+      line.empty() ? "an empty line" : printable(line, excerpt_length),
+      bare && line.starts_with('{')
+          ? "JSON has no NaN and no Infinity, they are the strings \"NaN\" and \"Infinity\""
+          : "what a library prints must go to standard error"));
+}
+
+[[noreturn]] void refuse_error(const Json& error, std::string_view method) {
+  const Part part(error, "error", method);
+  const double code = part.at("code").number();
+  const std::string message = printable(part.at("message").text(), longest_message);
+  if (code == unknown_method) {
+    throw EngineRefusal(fmt::format("the engine does not know the method {}", method));
+  }
+  if (code == parse_error || code == invalid_request) {
+    throw EngineRefusal(fmt::format("the engine could not read what it was asked: {}", message));
+  }
+  throw EngineRefusal(message);
+}
+
+/// What came back for a request: the message around a result.
+class Answer {
+ public:
+  Answer(std::string_view line, int id, std::string_view method)
+      : message_(Json::parse(line, nullptr, false)), method_(method) {
+    if (!message_.is_object()) {
+      refuse_line(line);
+    }
+    const Part message(message_, "", method);
+    message.has_only({"jsonrpc", "id", "result", "error"});
+    if (message.at("jsonrpc").text() != "2.0") {
+      message.at("jsonrpc").refuse("\"2.0\"");
+    }
+    if (message_.at("id") != Json(id)) {
+      message.at("id").refuse(fmt::format("{}, that of the request", id));
+    }
+    if (const auto error = message_.find("error"); error != message_.end()) {
+      refuse_error(*error, method);
+    }
+    static_cast<void>(message.at("result"));
+  }
+  [[nodiscard]] Part result() const { return {message_.at("result"), "", method_}; }
+
+ private:
+  Json message_;
+  std::string_view method_;
+};
+
+State state_part(const Part& part) {
+  std::vector<double> row;
+  part.append_numbers(row, state_width, "x, y, angle, vx, vy, spin");
+  return state_from(row.data());
+}
+
+std::vector<Setting> settings_part(const Part& part) {
+  std::vector<Setting> result;
+  for (std::size_t index = 0; index < part.size(); ++index) {
+    const Part row = part[index];
+    row.has_only({"name", "value", "reason"});
+    result.push_back({row.at("name").text(), row.at("value").text(), row.at("reason").text()});
+  }
+  return result;
+}
+
+Maker maker_from(const std::string& word) {
+  for (const Maker maker : {Maker::engine, Maker::tautline}) {
+    if (word == to_string(maker)) {
+      return maker;
+    }
+  }
+  return Maker::by_hand;
+}
+
+ChildModel model_part(const Part& part) {
+  ChildModel result;
+  result.model.name = part.at("name").name();
+  result.model.sentence = part.at("sentence").text();
+  part.has_only({"name", "sentence", "maker", "drive", "follows_speed", "settings"});
+  result.model.maker = maker_from(part.at("maker").one_of({"engine", "by_hand", "tautline"}));
+  if (const auto drive = part.find("drive")) {
+    result.by_events = drive->one_of({"steps", "events"}) == "events";
+  }
+  if (const auto follows = part.find("follows_speed")) {
+    result.follows_speed = follows->flag();
+  }
+  if (const auto settings = part.find("settings")) {
+    result.model.settings = settings_part(*settings);
+  }
+  return result;
+}
+
+}  // namespace
+
+State state_from(const double* row) {
+  return {Vec2(row[0], row[1]), row[2], Vec2(row[3], row[4]), row[5]};
+}
+
+ChildInfo info_answer(std::string_view line, int id) {
+  const Answer answer(line, id, "info");
+  const Part info = answer.result();
+  if (info.at("protocol").number() != protocol_version) {
+    info.at("protocol").refuse(fmt::format("{}, the protocol of this program", protocol_version));
+  }
+  ChildInfo result;
+  result.name = info.at("name").name();
+  result.version = info.at("version").text();
+  result.precision = info.at("precision").one_of({"float64", "float32"});
+  const Part models = info.at("models");
+  info.has_only({"protocol", "name", "version", "precision", "models"});
+  std::set<std::string> seen;
+  for (std::size_t index = 0; index < models.size(); ++index) {
+    result.models.push_back(model_part(models[index]));
+    if (!seen.insert(result.models.back().model.name).second) {
+      models[index].at("name").refuse("another name than the models before it have");
+    }
+  }
+  if (result.models.empty()) {
+    models.refuse("at least one model");
+  }
+  return result;
+}
+
+ChildStart start_answer(std::string_view line, int id) {
+  const Answer answer(line, id, "start");
+  const Part start = answer.result();
+  start.has_only({"state", "rounding"});
+  ChildStart result;
+  result.state = state_part(start.at("state"));
+  if (const auto rounding = start.find("rounding")) {
+    rounding->has_only({"gap", "rate"});
+    result.rounding = {rounding->at("gap").number(), rounding->at("rate").number()};
+    for (const char* const key : {"gap", "rate"}) {
+      if (const double value = rounding->at(key).number(); !(value > 0.0 && value < 1.0)) {
+        rounding->at(key).refuse("above 0 and below 1");
+      }
+    }
+  }
+  return result;
+}
+
+ChildSteps step_answer(std::string_view line, int id, std::size_t cables, std::size_t count) {
+  const Answer answer(line, id, "step");
+  const Part result = answer.result();
+  result.has_only({"steps", "stopped"});
+  const Part rows = result.at("steps");
+  ChildSteps steps;
+  steps.width = state_width + cables;
+  if (const auto stopped = result.find("stopped")) {
+    stopped->has_only({"time", "reason"});
+    steps.stopped = {stopped->at("time").number(),
+                     printable(stopped->at("reason").text(), longest_message)};
+  }
+  if (rows.size() > count || (rows.size() < count && !steps.stopped)) {
+    throw ProtocolError(fmt::format("the engine answered {} steps where {} were asked{}",
+                                    rows.size(), count,
+                                    rows.size() < count ? ", and not why it stopped" : ""));
+  }
+  steps.values.reserve(rows.size() * steps.width);
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    rows[index].append_numbers(steps.values, steps.width,
+                               "x, y, angle, vx, vy, spin, then the impulse of each cable");
+  }
+  return steps;
+}
+
+State state_answer(std::string_view line, int id, std::string_view method) {
+  const Answer answer(line, id, method);
+  answer.result().has_only({"state"});
+  return state_part(answer.result().at("state"));
+}
+
+ChildSolve solve_answer(std::string_view line, int id, std::size_t cables) {
+  const Answer answer(line, id, "solve");
+  answer.result().has_only({"impulses", "state"});
+  std::vector<double> impulses;
+  answer.result().at("impulses").append_numbers(impulses, cables, "one for each of the cables");
+  return {Eigen::Map<const Eigen::VectorXd>(impulses.data(), static_cast<Eigen::Index>(cables)),
+          state_part(answer.result().at("state"))};
+}
+
+}  // namespace tautline::bench

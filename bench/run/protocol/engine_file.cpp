@@ -1,0 +1,124 @@
+#include "bench/run/protocol/engine_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "bench/base/input_file.hpp"
+#include "bench/base/text.hpp"
+#include "bench/base/toml/problems.hpp"
+#include "bench/base/toml/strict_table.hpp"
+#include "bench/base/toml/value.hpp"
+
+namespace tautline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_engine_file = std::size_t{64} << 10U;  // [bytes]
+
+/// A path in the folder, as a key gives it.
+std::string path_inside(StrictTable& table, std::string_view key) {
+  const std::string path = table.optional_text(key).value_or("");
+  if (fs::path(path).is_absolute()) {
+    table.refuse_value(key, "must be relative to the folder of this file");
+  }
+  return path;
+}
+
+void read_tables(const toml::table& file, FileProblems& wrong, EngineFile& result) {
+  StrictTable root(&file, "", wrong);
+  result.name = root.text("name");
+  if (result.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos) {
+    root.refuse_value("name", "must be small letters, digits and hyphens");
+  }
+  result.command =
+      root.texts("command", "must be the words of a command, such as [\"node\", \"engine.mjs\"]");
+  result.package = root.optional_text("package").value_or("");
+  result.lock = path_inside(root, "lock");
+  result.installed = path_inside(root, "installed");
+  result.bring = root.optional_text("bring").value_or("");
+  root.refuse_unknown_keys();
+}
+
+bool can_be_run(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
+}
+
+bool is_on_path(const std::string& word) {
+  const char* const folders = std::getenv("PATH");
+  for (std::string_view rest = folders != nullptr ? folders : "/usr/bin:/bin"; !rest.empty();) {
+    const std::size_t colon = std::min(rest.find(':'), rest.size());
+    if (can_be_run(fs::path(rest.substr(0, colon)) / word)) {
+      return true;
+    }
+    rest.remove_prefix(std::min(colon + 1, rest.size()));
+  }
+  return false;
+}
+
+}  // namespace
+
+EngineFile read_engine_file(const fs::path& file) {
+  EngineFile result;
+  result.path = fs::absolute(file);
+  FileProblems wrong(result.path.string());
+  const InputFile input = read_input_file(file, longest_engine_file);
+  if (input.problem) {
+    wrong.add(0, *input.problem);
+  } else if (const auto table = parse_toml(input.content, wrong)) {
+    read_tables(*table, wrong, result);
+  }
+  result.problems = wrong.sentences();
+  return result;
+}
+
+std::string missing(const EngineFile& engine) {
+  const fs::path folder = engine.path.parent_path();
+  const std::string& program = engine.command.front();
+  if (program.find('/') == std::string::npos && !is_on_path(program)) {
+    return printable(program) + " is not on PATH";
+  }
+  const std::string advice =
+      engine.bring.empty() ? "" : fmt::format("; run {} in {}", engine.bring, folder.string());
+  if (program.find('/') != std::string::npos && !can_be_run(folder / program)) {
+    return fmt::format("{} cannot be run{}", printable(program), advice);
+  }
+  std::error_code error;
+  if (!engine.installed.empty() && !fs::exists(folder / engine.installed, error)) {
+    return fmt::format("{} is not installed{}", printable(engine.installed), advice);
+  }
+  return "";
+}
+
+bool is_engine_file(const fs::path& file) { return file.extension() == ".toml"; }
+
+std::vector<fs::path> engine_files_in(const fs::path& folder) {
+  constexpr const char* usual_name = "engine.toml";
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (!entry.is_directory(error)) {
+      continue;
+    }
+    if (const fs::path file = entry.path() / usual_name; fs::exists(file, error)) {
+      found.push_back(file);
+      continue;
+    }
+    for (const auto& inner : fs::directory_iterator(entry.path(), error)) {
+      if (const fs::path file = inner.path() / usual_name; fs::exists(file, error)) {
+        found.push_back(file);
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace tautline::bench

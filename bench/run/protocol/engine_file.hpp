@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tautline::bench {
+
+/// What an engine.toml says: how to start an engine in a process of its own.
+struct EngineFile {
+  std::filesystem::path path;        // the file itself, absolute
+  std::string name;                  // [a-z0-9-]+
+  std::vector<std::string> command;  // run in the file's folder; the first word is looked up
+  std::string package;               // what the lock file pins; may be empty, as all below
+  std::string lock;                  // in the folder
+  std::string installed;             // in the folder: without it the engine is not here
+  std::string bring;                 // the command that brings it
+  std::vector<std::string>
+      problems;  // of the file, in sentences; the rest is void if there are any
+};
+
+/// Reads it; what is wrong with it becomes `problems`.
+[[nodiscard]] EngineFile read_engine_file(const std::filesystem::path& file);
+
+/// Why the engine cannot be started here, and what would bring it: a command that is not on PATH,
+/// or what is not installed. Empty if it can. Requires a file without problems; starts nothing.
+[[nodiscard]] std::string missing(const EngineFile& engine);
+
+/// True for the name that such a file has.
+[[nodiscard]] bool is_engine_file(const std::filesystem::path& file);
+
+/// The engine files one or two folders below `folder`, in their order.
+[[nodiscard]] std::vector<std::filesystem::path> engine_files_in(
+    const std::filesystem::path& folder);
+
+}  // namespace tautline::bench

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tautline/case.hpp"
+#include "tautline/engine.hpp"
+#include "tautline/event_adapter.hpp"
+#include "tautline/impact.hpp"
+
+namespace tautline::bench {
+
+// The messages of engines/protocol/README.md, as text on one side and as types on the other.
+
+/// What a child did against the protocol, in one sentence that says what would be right.
+class ProtocolError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What an engine says of itself when it cannot do what it is asked.
+class EngineRefusal : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A model of an engine in another process.
+struct ChildModel {
+  Model model;
+  bool by_events = false;      // the program's event driver finds its events
+  bool follows_speed = false;  // its restitution may depend on the speed
+};
+
+/// The answer to `info`.
+struct ChildInfo {
+  std::string name;
+  std::string version;
+  std::string precision;
+  std::vector<ChildModel> models;
+};
+
+/// The answer to `start`.
+struct ChildStart {
+  State state;
+  std::optional<EventAdapter::Rounding> rounding;  // none where it is that of its precision
+};
+
+/// The answer to `step`.
+struct ChildSteps {
+  std::size_t width = 0;       // of a row: a state, and one impulse for each cable
+  std::vector<double> values;  // row after row
+  std::optional<Simulation::Stop> stopped;
+
+  [[nodiscard]] std::size_t count() const { return width == 0 ? 0 : values.size() / width; }
+};
+
+/// The answer to `solve`.
+struct ChildSolve {
+  CableVector impulses;
+  State state;
+};
+
+/// Numbers in a state.
+inline constexpr std::size_t state_width = 6;
+
+/// The state at the beginning of a row.
+[[nodiscard]] State state_from(const double* row);
+
+// Requests, without the end of their line.
+[[nodiscard]] std::string info_request(int id);
+[[nodiscard]] std::string start_request(int id, const Case& the_case, const ChildModel& model,
+                                        const RunSettings& settings);
+[[nodiscard]] std::string step_request(int id, double dt, std::size_t count);
+[[nodiscard]] std::string fly_request(int id, double dt);
+[[nodiscard]] std::string place_request(int id, const State& state);
+[[nodiscard]] std::string solve_request(int id, CableSet cables, const CableVector& rates);
+
+// Answers to them. Each throws ProtocolError for a line that is no such answer, and EngineRefusal
+// with the engine's own sentence.
+[[nodiscard]] ChildInfo info_answer(std::string_view line, int id);
+[[nodiscard]] ChildStart start_answer(std::string_view line, int id);
+[[nodiscard]] ChildSteps step_answer(std::string_view line, int id, std::size_t cables,
+                                     std::size_t count);
+[[nodiscard]] State state_answer(std::string_view line, int id, std::string_view method);
+[[nodiscard]] ChildSolve solve_answer(std::string_view line, int id, std::size_t cables);
+
+}  // namespace tautline::bench

@@ -27,6 +27,8 @@ function world({ gravity: [gx, gy], body: { mass, inertia }, cables }, { limit, 
   const constraints = !limit ? [] : cables.map(({ anchor: [x, y], attachment, length }) => K.Constraint.create({
     pointA: { x, y }, bodyB: body, pointB: { x: attachment[0], y: attachment[1] }, length, stiffness }));
   for (const constraint of constraints) K.Composite.add(simulation.world, constraint);
+  let moved; // in the latest step; afterwards the difference of positions has it only to their rounding
+  K.Events.on(simulation, "beforeSolve", () => (moved = [body.velocity.x, body.velocity.y, body.angularVelocity]));
   return {
     constraints,
     state() {
@@ -50,8 +52,7 @@ function world({ gravity: [gx, gy], body: { mass, inertia }, cables }, { limit, 
     },
     step(dt) {
       K.Engine.update(simulation, dt * second);
-      // what the step has moved the body by, which the difference of positions has only to their rounding
-      if (exact) this.setVelocity(body.velocity.x / dt, body.velocity.y / dt, body.angularVelocity / dt);
+      if (exact) this.setVelocity(...moved.map((way) => way / dt));
     },
   };
 }

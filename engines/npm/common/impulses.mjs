@@ -3,6 +3,9 @@
 /** A planar body has three ways to move: more cables than that share their impulses in more ways than one [-]. */
 const mostIndependent = 3;
 
+/** Of a case [-]. */
+const mostCables = 8;
+
 /** A pivot below this part of its diagonal is a cable that the others make superfluous [-]. */
 const leastPivot = 1e-10;
 
@@ -33,17 +36,15 @@ function solved(matrix, right) {
   return x;
 }
 
-/** The sets of at most `most` of the numbers below `count`, small sets first. */
-function* subsets(count, most) {
-  let sets = [[]];
-  for (let size = 0; size <= most && sets.length > 0; ++size) {
-    yield* sets;
-    sets = sets.flatMap((set) => {
-      const first = set.length > 0 ? set[set.length - 1] + 1 : 0;
-      return Array.from({ length: count - first }, (_, i) => [...set, first + i]);
-    });
+/** The sets of at most three of the numbers below `count`, small sets first. */
+const subsets = Array.from({ length: mostCables + 1 }, (_, count) => {
+  const all = [[]];
+  for (let k = 0; k < all.length; ++k) {
+    const set = all[k], first = set.length > 0 ? set[set.length - 1] + 1 : 0;
+    for (let i = first; set.length < mostIndependent && i < count; ++i) all.push([...set, i]);
   }
-}
+  return all;
+});
 
 /**
  * The impulses >= 0 [N s] along `rows` that raise each gap rate by at least its `rise` [m/s], and by no more where they
@@ -51,22 +52,20 @@ function* subsets(count, most) {
  * give the same motion; this is the first with the fewest cables. Where no impulses will do, the nearest miss.
  */
 export function impulsesFor(rows, body, rise) {
-  const none = rows.map(() => 0);
   const scale = rounding * Math.max(...rise.map(Math.abs));
   const w = rows.map((a) => rows.map((b) => response(a, b, body)));
-  let best = none, smallestMiss = Infinity;
-  for (const set of subsets(rows.length, mostIndependent)) {
+  let best = [], chosen = [], smallestMiss = Infinity;
+  for (const set of subsets[rows.length]) {
     const pulls = solved(set.map((i) => set.map((j) => w[i][j])), set.map((i) => rise[i]));
     if (!pulls || pulls.some((pull) => pull < 0)) continue;
-    const missed = rise.map((want, i) => want - set.reduce((sum, j, k) => sum + w[i][j] * pulls[k], 0));
-    const miss = Math.max(...missed.filter((_, i) => !set.includes(i)), 0);
-    if (miss < smallestMiss) {
-      best = none.map((_, i) => (set.includes(i) ? pulls[set.indexOf(i)] : 0));
-      smallestMiss = miss;
+    let miss = 0; // of the cables that take no part
+    for (let i = 0; i < rows.length; ++i) {
+      if (!set.includes(i)) miss = Math.max(miss, rise[i] - set.reduce((sum, j, k) => sum + w[i][j] * pulls[k], 0));
     }
+    if (miss < smallestMiss) [best, chosen, smallestMiss] = [pulls, set, miss];
     if (miss <= scale) break;
   }
-  return best;
+  return rows.map((_, i) => best[chosen.indexOf(i)] ?? 0);
 }
 
 /**

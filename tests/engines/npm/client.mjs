@@ -1,7 +1,7 @@
 // A small client of the protocol: starts an engine's folder and asks it.
 
 import { spawn } from "node:child_process";
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { createInterface } from "node:readline";
 
@@ -10,9 +10,17 @@ export const engineFolder = (name) => fileURLToPath(new URL(`../../../engines/np
 /** Whether what the engine's lock file pins has been fetched. */
 export const isFetched = (name) => existsSync(`${engineFolder(name)}/node_modules`);
 
+/** The words of an engine.toml's command that follow `node`, or none where there is no such file. */
+function commandOf(folder) {
+  const file = `${folder}/engine.toml`;
+  if (!existsSync(file)) return ["engine.mjs"];
+  const [, words] = readFileSync(file, "utf8").match(/^command = (\[.*\])$/m);
+  return JSON.parse(words).slice(1);
+}
+
 /** A child of `folder`; ask(method, params) is the result or throws the error. */
 export function startChild(folder) {
-  const child = spawn("node", ["engine.mjs"], { cwd: folder, stdio: ["pipe", "pipe", "inherit"] });
+  const child = spawn(process.execPath, commandOf(folder), { cwd: folder, stdio: ["pipe", "pipe", "inherit"] });
   const waiting = [];
   const ended = new Promise((resolve) => child.on("exit", (code) => resolve(code)));
   ended.then((code) => waiting.splice(0).forEach(({ reject }) => reject(new Error(`the child ended with ${code}`))));

@@ -2,7 +2,7 @@
 // restitution. `world.createJoint` takes any subclass of Joint, so a cable can be a row of the solver's own.
 
 import { serve } from "../../protocol/javascript/engine.mjs";
-import { bounceModel, eventModel, limitModel, rowModels, setting, turnableInertia } from "../common/models.mjs";
+import { bounceModel, eventModel, limitModel, rowModels, setting, turnableInertia, unwrap } from "../common/models.mjs";
 import { installedVersion } from "../common/version.mjs";
 import { solverRows } from "./row_joint.mjs";
 
@@ -30,21 +30,27 @@ function world({ gravity, body: { mass, ...rest }, cables }, { limit, rows, earl
   } else if (rows) {
     joints = solverRows(K, ground, body, cables, early, step).map((joint) => w.createJoint(joint));
   }
+  let angle = 0; // setTransform takes whole turns away
   return {
     state() {
       const { x, y } = body.getPosition(), v = body.getLinearVelocity();
-      return [x, y, body.getAngle(), v.x, v.y, body.getAngularVelocity()];
+      angle = unwrap(body.getAngle(), angle);
+      return [x, y, angle, v.x, v.y, body.getAngularVelocity()];
     },
-    place([x, y, angle, vx, vy, spin]) {
+    place([x, y, turned, ...velocity]) {
+      angle = turned;
       body.setTransform(K.Vec2(x, y), angle);
-      this.setVelocity(vx, vy, spin);
+      this.setVelocity(...velocity);
     },
     setVelocity(vx, vy, spin) {
       body.setLinearVelocity(K.Vec2(vx, vy));
       body.setAngularVelocity(spin);
     },
     push: (jx, jy, px, py) => body.applyLinearImpulse(K.Vec2(jx, jy), K.Vec2(px, py), true),
-    step: (dt) => w.step(dt, velocityIterations, positionIterations),
+    step(dt) {
+      w.step(dt, velocityIterations, positionIterations);
+      angle += body.getAngularVelocity() * dt;
+    },
     // the reaction to a joint over a second is its impulse; exactly zero where it has not pulled
     pulls: joints.length > 0 ? () => joints.map((joint) => K.Vec2.lengthOf(joint.getReactionForce(1))) : undefined,
   };

@@ -106,6 +106,16 @@ test("flies the parabola, and solves an impact, as exactly as its numbers let it
   });
 });
 
+test("keeps the whole turns of an angle", async () => {
+  const turned = { ...standardCase, initial: { ...standardCase.initial, angle: 19.3, spin: 3 } };
+  for (const { name: model } of info.models) {
+    const { state } = await start(model, 1e-2, turned);
+    assert.ok(Math.abs(state[2] - 19.3) < 1e-5, `${model} starts at ${state[2]}`);
+  }
+  const { state } = await child.ask("fly", { dt: 1e-2 }); // the last one is `event`
+  assert.ok(Math.abs(state[2] - 19.33) < 1e-5, `it flies to ${state[2]}`);
+});
+
 test("repeats itself bit by bit, and gives back what a run held", async () => {
   const model = info.models[0].name, states = [];
   const runs = 150; // Box2D 3 has room for 127 worlds

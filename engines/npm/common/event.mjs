@@ -13,22 +13,28 @@ export function startEvent(engine, theCase, options) {
   checkNumbers(engine, theCase);
   const world = engine.world(theCase, { ...options, exact: true });
   world.place(initialState(theCase));
+  let now = world.state();
   const capped = { ...engine, flight: { speed: engine.flight.speed } }; // the others are met by shorter flights
   return {
     rounding: engine.precision === "float32" ? floatRounding : undefined,
-    state: () => world.state(),
-    place: (state) => world.place(state),
+    state: () => now,
+    place(state) {
+      world.place(state);
+      now = world.state();
+    },
     fly(dt) {
-      checkCaps(capped, theCase, world.state(), dt);
-      fly(engine, world, theCase, dt);
+      checkCaps(capped, theCase, now, dt);
+      fly(engine, world, theCase, now, dt);
+      now = world.state();
     },
     solve(which, rates) {
-      const rows = which.map((index) => cableRow(cables[index], world.state()));
+      const rows = which.map((index) => cableRow(cables[index], now));
       const impulses = impulsesFor(rows, body, rates.map((rate, k) => rate - rows[k].rate));
       impulses.forEach((impulse, k) => {
         const { nx, ny, px, py } = rows[k];
         if (impulse > 0) world.push(impulse * nx, impulse * ny, px, py);
       });
+      now = world.state();
       return impulses;
     },
     free: () => world.free?.(),

@@ -33,12 +33,14 @@ function run(engine, theCase, options, step) {
   checkCaps(engine, theCase, initialState(theCase), options.step);
   const world = engine.world(theCase, options);
   world.place(initialState(theCase));
+  let now = world.state(); // to read it costs some engines as much as to step
   return {
-    state: () => world.state(),
+    state: () => now,
     step(dt) {
-      const before = world.state();
-      checkCaps(engine, theCase, before, dt);
-      return step(world, before, dt);
+      checkCaps(engine, theCase, now, dt);
+      const impulses = step(world, now, dt);
+      now = world.state();
+      return impulses;
     },
     free: () => world.free?.(),
   };
@@ -109,9 +111,9 @@ export function startLimit(engine, theCase, { prepare, pullsSlack = false, ...op
 export function startBounce(engine, theCase, options) {
   const { cables, gravity } = theCase, half = 0.5 / engine.flight.substeps;
   return run(engine, theCase, { ...options, limit: options.limit ?? true }, (world, before, dt) => {
-    kick(world, gravity, -half * dt);
+    kick(world, before, gravity, -half * dt);
     world.step(dt);
-    kick(world, gravity, half * dt);
+    kick(world, world.state(), gravity, half * dt);
     const now = world.state();
     const own = world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, now, dt, false);
     const wanted = cables.map((cable) => {

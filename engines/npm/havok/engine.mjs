@@ -14,8 +14,17 @@ const H = await (await import("@babylonjs/havok")).default({ wasmBinary: readFil
 /** Havok moves a body in 4 substeps, without a setting, and turns it by a series: off by 1e-5 at 0.8 rad, 3e-8 at 0.25. */
 const engine = { title: "Havok", precision: "float32", flight: { substeps: 4, exactTurn: 0.25 }, world };
 
-/** Havok's lengths in one of the case's [-]: a slow body is braked at 1/64 of the speed. */
-const usualScale = 64;
+/** Havok's lengths in one of the case's [-], at least: a slow body is braked at 1/64 of the speed. */
+const leastScale = 64;
+
+/**
+ * Havok keeps the inverses of mass and inertia in 8 bits: of 12 kg it makes 11.98. In units in which the mass is 1 and the
+ * inertia a power of two it keeps both.
+ */
+function unitsOf({ mass, inertia }) {
+  const perMass = turnableInertia({ mass, inertia }) / mass;
+  return { length: Math.sqrt(2 ** Math.ceil(Math.log2(leastScale ** 2 * perMass)) / perMass), mass };
+}
 
 /** Instead of 200 m/s and 100 rad/s, to which Havok cuts a velocity as it is set. */
 const largestSpeed = 1e6;
@@ -50,10 +59,11 @@ function createLimit(ground, body, { anchor, attachment, length }, scale) {
 }
 
 function world({ gravity, body: { mass, inertia }, cables }, { limit, defaults }) {
-  const w = told(H.HP_World_Create()), scale = defaults ? 1 : usualScale, same = scale ** 2 * turnableInertia({ mass, inertia }) / mass;
+  const units = defaults ? { length: 1, mass: 1 } : unitsOf({ mass, inertia }), scale = units.length;
+  const w = told(H.HP_World_Create()), same = (scale ** 2 * turnableInertia({ mass, inertia })) / mass;
   told(H.HP_World_SetGravity(w, [scale * gravity[0], scale * gravity[1], 0]));
   const body = createBody(w, H.MotionType.DYNAMIC), ground = createBody(w, H.MotionType.STATIC);
-  told(H.HP_Body_SetMassProperties(body, [[0, 0, 0], mass, [same, same, same], [0, 0, 0, 1]])); // an inertia of 1 kg
+  told(H.HP_Body_SetMassProperties(body, [[0, 0, 0], mass / units.mass, [same, same, same], [0, 0, 0, 1]])); // an inertia of 1 kg
   told(H.HP_Body_SetActivationControl(body, H.ActivationControl.ALWAYS_ACTIVE));
   if (!defaults) {
     told(H.HP_World_SetSpeedLimit(w, largestSpeed, largestSpeed));
@@ -78,13 +88,13 @@ function world({ gravity, body: { mass, inertia }, cables }, { limit, defaults }
       told(H.HP_Body_SetLinearVelocity(body, [scale * vx, scale * vy, 0]));
       told(H.HP_Body_SetAngularVelocity(body, [0, 0, spin]));
     },
-    push: (jx, jy, px, py) => told(H.HP_Body_ApplyImpulse(body, [scale * px, scale * py, 0], [scale * jx, scale * jy, 0])),
+    push: (jx, jy, px, py) => told(H.HP_Body_ApplyImpulse(body, [scale * px, scale * py, 0], [(scale * jx) / units.mass, (scale * jy) / units.mass, 0])),
     step(dt) {
       if (dt !== ideal) told(H.HP_World_SetIdealStepTime(w, (ideal = dt)));
       told(H.HP_World_Step(w, dt));
       angle += told(H.HP_Body_GetAngularVelocity(body))[2] * dt;
     },
-    pulls: limits.length > 0 ? () => limits.map((one) => Math.hypot(...told(H.HP_Constraint_GetAppliedImpulses(one))) / scale) : undefined,
+    pulls: limits.length > 0 ? () => limits.map((one) => (Math.hypot(...told(H.HP_Constraint_GetAppliedImpulses(one))) * units.mass) / scale) : undefined,
     free() {
       for (const one of limits) H.HP_Constraint_Release(one);
       for (const one of [body, ground]) {
@@ -103,7 +113,8 @@ const mode = setting("HP_Constraint_SetAxisMode", "LIMITED on LINEAR_DISTANCE", 
 const settings = [
   active,
   ideal,
-  setting("unit of length", `1/${usualScale} m`, "Havok brakes a body slower than about 0.1 of its units a second to a stand."),
+  setting("unit of length", `1/${leastScale} m or less`, "Havok brakes a body slower than about 0.1 of its units a second to a stand."),
+  setting("units of mass and length", "mass 1, inertia a power of two", "Havok keeps the inverses of both in 8 bits."),
   setting("HP_Body_SetAngularDamping", 0, "As shipped a spin loses a tenth in a second."),
   setting("HP_World_SetSpeedLimit", largestSpeed, "As shipped Havok cuts a velocity to 200 m/s and 100 rad/s."),
 ];

@@ -43,9 +43,11 @@ RunAnswer do_run(const WorkerRequest& request, const Plugin& plugin) {
   const Engine& engine = plugin.engine();
   const CaseReading reading = read_case_text(request.case_text, "request");
   const Case& the_case = reading.the_case.value();
-  const auto simulation = engine.start(the_case, request.model, request.settings);
   RunAnswer answer;
-  answer.trajectory = record(the_case, *simulation, request.settings.step);
+  {
+    const auto simulation = engine.start(the_case, request.model, request.settings);
+    answer.trajectory = record(the_case, *simulation, request.settings.step);
+  }  // over before its cost is measured: an engine outside then goes on in the process it has
   answer.cost = measure_cost(the_case, engine, request.model, request.settings, plugin.meter());
   return answer;
 }

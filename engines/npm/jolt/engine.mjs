@@ -1,0 +1,131 @@
+// Jolt, held in the plane, in single precision. Its distance constraint acts once a step ends beyond the length, and has
+// no restitution.
+
+import { serve } from "../../protocol/javascript/engine.mjs";
+import { bounceModel, eventModel, limitModel, rowModels, setting, turnableInertia, unwrap } from "../common/models.mjs";
+import { installedVersion } from "../common/version.mjs";
+
+const J = await (await import("jolt-physics/wasm-compat")).default();
+
+const engine = { title: "Jolt", precision: "float32", flight: { substeps: 1 }, world };
+
+/** Instead of 500 m/s and 47.1 rad/s, to which Jolt cuts a body's velocity. */
+const largestSpeed = 1e6;
+
+/** Uses what Jolt copies, and gives it back. */
+function lent(object, use) {
+  const result = use(object);
+  J.destroy(object);
+  return result;
+}
+
+/** A world of one layer, in which all meets all. */
+function createJolt() {
+  const pairs = new J.ObjectLayerPairFilterTable(1), layers = new J.BroadPhaseLayerInterfaceTable(1, 1);
+  lent(new J.BroadPhaseLayer(0), (layer) => layers.MapObjectToBroadPhaseLayer(0, layer));
+  return lent(new J.JoltSettings(), (settings) => {
+    settings.mMaxWorkerThreads = 1;
+    settings.mObjectLayerPairFilter = pairs;
+    settings.mBroadPhaseLayerInterface = layers;
+    settings.mObjectVsBroadPhaseLayerFilter = new J.ObjectVsBroadPhaseLayerFilterTable(layers, 1, pairs, 1);
+    return new J.JoltInterface(settings); // frees the tables with itself
+  });
+}
+
+function createBody(bodies, { mass, inertia }, defaults) {
+  const at = new J.RVec3(0, 0, 0), turned = new J.Quat(0, 0, 0, 1);
+  const settings = new J.BodyCreationSettings(new J.SphereShape(0.1), at, turned, J.EMotionType_Dynamic, 0);
+  settings.mOverrideMassProperties = J.EOverrideMassProperties_MassAndInertiaProvided;
+  settings.mMassPropertiesOverride.mMass = mass;
+  settings.mMassPropertiesOverride.mInertia = J.Mat44.prototype.sScale(turnableInertia({ mass, inertia }));
+  settings.mAllowedDOFs = J.EAllowedDOFs_Plane2D;
+  if (!defaults) {
+    settings.mLinearDamping = settings.mAngularDamping = 0;
+    settings.mAllowSleeping = false;
+    settings.mMaxLinearVelocity = settings.mMaxAngularVelocity = largestSpeed;
+  }
+  const body = bodies.CreateBody(settings);
+  for (const object of [settings, at, turned]) J.destroy(object);
+  bodies.AddBody(body.GetID(), J.EActivation_Activate);
+  return body;
+}
+
+function createLimit(system, body, { anchor, attachment, length }) {
+  return lent(new J.DistanceConstraintSettings(), (settings) => {
+    settings.mSpace = J.EConstraintSpace_LocalToBodyCOM;
+    lent(new J.RVec3(...anchor, 0), (point) => (settings.mPoint1 = point));
+    lent(new J.RVec3(...attachment, 0), (point) => (settings.mPoint2 = point));
+    settings.mMinDistance = 0;
+    settings.mMaxDistance = length;
+    const limit = J.castObject(settings.Create(J.Body.prototype.sFixedToWorld, body), J.DistanceConstraint);
+    system.AddConstraint(limit);
+    return limit;
+  });
+}
+
+function world({ gravity, body: mass, cables }, { limit, defaults }) {
+  const jolt = createJolt(), system = jolt.GetPhysicsSystem(), bodies = system.GetBodyInterface();
+  lent(new J.Vec3(...gravity, 0), (g) => system.SetGravity(g));
+  const body = createBody(bodies, mass, defaults), id = body.GetID();
+  const limits = limit ? cables.map((cable) => createLimit(system, body, cable)) : [];
+  const v = new J.Vec3(0, 0, 0), w = new J.Vec3(0, 0, 0), r = new J.RVec3(0, 0, 0), q = new J.Quat(0, 0, 0, 1);
+  let angle = 0;
+  return {
+    // a getter answers with a temporary that all getters share: it is read before the next call
+    state() {
+      const turned = body.GetRotation();
+      angle = unwrap(2 * Math.atan2(turned.GetZ(), turned.GetW()), angle);
+      const position = body.GetPosition(), x = position.GetX(), y = position.GetY();
+      const velocity = body.GetLinearVelocity(), vx = velocity.GetX(), vy = velocity.GetY();
+      return [x, y, angle, vx, vy, body.GetAngularVelocity().GetZ()];
+    },
+    place(state) {
+      angle = state[2];
+      r.Set(state[0], state[1], 0);
+      q.Set(0, 0, Math.sin(angle / 2), Math.cos(angle / 2));
+      bodies.SetPositionAndRotation(id, r, q, J.EActivation_Activate);
+      this.setVelocity(...state.slice(3));
+    },
+    setVelocity(vx, vy, spin) {
+      v.Set(vx, vy, 0);
+      w.Set(0, 0, spin);
+      body.SetLinearVelocity(v);
+      body.SetAngularVelocity(w);
+    },
+    push(jx, jy, px, py) {
+      v.Set(jx, jy, 0);
+      r.Set(px, py, 0);
+      body.AddImpulse(v, r);
+    },
+    step(dt) {
+      jolt.Step(dt, 1);
+      angle += body.GetAngularVelocity().GetZ() * dt;
+    },
+    pulls: limits.length > 0 ? () => limits.map((one) => Math.abs(one.GetTotalLambdaPosition())) : undefined,
+    free() {
+      for (const object of [v, w, r, q, jolt]) J.destroy(object);
+    },
+  };
+}
+
+const shipped = [setting("mAllowedDOFs", "Plane2D", "The cases are planar.")];
+const settings = [
+  ...shipped,
+  setting("mLinearDamping, mAngularDamping", 0, "As shipped a body loses 5 % of its speed in a second."),
+  setting("mAllowSleeping", false, "As shipped a body slower than 0.03 m/s for half a second is frozen."),
+  setting("mMaxLinearVelocity, mMaxAngularVelocity", largestSpeed, "As shipped Jolt cuts a velocity to 500 m/s and 47.1 rad/s."),
+];
+const range = setting("mMinDistance, mMaxDistance", "0, the cable's length", "As shipped the constraint is a rod.");
+
+serve({
+  name: "jolt",
+  version: installedVersion(import.meta.url, "jolt-physics"),
+  precision: engine.precision,
+  models: [
+    limitModel(engine, "distance", "The largest distance of Jolt's DistanceConstraint, which has no restitution: what one tries first.", [...settings, range]),
+    limitModel(engine, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true }),
+    bounceModel(engine, "distance-bounce", "The same constraint, undamped, and after a step in which it pulled an impulse that gives the cable's restitution.", [...settings, range]),
+    ...rowModels(engine, settings),
+    eventModel(engine, settings),
+  ],
+});

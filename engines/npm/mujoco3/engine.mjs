@@ -1,0 +1,85 @@
+// MuJoCo 3, in doubles, on three joints in the plane. A cable is the upper limit of a spatial tendon: beyond its length a
+// spring and a damper, which a user tunes to the restitution.
+
+import { serve } from "../../protocol/javascript/engine.mjs";
+import { atOneSpeed, eventModel, limitModel, rowModels, setting, turnableInertia } from "../common/models.mjs";
+import { springFor } from "./spring.mjs";
+
+const M = await (await import("@mujoco/mujoco")).default();
+
+const engine = { title: "MuJoCo", precision: "float64", flight: { substeps: 1 }, world };
+
+/** MuJoCo calls a velocity beyond this unstable [m/s] and puts the body back where it started, without an exception. */
+const largestSpeed = 1e10;
+engine.flight.speed = largestSpeed;
+
+/** The constraint's impedance: as near to 1 as MuJoCo lets it. */
+const impedance = "0.9999 0.9999 1 0.5 1";
+
+function limitOf({ length, restitution }, limit, step) {
+  if (!limit) return "";
+  const range = `limited="true" range="0 ${length}"`;
+  if (limit === "defaults") return range;
+  const { stiffness, damping } = springFor(restitution, step);
+  return `${range} solreflimit="${-stiffness} ${-damping}" solimplimit="${impedance}"`;
+}
+
+function xmlOf({ gravity, body: { mass, inertia }, cables }, limit, step) {
+  const same = turnableInertia({ mass, inertia });
+  const each = (text) => cables.map(text).join("");
+  return `<mujoco><compiler autolimits="false" inertiafromgeom="false"/>
+<option gravity="${gravity.join(" ")} 0" timestep="${step}" jacobian="dense" tolerance="0"/>
+<worldbody>${each(({ anchor }, i) => `<site name="anchor${i}" pos="${anchor.join(" ")} 0"/>`)}
+<body name="body"><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint type="hinge" axis="0 0 1"/>
+<inertial pos="0 0 0" mass="${mass}" diaginertia="${same} ${same} ${same}"/>
+${each(({ attachment }, i) => `<site name="attachment${i}" pos="${attachment.join(" ")} 0"/>`)}</body></worldbody>
+<tendon>${each((cable, i) => `<spatial ${limitOf(cable, limit, step)}><site site="anchor${i}"/><site site="attachment${i}"/></spatial>`)}</tendon></mujoco>`;
+}
+
+function world(theCase, { limit, step }) {
+  const { mass } = theCase.body, inertia = turnableInertia(theCase.body);
+  const model = M.MjModel.from_xml_string(xmlOf(theCase, limit, step)), data = new M.MjData(model), options = model.opt;
+  return {
+    // views of the heap die as it grows: they are taken anew
+    state: () => [...data.qpos, ...data.qvel],
+    place([x, y, angle, ...velocity]) {
+      data.qpos.set([x, y, angle]);
+      data.qacc_warmstart.fill(0);
+      this.setVelocity(...velocity);
+    },
+    setVelocity: (...velocity) => data.qvel.set(velocity),
+    push(jx, jy, px, py) {
+      const [x, y, , vx, vy, spin] = this.state();
+      this.setVelocity(vx + jx / mass, vy + jy / mass, spin + ((px - x) * jy - (py - y) * jx) / inertia);
+    },
+    step(dt) {
+      options.timestep = dt;
+      M.mj_step(model, data);
+    },
+    free() {
+      options.delete();
+      data.delete();
+      model.delete();
+    },
+  };
+}
+
+const planar = [
+  setting("joints", "two slides and a hinge", "The cases are planar; a free joint would hold the angle as a quaternion."),
+  setting("jacobian, tolerance", "dense, 0", "A few rows are solved to the last bit."),
+];
+const limited = setting("tendon limited, range", "true, up to the cable's length", "Without them a tendon limits nothing.");
+
+serve({
+  name: "mujoco3",
+  version: M.mj_versionString(),
+  precision: engine.precision,
+  models: [
+    limitModel(engine, "tendon-limit-defaults", "The limit of a spatial tendon with the soft spring that MuJoCo ships: what one tries first.", [...planar, limited], { limit: "defaults" }),
+    atOneSpeed(limitModel(engine, "tendon-limit", "The same limit with a spring and a damper whose bounce of 20 steps has the cable's restitution.", [...planar, limited,
+      setting("solreflimit", "of the restitution and the step", "MuJoCo has no restitution; a spring and a damper have one."),
+      setting("solimplimit", impedance, "The spring acts in full at any overstretch.")], { limit: "tuned" }), "a limit of MuJoCo has one spring"),
+    ...rowModels(engine, planar),
+    eventModel(engine, planar),
+  ],
+});

@@ -1,0 +1,73 @@
+// Rapier in two dimensions: single precision, with a rope joint that looks ahead, lands the body on the length and has
+// no restitution.
+
+import { serve } from "../../protocol/javascript/engine.mjs";
+import { bounceModel, eventModel, limitModel, rowModels, setting, turnableInertia, unwrap } from "../common/models.mjs";
+
+const R = (await import("@dimforge/rapier2d-compat")).default;
+await R.init();
+
+/** As shipped: `numSolverIterations`, which are substeps of the flight. */
+const substeps = 4;
+
+const engine = {
+  title: "Rapier",
+  precision: "float32",
+  // no setting lifts the caps; a substep turns by an arctangent
+  flight: { substeps, spinFor: (spin, dt) => (Math.tan((spin * dt) / substeps) * substeps) / dt, speed: 400, turn: Math.PI / 4 },
+  world,
+};
+
+const vector = ([x, y]) => ({ x, y });
+
+function world({ gravity, body: { mass, inertia }, cables }, { limit }) {
+  const w = new R.World(vector(gravity));
+  const body = w.createRigidBody(R.RigidBodyDesc.dynamic().setCanSleep(false)
+    .setAdditionalMassProperties(mass, { x: 0, y: 0 }, turnableInertia({ mass, inertia })));
+  body.recomputeMassPropertiesFromColliders(); // without it the first step has no mass
+  const ground = w.createRigidBody(R.RigidBodyDesc.fixed());
+  if (limit) {
+    for (const { anchor, attachment, length } of cables) {
+      w.createImpulseJoint(R.JointData.rope(length, vector(anchor), vector(attachment)), ground, body, true);
+    }
+  }
+  let angle = 0;
+  return {
+    state() {
+      const { x, y } = body.translation(), v = body.linvel();
+      angle = unwrap(body.rotation(), angle);
+      return [x, y, angle, v.x, v.y, body.angvel()];
+    },
+    place(state) {
+      angle = state[2];
+      body.setTranslation(vector(state), true);
+      body.setRotation(angle, true);
+      this.setVelocity(...state.slice(3));
+    },
+    setVelocity(x, y, spin) {
+      body.setLinvel({ x, y }, true);
+      body.setAngvel(spin, true);
+    },
+    push: (jx, jy, px, py) => body.applyImpulseAtPoint({ x: jx, y: jy }, { x: px, y: py }, true),
+    step(dt) {
+      w.timestep = dt;
+      w.step();
+      angle += body.angvel() * dt;
+    },
+    free: () => w.free(),
+  };
+}
+
+const settings = [setting("canSleep", false, "Rapier freezes slow bodies.")];
+
+serve({
+  name: "rapier2d",
+  version: R.version(),
+  precision: engine.precision,
+  models: [
+    limitModel(engine, "rope", "Rapier's rope joint, which has no restitution: what one tries first.", settings),
+    bounceModel(engine, "rope-bounce", "The same joint, and after a step in which it pulled an impulse that gives the cable's restitution.", settings),
+    ...rowModels(engine, settings),
+    eventModel(engine, settings),
+  ],
+});

@@ -120,6 +120,18 @@ TEST(EngineFolders, AreNoPartOfABareBenchAndAreNotStartedForIt) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "was-started"));
 }
 
+TEST(EngineFile, WhoseCommandCannotBeStartedIsOneSentence) {
+  const TemporaryFolder folder;
+  const auto script = folder.file("script", "#!/no/such/interpreter\n");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  const auto file = folder.file("engine.toml", engine_toml("mine", {"./script"}));
+  const Outcome outcome = program({"check", file.string()});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.errors,
+            "tautline: engine mine: the engine could not be started (./script: No such file or "
+            "directory) before it answered info\n");
+}
+
 TEST(EngineFolders, SayWhyAnEngineThatIsNamedIsNotHere) {
   const EngineFolder folder;
   for (const std::string& name : {std::string("absent"), std::string("no-command"),

@@ -205,7 +205,9 @@ void add_check(CLI::App& app, int& code) {
   CLI::App* const command = app.add_subcommand(
       "check", "Whether an engine keeps the claims that every sound engine keeps");
   const auto asked = std::make_shared<CheckCommand>();
-  command->add_option("PLUGIN", asked->engine, "the path of a plug-in, or an engine's name")
+  command
+      ->add_option("PLUGIN", asked->engine,
+                   "the path of a plug-in or an engine.toml, or an engine's name")
       ->required();
   command->add_option("--model", asked->model, "only this model (default: all)");
   command

@@ -88,7 +88,9 @@ void add_run(CLI::App& app, int& code) {
       app.add_subcommand("run", "One run on one engine, compared with the exact motion");
   const auto asked = std::make_shared<RunCommand>();
   command->add_option("CASE", asked->the_case, case_help)->required();
-  command->add_option("--engine", asked->engine, "an engine's name, or the path of a plug-in")
+  command
+      ->add_option("--engine", asked->engine,
+                   "an engine's name, or the path of a plug-in or an engine.toml")
       ->required();
   command
       ->add_option("--model", asked->model,

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdlib>
 #include <functional>
+#include <future>
 #include <iterator>
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "bench/base/text.hpp"
 #include "bench/run/protocol/engine_file.hpp"
@@ -50,6 +53,24 @@ void ask(RegisteredEngine& engine) {
   }
 }
 
+/// The same for all of them, on all cores: some take a second to start.
+void ask_all(std::vector<RegisteredEngine>& engines) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t index = next++; index < engines.size(); index = next++) {
+      ask(engines[index]);
+    }
+  };
+  std::vector<std::future<void>> others;
+  for (unsigned count = 1; count < std::thread::hardware_concurrency(); ++count) {
+    others.push_back(std::async(std::launch::async, work));
+  }
+  work();
+  for (std::future<void>& other : others) {
+    other.get();
+  }
+}
+
 RegisteredEngine from_plugin(const fs::path& plugin) {
   RegisteredEngine engine;
   engine.plugin = plugin;
@@ -72,13 +93,6 @@ RegisteredEngine from_engine_file(const fs::path& path) {
   }
   engine.name = file.name;
   engine.missing = missing(file);
-  return engine;
-}
-
-/// The engine of a path that was given.
-RegisteredEngine from_path(const fs::path& path) {
-  RegisteredEngine engine = is_engine_file(path) ? from_engine_file(path) : from_plugin(path);
-  ask(engine);
   return engine;
 }
 
@@ -150,7 +164,8 @@ std::string missing_sentence(const RegisteredEngine& engine) {
 void choose(const std::string& want, const std::vector<RegisteredEngine>& all,
             EngineChoice& choice) {
   if (is_path(want)) {
-    choice.engines.push_back(from_path(fs::absolute(want)));
+    const fs::path path = fs::absolute(want);
+    choice.engines.push_back(is_engine_file(path) ? from_engine_file(path) : from_plugin(path));
     if (!choice.engines.back().missing.empty()) {
       choice.problems.push_back(missing_sentence(choice.engines.back()));
     }
@@ -163,14 +178,13 @@ void choose(const std::string& want, const std::vector<RegisteredEngine>& all,
       choice.problems.push_back(missing_sentence(*here));
     }
     choice.engines.push_back(*here);
-    return ask(choice.engines.back());
+    return;
   }
   bool any = false;
   for (const RegisteredEngine& engine : all) {
     if (group_of(engine) == want) {
       any = true;
       choice.engines.push_back(engine);
-      ask(choice.engines.back());
     }
   }
   if (!any) {
@@ -218,17 +232,17 @@ std::vector<RegisteredEngine> registered_engines(Asked asked) {
   for (const fs::path& folder : engine_folders()) {
     for (const fs::path& plugin : plugins_in(folder)) {
       found.push_back(from_plugin(plugin));
-      ask(found.back());
     }
   }
+  ask_all(found);
   std::vector<RegisteredEngine> result = in_known_order(std::move(found));
   for (const fs::path& folder : engine_folders()) {
     for (const fs::path& file : engine_files_in(folder)) {
       result.push_back(from_engine_file(file));
-      if (asked == Asked::all) {
-        ask(result.back());
-      }
     }
+  }
+  if (asked == Asked::all) {
+    ask_all(result);
   }
   return result;
 }
@@ -252,6 +266,7 @@ EngineChoice choose_engines(const std::vector<std::string>& wanted) {
   for (const std::string& want : wanted) {
     choose(want, all, choice);
   }
+  ask_all(choice.engines);
   refuse_if_none_is_usable(choice);
   std::set<std::string> seen;
   for (const RegisteredEngine& engine : choice.engines) {

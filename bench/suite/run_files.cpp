@@ -16,6 +16,7 @@
 #include "bench/cases/case_writer.hpp"
 #include "bench/cases/catalogue.hpp"
 #include "bench/report/json/json.hpp"
+#include "bench/run/protocol/engine_file.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -70,8 +71,18 @@ std::uint64_t file_hash(const fs::path& path) {
 std::uint64_t program_hash() { return file_hash("/proc/self/exe"); }
 
 std::uint64_t plugin_hash(const SuiteOptions& options, std::size_t engine) {
-  return options.plugins.empty() ? file_hash(options.engines[engine].plugin)
-                                 : options.plugins[engine];
+  if (!options.plugins.empty()) {
+    return options.plugins[engine];
+  }
+  const fs::path& plugin = options.engines[engine].plugin;
+  if (!is_engine_file(plugin)) {
+    return file_hash(plugin);
+  }
+  std::string hashes;
+  for (const fs::path& file : named_files(plugin)) {
+    hashes += fmt::format("{:016x} ", file_hash(file));
+  }
+  return stable_hash(hashes);
 }
 
 fs::path run_folder(const fs::path& out, const RunKey& run) {

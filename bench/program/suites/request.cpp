@@ -130,8 +130,11 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
   command.add_option("--suite", asked.suite,
                      "a selection of shipped cases: quick, chapter or all; see below");
   command
-      .add_option("--engines,--engine", asked.engines,
-                  "names or plug-in paths: bullet64,./libmine.so (default: all)")
+      .add_option(
+          "--engines,--engine", asked.engines,
+          "names, or paths of a plug-in or an engine.toml: bullet64,./libmine.so (default: "
+          "all plug-ins). Engines with an engine.toml run where they are named; the name of a "
+          "folder of them, such as npm, stands for all in it")
       ->delimiter(',')
       ->allow_extra_args(false);  // a case may follow
   command.add_option("--models", asked.models, "only these models: row,event (default: all)")

@@ -25,9 +25,8 @@ constexpr std::size_t longest_message = 1000;
   throw ProtocolError(fmt::format(
       "the engine wrote on its standard output what is no message: {}; {}",
       line.empty() ? "an empty line" : printable(line, excerpt_length),
-      bare && line.starts_with('{')
-          ? "JSON has no NaN and no Infinity, they are the strings \"NaN\" and \"Infinity\""
-          : "what a library prints must go to standard error"));
+      bare && line.starts_with('{') ? "JSON has no NaN, say \"NaN\""
+                                    : "what a library prints must go to standard error"));
 }
 
 [[noreturn]] void refuse_error(const Json& error, std::string_view method) {
@@ -56,10 +55,12 @@ class Answer {
     if (message.at("jsonrpc").text() != "2.0") {
       message.at("jsonrpc").refuse("\"2.0\"");
     }
-    if (message_.at("id") != Json(id)) {
+    const auto error = message_.find("error");
+    const bool of_none = error != message_.end() && message_.value("id", Json()).is_null();
+    if (!of_none && message_.value("id", Json()) != Json(id)) {  // it may not have read the id
       message.at("id").refuse(fmt::format("{}, that of the request", id));
     }
-    if (const auto error = message_.find("error"); error != message_.end()) {
+    if (error != message_.end()) {
       refuse_error(*error, method);
     }
     static_cast<void>(message.at("result"));

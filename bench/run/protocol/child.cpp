@@ -31,7 +31,7 @@ constexpr int grace = 500;
 /// A keeper says within this time how its command ended [ms].
 constexpr int report_delay = 1000;
 
-constexpr std::size_t written_excerpt = 80;  // [bytes] of what a child wrote, in a sentence
+constexpr std::size_t written_excerpt = 40;  // [bytes] of what a child wrote, in a sentence
 
 [[noreturn]] void fail_to_start(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);

@@ -97,6 +97,21 @@ std::string missing(const EngineFile& engine) {
   return "";
 }
 
+std::vector<fs::path> named_files(const fs::path& file) {
+  const EngineFile engine = read_engine_file(file);
+  std::vector<fs::path> found = {file};
+  std::vector<std::string> words = engine.command;
+  words.push_back(engine.lock);
+  std::error_code error;
+  for (const std::string& word : words) {
+    const fs::path named = file.parent_path() / word;
+    if (!word.empty() && fs::is_regular_file(named, error)) {
+      found.push_back(named);
+    }
+  }
+  return found;
+}
+
 bool is_engine_file(const fs::path& file) { return file.extension() == ".toml"; }
 
 std::vector<fs::path> engine_files_in(const fs::path& folder) {

@@ -17,8 +17,8 @@ using Json = nlohmann::json;
 /// A number, or the word for what JSON has no number for: "NaN", "Infinity", "-Infinity".
 [[nodiscard]] Json json_of(double value);
 
-/// What a child wrote is quoted up to this length in a sentence [bytes].
-inline constexpr std::size_t excerpt_length = 80;
+/// What a child wrote is quoted up to this length in a sentence [bytes]: a report cuts long ones.
+inline constexpr std::size_t excerpt_length = 40;
 
 /// A part of an answer, with its place in it. Whatever is not as asked is a ProtocolError that
 /// says where, what is there, and what would be right.

@@ -1,0 +1,183 @@
+// Children that go wrong: each makes one clear row, and none leaves a process behind.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/bench/run/protocol_support.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+
+/// How one child goes wrong, and what the report must say of it.
+struct BadChild {
+  std::string way;
+  std::string status;  // of its run; "" if it does not even answer what it is
+  std::string reason;  // part of the sentence
+};
+
+const std::vector<BadChild>& every_child() {
+  static const std::vector<BadChild> ways = {
+      {"noise", "failed",
+       "what is no message: Loading the engine ...; what a library prints must go to standard "
+       "error"},
+      {"half-a-line", "failed", "exit code 0 before it answered step in the middle of a line: {"},
+      {"endless-line", "failed", "wrote a line of more than 1048576 bytes"},
+      {"wrong-id", "failed", "id is 1000"},
+      {"nan", "failed", "JSON has no NaN, say \"NaN\""},
+      {"nan-word", "diverged", "left every reasonable range after t = 0.09"},
+      {"null", "failed", "steps[2][2] is null, must be a number"},
+      {"too-few", "failed", "answered 7 steps where 8 were asked, and not why it stopped"},
+      {"too-wide", "failed", "must be 7 numbers: x, y, angle, vx, vy, spin, then the impulse"},
+      {"wrapped", "failed", "angle went from 0 to -6.28319 in 0.01 s"},
+      {"forks", "finished", ""},
+      {"exits", "failed", "ended by itself with exit code 0 before it answered step"},
+      {"crashes", "failed", "the engine crashed: SIGSEGV before it answered step"},
+      {"gives-up", "failed", "gave up before the horizon: the fixture has had enough"},
+      {"throws-at-start", "failed", "the engine has no such body"},
+      {"slips", "failed", "unknown key stoped; did you mean stopped?"},
+      {"answers-after-the-end", "finished", ""},
+      {"mute", "", "ended by itself with exit code 3 before it answered info"},
+      {"wrong-name", "", "the engine says that its name is other"},
+      {"wrong-protocol", "", "protocol is 2, must be 1"}};
+  return ways;
+}
+
+/// One report of all these children.
+class BadChildren : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (!has_python()) {
+      return;
+    }
+    const TemporaryFolder folder;
+    std::string engines;
+    for (const BadChild& child : every_child()) {
+      engines += (engines.empty() ? "" : ",") + bad_child(folder, child.way);
+    }
+    const std::string mark = folder.path().string();
+    const std::string out = (folder.path() / "results").string();
+    outcome() = program({"bench", "bouncing-ball", "--engines", engines, "--models", "row",
+                         "--steps", "1e-2", "--until", "2", "--jobs", "2", "--out", out},
+                        "TAUTLINE_MARK=" + mark);
+    left() = left_of(mark);
+    report() = json::parse(content_of(out + "/report.json"), nullptr, false);
+  }
+  void SetUp() override {
+    if (!has_python()) {
+      GTEST_SKIP() << no_python;
+    }
+    ASSERT_FALSE(report().is_discarded()) << outcome().errors;
+  }
+
+  static Outcome& outcome() {
+    static Outcome outcome;
+    return outcome;
+  }
+  static json& report() {
+    static json report;
+    return report;
+  }
+  static std::vector<int>& left() {
+    static std::vector<int> left;
+    return left;
+  }
+};
+
+json of_engine(const json& rows, const char* key, const std::string& name) {
+  json found = json::array();
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
+               [&](const json& row) { return row.at(key) == name; });
+  return found;
+}
+
+TEST_F(BadChildren, GiveOneClearRowEach) {
+  EXPECT_EQ(outcome().code, 1) << outcome().errors;
+  for (const auto& [way, status, reason] : every_child()) {
+    const json runs = of_engine(report().at("runs"), "engine", way);
+    std::string said;
+    if (status.empty()) {
+      EXPECT_TRUE(runs.empty()) << way;
+      for (const json& engine : report().at("engines")) {
+        said += engine.at("problem").is_string() ? engine.at("problem").get<std::string>() : "";
+      }
+    } else {
+      ASSERT_EQ(runs.size(), 1U) << way;
+      EXPECT_EQ(runs[0].at("status"), status) << way << ": " << runs[0].at("reason");
+      said = runs[0].at("reason").get<std::string>();
+    }
+    EXPECT_NE(said.find(reason), std::string::npos) << way << " says: " << said;
+  }
+}
+
+TEST_F(BadChildren, LeaveNoProcessBehind) { EXPECT_EQ(left(), std::vector<int>()); }
+
+/// A run of the child that goes wrong in this way; what is left of it is looked at.
+Outcome run_alone(const std::string& way, const std::string& limit) {
+  const TemporaryFolder folder;
+  const std::string mark = folder.path().string();
+  Outcome outcome = program({"run", "bouncing-ball", "--engine", bad_child(folder, way), "--model",
+                             "row", "--step", "1e-2", "--time-limit", limit},
+                            "TAUTLINE_MARK=" + mark);
+  EXPECT_EQ(left_of(mark), std::vector<int>()) << way;
+  return outcome;
+}
+
+/// A sentence is broken into lines at blanks.
+std::string in_one_line(std::string text) {
+  for (std::size_t at = text.find("\n  "); at != std::string::npos; at = text.find("\n  ")) {
+    text.replace(at, 3, " ");
+  }
+  return text;
+}
+
+TEST(BadChild, ThatSleepsIsEndedWithAllItStarted) {
+  if (!has_python()) {
+    GTEST_SKIP() << no_python;
+  }
+  const Outcome outcome = run_alone("forks-and-sleeps", "2");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.output.find("timed out after 2 s"), std::string::npos) << outcome.output;
+}
+
+TEST(BadChild, ThatEatsMemoryIsEnded) {
+  if (!has_python()) {
+    GTEST_SKIP() << no_python;
+  }
+  for (const char* const way : {"eats-memory", "forks-eat-memory"}) {
+    const Outcome outcome = run_alone(way, "60");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(in_one_line(outcome.output).find("ran out of memory: the engine held"),
+              std::string::npos)
+        << way << ": " << outcome.output;
+  }
+}
+
+TEST(BadChild, DiesWithAProgramThatIsKilled) {
+  if (!has_python()) {
+    GTEST_SKIP() << no_python;
+  }
+  const TemporaryFolder folder;
+  const std::string mark = folder.path().string();
+  ::setenv("TAUTLINE_MARK", mark.c_str(), 1);
+  const int process =
+      start_program({"run", "bouncing-ball", "--engine", bad_child(folder, "forks-and-sleeps"),
+                     "--model", "row", "--step", "1e-2"});
+  ::unsetenv("TAUTLINE_MARK");
+  // the program, its worker, the keeper, the child, and three that have made themselves sessions
+  constexpr std::size_t all = 7;
+  constexpr auto pause = std::chrono::milliseconds(10);
+  for (int look = 0; look < 2000 && !std::filesystem::exists(folder.path() / "ready"); ++look) {
+    std::this_thread::sleep_for(pause);
+  }
+  EXPECT_EQ(marked_processes(mark).size(), all);
+  ::kill(process, SIGKILL);
+  static_cast<void>(wait_for(process));
+  EXPECT_EQ(left_of(mark), std::vector<int>());
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -1,34 +1,34 @@
-/* An engine in a process of its own, in C99 and POSIX, with the library Jansson: `tautline_serve`
-   answers tautline's messages until standard input ends. The protocol is
-   engines/protocol/README.md. */
+// An engine in a process of its own, in C99 and POSIX, with the library Jansson: `tautline_serve`
+// answers tautline's messages until standard input ends. The protocol is the README above.
 #pragma once
 #include <stdio.h>
 #include <unistd.h>
 
 #include "tautline_cable.h"
 
+// A model of a cable: its name, what the protocol says of it as JSON, and what a run of it does.
+// One that is driven by steps has `step`, one that is driven by events `fly`, `place` and `solve`.
 typedef struct {
-  const char *name, *info; /* of a model, and what the protocol says of it, as JSON */
-  void* (*start)(const tautline_case*, double step, const char* law,
-                 const char** why); /* NULL where unsupported */
+  const char *name, *info;
+  // NULL where the engine cannot do what the case asks for; `*why` is then "unsupported: ..."
+  void* (*start)(const tautline_case*, double step, const char* law, const char** why);
   void (*state)(void* run, double state[6]);
-  void (*step)(void* run, double dt,
-               double* impulses); /* or the next three, for the drive "events" */
+  void (*step)(void* run, double dt, double* impulses);
   void (*fly)(void* run, double dt);
   void (*place)(void* run, const double state[6]);
   void (*solve)(void* run, int count, const int* cables, const double* rates, double* impulses);
   void (*end)(void* run);
 } tautline_model;
 
-/* Which engine answers, and what it runs; `kept` holds what `the_case` points into. */
+// Which engine answers, and what it runs; `kept` holds what `the_case` points into.
 typedef struct {
-  const char* info; /* {name, version, precision} as JSON */
+  const char* info;  // {name, version, precision} as JSON
   const tautline_model *models, *model;
-  int count; /* of models */
+  int count;  // of models
   tautline_case the_case;
   json_t* kept;
   void* run;
-  const char* problem; /* why the last request has no result */
+  const char* problem;  // why the last request has no result
   int code;
 } tautline_engine;
 
@@ -116,11 +116,11 @@ static json_t* tautline_result(tautline_engine* engine, const char* method, json
   return result;
 }
 
-/* Answers every request. `info` is {name, version, precision} as JSON. */
+// Answers every request. `info` is {name, version, precision} as JSON.
 static int tautline_serve(const char* info, const tautline_model* models, int count) {
   FILE* const out = fdopen(dup(1), "w");
   tautline_engine engine = {.info = info, .models = models, .count = count};
-  dup2(2, 1); /* standard output is the protocol's, whatever a library prints */
+  dup2(2, 1);  // standard output is the protocol's, whatever a library prints
   for (json_t* request; (request = json_loadf(stdin, JSON_DISABLE_EOF_CHECK, NULL));
        json_decref(request)) {
     const char* method = json_string_value(json_object_get(request, "method"));

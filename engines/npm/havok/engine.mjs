@@ -94,7 +94,6 @@ function world({ gravity, body: { mass, inertia }, cables }, { limit, defaults }
       told(H.HP_World_Step(w, dt));
       angle += told(H.HP_Body_GetAngularVelocity(body))[2] * dt;
     },
-    pulls: limits.length > 0 ? () => limits.map((one) => (Math.hypot(...told(H.HP_Constraint_GetAppliedImpulses(one))) * units.mass) / scale) : undefined,
     free() {
       for (const one of limits) H.HP_Constraint_Release(one);
       for (const one of [body, ground]) {

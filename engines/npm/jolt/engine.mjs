@@ -51,15 +51,13 @@ function createBody(bodies, { mass, inertia }, defaults) {
 }
 
 function createLimit(system, body, { anchor, attachment, length }) {
-  return lent(new J.DistanceConstraintSettings(), (settings) => {
+  lent(new J.DistanceConstraintSettings(), (settings) => {
     settings.mSpace = J.EConstraintSpace_LocalToBodyCOM;
     lent(new J.RVec3(...anchor, 0), (point) => (settings.mPoint1 = point));
     lent(new J.RVec3(...attachment, 0), (point) => (settings.mPoint2 = point));
     settings.mMinDistance = 0;
     settings.mMaxDistance = length;
-    const limit = J.castObject(settings.Create(J.Body.prototype.sFixedToWorld, body), J.DistanceConstraint);
-    system.AddConstraint(limit);
-    return limit;
+    system.AddConstraint(settings.Create(J.Body.prototype.sFixedToWorld, body));
   });
 }
 
@@ -67,7 +65,8 @@ function world({ gravity, body: mass, cables }, { limit, defaults }) {
   const jolt = createJolt(), system = jolt.GetPhysicsSystem(), bodies = system.GetBodyInterface();
   lent(new J.Vec3(...gravity, 0), (g) => system.SetGravity(g));
   const body = createBody(bodies, mass, defaults), id = body.GetID();
-  const limits = limit ? cables.map((cable) => createLimit(system, body, cable)) : [];
+  // GetTotalLambdaPosition is not always what has acted: the impulses are read from the velocities
+  if (limit) cables.forEach((cable) => createLimit(system, body, cable));
   const v = new J.Vec3(0, 0, 0), w = new J.Vec3(0, 0, 0), r = new J.RVec3(0, 0, 0), q = new J.Quat(0, 0, 0, 1);
   let angle = 0;
   return {
@@ -101,7 +100,6 @@ function world({ gravity, body: mass, cables }, { limit, defaults }) {
       jolt.Step(dt, 1);
       angle += body.GetAngularVelocity().GetZ() * dt;
     },
-    pulls: limits.length > 0 ? () => limits.map((one) => Math.abs(one.GetTotalLambdaPosition())) : undefined,
     free() {
       for (const object of [v, w, r, q, jolt]) J.destroy(object);
     },

@@ -9,6 +9,9 @@ const J = await (await import("jolt-physics/wasm-compat")).default();
 
 const engine = { title: "Jolt", precision: "float32", flight: { substeps: 1 }, world };
 
+/** As shipped, of velocity and spin [1/s]. */
+const shippedDamping = 0.05;
+
 /** Instead of 500 m/s and 47.1 rad/s, to which Jolt cuts a body's velocity. */
 const largestSpeed = 1e6;
 
@@ -121,7 +124,7 @@ serve({
   precision: engine.precision,
   models: [
     limitModel(engine, "distance", "The largest distance of Jolt's DistanceConstraint, which has no restitution: what one tries first.", [...settings, range]),
-    limitModel(engine, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true }),
+    limitModel(engine, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true, left: (dt) => [1 - shippedDamping * dt, 1 - shippedDamping * dt] }),
     bounceModel(engine, "distance-bounce", "The same constraint, undamped, and after a step in which it pulled an impulse that gives the cable's restitution.", [...settings, range]),
     ...rowModels(engine, settings),
     eventModel(engine, settings),

@@ -232,7 +232,8 @@ std::vector<fs::path> engine_folders() {
     return folders;
   }
   // in the build tree, and where it is installed: both relative to the program
-  return {program_folder() / "../engines/modules", program_folder() / TAUTLINE_INSTALLED_ENGINES};
+  return {(program_folder() / "../engines/modules").lexically_normal(),
+          (program_folder() / TAUTLINE_INSTALLED_ENGINES).lexically_normal()};
 }
 
 std::vector<RegisteredEngine> registered_engines(Asked asked) {

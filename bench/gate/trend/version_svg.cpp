@@ -11,6 +11,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/gate/trend/version_tables.hpp"
+#include "bench/solution/plot_panel.hpp"
 #include "bench/solution/plot_style.hpp"
 
 namespace tautline::bench {
@@ -22,8 +23,9 @@ constexpr double panel_height = 150.0;
 constexpr double left = 76.0;
 constexpr double top = 84.0;
 constexpr double across = 56.0;  // from a panel to the next
-constexpr double down = 54.0;
+constexpr double down = 34.0;
 constexpr double legend_line = 20.0;
+constexpr double title_size = 16.0;
 constexpr double versions_room = 46.0;  // of a name under a panel
 
 /// Colours that are told apart by those who see fewer, too (Okabe and Ito 2008), on light and dark.
@@ -46,8 +48,8 @@ std::vector<Quantity> quantities_of(const Trend& trend) {
     const std::size_t place = place_of(name).value();
     const Metric& metric = metric_list()[place];
     Quantity& quantity = result.emplace_back();
-    quantity.name = std::string(metric.group) +
-                    (metric.group == metric.brief ? "" : ", " + std::string(metric.brief)) +
+    quantity.name = (metric.group.empty() ? "" : std::string(metric.group) + ", ") +
+                    std::string(metric.heading) +
                     (metric.unit == "1" ? "" : " [" + std::string(metric.unit) + "]");
     for (const TrendRow& row : trend.rows) {
       if (row.metric == place) {
@@ -210,7 +212,8 @@ std::string version_svg(const VersionTrend& versions) {
         sheet.steps[column]);
   }
   const double columns = static_cast<double>(std::max<std::size_t>(1, sheet.steps.size()));
-  const double width = left + columns * (panel_width + across);
+  const double width = std::max(left + columns * (panel_width + across),
+                                left + room_for(version_title(versions), title_size));
   const double height = y + legend_line * static_cast<double>(sheet.models.size());
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
+#include <utility>
 
 #include "bench/base/descriptor.hpp"
 #include "bench/base/process.hpp"
@@ -94,8 +94,9 @@ NpmVersions versions_in(const std::string& package, const std::string& range) {
   NpmAnswer answer = ask_npm(anywhere, words, question_limit);
   if (!answer.problem.empty() && !interruption()) {
     words.emplace_back("--offline");
-    NpmAnswer kept = ask_npm(anywhere, words, question_limit);
-    answer = kept.problem.empty() ? std::move(kept) : std::move(answer);
+    if (NpmAnswer kept = ask_npm(anywhere, words, question_limit); kept.problem.empty()) {
+      answer = std::move(kept);
+    }
   }
   NpmVersions result{{}, answer.problem};
   if (result.problem.empty()) {

@@ -47,9 +47,11 @@ class Versions {
   TemporaryFolder folder_;
 };
 
-/// The versions that were run and, of one that was not, why.
-std::vector<std::pair<std::string, std::string>> versions_of(const json& trend) {
-  std::vector<std::pair<std::string, std::string>> result;
+/// A version and, if it was not run, why.
+using VersionRow = std::pair<std::string, std::string>;
+
+std::vector<VersionRow> versions_of(const json& trend) {
+  std::vector<VersionRow> result;
   for (const json& version : trend.at("engines").at(0).at("versions")) {
     const json& problem = version.at("problem");
     result.emplace_back(version.at("version"), problem.is_null() ? "" : problem.get<std::string>());
@@ -77,10 +79,10 @@ TEST(VersionTrend, FindsTheVersionThatChangedTheRestitution) {
   EXPECT_TRUE(keeps_the_schema(trend, TAUTLINE_VERSION_TREND_SCHEMA));
   const auto found = versions_of(trend);
   ASSERT_EQ(found.size(), 5U) << trend;
-  EXPECT_EQ(found[0], std::pair("1.0.1", "")) << "the newest of 1.0";
-  EXPECT_EQ(found[1], std::pair("1.1.0", ""));
-  EXPECT_EQ(found[2], std::pair("1.2.0", ""));
-  EXPECT_EQ(found[3], std::pair("1.3.0", "npm: rope-1.3.0.tgz is corrupt"));
+  EXPECT_EQ(found[0], VersionRow("1.0.1", "")) << "the newest of 1.0";
+  EXPECT_EQ(found[1], VersionRow("1.1.0", ""));
+  EXPECT_EQ(found[2], VersionRow("1.2.0", ""));
+  EXPECT_EQ(found[3], VersionRow("1.3.0", "npm: rope-1.3.0.tgz is corrupt"));
   EXPECT_EQ(found[4].first, "1.4.0");
   EXPECT_NE(found[4].second, "") << "it ends at once";
   const json points = points_of(trend, "restitution_error");
@@ -143,7 +145,7 @@ TEST(VersionTrend, AnInterruptionKeepsWhatIsDone) {
   EXPECT_NE(outcome.errors.find("--resume does the rest"), std::string::npos) << outcome.errors;
   const auto found = versions_of(versions.result());
   ASSERT_EQ(found.size(), 5U);
-  EXPECT_EQ(found[1], std::pair("1.1.0", ""));
+  EXPECT_EQ(found[1], VersionRow("1.1.0", ""));
   for (std::size_t index = 2; index < found.size(); ++index) {
     EXPECT_EQ(found[index].second, "interrupted") << found[index].first;
   }

@@ -11,6 +11,7 @@
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/gate/changes_json.hpp"
+#include "bench/gate/trend/version_html.hpp"
 #include "bench/gate/trend/version_svg.hpp"
 #include "bench/gate/trend/version_text.hpp"
 #include "bench/gate/trend/version_trend.hpp"
@@ -20,6 +21,7 @@
 #include "bench/program/suites/request.hpp"
 #include "bench/program/suites/results.hpp"
 #include "bench/program/suites/running.hpp"
+#include "bench/report/words.hpp"
 #include "bench/run/versions/pinned_engine.hpp"
 #include "bench/run/versions/version_plan.hpp"
 #include "bench/suite/tree.hpp"
@@ -33,7 +35,7 @@ namespace fs = std::filesystem;
 struct TrendCommand {
   std::vector<std::string> engines;  // with their versions
   bool every = false;                // version, not only the newest of each minor one
-  bool all = false;                  // models and steps, not only those that move
+  bool all = false;                  // print each model and step over the versions, too
   BenchCommand runs;                 // of each version; its --out and --json are the trend's
 };
 
@@ -82,33 +84,38 @@ void run_version(const TrendCommand& command, const std::string& engine, const f
   version.report = std::move(done.report);
 }
 
-/// Fetches a version, unless it was before, and runs it.
-TrendVersion measure(const TrendCommand& command, const VersionPlan& plan,
-                     const PlannedVersion& planned) {
+/// Fetches version `index`, unless it was before, and runs it.
+TrendVersion measure(const TrendCommand& command, const VersionPlan& plan, std::size_t index) {
+  const PlannedVersion& planned = plan.versions[index];
   TrendVersion version{planned.version, planned.untried, "", "", std::nullopt};
   if (interruption()) {
     version.problem = "interrupted";
     return version;
   }
-  fmt::print(stderr, "{} {}\n", plan.engine.name, printable(planned.version));
+  const std::string name = plan.engine.name + " " + printable(planned.version);
+  fmt::print(stderr, "{}, version {} of {}\n", name, index + 1, plan.versions.size());
   const PinnedEngine copy = pinned_engine(plan.engine, planned.version, version_cache());
   version.problem = copy.problem;
   if (version.problem.empty()) {
     run_version(command, plan.engine.name, copy.file, version);
+  }
+  if (!version.problem.empty() && !interruption()) {
+    fmt::print(stderr, "{}: {}; what was run is in {}\n", name, version.problem,
+               printable(copy.file.parent_path().string(), longest_sentence));
   }
   return version;
 }
 
 VersionTrend trend_of(const TrendCommand& command, const VersionPlan& plan) {
   VersionTrend result{plan.engine.name, plan.engine.package, plan.range, {}, std::nullopt};
-  for (const PlannedVersion& planned : plan.versions) {
-    result.versions.push_back(measure(command, plan, planned));
+  for (std::size_t index = 0; index < plan.versions.size(); ++index) {
+    result.versions.push_back(measure(command, plan, index));
   }
   find_trend(result);
   return result;
 }
 
-/// Writes the page, its charts and the JSON, and prints what moves.
+/// Writes the page, its charts and the JSON, and prints what changed.
 void give(const TrendCommand& command, const std::vector<VersionTrend>& trends) {
   const fs::path& out = command.runs.out;
   for (const VersionTrend& trend : trends) {
@@ -119,6 +126,7 @@ void give(const TrendCommand& command, const std::vector<VersionTrend>& trends) 
       fmt::print("{}\n", version_text(trend, command.all, output_style()));
     }
   }
+  write_file(out / "index.html", version_html(trends, page_assets()));
   write_file(out / "trend.md", version_markdown(trends));
   const std::string json = version_trends_json(trends);
   write_file(out / "trend.json", json);
@@ -126,7 +134,8 @@ void give(const TrendCommand& command, const std::vector<VersionTrend>& trends) 
     write_output(command.runs.json, json);
   }
   if (command.runs.json != "-") {
-    fmt::print("trend: {}, with charts and trend.json beside it\n", (out / "trend.md").string());
+    fmt::print("trend: {}, with trend.md, its charts and trend.json beside it\n",
+               (out / "index.html").string());
   }
 }
 
@@ -193,15 +202,17 @@ void add_trend(CLI::App& app, int& code, const std::string& command_line) {
   asked->runs.out = "trend";
   asked->runs.certify = false;  // versions are held against each other
   command
-      ->add_option("ENGINES", asked->engines,
-                   "engines that npm brings, by name or engine.toml, each with its versions: "
-                   "rapier2d@0.15..0.21, planck@1.0.., ./mine/engine.toml@^2. Without: those that "
-                   "its engine.toml names")
+      ->add_option(
+          "ENGINES", asked->engines,
+          "engines that npm brings, by name or engine.toml, each with its versions: "
+          "rapier2d@0.15..0.21, planck@1.0.., ./mine/engine.toml@^2. Without: those that "
+          "its engine.toml names. npm installs each once, in $XDG_CACHE_HOME/tautline/npm, "
+          "or ~/.cache/tautline/npm")
       ->required();
   command->add_flag("--every", asked->every,
                     "run every version, not only the newest of each minor one");
   command->add_flag("--all", asked->all,
-                    "print all models and steps, not only those of which something moves");
+                    "print each model and step over the versions, too; the page has them");
   add_runs(*command, asked->runs);
   command->footer(
       "tautline trend rapier2d@0.15..0.21\n"

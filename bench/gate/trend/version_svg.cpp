@@ -27,10 +27,14 @@ constexpr double down = 34.0;
 constexpr double legend_line = 20.0;
 constexpr double title_size = 16.0;
 constexpr double versions_room = 46.0;  // of a name under a panel
+constexpr double apart = 16.0;          // at least, from a version's name to the next
 
 /// Colours that are told apart by those who see fewer, too (Okabe and Ito 2008), on light and dark.
 constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                 "#e69f00", "#56b4e9", "#8a8a8a", "#a6761d"};
+
+/// Dashes tell models apart without colour, and let a line be seen below another.
+constexpr std::array dashes = {"none", "8 3", "2 3", "10 3 2 3", "5 5"};
 
 using Points = std::vector<std::optional<double>>;
 
@@ -97,10 +101,15 @@ struct Decades {
 
 /// Where panels, versions and models lie.
 struct Sheet {
-  explicit Sheet(const Trend& trend) {
-    for (const TrendReport& report : trend.reports) {
-      versions.push_back(printable(report.name));
+  explicit Sheet(const VersionTrend& trend_of) {
+    for (const TrendVersion& version : trend_of.versions) {
+      const std::string name = printable(version.version);
+      if (version.report) {
+        with_report.push_back(versions.size());
+      }
+      versions.push_back(version.report ? name : "(" + name + ")");
     }
+    const Trend& trend = *trend_of.trend;
     std::set<double> found;
     std::set<std::string> names;
     for (const TrendRow& row : trend.rows) {
@@ -114,13 +123,23 @@ struct Sheet {
     const double part = (static_cast<double>(version) + 0.5) / static_cast<double>(versions.size());
     return left + static_cast<double>(column) * (panel_width + across) + panel_width * part;
   }
-  [[nodiscard]] const char* colour(const std::string& model) const {
-    const auto place = std::find(models.begin(), models.end(), model) - models.begin();
-    return colours[static_cast<std::size_t>(place) % colours.size()];
+  /// How the line of a model looks, as attributes.
+  [[nodiscard]] std::string look(const std::string& model) const {
+    const auto place =
+        static_cast<std::size_t>(std::find(models.begin(), models.end(), model) - models.begin());
+    return fmt::format("stroke=\"{}\" stroke-dasharray=\"{}\" style=\"fill:none\"",
+                       colours[place % colours.size()], dashes[place % dashes.size()]);
+  }
+  /// Of each version its name, or of so many that they would run into each other of every nth, back
+  /// from the newest.
+  [[nodiscard]] bool is_named(std::size_t version) const {
+    const auto most = static_cast<std::size_t>(panel_width / apart);
+    return (versions.size() - 1 - version) % (1 + (versions.size() - 1) / most) == 0;
   }
 
-  std::vector<std::string> versions;
-  std::vector<double> steps;  // the longest first
+  std::vector<std::string> versions;     // in brackets without a report
+  std::vector<std::size_t> with_report;  // of each report its version
+  std::vector<double> steps;             // the longest first
   std::vector<std::string> models;
 };
 
@@ -137,10 +156,13 @@ std::string frame(const Sheet& sheet, std::size_t column, double y, const Decade
   }
   for (std::size_t index = 0; index < sheet.versions.size(); ++index) {
     const double at = sheet.x(column, index);
-    out += fmt::format(
-        "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}v{2:.1f}\"/><text class=\"muted\" "
-        "text-anchor=\"end\" transform=\"translate({0:.1f} {3:.1f}) rotate(-40)\">{4}</text>\n",
-        at, y, panel_height, y + panel_height + 14.0, xml_text(sheet.versions[index]));
+    out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}v{:.1f}\"/>\n", at, y, panel_height);
+    if (sheet.is_named(index)) {
+      out += fmt::format(
+          "<text class=\"muted\" text-anchor=\"end\" transform=\"translate({:.1f} {:.1f}) "
+          "rotate(-40)\">{}</text>\n",
+          at, y + panel_height + 14.0, xml_text(sheet.versions[index]));
+    }
   }
   return out + fmt::format(
                    "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
@@ -156,23 +178,24 @@ std::string curves(const Sheet& sheet, std::size_t column, double y, const Quant
     if (key.step != sheet.steps[column]) {  // both are the same number of a report
       continue;
     }
-    const char* const colour = sheet.colour(key.model);
     std::string line;
     std::string dots;
-    bool joined = false;
+    std::optional<std::size_t> last;  // version with a point
     for (std::size_t index = 0; index < points.size(); ++index) {
       if (!points[index]) {
-        joined = false;
         continue;
       }
+      const std::size_t version = sheet.with_report[index];
+      const double x = sheet.x(column, version);
       const double at = y + decades.height_of(*points[index]);
-      line += fmt::format("{}{:.1f} {:.1f}", joined ? 'L' : 'M', sheet.x(column, index), at);
-      dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>",
-                          sheet.x(column, index), at, colour);
-      joined = true;
+      line += fmt::format("{}{:.1f} {:.1f}", last && *last + 1 == version ? 'L' : 'M', x, at);
+      dots += fmt::format("M{:.1f} {:.1f}h0", x, at);  // a round cap is a dot
+      last = version;
     }
-    out += fmt::format("<path d=\"{0}\" fill=\"none\" stroke=\"{1}\" stroke-width=\"1.6\"/>{2}\n",
-                       line, colour, dots);
+    out += fmt::format(
+        "<g {}><path d=\"{}\" stroke-width=\"1.6\"/><path d=\"{}\" stroke-width=\"6\" "
+        "stroke-dasharray=\"none\" stroke-linecap=\"round\"/></g>\n",
+        sheet.look(key.model), line, dots);
   }
   return out;
 }
@@ -181,9 +204,9 @@ std::string legend(const Sheet& sheet, double y) {
   std::string out;
   for (const std::string& model : sheet.models) {
     out += fmt::format(
-        "<path d=\"M{0} {1:.1f}h24\" stroke=\"{2}\" stroke-width=\"3\"/><text x=\"{3}\" "
+        "<path d=\"M{0} {1:.1f}h40\" {2} stroke-width=\"2.4\"/><text x=\"{3}\" "
         "y=\"{4:.1f}\">{5}</text>\n",
-        left, y, sheet.colour(model), left + 32.0, y + 4.0, xml_text(printable(model)));
+        left, y, sheet.look(model), left + 48.0, y + 4.0, xml_text(printable(model)));
     y += legend_line;
   }
   return out;
@@ -192,7 +215,7 @@ std::string legend(const Sheet& sheet, double y) {
 }  // namespace
 
 std::string version_svg(const VersionTrend& versions) {
-  const Sheet sheet(*versions.trend);
+  const Sheet sheet(versions);
   const std::vector<Quantity> quantities = quantities_of(*versions.trend);
   std::string panels;
   double y = top;
@@ -215,14 +238,16 @@ std::string version_svg(const VersionTrend& versions) {
   const double width = std::max(left + columns * (panel_width + across),
                                 left + room_for(version_title(versions), title_size));
   const double height = y + legend_line * static_cast<double>(sheet.models.size());
+  const std::string reading = fmt::format(
+      "Medians over the cases; 0 lies on the lowest line{}.",
+      sheet.with_report.size() < sheet.versions.size() ? "; (a version) has no report" : "");
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
              "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n<desc>Error "
-             "and cost over versions, medians over the cases; 0 lies on the lowest "
-             "line.</desc>\n{3}<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n<text "
-             "class=\"title\" x=\"{4}\" y=\"26\">{2}</text>\n<text class=\"muted\" x=\"{4}\" "
-             "y=\"47\">medians over the cases; 0 lies on the lowest line</text>\n",
-             width, height, xml_text(version_title(versions)), plot_style, left) +
+             "and cost over versions. {5}</desc>\n{3}<rect class=\"paper\" width=\"100%\" "
+             "height=\"100%\"/>\n<text class=\"title\" x=\"{4}\" y=\"26\">{2}</text>\n<text "
+             "class=\"muted\" x=\"{4}\" y=\"47\">{5}</text>\n",
+             width, height, xml_text(version_title(versions)), plot_style, left, reading) +
          panels + legend(sheet, y - 20.0) + "</svg>\n";
 }
 

@@ -7,6 +7,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/gate/changes_text.hpp"
+#include "bench/report/words.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -22,8 +23,8 @@ std::string setup_name(const SetupKey& key) {
   return fmt::format("{}, step {:g} s", printable(key.model), key.step);
 }
 
-std::string count_or_dash(std::size_t runs) {
-  return runs == 0 ? std::string(dash) : std::to_string(runs);
+std::string count_or_dash(std::size_t count) {
+  return count == 0 ? std::string(dash) : std::to_string(count);
 }
 
 /// The first reason among the runs of `report` that failed, and how many did.
@@ -36,7 +37,7 @@ std::string failures_of(const Report& report) {
                            printable(first->reason));
 }
 
-/// What moves of a model and step: its metrics over the reports.
+/// A model and step: its metrics and its cost over the reports.
 struct Setup {
   std::vector<const TrendRow*> rows;
   const TrendCost* cost = nullptr;
@@ -84,54 +85,49 @@ std::string version_title(const VersionTrend& versions) {
                      count == 1 ? "" : "s");
 }
 
+std::string newest_sentence(const VersionTrend& versions) {
+  const TrendVersion& newest = versions.versions.back();
+  std::string out = newest.report ? ""
+                                  : fmt::format("{} has no report: {}. ", printable(newest.version),
+                                                printable(newest.problem, longest_sentence));
+  if (const std::size_t count = versions.trend ? versions.trend->reports.size() : 0; count > 1) {
+    out += fmt::format("From {} to {}: {}", versions.trend->reports[count - 2].name,
+                       versions.trend->reports[count - 1].name,
+                       changes_sentence(versions.trend->latest));
+  }
+  return out;
+}
+
 Table versions_table(const VersionTrend& versions) {
-  Table table({"version", "runs", "failed", "note"}, 1, 1);
+  Table table({"version", "runs", "failed", "worse", "better", "note"}, 1, 1);
+  std::size_t reports = 0;
   for (const TrendVersion& version : versions.versions) {
     const std::string untried = version.untried ? "untried: not among engine.toml's versions" : "";
-    const std::string said =
-        version.report ? failures_of(*version.report) : printable(version.problem, 1000);
+    const std::string said = version.report ? failures_of(*version.report)
+                                            : printable(version.problem, longest_sentence);
     const std::string note = untried + (untried.empty() || said.empty() ? "" : "; ") + said;
     if (!version.report) {
-      table.add({printable(version.version), dash, dash, note});
+      table.add({printable(version.version), dash, dash, dash, dash, note});
       continue;
     }
     const auto& runs = version.report->runs;
     const auto failed = std::count_if(runs.begin(), runs.end(),
                                       [](const RunRow& run) { return !did_its_work(run.status); });
+    const Changes since = reports == 0 ? Changes() : versions.trend->changes[reports - 1];
+    ++reports;
     table.add({printable(version.version), std::to_string(runs.size()),
-               count_or_dash(static_cast<std::size_t>(failed)), note});
+               count_or_dash(static_cast<std::size_t>(failed)), count_or_dash(since.count_worse()),
+               count_or_dash(since.count_better()), note});
   }
   return table;
 }
 
-Table moves_table(const Trend& trend) {
-  Table table({"from", "to", "model", "metric", "before", "after", "worse", "better"}, 4);
-  for (const VersionMove& move : moves(trend)) {
-    const Metric& metric = metric_list()[move.row->metric];
-    table.add({printable(move.from), printable(move.to), setup_name(move.row->key), name_of(metric),
-               number_text(move.before, metric.digits), number_text(move.after, metric.digits),
-               count_or_dash(move.worse), count_or_dash(move.better)});
-  }
-  return table;
-}
-
-std::vector<SetupTable> setup_tables(const Trend& trend, bool all) {
-  std::vector<SetupTable> tables;
+std::vector<TitledTable> setup_tables(const Trend& trend) {
+  std::vector<TitledTable> tables;
   for (const auto& [key, setup] : setups_of(trend)) {
-    const bool moving = std::any_of(setup.rows.begin(), setup.rows.end(),
-                                    [](const TrendRow* row) { return row->moves(); });
-    if (all || moving) {
-      tables.push_back({setup_name(key), table_of(trend, setup)});
-    }
+    tables.push_back({setup_name(key), table_of(trend, setup)});
   }
   return tables;
-}
-
-std::string latest_sentence(const Trend& trend) {
-  const std::size_t count = trend.reports.size();
-  return count < 2 ? ""
-                   : fmt::format("From {} to {}: {}", trend.reports[count - 2].name,
-                                 trend.reports[count - 1].name, changes_sentence(trend.latest));
 }
 
 }  // namespace tautline::bench

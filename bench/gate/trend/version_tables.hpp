@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bench/base/table.hpp"
+#include "bench/gate/trend/change_tables.hpp"
 #include "bench/gate/trend/version_trend.hpp"
 
 namespace tautline::bench {
@@ -11,22 +12,19 @@ namespace tautline::bench {
 /// "planck: planck >=1.0 <=1.4.2 of npm, 3 versions".
 [[nodiscard]] std::string version_title(const VersionTrend& versions);
 
-/// A row for each version: its runs, those that failed, and what is to be said of it.
+/// What the newest version has come to since the one before it, in a sentence or two.
+[[nodiscard]] std::string newest_sentence(const VersionTrend& versions);
+
+/// A row for each version: its runs, those that failed, how much changed since the version before,
+/// and what is to be said of it.
 [[nodiscard]] Table versions_table(const VersionTrend& versions);
 
-/// What got worse or better between which versions; empty if nothing did.
-[[nodiscard]] Table moves_table(const Trend& trend);
+/// Each model and step over the versions: medians of its metrics, and its cost.
+[[nodiscard]] std::vector<TitledTable> setup_tables(const Trend& trend);
 
-/// One model and step over the versions: medians of its metrics, and its cost.
-struct SetupTable {
-  std::string title;
-  Table table;
-};
-
-/// All of them, or those of which something moves.
-[[nodiscard]] std::vector<SetupTable> setup_tables(const Trend& trend, bool all);
-
-/// What the last step says, in a sentence; "" for one version alone.
-[[nodiscard]] std::string latest_sentence(const Trend& trend);
+/// How to read them.
+inline constexpr const char* how_to_read_setups =
+    "Medians over the cases that all versions have. Cost is processor time of a simulated second; "
+    "it is noisy and judges nothing.";
 
 }  // namespace tautline::bench

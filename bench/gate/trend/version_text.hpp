@@ -8,8 +8,8 @@
 
 namespace tautline::bench {
 
-/// A trend over versions for a terminal: each version, what moves between which, and the models and
-/// steps of which something moves, or `all`.
+/// A trend over versions for a terminal: each version, which changed what, and with `all` also each
+/// model and step over the versions.
 [[nodiscard]] std::string version_text(const VersionTrend& versions, bool all,
                                        const TerminalStyle& style);
 

@@ -31,20 +31,22 @@ struct VersionTrend {
 /// Fills in `trend`: its reports are named by their version.
 void find_trend(VersionTrend& versions, const Noise& noise = {});
 
-/// A metric of a model and step that moves from one version to the next.
+/// A metric of a model and step that got worse, or better, since the version before.
 struct VersionMove {
-  std::string from;
-  std::string to;
-  const TrendRow* row = nullptr;
-  double before = 0.0;  // median, in the unit of the metric
-  double after = 0.0;
-  std::size_t worse = 0;  // runs
-  std::size_t better = 0;
+  std::string version;
+  MetricChange most;     // of the run that changed by the largest factor
+  std::size_t runs = 0;  // that changed so
 };
 
-/// All of them, by version: where something changed comes first, then what. `trend` must outlive
-/// it.
-[[nodiscard]] std::vector<VersionMove> moves(const Trend& trend);
+/// What got worse: the newest version comes first, and of each what changed most.
+[[nodiscard]] std::vector<VersionMove> worse_moves(const Trend& trend);
+
+/// The same of what got better.
+[[nodiscard]] std::vector<VersionMove> better_moves(const Trend& trend);
+
+/// By how much a metric changed [-]: 1 not at all, otherwise more, whichever way; infinity where a
+/// factor says nothing.
+[[nodiscard]] double size_of_change(const MetricChange& change);
 
 /// True where a maintainer should look before a release: the newest version has no report, or is
 /// worse than the one before it that has one.

@@ -65,12 +65,12 @@ void run_version(const TrendCommand& command, const std::string& engine, const f
   runs.out /= fs::path(engine) / version.version;
   runs.json.clear();
   const Request request = read_request(runs);
-  if (!request.problems.empty()) {
-    version.problem = interruption() ? "interrupted" : joined(request.problems, "and");
-    return;
-  }
-  if (const RegisteredEngine& asked = request.options.engines.front(); !asked.info) {
-    version.problem = interruption() ? "interrupted" : asked.failure;
+  // first why it does not start: an engine that does not has no models to ask for either
+  const auto& asked = request.options.engines;
+  version.problem = !asked.empty() && !asked.front().info ? asked.front().failure
+                                                          : joined(request.problems, "and");
+  if (!version.problem.empty()) {
+    version.problem = interruption() ? "interrupted" : version.problem;
     return;
   }
   RunSuite done = run_request(request, command.runs.command_line);
@@ -100,7 +100,7 @@ TrendVersion measure(const TrendCommand& command, const VersionPlan& plan, std::
     run_version(command, plan.engine.name, copy.file, version);
   }
   if (!version.problem.empty() && !interruption()) {
-    fmt::print(stderr, "{}: {}; what was run is in {}\n", name, version.problem,
+    fmt::print(stderr, "{}: {} (its folder: {})\n", name, version.problem,
                printable(copy.file.parent_path().string(), longest_sentence));
   }
   return version;
@@ -216,7 +216,7 @@ void add_trend(CLI::App& app, int& code, const std::string& command_line) {
   add_runs(*command, asked->runs);
   command->footer(
       "tautline trend rapier2d@0.15..0.21\n"
-      "tautline trend planck@1.0..1.4.2 matter --models row --steps 0.001");
+      "tautline trend planck@1.0..1.4.2 matter@0.18.. --models row --steps 0.001");
   command->callback([asked, &code] { code = trend_command(*asked); });
 }
 

@@ -9,6 +9,7 @@
 #include "bench/run/cost.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/trajectory.hpp"
+#include "bench/run/workplace.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 
@@ -40,7 +41,7 @@ struct RunReply {
 };
 
 /// Runs it in a process of its own, so that whatever the engine does becomes a reply.
-[[nodiscard]] RunReply run_in_worker(const RunRequest& request);
+[[nodiscard]] RunReply run_in_worker(const RunRequest& request, Workplace& workplace);
 
 /// What an engine says of itself, asked in a worker process; `failure` as above.
 struct DescribeReply {

@@ -65,8 +65,10 @@ std::string failure_of(const ProcessEnd& end, const Json& json, double limit) {
 NpmAnswer ask_npm(const fs::path& folder, const std::vector<std::string>& words, double limit) {
   std::vector<std::string> arguments = {"/bin/sh", "-c", in_folder, "sh", folder.string(), "npm"};
   arguments.insert(arguments.end(), words.begin(), words.end());
-  const Descriptor output = memory_file("");
-  const ProcessEnd end = run_process(arguments, memory_file(""), output, limit);
+  const Descriptor output = memory_file();
+  const Descriptor nothing = memory_file();
+  const Descriptor no_turn;  // it serves one question and ends
+  const ProcessEnd end = Process(arguments, nothing, output, nothing).wait(no_turn, limit);
   NpmAnswer answer{Json::parse(content_of(output), nullptr, false), ""};
   if (end.kind != ProcessEnd::Kind::exited || end.code != 0) {
     answer.problem = failure_of(end, answer.json, limit);

@@ -16,6 +16,7 @@ void add_run(CLI::App& app, int& code);
 void add_bench(CLI::App& app, int& code, const std::string& command_line);  // as it was typed
 void add_merge(CLI::App& app, int& code, const std::string& command_line);
 void add_compare(CLI::App& app, int& code);
+void add_trend(CLI::App& app, int& code, const std::string& command_line);
 void add_check(CLI::App& app, int& code);
 void add_reproduce(CLI::App& app, int& code);
 void add_engines(CLI::App& app, int& code);

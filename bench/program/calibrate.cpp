@@ -1,0 +1,205 @@
+// `tautline calibrate`: the setting of an engine that gives the restitution that is wanted at a
+// cable, as the engine's own code.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "bench/base/process.hpp"
+#include "bench/base/progress.hpp"
+#include "bench/base/table.hpp"
+#include "bench/base/terminal.hpp"
+#include "bench/base/text.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
+#include "bench/run/calibration/calibrate.hpp"
+#include "bench/run/json.hpp"
+#include "bench/run/registry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// What `tautline calibrate` was asked.
+struct CalibrateCommand {
+  std::string engine;
+  std::string model;
+  double restitution = 0.0;
+  std::string speeds = "0.05..2";  // [m/s]
+  double step = 1e-3;              // [s]
+  double tolerance = 0.01;         // [-]
+  double time_limit = 60.0;        // [s]
+  std::string json;
+};
+
+/// Both ends of "0.05..2"; none if it is no range above zero.
+std::optional<std::pair<double, double>> speed_range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == text.npos) {
+    return std::nullopt;
+  }
+  double low = 0.0;
+  double high = 0.0;
+  const bool read = CLI::detail::lexical_cast(text.substr(0, dots), low) &&
+                    CLI::detail::lexical_cast(text.substr(dots + 2), high);
+  return read && low > 0.0 && high > low && std::isfinite(high)
+             ? std::optional(std::pair(low, high))
+             : std::nullopt;
+}
+
+/// The model `name` of an engine; none if it does not say that it has it.
+std::optional<Model> model_of(const RegisteredEngine& engine, const std::string& name) {
+  for (const Model& model : engine.info->models) {
+    if (model.name == name) {
+      return model;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The models of an engine that can be calibrated, for a sentence.
+std::string tunable_models(const EngineInfo& info) {
+  std::vector<std::string> names;
+  for (const Model& model : info.models) {
+    if (!model.parameters.empty()) {
+      names.push_back(model.name);
+    }
+  }
+  return names.empty() ? "no model of " + info.name + " has one"
+                       : "there are some in " + joined(names, "and");
+}
+
+std::vector<std::string> calibration_problems(const CalibrateCommand& command) {
+  std::vector<std::string> broken = missing_folder("--json", command.json);
+  if (!(command.restitution >= 0.0 && command.restitution <= 1.0)) {
+    broken.push_back(fmt::format("--restitution {:g} is outside [0, 1]", command.restitution));
+  }
+  if (!speed_range(command.speeds)) {
+    broken.push_back("--speeds " + printable(command.speeds) +
+                     " is no range of speeds above 0 m/s, such as 0.05..2");
+  }
+  for (const auto& [name, value] :
+       {std::pair("--step", command.step), std::pair("--tolerance", command.tolerance)}) {
+    if (!(value > 0.0 && std::isfinite(value))) {
+      broken.push_back(fmt::format("{} {:g} is not above 0", name, value));
+    }
+  }
+  return broken;
+}
+
+/// Rows of speeds, columns of bodies: what each rebounds with.
+std::string held_out_table(const Calibration& found) {
+  std::vector<std::string> headings = {"speed [m/s]"};
+  std::vector<std::vector<Cell>> rows;
+  for (const HeldOut& one : found.held_out) {
+    if (rows.empty() || rows.back().front().text != fmt::format("{:.3g}", one.strike.speed)) {
+      rows.push_back({fmt::format("{:.3g}", one.strike.speed)});
+    }
+    if (rows.size() == 1) {
+      headings.push_back(
+          fmt::format("e, arm {:g} m, I {:g} kg m²", one.strike.arm, one.strike.inertia));
+    }
+    rows.back().push_back(number_cell(one.restitution, fixed(4)));
+  }
+  Table table(headings, 0);
+  for (std::vector<Cell>& row : rows) {
+    table.add(std::move(row));
+  }
+  return table.plain(output_style());
+}
+
+void print_calibration(const RegisteredEngine& engine, const CalibrationRequest& request,
+                       const Calibration& found) {
+  fmt::print("{} {}, {}: e = {:g} at closing speeds of {:g} to {:g} m/s, step {:g} s\n\n",
+             engine.info->name, engine.info->version, request.model.name, request.restitution,
+             request.slowest, request.fastest, request.step);
+  for (const auto& [name, value] : found.parameters) {
+    fmt::print("  {} = {:.6g}\n", name, value);
+  }
+  fmt::print("\n{}\n\nOn speeds that the search did not see:\n\n{}\n", found.code,
+             held_out_table(found));
+  std::string closing = fmt::format(
+      "The largest error is {:.2g}, the mean one {:.2g}; {} settings tried{}.", found.worst,
+      found.mean, found.evaluations, found.interrupted ? ", then interrupted" : "");
+  for (const std::string& sentence : found.why) {
+    closing += " Not within " + fmt::format("{:g}", request.tolerance) + ": " + sentence + ".";
+  }
+  fmt::print("{}", wrapped(closing, output_style().text));
+}
+
+int calibrate_command(const CalibrateCommand& command) {
+  const EngineChoice choice = choose_engines({command.engine});
+  std::vector<std::string> broken = calibration_problems(command);
+  broken.insert(broken.end(), choice.problems.begin(), choice.problems.end());
+  if (choice.problems.empty() && choice.engines.front().info) {
+    for (std::string& sentence : unknown_models(choice.engines, {command.model})) {
+      broken.push_back(std::move(sentence));
+    }
+  }
+  complain(broken);
+  if (!broken.empty()) {
+    return exit_usage;
+  }
+  const RegisteredEngine& engine = choice.engines.front();
+  if (!engine.info) {
+    complain({fmt::format("engine {}: {}", engine.name, printable(engine.failure))});
+    return exit_failed;
+  }
+  const Model model = model_of(engine, command.model).value();
+  if (model.parameters.empty()) {
+    complain({fmt::format("model {} has no parameter to calibrate; {}", model.name,
+                          tunable_models(*engine.info))});
+    return exit_usage;
+  }
+  const auto [slowest, fastest] = speed_range(command.speeds).value();
+  const CalibrationRequest request{
+      engine.plugin, model,        command.restitution, slowest,
+      fastest,       command.step, command.tolerance,   {.time = command.time_limit}};
+  catch_interruption();
+  const auto most = static_cast<std::size_t>(most_evaluations(model));
+  Progress progress(static_cast<double>(most), most, "settings");
+  const Calibration found = calibrate(request, [&progress] { progress.ended(1.0); });
+  progress.finish();
+  if (!found.failure.empty()) {
+    complain({printable(found.failure, 1000)});
+    return exit_failed;
+  }
+  if (command.json.empty()) {
+    print_calibration(engine, request, found);
+  } else {
+    write_output(command.json, calibration_json(engine, request, found));
+  }
+  return found.reached(command.tolerance) && !found.interrupted ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, int& code) {
+  CLI::App* const command = app.add_subcommand(
+      "calibrate", "The setting of an engine that gives the restitution wanted at a cable");
+  const auto asked = std::make_shared<CalibrateCommand>();
+  command
+      ->add_option("ENGINE", asked->engine,
+                   "an engine's name, or the path of a plug-in or an engine.toml")
+      ->required();
+  command->add_option("--model", asked->model, "one of its models that has parameters")->required();
+  command->add_option("--restitution", asked->restitution, "what is wanted [-]")->required();
+  command->add_option("--speeds", asked->speeds, "the range of closing speeds [m/s]")
+      ->capture_default_str();
+  command->add_option("--step", asked->step, "the engine's step [s]")->capture_default_str();
+  command
+      ->add_option("--tolerance", asked->tolerance,
+                   "the largest error of the restitution on speeds that the search did not see [-]")
+      ->capture_default_str();
+  command->add_option("--time-limit", asked->time_limit, "give up a setting after this long [s]")
+      ->capture_default_str();
+  command
+      ->add_option("--json", asked->json, "write the result as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command->footer("tautline calibrate mujoco --model tendon-limit --restitution 0.7 --step 1e-4");
+  command->callback([asked, &code] { code = calibrate_command(*asked); });
+}
+
+}  // namespace tautline::bench

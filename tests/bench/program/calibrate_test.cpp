@@ -1,0 +1,125 @@
+// `tautline calibrate` from outside, on an engine whose restitution is a known function of its
+// parameter, and on the engines that are built.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/bench/run/protocol_support.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+
+/// The engine.toml of the child tunable.py.
+std::string tunable_engine(const TemporaryFolder& folder) {
+  const std::filesystem::path path = folder.path() / "engine.toml";
+  std::ofstream(path) << engine_toml("tunable", {"env", "TAUTLINE_PYTHON_KIT=" TAUTLINE_PYTHON_KIT,
+                                                 "python3", children_folder / "tunable.py"});
+  return path;
+}
+
+Outcome calibrate(const std::string& engine, const std::string& model, const std::string& wanted,
+                  const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments = {"calibrate",     engine, "--model", model,
+                                        "--restitution", wanted, "--json",  "-"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return program(arguments);
+}
+
+/// What the sentences say, one after another.
+std::string sentences(const json& found) {
+  std::string result;
+  for (const json& sentence : found.at("not_reached")) {
+    result += sentence.get<std::string>() + "\n";
+  }
+  return result;
+}
+
+class CalibrateTunable : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_python()) {
+      GTEST_SKIP() << no_python;
+    }
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(CalibrateTunable, FindsTheParameterThatGivesTheRestitution) {
+  const Outcome outcome =
+      calibrate(tunable_engine(folder_), "tunable", "0.37", {"--tolerance", "0.001"});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const json found = json::parse(outcome.output);
+  const double knob = found.at("parameters").at("knob");
+  EXPECT_NEAR(0.9 - knob / 10.0, 0.37, 1e-3);
+  EXPECT_LE(found.at("worst").get<double>(), 1e-3);
+  EXPECT_TRUE(found.at("reached").get<bool>());
+  EXPECT_NEAR(std::stod(found.at("code").get<std::string>().substr(std::strlen("cable.knob = "))),
+              knob, 1e-12);
+}
+
+TEST_F(CalibrateTunable, GivesTheSameAnswerTwice) {
+  const std::string engine = tunable_engine(folder_);
+  EXPECT_EQ(calibrate(engine, "tunable", "0.37").output,
+            calibrate(engine, "tunable", "0.37").output);
+}
+
+TEST_F(CalibrateTunable, TellsTheReachWhereTheWishIsBeyondIt) {
+  const std::string engine = tunable_engine(folder_);
+  const Outcome above = calibrate(engine, "tunable", "0.95");
+  EXPECT_EQ(above.code, 1) << above.errors;
+  EXPECT_EQ(sentences(json::parse(above.output)), "e above 0.8 is not reached at this step\n");
+  const Outcome below = calibrate(engine, "tunable", "0");
+  EXPECT_EQ(below.code, 1) << below.errors;
+  EXPECT_EQ(sentences(json::parse(below.output)), "e below 0.1 is not reached at this step\n");
+}
+
+TEST_F(CalibrateTunable, TellsTheSpeedsAtWhichItCannotBeHad) {
+  const Outcome outcome = calibrate(tunable_engine(folder_), "deaf", "0.5");
+  EXPECT_EQ(outcome.code, 1) << outcome.errors;
+  EXPECT_EQ(sentences(json::parse(outcome.output)),
+            "e above 0 is not reached at this step at closing speeds of 0.05 to 0.17 m/s\n");
+}
+
+TEST_F(CalibrateTunable, RefusesWhatItCannotDo) {
+  const std::string engine = tunable_engine(folder_);
+  const Outcome fixed = calibrate(engine, "fixed", "0.5");
+  EXPECT_EQ(fixed.code, 2);
+  EXPECT_NE(
+      fixed.errors.find("model fixed has no parameter to calibrate; there are some in tunable "
+                        "and deaf"),
+      std::string::npos)
+      << fixed.errors;
+  const Outcome backwards = calibrate(engine, "tunable", "1.5", {"--speeds", "2..1"});
+  EXPECT_EQ(backwards.code, 2);
+  EXPECT_NE(backwards.errors.find("--restitution 1.5 is outside [0, 1]"), std::string::npos);
+  EXPECT_NE(backwards.errors.find("--speeds 2..1 is no range"), std::string::npos);
+}
+
+TEST(CalibrateEngines, TheTendonLimitOfMujocoIsWithinFiveThousandthsAtSmallSteps) {
+  if (!built_engines().contains("mujoco")) {
+    GTEST_SKIP() << "mujoco is not built";
+  }
+  const Outcome outcome =
+      calibrate("mujoco", "tendon-limit", "0.7", {"--step", "1e-4", "--tolerance", "0.005"});
+  EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
+  EXPECT_LE(json::parse(outcome.output).at("worst").get<double>(), 0.005);
+}
+
+TEST(CalibrateEngines, TheContactOfBulletCannotBeHadBelowItsThreshold) {
+  if (!built_engines().contains("bullet64")) {
+    GTEST_SKIP() << "bullet64 is not built";
+  }
+  const Outcome outcome = calibrate("bullet64", "contact", "0.7", {"--speeds", "0.02..0.15"});
+  EXPECT_EQ(outcome.code, 1) << outcome.errors;
+  const std::string told = sentences(json::parse(outcome.output));
+  EXPECT_NE(told.find("is not reached at this step"), std::string::npos) << told;
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -69,7 +69,7 @@ serve({
   models: [
     tunable(limitModel(engine, "distance", "The upper limit of p2's DistanceConstraint, which has no restitution: what rebound there is depends on the step.", [...settings, limit]),
       "constraint.setStiffness({stiffness}); constraint.setRelaxation({relaxation});",
-      [{ name: "relaxation", low: 0.1, high: 50, scale: "log" }, { name: "stiffness", low: 4e-4, high: 0.1, scale: "log", step_power: -2 }]),
+      [{ name: "relaxation", low: 0.1, high: 50, scale: "log" }, { name: "stiffness", low: 4e-4, high: 1, scale: "log", step_power: -2 }]),
     limitModel(engine, "distance-defaults", "The same limit on a body that is damped as p2 ships it.", [arrays, limit], { defaults: true }),
     bounceModel(engine, "distance-bounce", "The same limit, undamped, and after a step in which it pulled an impulse up to the cable's restitution.", [...settings, limit]),
     ...rowModels(engine, settings),

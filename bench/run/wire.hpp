@@ -23,13 +23,13 @@ enum class Task { describe, run, check, digest, strikes };
 
 struct WorkerRequest {
   Task task = Task::describe;
-  std::string plugin;           // its file
-  std::size_t memory = 0;       // [bytes] of address space that the worker may take
-  std::string model;            // to run, to check, or to take the digest of
-  std::string case_text;        // to run: a case file
-  RunSettings settings = 0.0;   // to run, or of strikes
-  std::vector<Strike> strikes;  // each on a cable of this
-  double restitution = 0.0;     // [-]
+  std::string plugin;                // its file
+  std::size_t memory = 0;            // [bytes] of address space that the worker may take
+  std::string model;                 // to run, to check, or to take the digest of
+  std::string case_text;             // to run: a case file
+  RunSettings settings = 0.0;        // to run, or of strikes
+  std::vector<Strike> strikes = {};  // each on a cable of this
+  double restitution = 0.0;          // [-]
 };
 
 /// Why there is no answer, in one sentence.

@@ -76,8 +76,8 @@ class Search {
         reach_(strikes_.size()),
         best_point_(request.model.parameters.size(), 0.5) {}
 
-  void run(Pass pass, int evaluations) {
-    minimise(pass, best_point_, evaluations, good_value(),
+  void run(Pass pass, int most) {
+    minimise(pass, best_point_, most, good_value(),
              [this](const std::vector<double>& point) { return evaluate(point); });
   }
 

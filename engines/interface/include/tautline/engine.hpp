@@ -53,12 +53,12 @@ struct Parameter {
 
 /// One way to build the cables of a case in an engine.
 struct Model {
-  std::string name;                   // [a-z0-9-]+, such as "row" or "event"
-  std::string sentence;               // what it does, in one sentence
-  std::vector<Setting> settings;      // every one that is not the engine's default
-  Maker maker = Maker::by_hand;       // whose its cable is
-  std::vector<Parameter> parameters;  // that a run may set; none in most models
-  std::string code;  // sets them in a user's program, "{name}" where a value stands
+  std::string name;                        // [a-z0-9-]+, such as "row" or "event"
+  std::string sentence;                    // what it does, in one sentence
+  std::vector<Setting> settings;           // every one that is not the engine's default
+  Maker maker = Maker::by_hand;            // whose its cable is
+  std::vector<Parameter> parameters = {};  // that a run may set; none in most models
+  std::string code = {};  // sets them in a user's program, "{name}" where a value stands
 };
 
 /// What an engine says of itself.

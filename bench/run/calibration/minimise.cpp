@@ -26,7 +26,7 @@ struct Question {
   const Objective& objective;
 };
 
-double ask(const std::vector<double>& point, std::vector<double>& /*gradient*/, void* data) {
+double value_at(const std::vector<double>& point, std::vector<double>& /*gradient*/, void* data) {
   const auto& question = *static_cast<Question*>(data);
   const std::optional<double> value = question.objective(point);
   if (!value) {
@@ -47,7 +47,7 @@ void minimise(Pass pass, std::vector<double> start, int evaluations, double good
   optimiser.set_initial_step(first_stride);
   optimiser.set_maxeval(evaluations);
   optimiser.set_stopval(good_enough);
-  optimiser.set_min_objective(ask, &question);
+  optimiser.set_min_objective(value_at, &question);
   double value = 0.0;
   try {
     optimiser.optimize(start, value);

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/bench/run/protocol_support.hpp"
 
@@ -120,30 +119,6 @@ TEST(CalibrateEngines, TheContactOfBulletCannotBeHadBelowItsThreshold) {
   EXPECT_EQ(outcome.code, 1) << outcome.errors;
   const std::string told = sentences(json::parse(outcome.output));
   EXPECT_NE(told.find("is not reached at this step"), std::string::npos) << told;
-}
-
-TEST(CalibrateEngines, DoWhatTheDocumentationShows) {
-  if (!built_engines().contains("mujoco")) {
-    GTEST_SKIP() << "mujoco is not built";
-  }
-  std::ifstream file(TAUTLINE_PROGRAM_DOCS);
-  const std::string mark = "<!-- output of: tautline ";
-  std::string line;
-  while (std::getline(file, line) && !line.starts_with(mark)) {
-  }
-  std::istringstream words(line.substr(0, line.find(" -->")).substr(mark.size()));
-  std::vector<std::string> arguments;
-  for (std::string word; words >> word;) {
-    arguments.push_back(word);
-  }
-  std::getline(file, line);  // the fence
-  std::istringstream printed(program(arguments).output);
-  std::size_t lines = 0;
-  for (std::string shown, now; std::getline(file, shown) && shown != "```"; ++lines) {
-    std::getline(printed, now);
-    EXPECT_EQ(shown, now) << "scripts/update-readme writes it anew";
-  }
-  EXPECT_GE(lines, 10U);
 }
 
 }  // namespace

@@ -9,12 +9,12 @@
 #include "bench/base/progress.hpp"
 
 #include "bench/gate/verdict.hpp"
+#include "bench/measure/certification.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/suites/request.hpp"
 #include "bench/program/suites/results.hpp"
 #include "bench/report/words.hpp"
-#include "bench/suite/certification.hpp"
 #include "bench/suite/manifest.hpp"
 #include "bench/suite/report_of.hpp"
 #include "bench/suite/shard.hpp"

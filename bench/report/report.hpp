@@ -163,12 +163,6 @@ struct EventColumns {
   std::size_t left_out = 0;  // impacts that are not here, all slower
 };
 
-/// Until when the exact solution in double is right, held against the same motion in many digits.
-struct CertifiedDigits {
-  int digits = 0;                      // decimal, of the other solution's numbers
-  std::vector<CorrectDigits> correct;  // falling in digits
-};
-
 /// What the exact solution says of a case, and what a page needs to draw it.
 struct CaseRow {
   std::string name;

@@ -88,7 +88,8 @@ RegisteredEngine from_engine_file(const fs::path& path) {
   engine.plugin = file.path;
   if (!file.problems.empty()) {
     engine.name = file.path.parent_path().filename().string();
-    engine.failure = joined(file.problems, "and");
+    const std::size_t more = file.problems.size() - 1;
+    engine.failure = file.problems.front() + (more > 0 ? fmt::format(" (and {} more)", more) : "");
     return engine;
   }
   engine.name = file.name;
@@ -165,7 +166,14 @@ void choose(const std::string& want, const std::vector<RegisteredEngine>& all,
             EngineChoice& choice) {
   if (is_path(want)) {
     const fs::path path = fs::absolute(want);
-    choice.engines.push_back(is_engine_file(path) ? from_engine_file(path) : from_plugin(path));
+    if (!is_engine_file(path)) {
+      choice.engines.push_back(from_plugin(path));
+      return;
+    }
+    choice.engines.push_back(from_engine_file(path));
+    for (std::string& sentence : read_engine_file(path).problems) {
+      choice.problems.push_back(std::move(sentence));
+    }
     if (!choice.engines.back().missing.empty()) {
       choice.problems.push_back(missing_sentence(choice.engines.back()));
     }
@@ -224,7 +232,8 @@ std::vector<fs::path> engine_folders() {
     return folders;
   }
   // in the build tree, and where it is installed: both relative to the program
-  return {program_folder() / "../engines/modules", program_folder() / TAUTLINE_INSTALLED_ENGINES};
+  return {(program_folder() / "../engines/modules").lexically_normal(),
+          (program_folder() / TAUTLINE_INSTALLED_ENGINES).lexically_normal()};
 }
 
 std::vector<RegisteredEngine> registered_engines(Asked asked) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "tautline/case.hpp"
 #include "tautline/ledger.hpp"
@@ -20,6 +21,12 @@ inline constexpr int default_digits = 50;
 struct CorrectDigits {
   int digits;
   std::optional<double> until;  // [s]; none: to the end
+};
+
+/// Until when the solution of a case is right.
+struct CertifiedDigits {
+  int digits = 0;                      // decimal, of the other solution's numbers
+  std::vector<CorrectDigits> correct;  // falling in digits
 };
 
 /// What tells one event from another.

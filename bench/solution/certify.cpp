@@ -1,6 +1,7 @@
 #include "bench/solution/certify.hpp"
 
 #include <fmt/format.h>
+#include <mpfr.h>
 
 #include <algorithm>
 #include <cassert>
@@ -25,6 +26,16 @@ constexpr int completion_margin = 2;
 
 /// Each arc is looked at this many times before the first instant that is wrong is bisected.
 constexpr int samples_per_arc = 16;
+
+/// Frees at its end the constants that MPFR keeps for its thread, which may end before the program.
+struct ThreadConstants {
+  ThreadConstants() = default;
+  ThreadConstants(const ThreadConstants&) = delete;
+  ThreadConstants& operator=(const ThreadConstants&) = delete;
+  ThreadConstants(ThreadConstants&&) = delete;
+  ThreadConstants& operator=(ThreadConstants&&) = delete;
+  ~ThreadConstants() { ::mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
 
 BasicVec2<Multi> in_digits(const Vec2& value) { return value.cast<Multi>(); }
 
@@ -161,6 +172,7 @@ std::optional<std::string> digits_problem(int digits) {
 Certificate certify(const Case& the_case, const SolveOptions& options, const Solution& solution,
                     int digits) {
   assert(!digits_problem(digits));
+  const ThreadConstants constants;
   const tautline::Digits precision(static_cast<unsigned>(digits));
   Certificate result;
   result.digits = digits;

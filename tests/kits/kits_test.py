@@ -13,7 +13,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 KITS = ROOT / "engines/protocol"
-MOST_OF_A_KIT = 100     # lines of a source of a kit; 150 of the one in C, whose JSON is read by hand
+MOST_OF_A_KIT = 100     # lines of a source of a kit; 150 in C, which has to read JSON value by value
 MOST_OF_AN_ENGINE = 60  # lines of one's own, as the tutorial says
 
 PROGRAM, EXAMPLE = None, None

@@ -28,8 +28,9 @@ constexpr std::size_t longest_line = std::size_t{1} << 20U;
 /// A child whose standard input has ended may take this long to end [ms]; then it is killed.
 constexpr int grace = 500;
 
-/// A keeper says within this time how its command ended [ms].
-constexpr int report_delay = 1000;
+/// A keeper says within this time how its command ended, also on a busy machine [ms].
+constexpr int report_delay = 10'000;
+constexpr int forever = -1;  // until the keeper says something, or is gone
 
 constexpr std::size_t written_excerpt = 40;  // [bytes] of what a child wrote, in a sentence
 
@@ -73,8 +74,8 @@ Child::Child(const KeptCommand& command)
   output_ = std::move(our_input);
   life_ = std::move(our_life);
   its_life.close();  // so that a keeper's end is seen
-  const KeeperReport first = next_report(report_delay);
-  process_ = first.kind == KeeperReport::Kind::started ? first.number : 0;
+  first_ = next_report(forever);
+  process_ = first_.kind == KeeperReport::Kind::started ? first_.number : 0;
 }
 
 Child::~Child() {
@@ -141,8 +142,7 @@ KeeperReport Child::next_report(int milliseconds) {
 std::string Child::how_it_ended() {
   using Kind = KeeperReport::Kind;
   constexpr double mebi = 1024.0 * 1024.0;
-  while (true) {
-    const KeeperReport report = next_report(report_delay);
+  for (KeeperReport report = first_;; report = next_report(report_delay)) {
     switch (report.kind) {
       case Kind::started:
         continue;

@@ -38,6 +38,7 @@ class Child {
   Descriptor output_;
   Descriptor life_;  // of its keeper
   pid_t keeper_ = -1;
+  KeeperReport first_;
   pid_t process_ = 0;
   std::string text_;      // what the child wrote, from the latest line on
   std::size_t used_ = 0;  // of it, by the latest line

@@ -80,13 +80,17 @@ export function wantedRate({ gap, rate }, cable, step) {
   return Math.max(restitution(cable, rate) * Math.max(0, -rate), (usualCorrection / step) * Math.max(0, -gap));
 }
 
+const undamped = () => [1, 1];
+
 /**
  * The impulses behind a step that no reaction tells of. One that is no more than rounding is zero, and so is that of a
- * cable too slack to have pulled, unless the limit is one that `pullsSlack` cables too.
+ * cable too slack to have pulled, unless the limit is one that `pullsSlack` cables too. `left(dt)` are the parts of velocity
+ * and spin [-] that the engine's damping leaves in a step.
  */
-function impulsesSeen(engine, { body, cables, gravity }, before, after, dt, pullsSlack) {
+function impulsesSeen(engine, { body, cables, gravity }, before, after, dt, { pullsSlack = false, left = undamped } = {}) {
   const rows = cables.map((cable) => cableRow(cable, before));
-  const jump = [3, 4, 5].map((k) => after[k] - before[k] - dt * (gravity[k - 3] ?? 0));
+  const [linear, angular] = left(dt), [gx, gy] = gravity;
+  const jump = [after[3] - linear * (before[3] + dt * gx), after[4] - linear * (before[4] + dt * gy), after[5] - angular * before[5]];
   const speed = Math.hypot(before[3], before[4]) + dt * Math.hypot(...gravity);
   const noise = unseen[engine.precision] * (body.mass * speed + Math.sqrt(body.mass * body.inertia) * Math.abs(before[5]));
   return impulsesBehind(rows, body, jump).map((impulse, i) => {
@@ -96,11 +100,11 @@ function impulsesSeen(engine, { body, cables, gravity }, before, after, dt, pull
 }
 
 /** The engine's own limit. `prepare(world, state, cables)` switches it before each step where a user would. */
-export function startLimit(engine, theCase, { prepare, pullsSlack = false, ...options }) {
+export function startLimit(engine, theCase, { prepare, pullsSlack, left, ...options }) {
   return run(engine, theCase, { ...options, limit: options.limit ?? true }, (world, before, dt) => {
     prepare?.(world, before, theCase.cables);
     world.step(dt);
-    return world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, world.state(), dt, pullsSlack);
+    return world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, world.state(), dt, { pullsSlack, left });
   });
 }
 
@@ -115,7 +119,7 @@ export function startBounce(engine, theCase, options) {
     world.step(dt);
     kick(world, world.state(), gravity, half * dt);
     const now = world.state();
-    const own = world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, now, dt, false);
+    const own = world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, now, dt);
     const wanted = cables.map((cable) => {
       const { rate } = cableRow(cable, before);
       return restitution(cable, rate) * Math.max(0, -rate);

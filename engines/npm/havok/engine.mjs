@@ -26,6 +26,9 @@ function unitsOf({ mass, inertia }) {
   return { length: Math.sqrt(2 ** Math.ceil(Math.log2(leastScale ** 2 * perMass)) / perMass), mass };
 }
 
+/** As shipped, of the spin [1/s]. */
+const shippedDamping = 0.1;
+
 /** Instead of 200 m/s and 100 rad/s, to which Havok cuts a velocity as it is set. */
 const largestSpeed = 1e6;
 
@@ -94,7 +97,6 @@ function world({ gravity, body: { mass, inertia }, cables }, { limit, defaults }
       told(H.HP_World_Step(w, dt));
       angle += told(H.HP_Body_GetAngularVelocity(body))[2] * dt;
     },
-    pulls: limits.length > 0 ? () => limits.map((one) => (Math.hypot(...told(H.HP_Constraint_GetAppliedImpulses(one))) * units.mass) / scale) : undefined,
     free() {
       for (const one of limits) H.HP_Constraint_Release(one);
       for (const one of [body, ground]) {
@@ -124,7 +126,7 @@ serve({
   version: installedVersion(import.meta.url, "@babylonjs/havok"),
   precision: engine.precision,
   models: [
-    limitModel(engine, "distance-defaults", "Havok's limit on the distance on a body that is damped, and braked where it is slow, as Havok ships it: what one tries first.", [active, ideal, mode], { defaults: true }),
+    limitModel(engine, "distance-defaults", "Havok's limit on the distance on a body that is damped, and braked where it is slow, as Havok ships it: what one tries first.", [active, ideal, mode], { defaults: true, left: (dt) => [1, 1 - shippedDamping * dt] }),
     limitModel(engine, "distance", "The same limit, undamped and with scaled lengths; it has no restitution.", [...settings, mode]),
     bounceModel(engine, "distance-bounce", "The same limit, undamped and with scaled lengths, and after a step in which it pulled an impulse that gives the cable's restitution.", [...settings, mode]),
     ...rowModels(engine, settings),

@@ -12,18 +12,19 @@ const engine = { title: "matter-js", precision: "float64", flight: { substeps: 1
 /** matter-js counts milliseconds, and accelerations per square millisecond. */
 const second = 1000;
 
+/** What matter-js takes for the latest step, where it is given a velocity [s]: of a short one the positions differ by rounding. */
+const since = 1;
+
 /** As shipped, frictionAir takes this part of a velocity [-] in a sixtieth of a second. */
 const shippedAir = 0.01;
 
-function world({ gravity: [gx, gy], body: { mass, inertia }, cables }, { limit, stiffness = 1, air = 0, exact, step }) {
+function world({ gravity: [gx, gy], body: { mass, inertia }, cables }, { limit, stiffness = 1, air = 0, exact }) {
   const simulation = K.Engine.create({ gravity: { x: gx, y: gy, scale: 1 / (second * second) } });
   const body = K.Bodies.circle(0, 0, 0.05, { collisionFilter: { mask: 0 } });
   K.Body.setMass(body, mass);
   K.Body.setInertia(body, turnableInertia({ mass, inertia })); // setMass changes it
   body.frictionAir = air;
   K.Composite.add(simulation.world, body);
-  // a velocity is told to matter-js as the position that long ago; in flights of any length, a second ago
-  const since = exact ? 1 : step;
   const constraints = !limit ? [] : cables.map(({ anchor: [x, y], attachment, length }) => K.Constraint.create({
     pointA: { x, y }, bodyB: body, pointB: { x: attachment[0], y: attachment[1] }, length, stiffness }));
   for (const constraint of constraints) K.Composite.add(simulation.world, constraint);
@@ -40,7 +41,7 @@ function world({ gravity: [gx, gy], body: { mass, inertia }, cables }, { limit, 
       K.Body.setAngle(body, angle);
       this.setVelocity(...velocity);
     },
-    setVelocity(vx, vy, spin) {
+    setVelocity(vx, vy, spin) { // as the position that long ago
       body.deltaTime = since * second;
       body.positionPrev.x = body.position.x - vx * since;
       body.positionPrev.y = body.position.y - vy * since;
@@ -65,6 +66,7 @@ const toggle = (stiffness) => (world, state, cables) => cables.forEach((cable, i
 const settings = [
   setting("frictionAir", 0, "As shipped a body loses 45 % of its speed in a second."),
   setting("gravity.scale", 1e-6, "matter-js counts in milliseconds; the cases are in SI units."),
+  setting("positionPrev, deltaTime", "of a second ago", "The velocity is a difference of positions, which over a short step is mostly rounding."),
   setting("collisionFilter.mask", 0, "Nothing is there to collide with."),
 ];
 const constraint = [...settings, setting("Constraint.stiffness", 1, "A cable does not give way.")];
@@ -77,6 +79,6 @@ serve({
     limitModel(engine, "constraint-toggled", "The same constraint, stiff only in the steps that start overstretched.", constraint, { prepare: toggle(1) }, "by_hand"),
     ...rowModels(engine, settings),
     { ...rowModels(engine, settings.slice(1), { air: shippedAir })[0], name: "row-defaults", sentence: "The impulses of row on a body in the air that matter-js ships it with." },
-    eventModel(engine, [...settings, setting("positionPrev, deltaTime", "of a second ago", "The velocity is a difference of positions, which over a short step is mostly rounding.")]),
+    eventModel(engine, settings),
   ],
 });

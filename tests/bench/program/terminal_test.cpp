@@ -21,12 +21,18 @@ std::size_t lines_in(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// The longest line of `text` [columns].
+/// A line of one word, such as the path of a folder, cannot be broken.
+bool is_one_word(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(' ');
+  return first != std::string::npos && line.find(' ', first) == std::string::npos;
+}
+
+/// The longest line of `text` [columns] that could be broken.
 std::string longest_line(const std::string& text) {
   std::istringstream lines(text);
   std::string longest;
   for (std::string line; std::getline(lines, line);) {
-    if (bench::terminal_width(line) > bench::terminal_width(longest)) {
+    if (!is_one_word(line) && bench::terminal_width(line) > bench::terminal_width(longest)) {
       longest = line;
     }
   }

@@ -55,7 +55,7 @@ class EngineFolder {
                                     "installed = \"node_modules/absent\"\nbring = \"npm ci\"\n"));
     add("no-command", engine_toml("no-command", {"tautline-has-no-such-command"}));
     add("unasked", engine_toml("unasked", {"sh", "-c", "touch " + marker}));
-    add("broken", "name = 3\n");
+    add("broken", "name = 3\ncommand = 4\n");
   }
   [[nodiscard]] Outcome program(const std::vector<std::string>& arguments) const {
     return test::program(arguments, "TAUTLINE_ENGINE_PATH='" + folder_.path().string() + "'");
@@ -86,7 +86,7 @@ TEST(EngineFolders, AreListedWithWhatIsMissing) {
             "node_modules/absent is not installed; run npm ci in " +
                 (folder.path() / "group/absent").string());
   EXPECT_EQ(engines.at("no-command").at("missing"), "tautline-has-no-such-command is not on PATH");
-  EXPECT_NE(engines.at("broken").at("failure").get<std::string>().find("engine.toml:1: name"),
+  EXPECT_NE(engines.at("broken").at("failure").get<std::string>().find("engine.toml:1: name = 3"),
             std::string::npos);
 }
 
@@ -120,6 +120,18 @@ TEST(EngineFolders, AreNoPartOfABareBenchAndAreNotStartedForIt) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "was-started"));
 }
 
+TEST(EngineFile, WhoseCommandCannotBeStartedIsOneSentence) {
+  const TemporaryFolder folder;
+  const auto script = folder.file("script", "#!/no/such/interpreter\n");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  const auto file = folder.file("engine.toml", engine_toml("mine", {"./script"}));
+  const Outcome outcome = program({"check", file.string()});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.errors,
+            "tautline: engine mine: the engine could not be started (./script: No such file or "
+            "directory) before it answered info\n");
+}
+
 TEST(EngineFolders, SayWhyAnEngineThatIsNamedIsNotHere) {
   const EngineFolder folder;
   for (const std::string& name : {std::string("absent"), std::string("no-command"),
@@ -131,7 +143,9 @@ TEST(EngineFolders, SayWhyAnEngineThatIsNamedIsNotHere) {
   }
   const Outcome broken = folder.program({"check", (folder.path() / "broken/engine.toml").string()});
   EXPECT_EQ(broken.code, 2) << broken.errors;
-  EXPECT_NE(broken.errors.find("engine.toml:1: name"), std::string::npos) << broken.errors;
+  for (const char* const line : {"engine.toml:1: name = 3", "engine.toml:2: command = 4"}) {
+    EXPECT_NE(broken.errors.find(line), std::string::npos) << broken.errors;
+  }
 }
 
 }  // namespace

@@ -43,21 +43,25 @@ Case speedy_case() {
 }
 
 /// Every kind of request, in an order in which a child can answer them.
-std::vector<std::string> requests() {
+std::vector<std::string> requests(const Case& the_case) {
   const State state{Vec2(1.0, -0.0), 1e300, Vec2(5e-324, std::numeric_limits<double>::infinity()),
                     std::numeric_limits<double>::quiet_NaN()};
-  CableVector rates(2);
-  rates << 0.1, -0.0;
+  CableSet cables;
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    cables.insert(index);
+  }
+  const CableVector rates =
+      CableVector::Constant(static_cast<Eigen::Index>(the_case.cables.size()), 0.1);
   return {bench::info_request(1),
-          bench::start_request(2, speedy_case(), {{"row", "", {}}, false, true}, 1e-3),
+          bench::start_request(2, the_case, {{"row", "", {}}, false, true}, 1e-3),
           bench::step_request(3, 1e-3, 100),
           bench::fly_request(4, 0.25),
-          bench::solve_request(5, CableSet::of(0) | CableSet::of(1), rates),
+          bench::solve_request(5, cables, rates),
           bench::place_request(6, state)};
 }
 
 TEST(Messages, OfTheProgramAreAsTheSchemaSays) {
-  for (const std::string& request : requests()) {
+  for (const std::string& request : requests(speedy_case())) {
     EXPECT_TRUE(is_message(request)) << request;
     EXPECT_EQ(request.find('\n'), std::string::npos) << request;
   }
@@ -72,7 +76,9 @@ TEST(Messages, OfAChildAreAsTheSchemaSays) {
   }
   bench::Child child(
       {{"python3", (children_folder / "twin.py").string()}, "/", std::size_t{1} << 30U});
-  for (const std::string& request : requests()) {
+  Case one_cable = speedy_case();
+  one_cable.cables.resize(1);
+  for (const std::string& request : requests(one_cable)) {
     const std::string answer(child.ask(request, "something"));
     EXPECT_TRUE(is_message(answer)) << request << "\n" << answer;
     EXPECT_TRUE(json::parse(answer).contains("result")) << answer;
@@ -82,7 +88,7 @@ TEST(Messages, OfAChildAreAsTheSchemaSays) {
 }
 
 TEST(Messages, SayNumbersThatJsonHasNotByWords) {
-  EXPECT_EQ(json::parse(requests().back()).at("params").at("state").dump(),
+  EXPECT_EQ(json::parse(requests(speedy_case()).back()).at("params").at("state").dump(),
             R"([1.0,-0.0,1e+300,5e-324,"Infinity","NaN"])");
 }
 

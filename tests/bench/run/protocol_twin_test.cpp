@@ -94,6 +94,23 @@ TEST(SoundChild, TakesAStepOfAnotherLengthWhereStepsWereAskedForAhead) {
             stepped(bench::Plugin::open(bad_engine("twin")), lengths));
 }
 
+TEST(SoundChild, CostsTheProcessorTimeOfItsOwnProcess) {
+  if (!has_python()) {
+    GTEST_SKIP() << no_python;
+  }
+  const TemporaryFolder folder;
+  const bench::Plugin plugin = bench::Plugin::open(bad_child(folder, "busy"));
+  const std::vector<std::string> names = {"crane-load"};
+  const Case the_case = bench::select_cases(names).cases.front();
+  const bench::Cost cost =
+      bench::measure_cost(the_case, plugin.engine(), "row", 0.1, plugin.meter());
+  constexpr double least = 1e-3;  // [s], what the child takes for each step
+  EXPECT_GE(cost.step, least);
+  EXPECT_LT(cost.step, 2.0 * least) << "steps that were not asked for count";
+  constexpr double interpreter = 5e6;  // [bytes]: none is smaller
+  EXPECT_GT(cost.memory, interpreter);
+}
+
 bench::KeptCommand twin_command() {
   return {{"python3", (children_folder / "twin.py").string()}, "/", std::size_t{1} << 30U};
 }

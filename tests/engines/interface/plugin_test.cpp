@@ -39,7 +39,9 @@ TEST(Plugin, OpensAModuleOfThisVersion) {
 
 TEST(Plugin, NamesAFileThatDoesNotExist) {
   const std::string sentence = refusal("/no/such/engine.so");
-  EXPECT_EQ(sentence, "/no/such/engine.so: no such file; give the path of a plug-in (.so)");
+  EXPECT_EQ(sentence,
+            "/no/such/engine.so: no such file; give the path of a plug-in (.so) or of an "
+            "engine.toml");
 }
 
 TEST(Plugin, NamesAFileThatIsNotASharedLibrary) {

@@ -1,4 +1,4 @@
-#include "bench/suite/certification.hpp"
+#include "bench/measure/certification.hpp"
 
 #include <utility>
 

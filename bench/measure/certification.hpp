@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/measure/reference.hpp"
-#include "bench/report/report.hpp"
+#include "bench/solution/certificate.hpp"
 
 namespace tautline::bench {
 

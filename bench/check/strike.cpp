@@ -41,9 +41,14 @@ Case struck_case(const Strike& strike, double restitution, double step, double p
   result.name = "strike";
   result.gravity = Vec2::Zero();
   result.body = {1.0, strike.inertia};
-  const double slack = (steps_before + phase) * step * strike.speed;
-  result.initial.position = Vec2(-strike.arm, slack - cable.length);
-  result.initial.velocity = Vec2(0.0, -strike.speed);
+  // back from the strike, at which the cable is at a right angle to the arm
+  const double flight = (steps_before + phase) * step;
+  const double spin = strike.arm > 0.0 ? -strike.spin_part * strike.speed / strike.arm : 0.0;
+  const double velocity = -strike.speed - spin * strike.arm;
+  result.initial.position = Vec2(-strike.arm, -cable.length - velocity * flight);
+  result.initial.angle = -spin * flight;
+  result.initial.velocity = Vec2(0.0, velocity);
+  result.initial.spin = spin;
   result.duration = (steps_before + 1.0 + steps_after) * step;
   result.cables = {cable};
   return result;

@@ -12,6 +12,8 @@ struct Strike {
   double speed = 1.0;    // [m/s], with which the cable closes
   double arm = 0.0;      // [m], from the centre of mass to the line of the cable
   double inertia = 0.0;  // [kg m^2]
+  /// The part of the speed that the body's spin brings [-], its centre the rest; 0 without an arm.
+  double spin_part = 0.0;
 };
 
 /// The case of a strike that wants this `restitution`. The cable goes taut after some whole steps

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include "bench/base/process.hpp"
 #include "bench/base/progress.hpp"
@@ -16,6 +19,7 @@
 #include "bench/program/common.hpp"
 #include "bench/program/options.hpp"
 #include "bench/run/calibration/calibrate.hpp"
+#include "bench/run/calibration/reach.hpp"
 #include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 
@@ -27,6 +31,7 @@ struct CalibrateCommand {
   std::string engine;
   std::string model;
   double restitution = 0.0;
+  std::vector<std::string> fixed;  // "NAME=VALUE"
   std::string speeds = "0.05..2";  // [m/s]
   double step = 1e-3;              // [s]
   double tolerance = 0.01;         // [-]
@@ -71,6 +76,39 @@ std::string tunable_models(const EngineInfo& info) {
                        : "there are some in " + joined(names, "and");
 }
 
+/// "NAME=VALUE" in two; none if it is not that.
+std::optional<std::pair<std::string, double>> fixed_value(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  double value = 0.0;
+  const bool read = sign != text.npos && CLI::detail::lexical_cast(text.substr(sign + 1), value);
+  return read && std::isfinite(value) ? std::optional(std::pair(text.substr(0, sign), value))
+                                      : std::nullopt;
+}
+
+/// What is wrong with the values that are fixed, and with searching the rest of the parameters.
+std::vector<std::string> parameter_problems(const Model& model, const EngineInfo& info,
+                                            const std::vector<std::string>& fixed) {
+  if (model.parameters.empty()) {
+    return {fmt::format("model {} has no parameter to calibrate; {}", model.name,
+                        tunable_models(info))};
+  }
+  std::vector<std::string> names;
+  for (const Parameter& parameter : model.parameters) {
+    names.push_back(parameter.name);
+  }
+  std::vector<std::string> broken;
+  for (const std::string& text : fixed) {
+    const auto one = fixed_value(text);
+    if (!one) {
+      broken.push_back("--fix " + printable(text) + " is not NAME=VALUE");
+    } else if (std::find(names.begin(), names.end(), one->first) == names.end()) {
+      broken.push_back(fmt::format("--fix {}: model {} has no such parameter, but {}",
+                                   printable(one->first), model.name, joined(names, "and")));
+    }
+  }
+  return broken;
+}
+
 std::vector<std::string> calibration_problems(const CalibrateCommand& command) {
   std::vector<std::string> broken = missing_folder("--json", command.json);
   if (!(command.restitution >= 0.0 && command.restitution <= 1.0)) {
@@ -81,7 +119,8 @@ std::vector<std::string> calibration_problems(const CalibrateCommand& command) {
                      " is no range of speeds above 0 m/s, such as 0.05..2");
   }
   for (const auto& [name, value] :
-       {std::pair("--step", command.step), std::pair("--tolerance", command.tolerance)}) {
+       {std::pair("--step", command.step), std::pair("--tolerance", command.tolerance),
+        std::pair("--time-limit", command.time_limit)}) {
     if (!(value > 0.0 && std::isfinite(value))) {
       broken.push_back(fmt::format("{} {:g} is not above 0", name, value));
     }
@@ -89,44 +128,94 @@ std::vector<std::string> calibration_problems(const CalibrateCommand& command) {
   return broken;
 }
 
-/// Rows of speeds, columns of bodies: what each rebounds with.
+/// What was asked, once it is known to be sound.
+CalibrationRequest request_of(const CalibrateCommand& command, const RegisteredEngine& engine,
+                              const Model& model) {
+  const auto [slowest, fastest] = speed_range(command.speeds).value();
+  CalibrationRequest request{engine.plugin,
+                             model,
+                             {},
+                             {},
+                             command.restitution,
+                             slowest,
+                             fastest,
+                             command.step,
+                             command.tolerance,
+                             {.time = command.time_limit}};
+  for (const std::string& text : command.fixed) {
+    request.fixed.insert(fixed_value(text).value());
+  }
+  for (const Parameter& parameter : model.parameters) {
+    if (!request.fixed.contains(parameter.name)) {
+      request.searched.push_back(parameter);
+    }
+  }
+  return request;
+}
+
+/// Rows of bodies, columns of speeds: what each rebounds with.
 std::string held_out_table(const Calibration& found) {
-  std::vector<std::string> headings = {"speed [m/s]"};
-  std::vector<std::vector<Cell>> rows;
-  for (const HeldOut& one : found.held_out) {
-    if (rows.empty() || rows.back().front().text != fmt::format("{:.3g}", one.strike.speed)) {
-      rows.push_back({fmt::format("{:.3g}", one.strike.speed)});
-    }
-    if (rows.size() == 1) {
+  std::vector<std::string> headings = {"arm [m]", "I [kg m²]", "by spin"};
+  std::map<std::vector<double>, std::vector<Cell>> rows;  // by body
+  const Strike& first = found.held_out.front().strike;
+  for (const auto& [strike, restitution] : found.held_out) {
+    if (strike.arm == first.arm) {  // the same number, not a computed one
       headings.push_back(
-          fmt::format("e, arm {:g} m, I {:g} kg m²", one.strike.arm, one.strike.inertia));
+          fmt::format("{}{:.2g} m/s", headings.size() == 3 ? "e at " : "", strike.speed));
     }
-    rows.back().push_back(number_cell(one.restitution, fixed(4)));
+    std::vector<Cell>& row = rows[{strike.arm, strike.inertia, strike.spin_part}];
+    if (row.empty()) {
+      row = {fmt::format("{:g}", strike.arm), fmt::format("{:g}", strike.inertia),
+             fmt::format("{:g}", strike.spin_part)};
+    }
+    row.push_back(number_cell(restitution, fixed(4)));
   }
   Table table(headings, 0);
-  for (std::vector<Cell>& row : rows) {
+  for (auto& [body, row] : rows) {
     table.add(std::move(row));
   }
   return table.plain(output_style());
 }
 
+/// Which e the held-out strikes have, and how well they were hit.
+std::string closing_words(const CalibrationRequest& request, const Calibration& found) {
+  Reach held_out;
+  for (const HeldOut& one : found.held_out) {
+    held_out.include(one.restitution);
+  }
+  std::string words = fmt::format(
+      "These numbers give e = {:.3g} to {:.3g}: the largest error is {:.2g}, the mean one {:.2g}; ",
+      held_out.lowest, held_out.highest, found.worst, found.mean);
+  words += found.evaluations == 1 ? "one setting tried."
+                                  : fmt::format("{} settings tried.", found.evaluations);
+  if (found.interrupted) {
+    words += " The search was interrupted: it is the best so far.";
+  }
+  for (const std::string& sentence : found.why) {
+    words += fmt::format(" Not within {:g}: {}.", request.tolerance, sentence);
+  }
+  return words;
+}
+
 void print_calibration(const RegisteredEngine& engine, const CalibrationRequest& request,
                        const Calibration& found) {
-  fmt::print("{} {}, {}: e = {:g} at closing speeds of {:g} to {:g} m/s, step {:g} s\n\n",
-             engine.info->name, engine.info->version, request.model.name, request.restitution,
-             request.slowest, request.fastest, request.step);
+  const std::size_t width = output_style().text;
+  fmt::print(
+      "{}\n",
+      wrapped(fmt::format("{} {}, {}: e = {:g} at closing speeds of {:g} to {:g} m/s, "
+                          "step {:g} s",
+                          engine.info->name, engine.info->version, request.model.name,
+                          request.restitution, request.slowest, request.fastest, request.step),
+              width));
   for (const auto& [name, value] : found.parameters) {
-    fmt::print("  {} = {:.6g}\n", name, value);
+    fmt::print("  {} = {:.6g}{}\n", name, value, request.fixed.contains(name) ? ", fixed" : "");
   }
-  fmt::print("\n{}\n\nOn speeds that the search did not see:\n\n{}\n", found.code,
+  fmt::print("\n{}\n\n{}\n{}\n", found.code,
+             wrapped("On strikes that the search did not see; by spin: the part of the closing "
+                     "speed that the body's spin brings",
+                     width),
              held_out_table(found));
-  std::string closing = fmt::format(
-      "The largest error is {:.2g}, the mean one {:.2g}; {} settings tried{}.", found.worst,
-      found.mean, found.evaluations, found.interrupted ? ", then interrupted" : "");
-  for (const std::string& sentence : found.why) {
-    closing += " Not within " + fmt::format("{:g}", request.tolerance) + ": " + sentence + ".";
-  }
-  fmt::print("{}", wrapped(closing, output_style().text));
+  fmt::print("{}", wrapped(closing_words(request, found), width));
 }
 
 int calibrate_command(const CalibrateCommand& command) {
@@ -148,17 +237,14 @@ int calibrate_command(const CalibrateCommand& command) {
     return exit_failed;
   }
   const Model model = model_of(engine, command.model).value();
-  if (model.parameters.empty()) {
-    complain({fmt::format("model {} has no parameter to calibrate; {}", model.name,
-                          tunable_models(*engine.info))});
+  broken = parameter_problems(model, *engine.info, command.fixed);
+  complain(broken);
+  if (!broken.empty()) {
     return exit_usage;
   }
-  const auto [slowest, fastest] = speed_range(command.speeds).value();
-  const CalibrationRequest request{
-      engine.plugin, model,        command.restitution, slowest,
-      fastest,       command.step, command.tolerance,   {.time = command.time_limit}};
+  const CalibrationRequest request = request_of(command, engine, model);
   catch_interruption();
-  const auto most = static_cast<std::size_t>(most_evaluations(model));
+  const auto most = static_cast<std::size_t>(most_evaluations(request));
   Progress progress(static_cast<double>(most), most, "settings");
   const Calibration found = calibrate(request, [&progress] { progress.ended(1.0); });
   progress.finish();
@@ -186,12 +272,16 @@ void add_calibrate(CLI::App& app, int& code) {
       ->required();
   command->add_option("--model", asked->model, "one of its models that has parameters")->required();
   command->add_option("--restitution", asked->restitution, "what is wanted [-]")->required();
+  command->add_option("--fix", asked->fixed, "leave these parameters at these values")
+      ->type_name("NAME=VALUE,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--speeds", asked->speeds, "the range of closing speeds [m/s]")
       ->capture_default_str();
   command->add_option("--step", asked->step, "the engine's step [s]")->capture_default_str();
   command
       ->add_option("--tolerance", asked->tolerance,
-                   "the largest error of the restitution on speeds that the search did not see [-]")
+                   "the largest error on strikes that the search did not see [-]")
       ->capture_default_str();
   command->add_option("--time-limit", asked->time_limit, "give up a setting after this long [s]")
       ->capture_default_str();

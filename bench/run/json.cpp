@@ -124,7 +124,12 @@ std::string calibration_json(const RegisteredEngine& engine, const CalibrationRe
     held_out.push_back({{"speed", one.strike.speed},
                         {"arm", one.strike.arm},
                         {"inertia", one.strike.inertia},
+                        {"spin_part", one.strike.spin_part},
                         {"restitution", one.restitution}});
+  }
+  ordered_json fixed = ordered_json::array();
+  for (const auto& [name, value] : request.fixed) {
+    fixed.push_back(name);
   }
   const ordered_json result = {{"schema", calibration_schema},
                                {"engine",
@@ -138,6 +143,7 @@ std::string calibration_json(const RegisteredEngine& engine, const CalibrationRe
                                {"tolerance", request.tolerance},
                                {"reached", found.reached(request.tolerance)},
                                {"parameters", found.parameters},
+                               {"fixed", std::move(fixed)},
                                {"code", printable(found.code, longest_sentence)},
                                {"worst", found.worst},
                                {"mean", found.mean},

@@ -29,7 +29,8 @@ struct CheckedModel {
 [[nodiscard]] std::string check_json(const RegisteredEngine& engine,
                                      const std::vector<CheckedModel>& models);
 
-/// What `tautline calibrate --json` writes. Requires an engine that has answered what it is.
+/// What `tautline calibrate --json` writes, as bench/run/calibration/calibration.schema.json
+/// describes it. Requires an engine that has answered what it is.
 [[nodiscard]] std::string calibration_json(const RegisteredEngine& engine,
                                            const CalibrationRequest& request,
                                            const Calibration& found);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "bench/base/process.hpp"
@@ -28,18 +29,32 @@ constexpr double good_enough = 0.1;
 /// An error this large, or no rebound at all, is as bad as any other [-].
 constexpr double largest_error = 1.0;
 
-/// The bodies that are struck: a central cable, and one off the centre on a light and a heavy rim,
-/// which feels half and nine tenths of the mass.
-constexpr std::pair<double, double> arms_and_inertias[] = {{0.0, 0.01}, {0.1, 0.01}, {0.1, 0.1}};
+/// Who gives up a model of which no setting was measured at all.
+constexpr int failures_in_a_row = 5;
+
+/// A body that is struck, and how much of the speed its spin brings [-].
+struct Struck {
+  double arm;      // [m]
+  double inertia;  // [kg m^2]
+  double spin_part;
+};
+
+/// A central cable, and one off the centre of a light and a heavy rim, which feels half and nine
+/// tenths of the mass; with spin that closes the cable and spin that opens it.
+constexpr Struck searched[] = {
+    {0.0, 0.01, 0.0}, {0.1, 0.01, 0.0}, {0.1, 0.01, 0.5}, {0.1, 0.1, -0.5}};
+
+/// None of them but the central one: two thirds and nine tenths of the mass, less spin.
+constexpr Struck unseen[] = {{0.0, 0.01, 0.0}, {0.07, 0.01, -0.3}, {0.05, 0.02, 0.3}};
 
 /// Every body at the speeds at these parts of the range, by its logarithm.
-std::vector<Strike> strikes_at(const CalibrationRequest& request,
+std::vector<Strike> strikes_at(const CalibrationRequest& request, std::span<const Struck> bodies,
                                std::initializer_list<double> parts) {
   std::vector<Strike> result;
   for (const double part : parts) {
     const double speed = request.slowest * std::pow(request.fastest / request.slowest, part);
-    for (const auto& [arm, inertia] : arms_and_inertias) {
-      result.push_back({speed, arm, inertia});
+    for (const auto& [arm, inertia, spin_part] : bodies) {
+      result.push_back({speed, arm, inertia, spin_part});
     }
   }
   return result;
@@ -48,12 +63,12 @@ std::vector<Strike> strikes_at(const CalibrationRequest& request,
 /// Six significant digits, as they are printed.
 double rounded(double value) { return std::stod(fmt::format("{:.6g}", value)); }
 
-/// What a point of the unit box stands for.
+/// What a point of the unit box stands for, and what is fixed.
 std::map<std::string, double> parameters_at(const CalibrationRequest& request,
                                             const std::vector<double>& point) {
-  std::map<std::string, double> result;
+  std::map<std::string, double> result = request.fixed;
   for (std::size_t index = 0; index < point.size(); ++index) {
-    const Parameter& one = request.model.parameters[index];
+    const Parameter& one = request.searched[index];
     const double at = one.logarithmic ? one.low * std::pow(one.high / one.low, point[index])
                                       : one.low + (one.high - one.low) * point[index];
     result[one.name] = rounded(at * std::pow(request.step, one.step_power));
@@ -72,16 +87,23 @@ class Search {
   Search(const CalibrationRequest& request, const std::function<void()>& tried)
       : request_(request),
         tried_(tried),
-        strikes_(strikes_at(request, {0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0})),
+        strikes_(strikes_at(request, searched, {0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0})),
         reach_(strikes_.size()),
-        best_point_(request.model.parameters.size(), 0.5) {}
+        best_point_(request.searched.size(), 0.5) {}
 
-  void run(Pass pass, int most) {
+  void run(Pass pass, int most_for_each) {
+    const int most = most_for_each * static_cast<int>(best_point_.size());
+    if (most == 0) {  // all are fixed
+      evaluate(best_point_);
+      return;
+    }
     minimise(pass, best_point_, most, good_value(),
              [this](const std::vector<double>& point) { return evaluate(point); });
   }
 
-  [[nodiscard]] bool done() const { return interrupted || best_ <= good_value(); }
+  [[nodiscard]] bool done() const {
+    return interrupted || hopeless() || best_point_.empty() || best_ <= good_value();
+  }
   [[nodiscard]] StrikesReply strike(const std::vector<double>& point,
                                     const std::vector<Strike>& strikes) const {
     RunSettings settings = request_.step;
@@ -100,9 +122,10 @@ class Search {
   std::string failure;       // of the latest setting that failed
 
  private:
+  [[nodiscard]] bool hopeless() const { return !measured && failures_ >= failures_in_a_row; }
   [[nodiscard]] double good_value() const { return std::pow(good_enough * request_.tolerance, 2); }
 
-  /// The mean square of the errors; none if the program was told to stop.
+  /// The mean square of the errors; none if the search has to stop.
   std::optional<double> evaluate(const std::vector<double>& point) {
     const StrikesReply reply = strike(point, strikes_);
     if (reply.interrupted) {
@@ -113,7 +136,8 @@ class Search {
     tried_();
     if (reply.restitutions.size() != strikes_.size()) {
       failure = reply.failure;
-      return largest_error;
+      ++failures_;
+      return hopeless() ? std::nullopt : std::optional(largest_error);
     }
     double sum = 0.0;
     for (std::size_t index = 0; index < strikes_.size(); ++index) {
@@ -136,6 +160,7 @@ class Search {
   std::vector<Reach> reach_;
   std::vector<double> best_point_;
   double best_ = std::numeric_limits<double>::infinity();
+  int failures_ = 0;  // settings with which the engine failed
 };
 
 std::string with_values(std::string code, const std::map<std::string, double>& parameters) {
@@ -148,12 +173,12 @@ std::string with_values(std::string code, const std::map<std::string, double>& p
   return code;
 }
 
-/// Strikes at speeds that the search did not have, evenly over the range.
+/// Strikes at speeds, on bodies and with spins that the search did not have.
 void hold_out(const CalibrationRequest& request, const Search& search, Calibration& result) {
-  const std::vector<Strike> strikes = strikes_at(request, {0.1, 0.3, 0.5, 0.7, 0.9});
+  const std::vector<Strike> strikes = strikes_at(request, unseen, {0.1, 0.3, 0.5, 0.7, 0.9});
   const StrikesReply reply = search.strike(search.best_point(), strikes);
   if (reply.restitutions.size() != strikes.size()) {
-    result.failure = reply.failure;
+    result.failure = reply.interrupted ? "interrupted" : reply.failure;
     return;
   }
   for (std::size_t index = 0; index < strikes.size(); ++index) {
@@ -166,17 +191,16 @@ void hold_out(const CalibrationRequest& request, const Search& search, Calibrati
 
 }  // namespace
 
-int most_evaluations(const Model& model) {
-  return static_cast<int>(model.parameters.size()) *
-         (evaluations_of_box + evaluations_of_refinement);
+int most_evaluations(const CalibrationRequest& request) {
+  return std::max(1, static_cast<int>(request.searched.size()) *
+                         (evaluations_of_box + evaluations_of_refinement));
 }
 
 Calibration calibrate(const CalibrationRequest& request, const std::function<void()>& tried) {
-  const int count = static_cast<int>(request.model.parameters.size());
   Search search(request, tried);
-  search.run(Pass::whole_box, count * evaluations_of_box);
+  search.run(Pass::whole_box, evaluations_of_box);
   if (!search.done()) {
-    search.run(Pass::refinement, count * evaluations_of_refinement);
+    search.run(Pass::refinement, evaluations_of_refinement);
   }
   Calibration result;
   result.evaluations = search.evaluations;
@@ -191,10 +215,11 @@ Calibration calibrate(const CalibrationRequest& request, const std::function<voi
   result.parameters = parameters_at(request, search.best_point());
   result.code = with_values(request.model.code, result.parameters);
   hold_out(request, search, result);
-  if (!result.reached(request.tolerance)) {
+  // half a search knows no reach
+  if (!result.interrupted && !result.reached(request.tolerance)) {
     result.why = search.beyond_reach();
     if (result.why.empty()) {
-      result.why = {"no one setting suits all closing speeds, arms and inertias"};
+      result.why = {"no one setting suits all closing speeds, arms, inertias and spins"};
     }
   }
   return result;

@@ -13,18 +13,20 @@
 namespace tautline::bench {
 
 // The parameters of a model that give a cable the restitution that is wanted of it, over closing
-// speeds, arms and inertias: searched by strikes, judged by others.
+// speeds, arms, inertias and spins: searched by strikes, judged by others.
 
 /// What is wanted, and of which model.
 struct CalibrationRequest {
   std::filesystem::path plugin;
-  Model model;          // with at least one parameter
-  double restitution;   // [-], wanted
-  double slowest;       // [m/s], of the closing speeds, > 0
-  double fastest;       // [m/s], above it
-  double step;          // [s]
-  double tolerance;     // [-], of the restitution of every strike
-  WorkerLimits limits;  // for all strikes with one setting
+  Model model;
+  std::vector<Parameter> searched;      // of the model's
+  std::map<std::string, double> fixed;  // the others that are not left to the model
+  double restitution;                   // [-], wanted
+  double slowest;                       // [m/s], of the closing speeds, > 0
+  double fastest;                       // [m/s], above it
+  double step;                          // [s]
+  double tolerance;                     // [-], of the restitution of every strike
+  WorkerLimits limits;                  // for all strikes with one setting
 };
 
 /// A strike that the search did not see.
@@ -41,7 +43,7 @@ struct Calibration {
   double worst = 0.0;            // [-], of their errors; infinite where one gives no number
   double mean = 0.0;             // [-], likewise
   int evaluations = 0;           // settings that were tried
-  std::vector<std::string> why;  // sentences: where the restitution cannot be had
+  std::vector<std::string> why;  // sentences: where it cannot be had; none of half a search
   std::string failure;           // why nothing was measured; else empty
   bool interrupted = false;      // the best so far
 
@@ -51,7 +53,7 @@ struct Calibration {
 };
 
 /// How many settings are tried at most.
-[[nodiscard]] int most_evaluations(const Model& model);
+[[nodiscard]] int most_evaluations(const CalibrationRequest& request);
 
 /// Searches; the same request gives the same answer. Tells `tried` after each setting.
 [[nodiscard]] Calibration calibrate(const CalibrationRequest& request,

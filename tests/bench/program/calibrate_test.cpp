@@ -7,7 +7,12 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
 
+#include "bench/check/strike.hpp"
 #include "tests/bench/run/protocol_support.hpp"
 
 namespace tautline::test {
@@ -18,8 +23,10 @@ using nlohmann::json;
 /// The engine.toml of the child tunable.py.
 std::string tunable_engine(const TemporaryFolder& folder) {
   const std::filesystem::path path = folder.path() / "engine.toml";
-  std::ofstream(path) << engine_toml("tunable", {"env", "TAUTLINE_PYTHON_KIT=" TAUTLINE_PYTHON_KIT,
-                                                 "python3", children_folder / "tunable.py"});
+  std::ofstream(path) << engine_toml(
+      "tunable", {"env", "TAUTLINE_PYTHON_KIT=" TAUTLINE_PYTHON_KIT,
+                  "TAUTLINE_STARTS=" + (folder.path() / "starts").string(), "python3",
+                  children_folder / "tunable.py"});
   return path;
 }
 
@@ -38,6 +45,39 @@ std::string sentences(const json& found) {
     result += sentence.get<std::string>() + "\n";
   }
   return result;
+}
+
+/// What is wrong with it in the eyes of the published schema; "" if nothing.
+std::string schema_errors(const json& found) {
+  const json text = json::parse(content_of(TAUTLINE_CALIBRATION_SCHEMA));
+  valijson::Schema schema;
+  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
+  valijson::ValidationResults results;
+  valijson::Validator validator;
+  validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(found), &results);
+  std::string result;
+  valijson::ValidationResults::Error error;
+  while (results.popError(error)) {
+    result += error.description + "\n";
+  }
+  return result;
+}
+
+TEST(CalibrateStrike, ClosesTheCableAtItsSpeedWhateverTheSpin) {
+  constexpr double step = 0.01;   // [s]
+  constexpr double phase = 0.25;  // [-]
+  constexpr double flight = (5.0 + phase) * step;
+  for (const double part : {0.0, 0.5, -0.5}) {
+    const bench::Strike strike{0.8, 0.1, 0.01, part};
+    const Case the_case = bench::struck_case(strike, 0.7, step, phase);
+    State state = the_case.initial;
+    EXPECT_GT(gap(the_case.cables[0], state), 0.0) << part;
+    state.position += flight * state.velocity;
+    state.angle += flight * state.spin;
+    EXPECT_NEAR(gap(the_case.cables[0], state), 0.0, 1e-14) << part;
+    EXPECT_NEAR(gap_rate(the_case.cables[0], state), -strike.speed, 1e-14) << part;
+    EXPECT_NEAR(-state.spin * strike.arm, part * strike.speed, 1e-14) << part;
+  }
 }
 
 class CalibrateTunable : public ::testing::Test {
@@ -59,6 +99,7 @@ TEST_F(CalibrateTunable, FindsTheParameterThatGivesTheRestitution) {
   EXPECT_NEAR(0.9 - knob / 10.0, 0.37, 1e-3);
   EXPECT_LE(found.at("worst").get<double>(), 1e-3);
   EXPECT_TRUE(found.at("reached").get<bool>());
+  EXPECT_EQ(schema_errors(found), "");
   EXPECT_NEAR(std::stod(found.at("code").get<std::string>().substr(std::strlen("cable.knob = "))),
               knob, 1e-12);
 }
@@ -86,6 +127,35 @@ TEST_F(CalibrateTunable, TellsTheSpeedsAtWhichItCannotBeHad) {
             "e above 0 is not reached at this step at closing speeds of 0.05 to 0.17 m/s\n");
 }
 
+TEST_F(CalibrateTunable, SeesAnEngineThatForgetsTheSpin) {
+  const Outcome outcome = calibrate(tunable_engine(folder_), "spinless", "0.5");
+  EXPECT_EQ(outcome.code, 1) << outcome.errors;
+  const json found = json::parse(outcome.output);
+  EXPECT_GT(found.at("worst").get<double>(), 0.1);
+  EXPECT_EQ(sentences(found),
+            "no one setting suits all closing speeds, arms, inertias and spins\n");
+  EXPECT_EQ(schema_errors(found), "");
+}
+
+TEST_F(CalibrateTunable, JudgesASettingWithoutASearch) {
+  const Outcome outcome = calibrate(tunable_engine(folder_), "tunable", "0.5", {"--fix", "knob=5"});
+  EXPECT_EQ(outcome.code, 1) << outcome.errors;
+  const json found = json::parse(outcome.output);
+  EXPECT_EQ(found.at("evaluations").get<int>(), 1);
+  EXPECT_NEAR(found.at("worst").get<double>(), 0.1, 1e-9);
+  EXPECT_EQ(schema_errors(found), "");
+}
+
+TEST_F(CalibrateTunable, GivesTheBestSoFarWhereItIsInterrupted) {
+  const Outcome outcome = calibrate(tunable_engine(folder_), "interrupting", "0");
+  EXPECT_EQ(outcome.code, 1) << outcome.errors;
+  const json found = json::parse(outcome.output);
+  EXPECT_TRUE(found.at("interrupted").get<bool>());
+  EXPECT_LT(found.at("evaluations").get<int>(), 40);
+  EXPECT_EQ(sentences(found), "") << "half a search knows no reach";
+  EXPECT_EQ(schema_errors(found), "");
+}
+
 TEST_F(CalibrateTunable, RefusesWhatItCannotDo) {
   const std::string engine = tunable_engine(folder_);
   const Outcome fixed = calibrate(engine, "fixed", "0.5");
@@ -95,6 +165,12 @@ TEST_F(CalibrateTunable, RefusesWhatItCannotDo) {
                         "and deaf"),
       std::string::npos)
       << fixed.errors;
+  const Outcome knobs = calibrate(engine, "tunable", "0.5", {"--fix", "nob=3,knob"});
+  EXPECT_EQ(knobs.code, 2);
+  EXPECT_NE(knobs.errors.find("--fix nob: model tunable has no such parameter, but knob"),
+            std::string::npos)
+      << knobs.errors;
+  EXPECT_NE(knobs.errors.find("--fix knob is not NAME=VALUE"), std::string::npos) << knobs.errors;
   const Outcome backwards = calibrate(engine, "tunable", "1.5", {"--speeds", "2..1"});
   EXPECT_EQ(backwards.code, 2);
   EXPECT_NE(backwards.errors.find("--restitution 1.5 is outside [0, 1]"), std::string::npos);

@@ -35,6 +35,7 @@ struct CalibrateCommand {
   std::string speeds = "0.05..2";  // [m/s]
   double step = 1e-3;              // [s]
   double tolerance = 0.01;         // [-]
+  std::optional<int> settings;     // none: as many as the parameters need
   double time_limit = 60.0;        // [s]
   std::string json;
 };
@@ -125,6 +126,9 @@ std::vector<std::string> calibration_problems(const CalibrateCommand& command) {
       broken.push_back(fmt::format("{} {:g} is not above 0", name, value));
     }
   }
+  if (command.settings && *command.settings < 1) {
+    broken.push_back(fmt::format("--settings {} is not above 0", *command.settings));
+  }
   return broken;
 }
 
@@ -132,16 +136,17 @@ std::vector<std::string> calibration_problems(const CalibrateCommand& command) {
 CalibrationRequest request_of(const CalibrateCommand& command, const RegisteredEngine& engine,
                               const Model& model) {
   const auto [slowest, fastest] = speed_range(command.speeds).value();
-  CalibrationRequest request{engine.plugin,
-                             model,
-                             {},
-                             {},
-                             command.restitution,
-                             slowest,
-                             fastest,
-                             command.step,
-                             command.tolerance,
-                             {.time = command.time_limit}};
+  CalibrationRequest request{.plugin = engine.plugin,
+                             .model = model,
+                             .searched = {},
+                             .fixed = {},
+                             .restitution = command.restitution,
+                             .slowest = slowest,
+                             .fastest = fastest,
+                             .step = command.step,
+                             .tolerance = command.tolerance,
+                             .settings = 1,
+                             .limits = {.time = command.time_limit}};
   for (const std::string& text : command.fixed) {
     request.fixed.insert(fixed_value(text).value());
   }
@@ -150,6 +155,7 @@ CalibrationRequest request_of(const CalibrateCommand& command, const RegisteredE
       request.searched.push_back(parameter);
     }
   }
+  request.settings = command.settings.value_or(most_settings(request.searched.size()));
   return request;
 }
 
@@ -160,8 +166,8 @@ std::string held_out_table(const Calibration& found) {
   const Strike& first = found.held_out.front().strike;
   for (const auto& [strike, restitution] : found.held_out) {
     if (strike.arm == first.arm) {  // the same number, not a computed one
-      headings.push_back(
-          fmt::format("{}{:.2g} m/s", headings.size() == 3 ? "e at " : "", strike.speed));
+      const bool is_first = strike.speed == first.speed;
+      headings.push_back(fmt::format("{}{:.2g}", is_first ? "e at " : "", strike.speed));
     }
     std::vector<Cell>& row = rows[{strike.arm, strike.inertia, strike.spin_part}];
     if (row.empty()) {
@@ -170,6 +176,7 @@ std::string held_out_table(const Calibration& found) {
     }
     row.push_back(number_cell(restitution, fixed(4)));
   }
+  headings.back() += " m/s";
   Table table(headings, 0);
   for (auto& [body, row] : rows) {
     table.add(std::move(row));
@@ -244,7 +251,7 @@ int calibrate_command(const CalibrateCommand& command) {
   }
   const CalibrationRequest request = request_of(command, engine, model);
   catch_interruption();
-  const auto most = static_cast<std::size_t>(most_evaluations(request));
+  const auto most = static_cast<std::size_t>(request.settings);
   Progress progress(static_cast<double>(most), most, "settings");
   const Calibration found = calibrate(request, [&progress] { progress.ended(1.0); });
   progress.finish();
@@ -263,8 +270,8 @@ int calibrate_command(const CalibrateCommand& command) {
 }  // namespace
 
 void add_calibrate(CLI::App& app, int& code) {
-  CLI::App* const command = app.add_subcommand(
-      "calibrate", "The setting of an engine that gives the restitution wanted at a cable");
+  CLI::App* const command =
+      app.add_subcommand("calibrate", "The setting of an engine that gives the restitution wanted");
   const auto asked = std::make_shared<CalibrateCommand>();
   command
       ->add_option("ENGINE", asked->engine,
@@ -273,7 +280,6 @@ void add_calibrate(CLI::App& app, int& code) {
   command->add_option("--model", asked->model, "one of its models that has parameters")->required();
   command->add_option("--restitution", asked->restitution, "what is wanted [-]")->required();
   command->add_option("--fix", asked->fixed, "leave these parameters at these values")
-      ->type_name("NAME=VALUE,...")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--speeds", asked->speeds, "the range of closing speeds [m/s]")
@@ -283,6 +289,8 @@ void add_calibrate(CLI::App& app, int& code) {
       ->add_option("--tolerance", asked->tolerance,
                    "the largest error on strikes that the search did not see [-]")
       ->capture_default_str();
+  command->add_option("--settings", asked->settings,
+                      "try so many at most (default: 64 for each parameter that is searched)");
   command->add_option("--time-limit", asked->time_limit, "give up a setting after this long [s]")
       ->capture_default_str();
   command

@@ -19,9 +19,10 @@
 namespace tautline::bench {
 namespace {
 
-// settings that are tried for each parameter
-constexpr int evaluations_of_box = 32;
-constexpr int evaluations_of_refinement = 32;
+constexpr int settings_for_each = 64;  // parameter
+
+/// The part of the settings that looks through the whole box, at most [-].
+constexpr double part_of_box = 0.5;
 
 /// The search ends where the errors are so small a part of the tolerance [-].
 constexpr double good_enough = 0.1;
@@ -91,9 +92,8 @@ class Search {
         reach_(strikes_.size()),
         best_point_(request.searched.size(), 0.5) {}
 
-  void run(Pass pass, int most_for_each) {
-    const int most = most_for_each * static_cast<int>(best_point_.size());
-    if (most == 0) {  // all are fixed
+  void run(Pass pass, int most) {
+    if (best_point_.empty()) {  // all are fixed
       evaluate(best_point_);
       return;
     }
@@ -191,16 +191,16 @@ void hold_out(const CalibrationRequest& request, const Search& search, Calibrati
 
 }  // namespace
 
-int most_evaluations(const CalibrationRequest& request) {
-  return std::max(1, static_cast<int>(request.searched.size()) *
-                         (evaluations_of_box + evaluations_of_refinement));
+int most_settings(std::size_t searched) {
+  return std::max(1, static_cast<int>(searched) * settings_for_each);
 }
 
 Calibration calibrate(const CalibrationRequest& request, const std::function<void()>& tried) {
   Search search(request, tried);
-  search.run(Pass::whole_box, evaluations_of_box);
-  if (!search.done()) {
-    search.run(Pass::refinement, evaluations_of_refinement);
+  const int in_box = static_cast<int>(std::ceil(part_of_box * request.settings));
+  search.run(Pass::whole_box, in_box);
+  if (!search.done() && search.evaluations < request.settings) {
+    search.run(Pass::refinement, request.settings - search.evaluations);
   }
   Calibration result;
   result.evaluations = search.evaluations;

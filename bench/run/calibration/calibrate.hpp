@@ -26,6 +26,7 @@ struct CalibrationRequest {
   double fastest;                       // [m/s], above it
   double step;                          // [s]
   double tolerance;                     // [-], of the restitution of every strike
+  int settings;                         // that are tried at most, > 0
   WorkerLimits limits;                  // for all strikes with one setting
 };
 
@@ -52,8 +53,8 @@ struct Calibration {
   }
 };
 
-/// How many settings are tried at most.
-[[nodiscard]] int most_evaluations(const CalibrationRequest& request);
+/// How many settings it takes to search so many parameters.
+[[nodiscard]] int most_settings(std::size_t searched);
 
 /// Searches; the same request gives the same answer. Tells `tried` after each setting.
 [[nodiscard]] Calibration calibrate(const CalibrationRequest& request,

@@ -38,6 +38,9 @@ Outcome calibrate(const std::string& engine, const std::string& model, const std
   return program(arguments);
 }
 
+/// Enough for one parameter; each costs a run of python3.
+const std::vector<std::string> few_settings = {"--settings", "20"};
+
 /// What the sentences say, one after another.
 std::string sentences(const json& found) {
   std::string result;
@@ -106,29 +109,30 @@ TEST_F(CalibrateTunable, FindsTheParameterThatGivesTheRestitution) {
 
 TEST_F(CalibrateTunable, GivesTheSameAnswerTwice) {
   const std::string engine = tunable_engine(folder_);
-  EXPECT_EQ(calibrate(engine, "tunable", "0.37").output,
-            calibrate(engine, "tunable", "0.37").output);
+  const std::vector<std::string> few = {"--settings", "3"};
+  EXPECT_EQ(calibrate(engine, "tunable", "0.37", few).output,
+            calibrate(engine, "tunable", "0.37", few).output);
 }
 
 TEST_F(CalibrateTunable, TellsTheReachWhereTheWishIsBeyondIt) {
   const std::string engine = tunable_engine(folder_);
-  const Outcome above = calibrate(engine, "tunable", "0.95");
+  const Outcome above = calibrate(engine, "tunable", "0.95", few_settings);
   EXPECT_EQ(above.code, 1) << above.errors;
   EXPECT_EQ(sentences(json::parse(above.output)), "e above 0.8 is not reached at this step\n");
-  const Outcome below = calibrate(engine, "tunable", "0");
+  const Outcome below = calibrate(engine, "tunable", "0", few_settings);
   EXPECT_EQ(below.code, 1) << below.errors;
   EXPECT_EQ(sentences(json::parse(below.output)), "e below 0.1 is not reached at this step\n");
 }
 
 TEST_F(CalibrateTunable, TellsTheSpeedsAtWhichItCannotBeHad) {
-  const Outcome outcome = calibrate(tunable_engine(folder_), "deaf", "0.5");
+  const Outcome outcome = calibrate(tunable_engine(folder_), "deaf", "0.5", few_settings);
   EXPECT_EQ(outcome.code, 1) << outcome.errors;
   EXPECT_EQ(sentences(json::parse(outcome.output)),
             "e above 0 is not reached at this step at closing speeds of 0.05 to 0.17 m/s\n");
 }
 
 TEST_F(CalibrateTunable, SeesAnEngineThatForgetsTheSpin) {
-  const Outcome outcome = calibrate(tunable_engine(folder_), "spinless", "0.5");
+  const Outcome outcome = calibrate(tunable_engine(folder_), "spinless", "0.3", few_settings);
   EXPECT_EQ(outcome.code, 1) << outcome.errors;
   const json found = json::parse(outcome.output);
   EXPECT_GT(found.at("worst").get<double>(), 0.1);
@@ -161,8 +165,8 @@ TEST_F(CalibrateTunable, RefusesWhatItCannotDo) {
   const Outcome fixed = calibrate(engine, "fixed", "0.5");
   EXPECT_EQ(fixed.code, 2);
   EXPECT_NE(
-      fixed.errors.find("model fixed has no parameter to calibrate; there are some in tunable "
-                        "and deaf"),
+      fixed.errors.find("model fixed has no parameter to calibrate; there are some in tunable, "
+                        "deaf, spinless and interrupting"),
       std::string::npos)
       << fixed.errors;
   const Outcome knobs = calibrate(engine, "tunable", "0.5", {"--fix", "nob=3,knob"});

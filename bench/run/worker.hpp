@@ -10,6 +10,7 @@
 #include "bench/run/cost.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/trajectory.hpp"
+#include "bench/run/workplace.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 
@@ -41,7 +42,7 @@ struct RunReply {
 };
 
 /// Runs it in a process of its own, so that whatever the engine does becomes a reply.
-[[nodiscard]] RunReply run_in_worker(const RunRequest& request);
+[[nodiscard]] RunReply run_in_worker(const RunRequest& request, Workplace& workplace);
 
 /// What an engine says of itself, asked in a worker process; `failure` as above.
 struct DescribeReply {
@@ -67,7 +68,7 @@ struct StrikesReply {
   std::string failure;
   bool interrupted = false;
 };
-[[nodiscard]] StrikesReply strike_in_worker(const StrikesRequest& request);
+[[nodiscard]] StrikesReply strike_in_worker(const StrikesRequest& request, Workplace& workplace);
 
 /// Every claim about one model, settled in a worker process, and `determinism` in two. A crash, a
 /// hang and a flood of output break a claim too; the claims after a crash or a hang are missing.

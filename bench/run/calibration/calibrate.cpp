@@ -15,6 +15,7 @@
 #include "bench/base/process.hpp"
 #include "bench/run/calibration/minimise.hpp"
 #include "bench/run/calibration/reach.hpp"
+#include "bench/run/workplace.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -105,11 +106,12 @@ class Search {
     return interrupted || hopeless() || best_point_.empty() || best_ <= good_value();
   }
   [[nodiscard]] StrikesReply strike(const std::vector<double>& point,
-                                    const std::vector<Strike>& strikes) const {
+                                    const std::vector<Strike>& strikes) {
     RunSettings settings = request_.step;
     settings.parameters = parameters_at(request_, point);
     return strike_in_worker({request_.plugin, request_.model.name, settings, strikes,
-                             request_.restitution, request_.limits});
+                             request_.restitution, request_.limits},
+                            workplace_);
   }
   [[nodiscard]] const std::vector<double>& best_point() const { return best_point_; }
   [[nodiscard]] std::vector<std::string> beyond_reach() const {
@@ -156,6 +158,7 @@ class Search {
 
   const CalibrationRequest& request_;
   const std::function<void()>& tried_;
+  Workplace workplace_;
   std::vector<Strike> strikes_;
   std::vector<Reach> reach_;
   std::vector<double> best_point_;
@@ -174,7 +177,7 @@ std::string with_values(std::string code, const std::map<std::string, double>& p
 }
 
 /// Strikes at speeds, on bodies and with spins that the search did not have.
-void hold_out(const CalibrationRequest& request, const Search& search, Calibration& result) {
+void hold_out(const CalibrationRequest& request, Search& search, Calibration& result) {
   const std::vector<Strike> strikes = strikes_at(request, unseen, {0.1, 0.3, 0.5, 0.7, 0.9});
   const StrikesReply reply = search.strike(search.best_point(), strikes);
   if (reply.restitutions.size() != strikes.size()) {

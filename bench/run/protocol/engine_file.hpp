@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tautline::bench {
@@ -18,6 +19,9 @@ struct EngineFile {
   std::vector<std::string>
       problems;  // of the file, in sentences; the rest is void if there are any
 };
+
+/// The folders of a list like PATH, with colons between them.
+[[nodiscard]] std::vector<std::filesystem::path> folders_of(std::string_view list);
 
 /// Reads it; what is wrong with it becomes `problems`.
 [[nodiscard]] EngineFile read_engine_file(const std::filesystem::path& file);

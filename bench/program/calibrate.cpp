@@ -207,13 +207,12 @@ std::string closing_words(const CalibrationRequest& request, const Calibration& 
 void print_calibration(const RegisteredEngine& engine, const CalibrationRequest& request,
                        const Calibration& found) {
   const std::size_t width = output_style().text;
-  fmt::print(
-      "{}\n",
-      wrapped(fmt::format("{} {}, {}: e = {:g} at closing speeds of {:g} to {:g} m/s, "
-                          "step {:g} s",
-                          engine.info->name, engine.info->version, request.model.name,
-                          request.restitution, request.slowest, request.fastest, request.step),
-              width));
+  fmt::print("{}\n", wrapped(fmt::format("{} {}, {}: e = {:g} at {:g} to {:g} m/s, "
+                                         "step {:g} s",
+                                         engine.info->name, engine.info->version,
+                                         request.model.name, request.restitution, request.slowest,
+                                         request.fastest, request.step),
+                             width));
   for (const auto& [name, value] : found.parameters) {
     fmt::print("  {} = {:.6g}{}\n", name, value, request.fixed.contains(name) ? ", fixed" : "");
   }

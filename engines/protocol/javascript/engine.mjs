@@ -52,9 +52,9 @@ function spelled(value) {
 
 /**
  * Serves `engine`: {name, version, precision, models}. A model is what `info` says of it, and
- * start(case, {step, law, parameters}), which returns a run: state(); step(dt), which returns the impulse of each cable; or for a
- * model driven by events fly(dt), place(state), solve(cables, rates), which returns impulses, and `rounding`. A run
- * may have `stopped`, {time, reason}, and free(), called once it is done.
+ * start(case, {step, law, parameters}), which returns a run: state(); step(dt), which returns the impulse of each
+ * cable; or for a model driven by events fly(dt), place(state), solve(cables, rates), which returns impulses, and
+ * `rounding`. A run may have `stopped`, {time, reason}, and free(), called once it is done.
  */
 export function serve({ models, ...engine }) {
   let run;

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -181,24 +184,92 @@ TEST_F(CalibrateTunable, RefusesWhatItCannotDo) {
   EXPECT_NE(backwards.errors.find("--speeds 2..1 is no range"), std::string::npos);
 }
 
-TEST(CalibrateEngines, TheTendonLimitOfMujocoIsWithinFiveThousandthsAtSmallSteps) {
-  if (!built_engines().contains("mujoco")) {
-    GTEST_SKIP() << "mujoco is not built";
+/// A block of docs/program.md that shows what a command prints.
+struct Shown {
+  std::vector<std::string> arguments;
+  std::string output;
+};
+
+std::vector<Shown> documented() {
+  std::ifstream file(TAUTLINE_PROGRAM_DOCUMENTATION);
+  std::vector<Shown> found;
+  const std::string mark = "<!-- output of: tautline ";
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with(mark)) {
+      continue;
+    }
+    Shown shown;
+    std::istringstream words(line.substr(mark.size(), line.find(" -->") - mark.size()));
+    for (std::string word; words >> word;) {
+      shown.arguments.push_back(word);
+    }
+    std::getline(file, line);  // the fence
+    while (std::getline(file, line) && line != "```") {
+      shown.output += line + "\n";
+    }
+    found.push_back(std::move(shown));
   }
-  const Outcome outcome =
-      calibrate("mujoco", "tendon-limit", "0.7", {"--step", "1e-4", "--tolerance", "0.005"});
-  EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
-  EXPECT_LE(json::parse(outcome.output).at("worst").get<double>(), 0.005);
+  return found;
 }
 
-TEST(CalibrateEngines, TheContactOfBulletCannotBeHadBelowItsThreshold) {
-  if (!built_engines().contains("bullet64")) {
-    GTEST_SKIP() << "bullet64 is not built";
+/// The block of an engine, and that the program prints it.
+void expect_documented(const std::string& engine, int code) {
+  if (!built_engines().contains(engine)) {
+    GTEST_SKIP() << engine << " is not built";
   }
-  const Outcome outcome = calibrate("bullet64", "contact", "0.7", {"--speeds", "0.02..0.15"});
+  int blocks = 0;
+  for (const Shown& shown : documented()) {
+    if (shown.arguments[0] == "calibrate" && shown.arguments[1] == engine) {
+      const Outcome outcome = program(shown.arguments);
+      EXPECT_EQ(outcome.code, code) << outcome.errors;
+      EXPECT_EQ(outcome.output, shown.output) << "scripts/update-readme writes it anew";
+      ++blocks;
+    }
+  }
+  EXPECT_EQ(blocks, 1) << "of " << engine << " in docs/program.md";
+}
+
+// exit code 0: within the tolerance of the command
+TEST(CalibrateEngines, TheTendonLimitOfMujocoIsWithinFiveThousandthsAsDocumented) {
+  expect_documented("mujoco", 0);
+}
+
+TEST(CalibrateEngines, TheContactOfBulletCannotBeHadBelowItsThresholdAsDocumented) {
+  expect_documented("bullet64", 1);
+}
+
+TEST(CalibrateEngines, TheSurfaceOfOdeNeedsNoSpeedToBounce) {
+  if (!built_engines().contains("ode")) {
+    GTEST_SKIP() << "ode is not built";
+  }
+  const Outcome outcome = calibrate("ode", "contact", "0.4", {"--tolerance", "0.001"});
+  EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.errors;
+  const json found = json::parse(outcome.output);
+  EXPECT_NEAR(found.at("parameters").at("bounce").get<double>(), 0.4, 1e-3);
+  EXPECT_LT(found.at("parameters").at("bounce-vel").get<double>(), 0.05) << "the slowest strike";
+}
+
+/// The mean error of a model of an engine on npm with parameters that are all fixed.
+double mean_error(const std::filesystem::path& engine, const std::string& fixed) {
+  const Outcome outcome = calibrate(engine, "distance", "1", {"--fix", fixed});
   EXPECT_EQ(outcome.code, 1) << outcome.errors;
-  const std::string told = sentences(json::parse(outcome.output));
-  EXPECT_NE(told.find("is not reached at this step"), std::string::npos) << told;
+  return json::parse(outcome.output).at("mean").get<double>();
+}
+
+TEST(CalibrateEngines, TheParametersOfTheEnginesOnNpmReachThem) {
+  const std::array<std::string, 3> settings[] = {
+      {"p2", "relaxation=2,stiffness=10000", "relaxation=20,stiffness=10000"},
+      {"jolt", "damping=0,frequency=10", "damping=1,frequency=10"}};
+  for (const auto& [engine, one, other] : settings) {
+    const std::filesystem::path folder = std::filesystem::path(TAUTLINE_NPM_ENGINES) / engine;
+    if (std::system("command -v node >/dev/null") != 0 ||  // NOLINT
+        !std::filesystem::exists(folder / "node_modules")) {
+      GTEST_SKIP() << engine << " needs node and what scripts/install-packages npm-engines brings";
+    }
+    const double difference =
+        mean_error(folder / "engine.toml", one) - mean_error(folder / "engine.toml", other);
+    EXPECT_GT(std::abs(difference), 0.05) << engine;
+  }
 }
 
 }  // namespace

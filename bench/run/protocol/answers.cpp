@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -97,6 +98,9 @@ Maker maker_from(const std::string& word) {
   return Maker::by_hand;
 }
 
+/// Nothing in mechanics goes with a higher power of time.
+constexpr double largest_power = 4.0;
+
 std::vector<Parameter> parameters_part(const Part& part) {
   std::vector<Parameter> result;
   for (std::size_t index = 0; index < part.size(); ++index) {
@@ -107,9 +111,14 @@ std::vector<Parameter> parameters_part(const Part& part) {
       one.logarithmic = scale->one_of({"linear", "log"}) == "log";
     }
     if (const auto power = row.find("step_power")) {
-      one.step_power = static_cast<int>(power->number());
+      const double whole = power->number();
+      if (!(std::abs(whole) <= largest_power) || whole != std::round(whole)) {
+        power->refuse("a whole number from -4 to 4");
+      }
+      one.step_power = static_cast<int>(whole);
     }
-    if (!(one.low < one.high) || (one.logarithmic && !(one.low > 0.0))) {
+    if (!(one.low < one.high) || !std::isfinite(one.high - one.low) ||
+        (one.logarithmic && !(one.low > 0.0))) {
       row.at("low").refuse("below high, and above 0 on a scale of logarithms");
     }
     result.push_back(std::move(one));

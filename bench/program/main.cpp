@@ -63,6 +63,7 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
   add_compare(app, code);
   add_trend(app, code, command_line);
   add_check(app, code);
+  add_calibrate(app, code);
   add_reproduce(app, code);
   add_engines(app, code);
   add_cases(app, code);

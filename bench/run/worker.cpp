@@ -90,6 +90,21 @@ DescribeReply describe_in_worker(const std::filesystem::path& plugin, const Work
   return reply;
 }
 
+StrikesReply strike_in_worker(const StrikesRequest& request, Workplace& workplace) {
+  WorkerRequest asked = request_for(Task::strikes, request.plugin, request.model, request.limits);
+  asked.settings = request.settings;
+  asked.strikes = request.strikes;
+  asked.restitution = request.restitution;
+  const Exchange other = workplace.exchange(asked, request.limits.time);
+  StrikesReply reply;
+  reply.failure = other.failure;
+  reply.interrupted = other.interrupted();
+  if (const auto* const answer = answer_as<StrikesAnswer>(other.answer)) {
+    reply.restitutions = answer->restitutions;
+  }
+  return reply;
+}
+
 CheckReply check_in_worker(const std::filesystem::path& plugin, const std::string& model,
                            const WorkerLimits& limits) {
   const WorkerRequest request = request_for(Task::check, plugin, model, limits);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/check/settle.hpp"
+#include "bench/check/strike.hpp"
 #include "bench/run/cost.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/trajectory.hpp"
@@ -50,6 +51,24 @@ struct DescribeReply {
 };
 [[nodiscard]] DescribeReply describe_in_worker(const std::filesystem::path& plugin,
                                                const WorkerLimits& limits = {.time = 10.0});
+
+/// What is struck, and with what.
+struct StrikesRequest {
+  std::filesystem::path plugin;
+  std::string model;
+  RunSettings settings;
+  std::vector<Strike> strikes;
+  double restitution;  // [-], of their cables
+  WorkerLimits limits;
+};
+
+/// The restitution of each strike; no number where there is none. `failure` as above.
+struct StrikesReply {
+  std::vector<double> restitutions;
+  std::string failure;
+  bool interrupted = false;
+};
+[[nodiscard]] StrikesReply strike_in_worker(const StrikesRequest& request, Workplace& workplace);
 
 /// Every claim about one model, settled in a worker process, and `determinism` in two. A crash, a
 /// hang and a flood of output break a claim too; the claims after a crash or a hang are missing.

@@ -20,6 +20,7 @@
 #include "bench/cases/case_file.hpp"
 #include "bench/check/claims/repeat.hpp"
 #include "bench/check/settle.hpp"
+#include "bench/check/strike.hpp"
 #include "bench/run/cost.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/record.hpp"
@@ -84,6 +85,10 @@ WorkerAnswer obey(const WorkerRequest& request, std::optional<Plugin>& plugin) {
       return do_check(request.model, plugin->engine());
     case Task::digest:
       return DigestAnswer{run_digest(plugin->engine(), request.model)};
+    case Task::strikes:
+      return StrikesAnswer{
+          restitutions_of(Subject(plugin->engine(), request.model, request.settings.parameters),
+                          request.strikes, request.settings.step, request.restitution)};
   }
   return plugin->engine().info();
 }

@@ -44,11 +44,11 @@ enum class Maker {
 /// A number of a model that a run may set, such as a stiffness.
 struct Parameter {
   std::string name;  // [a-z0-9-]+
-  // it lies in [low, high] times the step [s] to the power of `step_power`: a stiffness of -2
-  double low;
-  double high;
+  // its value lies between two numbers times a power of the step [s]
+  double low;                // the smaller of these numbers
+  double high;               // the larger one
   bool logarithmic = false;  // factors of it count, not differences; then low > 0
-  int step_power = 0;
+  int step_power = 0;        // the power: -2 for a stiffness
 };
 
 /// One way to build the cables of a case in an engine.

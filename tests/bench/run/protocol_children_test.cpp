@@ -42,6 +42,8 @@ const std::vector<BadChild>& every_child() {
       {"slips", "failed", "unknown key stoped; did you mean stopped?"},
       {"answers-after-the-end", "finished", ""},
       {"mute", "", "ended by itself with exit code 3 before it answered info"},
+      {"lacks-a-module", "",
+       "exit code 1 before it answered info; it printed: Error: Cannot find module 'rope'"},
       {"wrong-name", "", "the engine says that its name is other"},
       {"wrong-protocol", "", "protocol is 2, must be 1"}};
   return ways;

@@ -71,8 +71,10 @@ bool names_an_error(std::string_view line) {
   return name.ends_with("Error") && (end == line.end() || *end == ':' || *end == ' ');
 }
 
+constexpr std::size_t longest_quote = 200;  // [bytes] of a line; a longer one is code
+
 /// Of what an engine printed before it failed, the line that says most: the first that names an
-/// error, or the last. Empty if it printed nothing.
+/// error, or the last. Empty if there is none.
 std::string telling_line(const std::string& output) {
   std::istringstream lines(output);
   std::string last;
@@ -80,14 +82,12 @@ std::string telling_line(const std::string& output) {
     if (names_an_error(line)) {
       return line;
     }
-    if (line.find_first_not_of(" \t\r") != std::string::npos) {
+    if (line.size() <= longest_quote && line.find_first_not_of(" \t\r") != std::string::npos) {
       last = line;
     }
   }
   return last;
 }
-
-constexpr std::size_t longest_quote = 200;  // [bytes] of what an engine printed, in a sentence
 
 }  // namespace
 

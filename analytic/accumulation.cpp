@@ -4,6 +4,7 @@
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/projection.hpp"
+#include "tautline/rounding.hpp"
 #include "tautline/series.hpp"
 
 namespace tautline {
@@ -58,6 +59,12 @@ Real twice_normal_energy(const BasicCase<Real>& the_case, const BasicState<Real>
   return result;
 }
 
+/// True where `pull` [m/s^2] changes by a small part of itself in a time of `dt` [s].
+template <class Real>
+bool is_steady(const Real& pull, const Real& dt, const Scales<Real>& scale) {
+  return pull > certificate_margin * scale.acceleration * scale.rate * dt;  // false for infinities
+}
+
 /// The largest restitution up to `speed` of the cable and those that hang side by side with it.
 template <class Real>
 Real most_kept(const BasicCase<Real>& the_case, std::size_t index, const Real& speed) {
@@ -92,8 +99,13 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
     const Real flight = 2 * speed / pull[row];
     const Real height = speed * flight / 4;
     result.speed = max(result.speed, speed);
-    if (kept < 1) {
-      result.remaining = max(result.remaining, Real(flight / (1 - kept)));
+    const Real series = flight / (1 - kept);  // [s], infinite for an elastic cable
+    const bool is_over = is_steady(pull[row], series, scale);
+    if (!is_over && height <= rounding_of_gap(the_case.cables[index], state)) {
+      result.ends = false;  // it bounces on, too low for a gap to tell
+      result.remaining = max(result.remaining, flight);
+    } else if (kept < 1) {
+      result.remaining = max(result.remaining, series);
       heights = max(heights, Real(2 * height * flight / (3 * (1 - kept * kept * kept))));
     } else {  // it bounces for ever, at this height
       result.ends = false;
@@ -104,8 +116,7 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
   }
   result.error =
       certificate_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
-  const Real change = scale.acceleration * scale.rate * result.remaining;  // of a pull, meanwhile
-  if (!(pull.minCoeff() > certificate_margin * change)) {  // also where `change` overflows to NaN
+  if (!is_steady(Real(pull.minCoeff()), result.remaining, scale)) {
     return std::nullopt;
   }
   if (cables.size() > 1) {  // how the cables hand the energy to each other is open
@@ -162,10 +173,13 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
 /// True where bounces that begin with `rebound` [m/s] may meet the limits: where they would with a
 /// pull as large as the accelerations of the motion. A stronger one has to wait a little.
 template <class Real>
-bool is_slow(const BasicCable<Real>& cable, const Real& rebound, const CompletionLimits& limits,
-             const Scales<Real>& scale) {
+bool is_slow(const BasicCable<Real>& cable, const BasicState<Real>& state, const Real& rebound,
+             const CompletionLimits& limits, const Scales<Real>& scale) {
   if (limits.speed) {
     return rebound <= *limits.speed;
+  }
+  if (rebound * rebound <= 2 * scale.acceleration * rounding_of_gap(cable, state)) {
+    return true;  // no higher than what a gap can tell
   }
   const Real kept = restitution_up_to(cable, rebound);
   const Real lost = kept < 1 ? Real(1 - kept * kept * kept) : Real(1);
@@ -182,10 +196,10 @@ CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& 
   for (const std::size_t index : touching.cables) {
     const BasicCable<Real>& cable = the_case.cables[index];
     const Real rate = gap_rate(cable, state);
-    if (rate < -touching.rate_rounding) {
+    if (rate < -touching.rounding(cable)) {
       return {};
     }
-    if (is_slow(cable, rate, limits, scale)) {
+    if (is_slow(cable, state, rate, limits, scale)) {
       slow.insert(index);
     }
   }
@@ -208,14 +222,14 @@ CableSet pulled(CableSet cables, const BasicTensions<Real>& held) {
 
 /// The cables of `cables` that are at zero gap and rate, up to rounding.
 template <class Real>
-CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables,
-                 const Real& rate_rounding) {
-  constexpr double drift = 1e3;  // [-] roundings of a length
+CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                 const BasicTouching<Real>& touching, CableSet cables) {
+  constexpr double drift = 1e3;  // [-] roundings of a gap
   CableSet result;
   for (const std::size_t index : cables) {
     const BasicCable<Real>& cable = the_case.cables[index];
-    if (abs(gap(cable, state)) <= drift * epsilon<Real>() * cable.length &&
-        abs(gap_rate(cable, state)) <= rate_rounding) {
+    if (abs(gap(cable, state)) <= drift * rounding_of_gap(cable, state) &&
+        abs(gap_rate(cable, state)) <= touching.rounding(cable)) {
       result.insert(index);
     }
   }
@@ -229,7 +243,7 @@ CableSet moving(const BasicCase<Real>& the_case, const BasicState<Real>& state,
   CableSet result;
   for (const std::size_t index : cables) {
     if (!touching.cables.contains(index) ||
-        abs(gap_rate(the_case.cables[index], state)) > touching.rate_rounding) {
+        abs(gap_rate(the_case.cables[index], state)) > touching.rounding(the_case.cables[index])) {
       result.insert(index);
     }
   }
@@ -267,7 +281,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
     CableSet near = within_reach(the_case, state, cables, latest, scale);
     const BasicState<Real> after = projected(the_case, state, cables);
     // redundant: where the others end taut, so do these
-    const CableSet carried = at_zero(the_case, after, near, touching.rate_rounding);
+    const CableSet carried = at_zero(the_case, after, touching, near);
     near = near - carried;
     if (near.empty()) {
       if (!isfinite(energy(the_case, after))) {

@@ -96,7 +96,7 @@ BasicFirstContactSearch<Real> first_contact(const BasicCase<Real>& the_case,
         earliest ? min(horizon, Real(*earliest * (1 + simultaneous<Real>()))) : horizon;
     const bool at_zero = touching.cables.contains(index);
     const GapAlongFlight<Real> f(the_case, the_case.cables[index], state, at_zero,
-                                 touching.rate_rounding);
+                                 touching.rounding(the_case.cables[index]));
     const BasicRootSearch<Real> search = first_root(f, until, {at_zero});
     result.steps += search.steps;
     if (search.root && isnan(*search.root)) {

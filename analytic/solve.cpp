@@ -3,13 +3,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "equilibrium.hpp"
 #include "instantiate.hpp"
+#include "local_origin.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/hold.hpp"
 #include "tautline/limits.hpp"
 #include "tautline/projection.hpp"
+#include "tautline/rounding.hpp"
 
 // Everything here is a template on the scalar `Real` because one text serves two arithmetics:
 // double, for the answers, and numbers of any length, which say how far those answers are right
@@ -21,13 +24,8 @@
 namespace tautline {
 namespace {
 
-/// Rounding of a gap rate against the fastest speed so far [-]: some ten operations of one ulp
-/// each. Not against the present speed: the body may be stopped within an instant by ever smaller
-/// impacts, and what is left then is rounding of the speeds before. 1e-14 in double.
-template <class Real>
-Real rate_rounding() {
-  return 45 * epsilon<Real>();
-}
+/// In so many rounds of the loop that event follows event time must advance by a rounding each [-].
+constexpr std::size_t rounds_to_advance = 10'000;
 
 /// The instant that ends an arc, and what happens there.
 template <class Real>
@@ -50,28 +48,27 @@ bool fits(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
 template <class Real>
 class Motion {
  public:
-  explicit Motion(const BasicCase<Real>& the_case, const SolveOptions& options)
+  /// `touching` are the cables at zero gap.
+  Motion(const BasicCase<Real>& the_case, const SolveOptions& options, CableSet touching)
       : case_(the_case), options_(options), state_(the_case.initial) {
+    touching_.cables = touching;
     note_speed();
-    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      const BasicCable<Real>& cable = case_.cables[index];
-      if (gap(cable, state_) <= gap_rounding * cable.length) {
-        touching_.cables.insert(index);
-      }
-    }
   }
 
   /// The whole algorithm.
   BasicSolution<Real> run() {
-    for (std::size_t round = 0; round < options_.max_events; ++round) {
+    for (std::size_t round = 1; true; ++round) {
+      if (const auto ending = limit_reached(round)) {
+        return finish(*ending);
+      }
       Stop<Real> stop{Real(0), std::nullopt, contacts().closing};  // left by an impact: at once
       if (stop.cables.empty()) {
         complete_accumulation();
         if (!held_ && !hold_resting()) {
           return finish(Ending::singular);
         }
-        if (at_rest()) {
-          return come_to_rest();
+        if (const auto ending = rest()) {
+          return come_to_rest(*ending);
         }
         stop = next_stop();
       }
@@ -87,10 +84,26 @@ class Motion {
         }
       }
     }
-    return finish(Ending::event_limit);
   }
 
  private:
+  /// Why to give up, if there is a reason.
+  [[nodiscard]] std::optional<Ending> limit_reached(std::size_t round) {
+    if (events_.size() >= options_.max_events) {
+      return Ending::event_limit;
+    }
+    if (steps_ >= options_.max_steps) {
+      return Ending::step_limit;
+    }
+    if (round % rounds_to_advance == 0) {
+      if (time_ - advanced_to_ <= rounds_to_advance * epsilon<Real>() * time_) {
+        return Ending::no_progress;
+      }
+      advanced_to_ = time_;
+    }
+    return std::nullopt;
+  }
+
   /// The cables at zero gap that close now and those that rest, up to rounding.
   struct Contacts {
     CableSet closing;
@@ -100,9 +113,10 @@ class Motion {
     Contacts result;
     for (const std::size_t index : touching_.cables) {
       const Real rate = gap_rate(case_.cables[index], state_);
-      if (rate < -touching_.rate_rounding) {
+      const Real rounding = touching_.rounding(case_.cables[index]);
+      if (rate < -rounding) {
         result.closing.insert(index);
-      } else if (rate <= touching_.rate_rounding) {
+      } else if (rate <= rounding) {
         result.resting.insert(index);
       }
     }
@@ -159,7 +173,7 @@ class Motion {
   /// leave it nowhere to go.
   [[nodiscard]] bool is_caught() const {
     constexpr double of_rounding = 100.0;  // [-], left by a long row of impacts within an instant
-    return speed_scale(case_, state_) <= of_rounding * touching_.rate_rounding;
+    return speed_scale(case_, state_) <= of_rounding * rate_rounding();
   }
 
   /// True where no time step is small enough: tensions grow without bound.
@@ -167,21 +181,18 @@ class Motion {
     return !(time_ + held.reach > time_);
   }
 
-  /// True where held cables keep the body from moving, now and so for ever.
-  [[nodiscard]] bool at_rest() const {
+  /// The ending where held cables keep the body from moving, now and so for ever. A spin about the
+  /// centre that it hangs at is no motion.
+  [[nodiscard]] std::optional<Ending> rest() const {
     if (taut_.empty()) {
-      return false;
+      return std::nullopt;
     }
-    const auto& motion = held_->motion;
-    const Real radius = attachment_radius(case_);
-    if (speed_scale(case_, state_) > touching_.rate_rounding || (radius == 0 && state_.spin != 0)) {
-      return false;
+    const bool turns = !turns_freely(case_, state_, taut_);
+    const Real speed = turns ? speed_scale(case_, state_) : Real(state_.velocity.norm());
+    if (speed > rate_rounding()) {
+      return std::nullopt;
     }
-    // pulling cables are independent: as many as there are ways to move leave none
-    const bool turns = radius > 0 && inverse_mass(case_.body)[2] > 0;
-    const Real still = rate_rounding<Real>() * 100 * case_.gravity.norm();
-    return held_->pulling.size() >= (turns ? 3U : 2U) ||
-           abs(motion.x()[2]) + abs(motion.y()[2]) + radius * abs(motion.angle()[2]) <= still;
+    return equilibrium(case_, state_, *held_);
   }
 
   /// The earliest of: a contact, a release, the reach of a series, a limit of the case's validity,
@@ -247,6 +258,7 @@ class Motion {
     time_ = arcs_.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     note_speed();
+    steps_ += stop.cables.empty() ? 1U : 0U;
     held_ = stop.is_step ? continued(case_, state_, touching_, *held_) : std::nullopt;
     if (held_ && is_singular(*held_)) {
       held_.reset();
@@ -257,11 +269,10 @@ class Motion {
   /// the gaps of those just hit once it is more than a few arcs leave.
   [[nodiscard]] BasicState<Real> on_cables(BasicState<Real> state, CableSet held,
                                            CableSet hit) const {
-    const Real drift = 45 * epsilon<Real>();  // [-] of a cable's length; one arc leaves one or two
     bool drifted = !held.empty();
     for (const std::size_t index : hit) {
       const BasicCable<Real>& cable = case_.cables[index];
-      drifted = drifted || abs(gap(cable, state)) > drift * cable.length;
+      drifted = drifted || abs(gap(cable, state)) > few_roundings * rounding_of_gap(cable, state);
     }
     if (drifted) {
       state = with_zero_gaps(case_, state, held | hit);
@@ -269,10 +280,18 @@ class Motion {
     return held.empty() ? state : with_zero_rates(case_, state, held);
   }
 
-  /// Keeps the rounding of gap rates up to date.
+  /// Keeps the rounding of gap rates up to date: that of the fastest speeds so far. Not of the
+  /// present ones: the body may be stopped within an instant by ever smaller impacts, and what is
+  /// left then is rounding of the speeds before.
   void note_speed() {
-    touching_.rate_rounding =
-        max(touching_.rate_rounding, Real(rate_rounding<Real>() * speed_scale(case_, state_)));
+    const Real rounding = few_roundings * epsilon<Real>();
+    touching_.rate_rounding = max(touching_.rate_rounding, Real(rounding * state_.velocity.norm()));
+    touching_.spin_rounding = max(touching_.spin_rounding, Real(rounding * abs(state_.spin)));
+  }
+
+  /// Of the fastest attachment [m/s].
+  [[nodiscard]] Real rate_rounding() const {
+    return touching_.rate_rounding + touching_.spin_rounding * attachment_radius(case_);
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
@@ -305,14 +324,17 @@ class Motion {
     return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
   }
 
-  BasicSolution<Real> come_to_rest() {
+  BasicSolution<Real> come_to_rest(Ending ending) {
     state_.velocity.setZero();
-    state_.spin = Real(0);
+    if (!turns_freely(case_, state_, taut_)) {
+      state_.spin = Real(0);
+    }
     BasicArc<Real> rest{time_, case_.duration, state_, taut_, {}};
-    rest.series.resize(1, 3);
-    rest.series << state_.position.x(), state_.position.y(), state_.angle;
+    rest.series.resize(2, 3);
+    rest.series << state_.position.x(), state_.position.y(), state_.angle, Real(0), Real(0),
+        state_.spin;
     arcs_.push_back(std::move(rest));
-    return solution(Ending::rest);
+    return solution(ending);
   }
 
   BasicSolution<Real> finish(Ending ending) {
@@ -331,6 +353,8 @@ class Motion {
   Real time_ = Real(0);
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
+  std::size_t steps_ = 0;                // without an event
+  Real advanced_to_ = Real(0);           // [s], `time_` at the last look
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
   std::vector<BasicArc<Real>> arcs_;
@@ -345,7 +369,18 @@ BasicSolution<Real> solve(const BasicCase<Real>& the_case, const SolveOptions& o
   if (const auto broken = problems(in_double(the_case)); !broken.empty()) {
     throw std::invalid_argument(broken.front());
   }
-  return Motion<Real>(the_case, options).run();
+  CableSet touching;  // by the rounding of the numbers given
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    if (starts_at_zero(the_case.cables[index], the_case.initial)) {
+      touching.insert(index);
+    }
+  }
+  const BasicVec2<Real> origin = local_origin(the_case);
+  if (origin.isZero(0)) {
+    return Motion<Real>(the_case, options, touching).run();
+  }
+  const BasicCase<Real> near = seen_from(origin, the_case);
+  return seen_from<Real>(-origin, Motion<Real>(near, options, touching).run());
 }
 
 template BasicSolution<Instance> solve(const BasicCase<Instance>&, const SolveOptions&);

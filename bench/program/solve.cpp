@@ -118,6 +118,13 @@ std::vector<std::string> usage_problems(const SolveCommand& command) {
   return broken;
 }
 
+/// A motion that was given up is a failure, though what is told of it is right.
+int exit_code(Ending ending) {
+  const bool given_up = ending == Ending::event_limit || ending == Ending::step_limit ||
+                        ending == Ending::no_progress;
+  return given_up ? exit_failed : exit_done;
+}
+
 int solve_command(const SolveCommand& command) {
   if (const auto broken = usage_problems(command); !broken.empty()) {
     complain(broken);
@@ -147,11 +154,11 @@ int solve_command(const SolveCommand& command) {
     if (command.plot != "-") {
       print_solution(command, *the_case, solution, extras);
     }
-    return exit_done;
+    return exit_code(solution.ending());
   }
   write_output(command.json, solution_json(*the_case, options, solution, extras.settling,
                                            command.at, extras.certificate));
-  return exit_done;
+  return exit_code(solution.ending());
 }
 
 }  // namespace

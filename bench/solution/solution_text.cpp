@@ -17,8 +17,19 @@ std::string ending_sentence(const Case& the_case, const Solution& solution) {
     case Ending::reached_duration:
       return fmt::format("The run reached its duration, t = {}.", end);
     case Ending::rest:
+      if (solution.arcs().back().initial.spin != 0.0) {  // exactly
+        return fmt::format(
+            "The body hangs still at its centre from t = {:.9f} on, to its duration, t = {}, and "
+            "turns steadily.",
+            solution.arcs().back().start, end);
+      }
       return fmt::format("The body is at rest from t = {:.9f} on, to its duration, t = {}.",
                          solution.arcs().back().start, end);
+    case Ending::unstable_rest:
+      return fmt::format(
+          "The body stands still from t = {:.9f} on, to its duration, t = {}, at an unstable "
+          "equilibrium: the smallest push would end it.",
+          solution.arcs().back().start, end);
     case Ending::singular:
       return fmt::format(
           "Stopped at t = {:.9f}: the touching cables come so near to one line there that their "
@@ -30,8 +41,16 @@ std::string ending_sentence(const Case& the_case, const Solution& solution) {
       return fmt::format("An attachment reached the ceiling {} at t = {:.9f}.", *the_case.ceiling,
                          end);
     case Ending::event_limit:
+      return fmt::format("Stopped at t = {:.9f}: the limit of {} events is reached.", end,
+                         solution.events().size());
+    case Ending::step_limit:
       return fmt::format(
-          "Stopped at t = {:.9f}: the limit of events and steps of taut motion is reached.", end);
+          "Stopped at t = {:.9f}: the limit of steps of taut motion is reached; the body turns or "
+          "swings too often until t = {}.",
+          end, the_case.duration);
+    case Ending::no_progress:
+      return fmt::format(
+          "Stopped at t = {:.9f}: event follows event there, and time does not advance.", end);
     case Ending::overflow:
       return fmt::format(
           "Stopped at t = {:.9f}: past it the motion has numbers too large for a double.", end);

@@ -184,15 +184,12 @@ class Motion {
   /// The ending where held cables keep the body from moving, now and so for ever. A spin about the
   /// centre that it hangs at is no motion.
   [[nodiscard]] std::optional<Ending> rest() const {
-    if (taut_.empty()) {
+    if (taut_.empty() || state_.velocity.norm() > rate_rounding()) {
       return std::nullopt;
     }
-    const bool turns = !turns_freely(case_, state_, taut_);
-    const Real speed = turns ? speed_scale(case_, state_) : Real(state_.velocity.norm());
-    if (speed > rate_rounding()) {
-      return std::nullopt;
-    }
-    return equilibrium(case_, state_, *held_);
+    const bool still =
+        speed_scale(case_, state_) <= rate_rounding() || turns_freely(case_, state_, taut_);
+    return still ? equilibrium(case_, state_, *held_) : std::nullopt;
   }
 
   /// The earliest of: a contact, a release, the reach of a series, a limit of the case's validity,

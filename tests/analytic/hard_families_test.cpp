@@ -11,6 +11,7 @@
 #include "support.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
+#include "tautline/rounding.hpp"
 #include "tautline/solve.hpp"
 
 // Random systems from families that are hard for a double. TAUTLINE_HARD_SYSTEMS in the environment
@@ -170,7 +171,8 @@ TEST_P(HardFamilies, EndInTimeAndTruthfully) {
       const double change = energy(the_case, event.after) - energy(the_case, event.before);
       gain = std::max(gain, change / energy_rounding(the_case));
       for (const Cable& cable : the_case.cables) {
-        overstretch = std::max(overstretch, -gap(cable, event.after) / cable.length);
+        const double told = few_roundings * rounding_of_gap(cable, event.after);
+        overstretch = std::max(overstretch, (-gap(cable, event.after) - told) / cable.length);
       }
       ASSERT_TRUE(std::isfinite(change)) << "at " << event.time;
     }
@@ -180,7 +182,7 @@ TEST_P(HardFamilies, EndInTimeAndTruthfully) {
   }
   expect_within("slowest [s of processor time]", slowest, 2.0);
   expect_within("energy gained by an event [roundings]", gain, 1000.0);
-  expect_within("overstretch after an event, of the length", overstretch, 1e-9);
+  expect_within("overstretch after an event, beyond rounding, of the length", overstretch, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, HardFamilies, ::testing::ValuesIn(families),

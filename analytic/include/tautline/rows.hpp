@@ -37,19 +37,6 @@ template <class Real>
   return {root, root, body.inertia > 0 ? Real(Real(1) / sqrt(body.inertia)) : Real(0)};
 }
 
-/// A = J M^-1/2 over `cables`.
-template <class Real>
-[[nodiscard]] Rows<Real> mass_rows(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                   CableSet cables) {
-  const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
-  Rows<Real> rows(static_cast<Eigen::Index>(cables.size()), 3);
-  Eigen::Index row = 0;
-  for (const std::size_t index : cables) {
-    rows.row(row++) = gap_gradient(the_case.cables[index], state).cwiseProduct(weight).transpose();
-  }
-  return rows;
-}
-
 /// The velocity of `state` times the root of the mass.
 template <class Real>
 [[nodiscard]] Vector3<Real> mass_velocity(const BasicBody<Real>& body,
@@ -118,25 +105,22 @@ class RowSpace {
   Vector3<Real> normal_;  // of the plane of two rows
 };
 
-/// Rows that know which of them are independent: by their geometry, whatever the masses.
+/// The rows A = J M^-1/2 of `cables`, which know which of them are independent: by their geometry,
+/// whatever the masses.
 template <class Real>
 class CableRows {
  public:
   CableRows(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables)
-      : rows_(mass_rows(the_case, state, cables)), shapes_(rows_.rows(), 3) {
-    Real arms(0);  // [m], makes an angle as large as a shift
-    Real rounding(0);
-    for (const std::size_t index : cables) {
-      const BasicCable<Real>& cable = the_case.cables[index];
-      arms = max(arms, Real(cable.attachment.norm()));
-      rounding = max(rounding, rounding_of_direction(cable, state));
-    }
-    dependent_ = rounding_margin * rounding;
+      : rows_(static_cast<Eigen::Index>(cables.size()), 3), shapes_(rows_.rows(), 3) {
+    const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
     Eigen::Index row = 0;
     for (const std::size_t index : cables) {
-      Vector3<Real> shape = gap_gradient(the_case.cables[index], state);
-      shape[2] = arms > 0 && the_case.body.inertia > 0 ? Real(shape[2] / arms) : Real(0);
-      shapes_.row(row++) = shape.transpose();
+      const Vector3<Real> gradient = gap_gradient(the_case.cables[index], state);
+      shapes_.row(row) = gradient.transpose();
+      rows_.row(row++) = gradient.cwiseProduct(weight).transpose();
+    }
+    if (cables.size() > 1) {  // one depends on nothing
+      make_comparable(the_case, state, cables);
     }
   }
 
@@ -219,9 +203,24 @@ class CableRows {
     return result;
   }
 
+  /// Gives the shapes a length as their last column, and their rounding.
+  void make_comparable(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                       CableSet cables) {
+    Real longest(0);  // [m], of the arms
+    Real rounding(0);
+    for (const std::size_t index : cables) {
+      const BasicCable<Real>& cable = the_case.cables[index];
+      longest = max(longest, Real(cable.attachment.norm()));
+      rounding = max(rounding, rounding_of_direction(cable, state));
+    }
+    dependent_ = rounding_margin * rounding;
+    const bool turns = longest > 0 && the_case.body.inertia > 0;
+    shapes_.col(2) *= turns ? Real(Real(1) / longest) : Real(0);
+  }
+
   Rows<Real> rows_;
   Rows<Real> shapes_;
-  Real dependent_;
+  Real dependent_ = Real(0);
 };
 
 }  // namespace tautline

@@ -6,6 +6,7 @@
 #include "equilibrium.hpp"
 #include "instantiate.hpp"
 #include "local_origin.hpp"
+#include "progress.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
@@ -23,9 +24,6 @@
 
 namespace tautline {
 namespace {
-
-/// In so many rounds of the loop that event follows event time must advance by a rounding each [-].
-constexpr std::size_t rounds_to_advance = 10'000;
 
 /// The instant that ends an arc, and what happens there.
 template <class Real>
@@ -57,8 +55,8 @@ class Motion {
 
   /// The whole algorithm.
   BasicSolution<Real> run() {
-    for (std::size_t round = 1; true; ++round) {
-      if (const auto ending = limit_reached(round)) {
+    while (true) {
+      if (const auto ending = limit_reached()) {
         return finish(*ending);
       }
       Stop<Real> stop{Real(0), std::nullopt, contacts().closing};  // left by an impact: at once
@@ -88,20 +86,29 @@ class Motion {
 
  private:
   /// Why to give up, if there is a reason.
-  [[nodiscard]] std::optional<Ending> limit_reached(std::size_t round) {
+  [[nodiscard]] std::optional<Ending> limit_reached() {
     if (events_.size() >= options_.max_events) {
       return Ending::event_limit;
     }
     if (steps_ >= options_.max_steps) {
       return Ending::step_limit;
     }
-    if (round % rounds_to_advance == 0) {
-      if (time_ - advanced_to_ <= rounds_to_advance * epsilon<Real>() * time_) {
-        return Ending::no_progress;
-      }
-      advanced_to_ = time_;
+    const auto chattering = progress_.stands_still(time_);
+    return chattering && !stop_chatter(*chattering) ? std::optional(Ending::no_progress)
+                                                    : std::nullopt;
+  }
+
+  /// Ends the impacts that follow each other within this instant. False where they do not end.
+  [[nodiscard]] bool stop_chatter(CableSet cables) {
+    const auto after = end_of_chatter(case_, state_, cables);
+    if (!after || progress_.is_hopeless()) {
+      return false;
     }
-    return std::nullopt;
+    record(EventKind::impact, cables,
+           -multipliers<Real>(case_, state_, cables, gap_rates(case_, state_, cables)), *after);
+    touching_.cables = touching_.cables | cables;
+    held_.reset();
+    return true;
   }
 
   /// The cables at zero gap that close now and those that rest, up to rounding.
@@ -307,6 +314,7 @@ class Motion {
       return given && impact.impulses.hasNaN() ? Ending::singular : Ending::overflow;
     }
     record(EventKind::impact, cables, std::move(impact.impulses), impact.after);
+    progress_.note_hit(closing);
     return std::nullopt;
   }
 
@@ -350,8 +358,8 @@ class Motion {
   Real time_ = Real(0);
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
-  std::size_t steps_ = 0;                // without an event
-  Real advanced_to_ = Real(0);           // [s], `time_` at the last look
+  std::size_t steps_ = 0;  // without an event
+  Progress<Real> progress_;
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
   std::vector<BasicArc<Real>> arcs_;

@@ -1,6 +1,6 @@
 #include "equilibrium.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <utility>
 
 #include "instantiate.hpp"
 #include "tautline/geometry.hpp"
@@ -46,9 +46,14 @@ bool is_unstable(const BasicCase<Real>& the_case, const BasicState<Real>& state,
   }
   const Matrix3 stiffness =
       along.transpose() * weight.asDiagonal() * bending * weight.asDiagonal() * along;
-  const Eigen::SelfAdjointEigenSolver<Matrix3> modes(stiffness, Eigen::EigenvaluesOnly);
-  const Real size = stiffness.cwiseAbs().maxCoeff();
-  return modes.eigenvalues()[0] < -rounding_margin * epsilon<Real>() * size;
+  // along a row there is no motion, so that one eigenvalue is zero: the others solve a quadratic
+  const Real half = stiffness.trace() / 2;
+  Real minors(0);
+  for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)}) {
+    minors += stiffness(i, i) * stiffness(j, j) - stiffness(i, j) * stiffness(j, i);
+  }
+  const Real least = half - sqrt(max(Real(0), Real(half * half - minors)));
+  return least < -rounding_margin * epsilon<Real>() * stiffness.cwiseAbs().maxCoeff();
 }
 
 }  // namespace

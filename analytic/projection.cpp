@@ -97,7 +97,7 @@ BasicState<Real> with_zero_rates(const BasicCase<Real>& the_case, const BasicSta
 
 template <class Real>
 BasicState<Real> with_zero_gaps(const BasicCase<Real>& the_case, BasicState<Real> state,
-                                CableSet cables) {
+                                CableSet cables, const std::type_identity_t<Real>& least_sine) {
   constexpr int enough = 8;          // quadratic: three reach a double's last bit, seven 100 digits
   constexpr double last_bits = 4.0;  // [-] roundings, which a step leaves
   if (cables.empty()) {
@@ -107,7 +107,7 @@ BasicState<Real> with_zero_gaps(const BasicCase<Real>& the_case, BasicState<Real
   const std::vector<std::size_t> indices = cables.indices();
   for (int iteration = 0; iteration < enough; ++iteration) {
     const CableRows<Real> rows(the_case, state, cables);
-    const CableSet basis = rows.most_independent();  // where they are closed, the others are
+    const CableSet basis = rows.most_independent(least_sine);  // with them the others close
     const RowSpace<Real> space = rows.space(basis);
     Vector3<Real> step = Vector3<Real>::Zero();  // of the pose, times the root of the mass
     bool closed = true;
@@ -143,7 +143,7 @@ template BasicCableVector<Instance> multipliers(const BasicCase<Instance>&,
 template BasicState<Instance> with_zero_rates(const BasicCase<Instance>&,
                                               const BasicState<Instance>&, CableSet);
 template BasicState<Instance> with_zero_gaps(const BasicCase<Instance>&, BasicState<Instance>,
-                                             CableSet);
+                                             CableSet, const Instance&);
 template BasicState<Instance> projected(const BasicCase<Instance>&, const BasicState<Instance>&,
                                         CableSet);
 

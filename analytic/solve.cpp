@@ -279,7 +279,8 @@ class Motion {
       drifted = drifted || abs(gap(cable, state)) > few_roundings * rounding_of_gap(cable, state);
     }
     if (drifted) {
-      state = with_zero_gaps(case_, state, held | hit);
+      constexpr double almost_dependent = 1e-2;  // [-], a sine: a hundredfold of the gaps is enough
+      state = with_zero_gaps(case_, state, held | hit, hit.empty() ? 0.0 : almost_dependent);
     }
     return held.empty() ? state : with_zero_rates(case_, state, held);
   }

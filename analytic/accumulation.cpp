@@ -284,7 +284,9 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
     const CableSet carried = at_zero(the_case, after, touching, near);
     near = near - carried;
     if (near.empty()) {
-      if (!isfinite(energy(the_case, after))) {
+      // cables almost dependent, which the body had to go far to close
+      if (!(energy(the_case, after) - energy(the_case, state) <=
+            rounding_margin * rounding_of_energy(the_case, state))) {  // also where it overflows
         return std::nullopt;
       }
       if (cables.size() == 1 && bounces->ends) {

@@ -54,6 +54,18 @@ template <class Real>
          (the_case.gravity.norm() + state.spin * state.spin * arm + speed * speed / cable.length);
 }
 
+/// One rounding of the energy [J]: of the kinetic one, and of the weight's at its largest height.
+template <class Real>
+[[nodiscard]] Real rounding_of_energy(const BasicCase<Real>& the_case,
+                                      const BasicState<Real>& state) {
+  Real height(0);
+  for (const BasicCable<Real>& cable : the_case.cables) {
+    height = max(height, gap_operand(cable, state));
+  }
+  return epsilon<Real>() * (kinetic_energy(the_case.body, state) +
+                            the_case.body.mass * the_case.gravity.norm() * height);
+}
+
 /// True where a gap at the start counts as zero: within `gap_rounding` of the input, or of what its
 /// coordinates can tell.
 template <class Real>

@@ -125,16 +125,6 @@ constexpr std::array families = {Family{"LightOrHeavy", light_or_heavy},
                                  Family{"FarAway", far_away},
                                  Family{"ElasticAndPlastic", elastic_and_plastic}};
 
-/// The rounding of the energies of a motion [J]: of its kinetic energy, and of its heights.
-double energy_rounding(const Case& the_case) {
-  double height = the_case.initial.position.norm();
-  for (const Cable& cable : the_case.cables) {
-    height = std::max(height, cable.anchor.norm() + cable.length);
-  }
-  return epsilon<double>() * (kinetic_energy(the_case.body, the_case.initial) +
-                              the_case.body.mass * the_case.gravity.norm() * height);
-}
-
 class HardFamilies : public ::testing::TestWithParam<Family> {};
 
 TEST_P(HardFamilies, EndInTimeAndTruthfully) {
@@ -142,6 +132,7 @@ TEST_P(HardFamilies, EndInTimeAndTruthfully) {
   double slowest = 0.0;
   double gain = 0.0;
   double overstretch = 0.0;
+  int refused = 0;
   std::map<std::string_view, int> endings;
   const int count = systems_of_a_family();
   for (int sample = 0; sample < count; ++sample) {
@@ -155,7 +146,10 @@ TEST_P(HardFamilies, EndInTimeAndTruthfully) {
           static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(families.size())));
       the_case = families[other].make(random, std::move(the_case));
     }
-    ASSERT_TRUE(problems(the_case).empty()) << problems(the_case).front();
+    if (!problems(the_case).empty()) {  // anchors so far apart that the body cannot float
+      ++refused;
+      continue;
+    }
     SolveOptions options;
     options.law = impact_laws[static_cast<std::size_t>(sample) % impact_laws.size()];
     const std::clock_t begin = std::clock();
@@ -169,11 +163,13 @@ TEST_P(HardFamilies, EndInTimeAndTruthfully) {
     ++endings[to_string(solution.ending())];
     for (const Event& event : solution.events()) {
       const double change = energy(the_case, event.after) - energy(the_case, event.before);
-      gain = std::max(gain, change / energy_rounding(the_case));
+      gain = std::max(gain, change / rounding_of_energy(the_case, event.before));
       for (const Cable& cable : the_case.cables) {
         // far away lengths are given to 1e-10 m, and a wedge multiplies that by one over its sine
         constexpr double wedge = 1000.0;  // [-]
-        const double told = wedge * rounding_of_gap(cable, event.after);
+        const double moved =              // while time advances by a rounding
+            epsilon<double>() * event.time * speed_scale(the_case, event.before);
+        const double told = wedge * (rounding_of_gap(cable, event.after) + moved);
         overstretch = std::max(overstretch, (-gap(cable, event.after) - told) / cable.length);
       }
       ASSERT_TRUE(std::isfinite(change)) << "at " << event.time;
@@ -182,6 +178,7 @@ TEST_P(HardFamilies, EndInTimeAndTruthfully) {
   for (const auto& [ending, times] : endings) {
     std::cout << "  " << ending << ": " << times << '\n';
   }
+  EXPECT_LE(10 * refused, count);
   expect_within("slowest [s of processor time]", slowest, 2.0);
   expect_within("energy gained by an event [roundings]", gain, 1000.0);
   expect_within("overstretch after an event, beyond rounding, of the length", overstretch, 1e-9);

@@ -25,7 +25,7 @@ endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 install(FILES THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES CITATION.cff VALIDATION.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/ci-recipe.md docs/program.md docs/report.md docs/scaling.md
+install(FILES docs/ci-recipe.md docs/program.md docs/report.md docs/scaling.md docs/trend.svg
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES docs/tutorials/any-language.md docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials)

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -34,12 +35,13 @@ constexpr std::size_t tail_length = 2000;  // [bytes] of a child's output that a
 /// What a spawned process is given; released with it.
 class SpawnSetup {
  public:
-  SpawnSetup(int input, int output, int result) {
+  SpawnSetup(int input, int output, int result, int turn) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_adddup2(&actions_, input, 0);
     posix_spawn_file_actions_adddup2(&actions_, output, 1);
     posix_spawn_file_actions_adddup2(&actions_, output, 2);
     posix_spawn_file_actions_adddup2(&actions_, result, 3);
+    posix_spawn_file_actions_adddup2(&actions_, turn, 4);
     posix_spawnattr_init(&attributes_);
     // a group of its own: Ctrl-C reaches this program alone, and a kill reaches all it started
     posix_spawnattr_setpgroup(&attributes_, 0);
@@ -89,73 +91,28 @@ void append_tail(ProcessEnd& end, const char* data, std::size_t size) {
   }
 }
 
-/// Reads what is there now; false at the end of the stream.
-bool drain(int pipe, ProcessEnd& end) {
-  std::array<char, 1 << 16> buffer{};
-  while (true) {
-    const ssize_t size = ::read(pipe, buffer.data(), buffer.size());
-    if (size > 0) {
-      append_tail(end, buffer.data(), static_cast<std::size_t>(size));
-      return true;
-    }
-    if (size == 0) {
-      return false;
-    }
-    if (errno != EINTR) {
-      return errno == EAGAIN;
-    }
-  }
-}
-
-/// Captures output until the child is gone, its time is up or the program is interrupted.
-void watch(pid_t child, int pipe, double time_limit, ProcessEnd& end, int& status) {
-  using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + std::chrono::duration<double>(time_limit);
-  bool open = true;
-  constexpr int look_again = 20;  // [ms]: notices a limit, an interruption, or a closed pipe
-  while (true) {
-    if (open) {
-      pollfd watched{pipe, POLLIN, 0};
-      if (::poll(&watched, 1, look_again) > 0) {
-        open = drain(pipe, end);
-      }
-    } else {
-      ::poll(nullptr, 0, 1);
-    }
-    if (::waitpid(child, &status, WNOHANG) == child) {
-      break;
-    }
-    const bool late = Clock::now() > deadline;
-    if (late || interruption()) {
-      end.kind = late ? ProcessEnd::Kind::timed_out : ProcessEnd::Kind::interrupted;
-      ::kill(-child, SIGKILL);
-      ::waitpid(child, &status, 0);
-      break;
-    }
-  }
-  // what is left in the pipe; a grandchild that holds it open is not waited for
-  for (pollfd rest{pipe, POLLIN, 0}; open && ::poll(&rest, 1, 0) > 0;) {
-    open = drain(pipe, end);
-  }
-  ::kill(-child, SIGKILL);  // the group outlives its leader if the child started others
-}
-
 }  // namespace
 
-Descriptor memory_file(std::string_view content) {
+Descriptor memory_file() {
   Descriptor file(::memfd_create("tautline", MFD_CLOEXEC));
   if (file.get() < 0) {
     fail_with("cannot make a file in memory", errno);
   }
-  while (!content.empty()) {
-    const ssize_t size = ::write(file.get(), content.data(), content.size());
+  return file;
+}
+
+void fill(const Descriptor& file, std::string_view content) {
+  if (::ftruncate(file.get(), 0) != 0) {
+    fail_with("cannot empty a file in memory", errno);
+  }
+  for (off_t done = 0; !content.empty();) {
+    const ssize_t size = ::pwrite(file.get(), content.data(), content.size(), done);
     if (size < 0) {
       fail_with("cannot write a file in memory", errno);
     }
     content.remove_prefix(static_cast<std::size_t>(size));
+    done += size;
   }
-  ::lseek(file.get(), 0, SEEK_SET);
-  return file;
 }
 
 std::string content_of(const Descriptor& file) {
@@ -193,26 +150,84 @@ void catch_interruption() {
   std::signal(SIGTERM, handler);
 }
 
-ProcessEnd run_process(const std::vector<std::string>& arguments, const Descriptor& input,
-                       const Descriptor& result, double time_limit) {
+Process::Process(const std::vector<std::string>& arguments, const Descriptor& input,
+                 const Descriptor& result, const Descriptor& turn) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     fail_with("cannot make a pipe", errno);
   }
-  const Descriptor reading(ends[0]);
-  Descriptor writing(ends[1]);
-  ::fcntl(reading.get(), F_SETFL, O_NONBLOCK);
-  const pid_t child = SpawnSetup(input.get(), writing.get(), result.get()).spawn(arguments);
-  writing.close();
-  ProcessEnd end;
+  output_ = Descriptor(ends[0]);
+  const Descriptor writing(ends[1]);
+  ::fcntl(output_.get(), F_SETFL, O_NONBLOCK);
+  process_ = SpawnSetup(input.get(), writing.get(), result.get(), turn.get()).spawn(arguments);
+}
+
+Process::~Process() {
+  if (process_ > 0) {
+    end();
+  }
+}
+
+int Process::end() {
+  ::kill(-process_, SIGKILL);  // the group outlives its leader if that started others
   int status = 0;
-  watch(child, reading.get(), time_limit, end, status);
+  ::waitpid(std::exchange(process_, -1), &status, 0);
+  return status;
+}
+
+void Process::drain(ProcessEnd& end) {
+  std::array<char, 1 << 16> buffer{};  // as much as a pipe holds
+  const ssize_t size = ::read(output_.get(), buffer.data(), buffer.size());
+  if (size > 0) {
+    append_tail(end, buffer.data(), static_cast<std::size_t>(size));
+  } else if (size == 0) {
+    output_.close();
+  }
+}
+
+ProcessEnd::Kind Process::watch(int turn, double time_limit, ProcessEnd& end) {
+  using Clock = std::chrono::steady_clock;
+  const auto deadline = Clock::now() + std::chrono::duration<double>(time_limit);
+  while (!interruption()) {
+    // looks again after so many [ms]: notices a limit, an interruption, or a closed pipe
+    const int look_again = output_.get() >= 0 ? 20 : 1;
+    std::array<pollfd, 2> watched{{{output_.get(), POLLIN, 0}, {turn, POLLIN, 0}}};
+    ::poll(watched.data(), watched.size(), look_again);
+    drain(end);
+    char byte = 0;
+    const ssize_t size = turn < 0 ? -1 : ::recv(turn, &byte, 1, MSG_DONTWAIT);
+    if (size > 0) {
+      return ProcessEnd::Kind::answered;
+    }
+    if (size == 0) {
+      turn = -1;  // it is at its end, or has closed what it should not have
+    }
+    siginfo_t gone{};
+    if (::waitid(P_PID, static_cast<id_t>(process_), &gone, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        gone.si_pid == process_) {
+      return ProcessEnd::Kind::exited;
+    }
+    if (Clock::now() > deadline) {
+      return ProcessEnd::Kind::timed_out;
+    }
+  }
+  return ProcessEnd::Kind::interrupted;
+}
+
+ProcessEnd Process::wait(const Descriptor& turn, double time_limit) {
+  ProcessEnd end;
+  end.kind = watch(turn.get(), time_limit, end);
+  drain(end);  // what is left in the pipe; a grandchild that holds it open is not waited for
+  if (end.output_tail.size() > tail_length) {
+    end.output_tail.erase(0, end.output_tail.size() - tail_length);
+  }
+  if (end.kind == ProcessEnd::Kind::answered) {
+    return end;
+  }
+  const int status = this->end();
   if (end.kind == ProcessEnd::Kind::exited) {
     end.kind = WIFSIGNALED(status) ? ProcessEnd::Kind::signalled : ProcessEnd::Kind::exited;
     end.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
-  }
-  if (end.output_tail.size() > tail_length) {
-    end.output_tail.erase(0, end.output_tail.size() - tail_length);
   }
   return end;
 }

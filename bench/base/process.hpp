@@ -1,8 +1,9 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <atomic>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,15 +12,19 @@
 
 namespace tautline::bench {
 
-/// A nameless file in memory, so that a full disk cannot stop a run. Throws std::system_error.
-[[nodiscard]] Descriptor memory_file(std::string_view content);
+/// A nameless and empty file in memory, so that a full disk cannot stop a run. Throws
+/// std::system_error.
+[[nodiscard]] Descriptor memory_file();
+
+/// Puts `content` into such a file in place of what is there. Throws std::system_error.
+void fill(const Descriptor& file, std::string_view content);
 
 /// Everything in such a file. Throws std::system_error.
 [[nodiscard]] std::string content_of(const Descriptor& file);
 
-/// How a child process ended.
+/// How a child process ended, or came to an answer.
 struct ProcessEnd {
-  enum class Kind { exited, signalled, timed_out, interrupted };
+  enum class Kind { exited, signalled, timed_out, interrupted, answered };
   Kind kind = Kind::exited;
   int code = 0;             // exit code, or signal number
   std::string output_tail;  // the last of what it printed on stdout and stderr
@@ -30,15 +35,33 @@ struct ProcessEnd {
 /// one ends it at once.
 void catch_interruption();
 
-/// Set by a signal handler to make every `run_process` end its child and return.
+/// Set by a signal handler to make every `Process::wait` end its child and return.
 [[nodiscard]] std::atomic<bool>& interruption();
 
-/// Runs `arguments` (the first is the program) with `input` as its descriptor 0, `result` as its
-/// descriptor 3 and its output captured; kills it and its children after `time_limit` [s].
-/// Throws std::system_error if it cannot be started.
-[[nodiscard]] ProcessEnd run_process(const std::vector<std::string>& arguments,
-                                     const Descriptor& input, const Descriptor& result,
-                                     double time_limit);
+/// A child process in a group of its own, its output captured. It and its group are gone when this
+/// is.
+class Process {
+ public:
+  /// Starts `arguments` (the first is the program) with `input` as its descriptor 0, `result` as 3
+  /// and `turn`, one end of a socket, as 4. Throws std::system_error if it cannot be started.
+  Process(const std::vector<std::string>& arguments, const Descriptor& input,
+          const Descriptor& result, const Descriptor& turn);
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process();
+
+  /// Captures output until it ends, or until a byte comes from `turn`, the other end of the socket;
+  /// it then goes on. Killed after `time_limit` [s], or when the program is interrupted.
+  [[nodiscard]] ProcessEnd wait(const Descriptor& turn, double time_limit);
+
+ private:
+  [[nodiscard]] ProcessEnd::Kind watch(int turn, double time_limit, ProcessEnd& end);
+  void drain(ProcessEnd& end);  // what it has printed by now
+  int end();                    // of all; the status with which it ended
+
+  Descriptor output_;   // closed at its end
+  pid_t process_ = -1;  // -1 once it is reaped
+};
 
 /// The most memory this process has held at once [bytes]; what it was before an exec does not
 /// count.

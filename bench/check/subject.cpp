@@ -78,15 +78,18 @@ class CheckedSimulation final : public Simulation {
 
 }  // namespace
 
-Subject::Subject(const Engine& engine, std::string model)
+Subject::Subject(const Engine& engine, std::string model, std::map<std::string, double> parameters)
     : engine_(&engine),
       model_(std::move(model)),
+      parameters_(std::move(parameters)),
       in_double_(engine.info().precision == "float64"),
       flight_(flight_of(engine, model_, rounding())),
       turn_(turn_of(engine, model_, rounding())) {}
 
 std::unique_ptr<Simulation> Subject::start(const Case& the_case, double step) const {
-  return std::make_unique<CheckedSimulation>(engine_->start(the_case, model_, step),
+  RunSettings settings = step;
+  settings.parameters = parameters_;
+  return std::make_unique<CheckedSimulation>(engine_->start(the_case, model_, settings),
                                              the_case.cables.size());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -20,8 +21,9 @@ class NoMotion : public std::runtime_error {
 /// One model of one engine, to be measured.
 class Subject {
  public:
-  /// The engine must outlive it. Throws what the engine throws when it is started.
-  Subject(const Engine& engine, std::string model);
+  /// The engine must outlive it. Throws what the engine throws when it is started. All its runs
+  /// have these `parameters` of the model.
+  Subject(const Engine& engine, std::string model, std::map<std::string, double> parameters = {});
 
   /// A run of `the_case`. It throws NoMotion where the engine reports what is none.
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, double step) const;
@@ -37,6 +39,7 @@ class Subject {
  private:
   const Engine* engine_;
   std::string model_;
+  std::map<std::string, double> parameters_;
   bool in_double_;
   Flight flight_;
   Turn turn_;

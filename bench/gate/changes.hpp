@@ -54,9 +54,12 @@ struct Changes {
   std::vector<RunKey> other_case;  // whose case has changed and kept its name
   std::vector<CostChange> costs;
 
-  [[nodiscard]] bool worse() const {
-    return !new_failures.empty() || !got_worse.empty() || !only_before.empty();
+  /// How many changes are for the worse, and how many for the better.
+  [[nodiscard]] std::size_t count_worse() const {
+    return new_failures.size() + got_worse.size() + only_before.size();
   }
+  [[nodiscard]] std::size_t count_better() const { return recovered.size() + got_better.size(); }
+  [[nodiscard]] bool worse() const { return count_worse() > 0; }
 };
 
 /// Why two reports cannot be compared at all; empty if they can.

@@ -93,6 +93,18 @@ ordered_json row_of(const TrendRow& row) {
           {"points", rows_of(row.points)}};
 }
 
+ordered_json row_of(const TrendCost& cost) {
+  ordered_json points = ordered_json::array();
+  for (const std::optional<double>& point : cost.points) {
+    points.push_back(or_null(point));
+  }
+  return {{"engine", cost.key.engine},
+          {"model", cost.key.model},
+          {"step", cost.key.step},
+          {"cases", cost.cases},
+          {"points", std::move(points)}};
+}
+
 }  // namespace
 
 std::string changes_json(const Changes& changes) {
@@ -112,16 +124,55 @@ std::string changes_json(const Changes& changes) {
   return json.dump(2) + "\n";
 }
 
-std::string trend_json(const Trend& trend) {
+namespace {
+
+ordered_json object_of(const Trend& trend) {
   ordered_json rows = ordered_json::array();
   for (const TrendRow& row : trend.rows) {
     rows.push_back(row_of(row));
   }
-  const ordered_json json = {{"schema", trend_schema},
-                             {"worse", trend.latest.worse()},
-                             {"noise", object_of(trend.latest.noise)},
-                             {"reports", rows_of(trend.reports)},
-                             {"rows", std::move(rows)}};
+  ordered_json costs = ordered_json::array();
+  for (const TrendCost& cost : trend.costs) {
+    costs.push_back(row_of(cost));
+  }
+  return {{"schema", trend_schema},
+          {"worse", trend.latest.worse()},
+          {"noise", object_of(trend.latest.noise)},
+          {"reports", rows_of(trend.reports)},
+          {"rows", std::move(rows)},
+          {"costs", std::move(costs)}};
+}
+
+ordered_json row_of(const TrendVersion& version) {
+  return {{"version", version.version},
+          {"untried", version.untried},
+          {"report", or_null(version.problem.empty() ? std::optional(version.file) : std::nullopt)},
+          {"problem",
+           or_null(version.problem.empty() ? std::nullopt : std::optional(version.problem))}};
+}
+
+ordered_json object_of(const VersionTrend& trend) {
+  ordered_json versions = ordered_json::array();
+  for (const TrendVersion& version : trend.versions) {
+    versions.push_back(row_of(version));
+  }
+  return {{"engine", trend.engine},
+          {"package", trend.package},
+          {"range", trend.range},
+          {"versions", std::move(versions)},
+          {"trend", trend.trend ? object_of(*trend.trend) : ordered_json(nullptr)}};
+}
+
+}  // namespace
+
+std::string trend_json(const Trend& trend) { return object_of(trend).dump(2) + "\n"; }
+
+std::string version_trends_json(const std::vector<VersionTrend>& trends) {
+  ordered_json engines = ordered_json::array();
+  for (const VersionTrend& trend : trends) {
+    engines.push_back(object_of(trend));
+  }
+  const ordered_json json = {{"schema", trend_schema}, {"engines", std::move(engines)}};
   return json.dump(2) + "\n";
 }
 

@@ -151,9 +151,8 @@ std::string counted_runs(const std::string& title, const std::vector<RunKey>& ru
 }  // namespace
 
 std::string changes_sentence(const Changes& changes) {
-  const std::size_t bad =
-      changes.new_failures.size() + changes.got_worse.size() + changes.only_before.size();
-  const std::size_t good = changes.recovered.size() + changes.got_better.size();
+  const std::size_t bad = changes.count_worse();
+  const std::size_t good = changes.count_better();
   const std::string beyond =
       fmt::format("beyond noise and a tolerance of {:g} %", 100.0 * changes.noise.tolerance);
   if (bad + good == 0) {

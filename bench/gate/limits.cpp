@@ -40,7 +40,7 @@ std::vector<std::string> names_of_deviations() {
   names.emplace_back(failure);
   names.emplace_back(any_finding);
   for (const FindingKind& kind : finding_kinds) {
-    if (kind.contradicts_a_pass) {
+    if (contradicts_a_pass(kind.name)) {
       names.emplace_back(kind.name);
     }
   }
@@ -205,9 +205,7 @@ Limits read_tables(const toml::table& file, const Names& names, FileProblems& fi
 }  // namespace
 
 bool is_finding(std::string_view metric) {
-  return metric == any_finding ||
-         std::any_of(finding_kinds.begin(), finding_kinds.end(),
-                     [metric](const FindingKind& kind) { return kind.name == metric; });
+  return metric == any_finding || finding_kind(metric) != nullptr;
 }
 
 bool is_about(const KnownDeviation& known, std::string_view metric) {

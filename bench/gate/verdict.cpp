@@ -60,12 +60,8 @@ using FindingsOnRuns = std::map<RunKey, std::vector<const Finding*>>;
 FindingsOnRuns findings_on_runs(const std::vector<Finding>& findings) {
   FindingsOnRuns result;
   for (const Finding& finding : findings) {
-    const bool contradicts =
-        std::any_of(finding_kinds.begin(), finding_kinds.end(), [&](const FindingKind& kind) {
-          return kind.name == finding.kind && kind.contradicts_a_pass;
-        });
     for (const RunOfModel& run : finding.shown_in) {
-      if (contradicts) {
+      if (contradicts_a_pass(finding.kind)) {
         result[{run.the_case, finding.engine, finding.model, run.step}].push_back(&finding);
       }
     }

@@ -16,7 +16,9 @@ void add_run(CLI::App& app, int& code);
 void add_bench(CLI::App& app, int& code, const std::string& command_line);  // as it was typed
 void add_merge(CLI::App& app, int& code, const std::string& command_line);
 void add_compare(CLI::App& app, int& code);
+void add_trend(CLI::App& app, int& code, const std::string& command_line);
 void add_check(CLI::App& app, int& code);
+void add_calibrate(CLI::App& app, int& code);
 void add_reproduce(CLI::App& app, int& code);
 void add_engines(CLI::App& app, int& code);
 void add_cases(CLI::App& app, int& code);

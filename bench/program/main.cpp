@@ -61,7 +61,9 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
   add_bench(app, code, command_line);
   add_merge(app, code, command_line);
   add_compare(app, code);
+  add_trend(app, code, command_line);
   add_check(app, code);
+  add_calibrate(app, code);
   add_reproduce(app, code);
   add_engines(app, code);
   add_cases(app, code);
@@ -69,9 +71,7 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
 }
 
 int run_program(int count, char** arguments) {
-  CLI::App app{
-      "The exact motion of rigid bodies on slack cables, and a bench that compares physics engines "
-      "with it"};
+  CLI::App app{"The exact motion of rigid bodies on slack cables, and engines held against it"};
   app.formatter_fn(help_of);  // before the commands, which take it over
   app.require_subcommand(0, 1);
   app.set_help_flag("-h,--help", "print this help, and end");

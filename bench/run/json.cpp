@@ -13,6 +13,7 @@ using nlohmann::ordered_json;
 
 constexpr int engines_schema = 1;
 constexpr int check_schema = 1;
+constexpr int calibration_schema = 1;
 
 constexpr std::size_t longest_sentence = 1000;  // [bytes], of what an engine makes long
 
@@ -24,6 +25,18 @@ ordered_json settings_json(const std::vector<Setting>& settings) {
   return rows;
 }
 
+ordered_json parameters_json(const std::vector<Parameter>& parameters) {
+  ordered_json rows = ordered_json::array();
+  for (const Parameter& one : parameters) {
+    rows.push_back({{"name", one.name},
+                    {"low", one.low},
+                    {"high", one.high},
+                    {"scale", one.logarithmic ? "log" : "linear"},
+                    {"step_power", one.step_power}});
+  }
+  return rows;
+}
+
 ordered_json engine_object(const EngineInfo& info) {
   ordered_json models = ordered_json::array();
   for (const Model& model : info.models) {
@@ -31,6 +44,10 @@ ordered_json engine_object(const EngineInfo& info) {
                       {"sentence", model.sentence},
                       {"maker", to_string(model.maker)},
                       {"settings", settings_json(model.settings)}});
+    if (!model.parameters.empty()) {
+      models.back()["parameters"] = parameters_json(model.parameters);
+      models.back()["code"] = model.code;
+    }
   }
   return {{"name", info.name},
           {"version", info.version},
@@ -97,6 +114,43 @@ std::string check_json(const RegisteredEngine& engine, const std::vector<Checked
                                  {"plugin", engine.plugin.string()}}},
                                {"holds", all},
                                {"models", std::move(rows)}};
+  return result.dump(2) + "\n";
+}
+
+std::string calibration_json(const RegisteredEngine& engine, const CalibrationRequest& request,
+                             const Calibration& found) {
+  ordered_json held_out = ordered_json::array();
+  for (const HeldOut& one : found.held_out) {
+    held_out.push_back({{"speed", one.strike.speed},
+                        {"arm", one.strike.arm},
+                        {"inertia", one.strike.inertia},
+                        {"spin_part", one.strike.spin_part},
+                        {"restitution", one.restitution}});
+  }
+  ordered_json fixed = ordered_json::array();
+  for (const auto& [name, value] : request.fixed) {
+    fixed.push_back(name);
+  }
+  const ordered_json result = {{"schema", calibration_schema},
+                               {"engine",
+                                {{"name", engine.info->name},
+                                 {"version", engine.info->version},
+                                 {"plugin", engine.plugin.string()}}},
+                               {"model", request.model.name},
+                               {"restitution", request.restitution},
+                               {"speeds", {request.slowest, request.fastest}},
+                               {"step", request.step},
+                               {"tolerance", request.tolerance},
+                               {"reached", found.reached(request.tolerance)},
+                               {"parameters", found.parameters},
+                               {"fixed", std::move(fixed)},
+                               {"code", printable(found.code, longest_sentence)},
+                               {"worst", found.worst},
+                               {"mean", found.mean},
+                               {"held_out", std::move(held_out)},
+                               {"not_reached", found.why},
+                               {"evaluations", found.evaluations},
+                               {"interrupted", found.interrupted}};
   return result.dump(2) + "\n";
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bench/check/settle.hpp"
+#include "bench/run/calibration/calibrate.hpp"
 #include "bench/run/registry.hpp"
 #include "tautline/engine.hpp"
 
@@ -27,5 +28,11 @@ struct CheckedModel {
 /// engine that has answered what it is.
 [[nodiscard]] std::string check_json(const RegisteredEngine& engine,
                                      const std::vector<CheckedModel>& models);
+
+/// What `tautline calibrate --json` writes, as bench/run/calibration/calibration.schema.json
+/// describes it. Requires an engine that has answered what it is.
+[[nodiscard]] std::string calibration_json(const RegisteredEngine& engine,
+                                           const CalibrationRequest& request,
+                                           const Calibration& found);
 
 }  // namespace tautline::bench

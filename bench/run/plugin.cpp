@@ -93,6 +93,12 @@ Meter Plugin::meter() const {
           [child = child_] { return child->peak_memory(); }};
 }
 
+void Plugin::forget_peak_memory() const {
+  if (child_ != nullptr) {
+    child_->forget_peak_memory();
+  }
+}
+
 Plugin Plugin::open(const std::filesystem::path& file, std::size_t memory) {
   if (is_engine_file(file)) {
     return Plugin(open_in_process(file, memory));

@@ -33,8 +33,15 @@ class Plugin {
 
   [[nodiscard]] const Engine& engine() const { return *engine_; }
 
+  /// True if the engine computes in a process of its own.
+  [[nodiscard]] bool has_a_process() const { return child_ != nullptr; }
+
   /// Measures what the engine uses, in the process where it computes.
   [[nodiscard]] Meter meter() const;
+
+  /// From here on the meter's memory is the most that is held from here on, where an earlier run
+  /// may have held more: in an engine's own process.
+  void forget_peak_memory() const;
 
  private:
   struct CloseLibrary {

@@ -222,14 +222,7 @@ void refuse_if_none_is_usable(EngineChoice& choice) {
 
 std::vector<fs::path> engine_folders() {
   if (const char* given = std::getenv("TAUTLINE_ENGINE_PATH"); given != nullptr) {
-    std::vector<fs::path> folders;
-    std::string_view rest = given;
-    while (!rest.empty()) {
-      const std::size_t colon = std::min(rest.find(':'), rest.size());
-      folders.emplace_back(rest.substr(0, colon));
-      rest.remove_prefix(std::min(colon + 1, rest.size()));
-    }
-    return folders;
+    return folders_of(given);
   }
   // in the build tree, and where it is installed: both relative to the program
   return {(program_folder() / "../engines/modules").lexically_normal(),

@@ -16,9 +16,10 @@
 namespace tautline {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, name, value, reason)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings, maker)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Parameter, name, low, high, logarithmic, step_power)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings, maker, parameters, code)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EngineInfo, name, version, precision, models)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunSettings, step, law)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunSettings, step, law, parameters)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Simulation::Stop, time, reason)
 
 }  // namespace tautline
@@ -59,10 +60,21 @@ static void from_json(const json& stop, RunAnswer& run) {
   }
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerRequest, task, plugin, memory, model, case_text, settings)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Strike, speed, arm, inertia, spin_part)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerRequest, task, plugin, memory, model, case_text, settings,
+                                   strikes, restitution)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Failure, sentence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckAnswer, claims, unfinished, digest)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DigestAnswer, digest)
+
+/// A strike that gave no number is null.
+static void to_json(json& row, const StrikesAnswer& strikes) { row = strikes.restitutions; }
+
+static void from_json(const json& row, StrikesAnswer& strikes) {
+  for (const json& one : row) {
+    strikes.restitutions.push_back(number_from(one));
+  }
+}
 
 namespace {
 

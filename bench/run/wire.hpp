@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/check/settle.hpp"
+#include "bench/check/strike.hpp"
 #include "bench/run/cost.hpp"
 #include "bench/run/trajectory.hpp"
 #include "tautline/engine.hpp"
@@ -18,15 +19,17 @@ namespace tautline::bench {
 // are the same executable.
 
 /// What a worker is asked to do with a plug-in.
-enum class Task { describe, run, check, digest };
+enum class Task { describe, run, check, digest, strikes };
 
 struct WorkerRequest {
   Task task = Task::describe;
-  std::string plugin;          // its file
-  std::size_t memory = 0;      // [bytes] of address space that the worker may take
-  std::string model;           // to run, to check, or to take the digest of
-  std::string case_text;       // to run: a case file
-  RunSettings settings = 0.0;  // to run
+  std::string plugin;                // its file
+  std::size_t memory = 0;            // [bytes] of address space that the worker may take
+  std::string model;                 // to run, to check, or to take the digest of
+  std::string case_text;             // to run: a case file
+  RunSettings settings = 0.0;        // to run, or of strikes
+  std::vector<Strike> strikes = {};  // each on a cable of this
+  double restitution = 0.0;          // [-]
 };
 
 /// Why there is no answer, in one sentence.
@@ -51,8 +54,13 @@ struct DigestAnswer {
   std::string digest;
 };
 
+struct StrikesAnswer {
+  std::vector<double> restitutions;  // one for each strike; no number where nothing was struck
+};
+
 /// One for each task, and a failure of any.
-using WorkerAnswer = std::variant<Failure, EngineInfo, RunAnswer, CheckAnswer, DigestAnswer>;
+using WorkerAnswer =
+    std::variant<Failure, EngineInfo, RunAnswer, CheckAnswer, DigestAnswer, StrikesAnswer>;
 
 [[nodiscard]] std::string to_bytes(const WorkerRequest& request);
 [[nodiscard]] std::string to_bytes(const WorkerAnswer& answer);

@@ -1,81 +1,27 @@
 #include "bench/run/worker.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <system_error>
 #include <utility>
 #include <variant>
 
-#include "bench/base/process.hpp"
-#include "bench/cases/case_file.hpp"
 #include "bench/cases/case_writer.hpp"
 #include "bench/check/claims.hpp"
 #include "bench/run/wire.hpp"
-#include "bench/run/worker_process.hpp"
+#include "bench/run/workplace.hpp"
 
 namespace tautline::bench {
 namespace {
 
-/// What came back from a worker process.
-struct Exchange {
-  std::optional<WorkerAnswer> answer;     // none if the worker did not come to its end
-  std::optional<WorkerAnswer> last_word;  // of a worker that did not, if there is one
-  ProcessEnd end;
-  std::string failure;  // why the answer is none, or a failure; else empty
-
-  [[nodiscard]] bool interrupted() const { return end.kind == ProcessEnd::Kind::interrupted; }
-};
-
-std::string failure_of(const ProcessEnd& end, const WorkerLimits& limits) {
-  switch (end.kind) {
-    case ProcessEnd::Kind::timed_out:
-      return fmt::format("timed out after {:g} s", limits.time);
-    case ProcessEnd::Kind::interrupted:
-      return "interrupted";
-    case ProcessEnd::Kind::signalled:
-      return "crashed: " + signal_name(end.code);
-    case ProcessEnd::Kind::exited:
-      break;
-  }
-  return fmt::format("ended by itself with exit code {} and no result", end.code);
-}
-
-/// An engine may end its process with exit code 0 in the middle of a check.
-bool is_last(const WorkerAnswer& answer) {
-  const auto* const check = std::get_if<CheckAnswer>(&answer);
-  return check == nullptr || check->unfinished.empty();
-}
-
-WorkerRequest request_for(Task task, const std::filesystem::path& plugin,
-                          const std::string& model) {
+WorkerRequest request_for(Task task, const std::filesystem::path& plugin, const std::string& model,
+                          const WorkerLimits& limits) {
   WorkerRequest request;
   request.task = task;
+  request.memory = limits.memory;
   request.plugin = plugin.string();
   request.model = model;
   return request;
-}
-
-/// Sends `request` to a worker process and waits for its answer.
-Exchange exchange(WorkerRequest request, const WorkerLimits& limits) {
-  request.memory = limits.memory;
-  Exchange result;
-  const Descriptor input = memory_file(to_bytes(request));
-  const Descriptor output = memory_file("");
-  result.end = run_process({"/proc/self/exe", worker_command}, input, output, limits.time);
-  const bool whole = result.end.kind == ProcessEnd::Kind::exited && result.end.code == 0;
-  std::optional<WorkerAnswer> answer = answer_from(content_of(output));
-  if (!whole || !answer || !is_last(*answer)) {
-    result.last_word = std::move(answer);
-    result.failure = failure_of(result.end, limits);
-    return result;
-  }
-  if (const auto* const failure = std::get_if<Failure>(&*answer)) {
-    result.failure = failure->sentence;
-  }
-  result.answer = std::move(answer);
-  return result;
 }
 
 /// The answer to a request of its kind; null if it is none.
@@ -97,7 +43,7 @@ bool settle_determinism(const WorkerRequest& check, const WorkerLimits& limits,
   }
   WorkerRequest request = check;
   request.task = Task::digest;
-  const Exchange other = exchange(std::move(request), limits);
+  const Exchange other = Workplace().exchange(request, limits.time);
   const auto* const answer = answer_as<DigestAnswer>(other.answer);
   if (answer == nullptr) {
     *claim = unmeasured("determinism", "the run in another process: " + other.failure);
@@ -111,13 +57,13 @@ bool settle_determinism(const WorkerRequest& check, const WorkerLimits& limits,
 
 }  // namespace
 
-RunReply run_in_worker(const RunRequest& request) {
+RunReply run_in_worker(const RunRequest& request, Workplace& workplace) {
   RunReply reply;
   try {
-    WorkerRequest asked = request_for(Task::run, request.plugin, request.model);
+    WorkerRequest asked = request_for(Task::run, request.plugin, request.model, request.limits);
     asked.case_text = write_case(request.the_case);
     asked.settings = request.settings;
-    Exchange other = exchange(std::move(asked), request.limits);
+    Exchange other = workplace.exchange(asked, request.limits.time);
     reply.failure = other.failure;
     reply.output_tail = other.end.output_tail;
     reply.printed = other.end.printed;
@@ -134,7 +80,8 @@ RunReply run_in_worker(const RunRequest& request) {
 }
 
 DescribeReply describe_in_worker(const std::filesystem::path& plugin, const WorkerLimits& limits) {
-  const Exchange other = exchange(request_for(Task::describe, plugin, ""), limits);
+  const Exchange other =
+      Workplace().exchange(request_for(Task::describe, plugin, "", limits), limits.time);
   DescribeReply reply;
   reply.failure = other.failure;
   if (const auto* const info = answer_as<EngineInfo>(other.answer)) {
@@ -143,10 +90,25 @@ DescribeReply describe_in_worker(const std::filesystem::path& plugin, const Work
   return reply;
 }
 
+StrikesReply strike_in_worker(const StrikesRequest& request, Workplace& workplace) {
+  WorkerRequest asked = request_for(Task::strikes, request.plugin, request.model, request.limits);
+  asked.settings = request.settings;
+  asked.strikes = request.strikes;
+  asked.restitution = request.restitution;
+  const Exchange other = workplace.exchange(asked, request.limits.time);
+  StrikesReply reply;
+  reply.failure = other.failure;
+  reply.interrupted = other.interrupted();
+  if (const auto* const answer = answer_as<StrikesAnswer>(other.answer)) {
+    reply.restitutions = answer->restitutions;
+  }
+  return reply;
+}
+
 CheckReply check_in_worker(const std::filesystem::path& plugin, const std::string& model,
                            const WorkerLimits& limits) {
-  const WorkerRequest request = request_for(Task::check, plugin, model);
-  const Exchange other = exchange(request, limits);
+  const WorkerRequest request = request_for(Task::check, plugin, model, limits);
+  const Exchange other = Workplace().exchange(request, limits.time);
   CheckReply reply;
   reply.interrupted = other.interrupted();
   if (const auto* const answer = answer_as<CheckAnswer>(other.answer)) {

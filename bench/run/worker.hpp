@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "bench/check/settle.hpp"
+#include "bench/check/strike.hpp"
 #include "bench/run/cost.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/trajectory.hpp"
+#include "bench/run/workplace.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 
@@ -40,7 +42,7 @@ struct RunReply {
 };
 
 /// Runs it in a process of its own, so that whatever the engine does becomes a reply.
-[[nodiscard]] RunReply run_in_worker(const RunRequest& request);
+[[nodiscard]] RunReply run_in_worker(const RunRequest& request, Workplace& workplace);
 
 /// What an engine says of itself, asked in a worker process; `failure` as above.
 struct DescribeReply {
@@ -49,6 +51,24 @@ struct DescribeReply {
 };
 [[nodiscard]] DescribeReply describe_in_worker(const std::filesystem::path& plugin,
                                                const WorkerLimits& limits = {.time = 10.0});
+
+/// What is struck, and with what.
+struct StrikesRequest {
+  std::filesystem::path plugin;
+  std::string model;
+  RunSettings settings;
+  std::vector<Strike> strikes;
+  double restitution;  // [-], of their cables
+  WorkerLimits limits;
+};
+
+/// The restitution of each strike; no number where there is none. `failure` as above.
+struct StrikesReply {
+  std::vector<double> restitutions;
+  std::string failure;
+  bool interrupted = false;
+};
+[[nodiscard]] StrikesReply strike_in_worker(const StrikesRequest& request, Workplace& workplace);
 
 /// Every claim about one model, settled in a worker process, and `determinism` in two. A crash, a
 /// hang and a flood of output break a claim too; the claims after a crash or a hang are missing.

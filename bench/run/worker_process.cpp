@@ -2,6 +2,7 @@
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,14 +10,17 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "bench/base/process.hpp"
 #include "bench/cases/case_file.hpp"
 #include "bench/check/claims/repeat.hpp"
 #include "bench/check/settle.hpp"
+#include "bench/check/strike.hpp"
 #include "bench/run/cost.hpp"
 #include "bench/run/plugin.hpp"
 #include "bench/run/record.hpp"
@@ -44,6 +48,7 @@ RunAnswer do_run(const WorkerRequest& request, const Plugin& plugin) {
   const CaseReading reading = read_case_text(request.case_text, "request");
   const Case& the_case = reading.the_case.value();
   RunAnswer answer;
+  plugin.forget_peak_memory();
   {
     const auto simulation = engine.start(the_case, request.model, request.settings);
     answer.trajectory = record(the_case, *simulation, request.settings.step);
@@ -66,19 +71,26 @@ CheckAnswer do_check(const std::string& model, const Engine& engine) {
   return answer;
 }
 
-WorkerAnswer obey(const WorkerRequest& request) {
-  const Plugin plugin = Plugin::open(request.plugin, request.memory);
+/// Opens the plug-in of the first request; a worker has no other.
+WorkerAnswer obey(const WorkerRequest& request, std::optional<Plugin>& plugin) {
+  if (!plugin) {
+    plugin = Plugin::open(request.plugin, request.memory);
+  }
   switch (request.task) {
     case Task::describe:
       break;
     case Task::run:
-      return do_run(request, plugin);
+      return do_run(request, *plugin);
     case Task::check:
-      return do_check(request.model, plugin.engine());
+      return do_check(request.model, plugin->engine());
     case Task::digest:
-      return DigestAnswer{run_digest(plugin.engine(), request.model)};
+      return DigestAnswer{run_digest(plugin->engine(), request.model)};
+    case Task::strikes:
+      return StrikesAnswer{
+          restitutions_of(Subject(plugin->engine(), request.model, request.settings.parameters),
+                          request.strikes, request.settings.step, request.restitution)};
   }
-  return plugin.engine().info();
+  return plugin->engine().info();
 }
 
 void limit_this_process(std::size_t memory) {
@@ -96,11 +108,11 @@ void limit_this_process(std::size_t memory) {
 #endif
 }
 
-WorkerAnswer answer_to_request() {
+WorkerAnswer answer_to_request(std::optional<Plugin>& plugin) {
   try {
     const WorkerRequest request = request_from(content_of(Descriptor(::dup(request_descriptor))));
     limit_this_process(request.memory);
-    return obey(request);
+    return obey(request, plugin);
   } catch (const std::bad_alloc&) {
     return Failure{"ran out of memory"};
   } catch (const std::exception& error) {
@@ -108,14 +120,27 @@ WorkerAnswer answer_to_request() {
   }
 }
 
+bool is_our_turn() {
+  char byte = 0;
+  return ::read(turn_descriptor, &byte, 1) ==
+         1;  // none where the program is gone, or wants no more
+}
+
+void give_turn_back() { (void)::send(turn_descriptor, "", 1, MSG_NOSIGNAL); }
+
 }  // namespace
 
 int worker_main() {
-  const WorkerAnswer answer = answer_to_request();
-  if (::ftruncate(answer_descriptor, 0) != 0 || !write_answer(answer)) {
-    return 1;
+  for (std::optional<Plugin> plugin; is_our_turn(); give_turn_back()) {
+    const WorkerAnswer answer = answer_to_request(plugin);
+    if (::ftruncate(answer_descriptor, 0) != 0 || !write_answer(answer)) {
+      return 1;
+    }
+    std::fflush(nullptr);
+    if (!std::holds_alternative<RunAnswer>(answer) || !plugin->has_a_process()) {
+      break;
+    }
   }
-  std::fflush(nullptr);
   ::_exit(0);  // without static destructors: an engine has nothing to say any more
 }
 

@@ -27,11 +27,12 @@ std::optional<RunRecord> earlier_run(const SuiteOptions& options, const PlannedR
 
 /// One run in a worker, compared and written. None if the program was interrupted.
 std::optional<RunRecord> do_run(const SuiteOptions& options, const ReferenceCase& reference,
-                                const PlannedRun& run) {
+                                const PlannedRun& run, Workplace& workplace) {
   const RegisteredEngine& engine = options.engines[run.engine];
   const RunKey key = key_of(options, run);
   const RunReply reply = run_in_worker(
-      {engine.plugin, reference.the_case, run.model.name, {run.step, options.law}, options.limits});
+      {engine.plugin, reference.the_case, run.model.name, {run.step, options.law}, options.limits},
+      workplace);
   if (reply.interrupted) {
     return std::nullopt;
   }
@@ -54,6 +55,7 @@ SuiteResult run_suite(const SuiteOptions& options, const std::vector<ReferenceCa
   std::exception_ptr failure;
   std::mutex guard;  // of `kept`, `failure` and `progress`
   const auto work = [&] {
+    Workplace workplace;
     for (std::size_t index = next++; index < due.size() && !interruption(); index = next++) {
       const PlannedRun& run = runs[due[index]];
       bool earlier = false;
@@ -61,7 +63,7 @@ SuiteResult run_suite(const SuiteOptions& options, const std::vector<ReferenceCa
         results[index] = earlier_run(options, run);
         earlier = results[index].has_value();
         if (!earlier) {
-          results[index] = do_run(options, references[run.the_case], run);
+          results[index] = do_run(options, references[run.the_case], run, workplace);
         }
       } catch (...) {
         const std::scoped_lock lock(guard);

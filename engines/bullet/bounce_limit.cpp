@@ -32,14 +32,14 @@ btTransform frame_on_body(const btRigidBody& body, const btTransform& along, con
                      vector(cable.attachment));
 }
 
-std::unique_ptr<Joint> make_joint(btRigidBody& body, const Cable& cable) {
+std::unique_ptr<Joint> make_joint(btRigidBody& body, const Cable& cable, const RunSettings& run) {
   auto joint = std::make_unique<Joint>(btTypedConstraint::getFixedBody(), body,
                                        btTransform::getIdentity(), btTransform::getIdentity());
   for (int axis = 0; axis < 6; ++axis) {
     joint->setLimit(axis, 1, -1);  // free
   }
   joint->setLimit(0, 0, static_cast<btScalar>(cable.length));
-  joint->setBounce(0, static_cast<btScalar>(cable.restitution));
+  joint->setBounce(0, static_cast<btScalar>(parameter_of(run, "bounce", cable.restitution)));
   return joint;
 }
 
@@ -48,7 +48,7 @@ class BounceLimitSimulation final : public Simulation {
   BounceLimitSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case), step_(run.step), world_(the_case), impulses_(the_case.cables.size()) {
     for (const Cable& cable : case_.cables) {
-      joints_.push_back(&world_.add(make_joint(world_.body(), cable)));
+      joints_.push_back(&world_.add(make_joint(world_.body(), cable, run)));
     }
   }
 
@@ -96,7 +96,9 @@ std::vector<ModelEntry> bounce_limit_models() {
                        {"BT_CONSTRAINT_STOP_ERP", "1",
                         "With Bullet's 0.2 the limit brakes the body before it gets there, and "
                         "never bounces."}}}),
-                 .maker = Maker::engine},
+                 .maker = Maker::engine,
+                 .parameters = {{.name = "bounce", .low = 0.0, .high = 4.0}},
+                 .code = "joint.setBounce(0, {bounce});"},
        .start = makes<BounceLimitSimulation>()}};
 }
 

@@ -57,7 +57,7 @@ enum class Tuning { as_shipped, best };
 class ContactSimulation final : public Simulation {
  public:
   ContactSimulation(const Case& the_case, const RunSettings& run, Tuning tuning)
-      : case_(the_case), step_(run.step), world_(the_case), impulses_(the_case.cables.size()) {
+      : case_(the_case), run_(run), world_(the_case), impulses_(the_case.cables.size()) {
     if (tuning == Tuning::best) {
       world_.solver_info().m_restitutionVelocityThreshold = 0;
       world_.solver_info().m_splitImpulsePenetrationThreshold = 0;
@@ -78,12 +78,13 @@ class ContactSimulation final : public Simulation {
       const Cable& cable = case_.cables[index];
       const CableRow row = cable_row(cable, start);
       if (acts(row, Activation::overstretched, dt)) {
-        contacts_[index]->touch(row, cable.anchor, restitution(cable, row.rate));
+        contacts_[index]->touch(row, cable.anchor,
+                                parameter_of(run_, "restitution", restitution(cable, row.rate)));
       } else {
         contacts_[index]->part();
       }
     }
-    world_.solver_info().m_erp2 = static_cast<btScalar>(correction_in_step(dt, step_));
+    world_.solver_info().m_erp2 = static_cast<btScalar>(correction_in_step(dt, run_.step));
     world_.advance(dt);
     std::transform(contacts_.begin(), contacts_.end(), impulses_.begin(),
                    [](const auto& contact) { return contact->impulse(); });
@@ -91,11 +92,17 @@ class ContactSimulation final : public Simulation {
 
  private:
   const Case case_;
-  double step_;  // [s], the usual one
+  RunSettings run_;
   World world_;
   std::vector<std::unique_ptr<CableContact>> contacts_;
   std::vector<double> impulses_;
 };
+
+std::vector<Parameter> contact_parameters() {
+  return {{.name = "restitution", .low = 0.0, .high = 1.0}};
+}
+
+constexpr const char* contact_code = "point.m_combinedRestitution = {restitution};";
 
 /// The settings of both models, and those of one.
 std::vector<Setting> contact_settings(const std::vector<Setting>& own) {
@@ -124,13 +131,17 @@ std::vector<ModelEntry> contact_models() {
                      .sentence = "A contact without friction from the step after the cable is "
                                  "overstretched, with Bullet's own settings: what one tries first.",
                      .settings = contact_settings({}),
-                     .maker = Maker::engine},
+                     .maker = Maker::engine,
+                     .parameters = contact_parameters(),
+                     .code = contact_code},
            .start = makes<ContactSimulation>(Tuning::as_shipped),
            .follows_speed = true},
           {.model = {.name = "contact-tuned",
                      .sentence = "The same contact with the settings that suit a bouncing cable.",
                      .settings = contact_settings(settings_that_suit_a_cable()),
-                     .maker = Maker::engine},
+                     .maker = Maker::engine,
+                     .parameters = contact_parameters(),
+                     .code = contact_code},
            .start = makes<ContactSimulation>(Tuning::best),
            .follows_speed = true}};
 }

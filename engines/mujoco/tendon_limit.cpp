@@ -49,21 +49,27 @@ double damping_ratio_of(double e) {
   return 0.5 * (low + high);
 }
 
-std::vector<TendonLimit> limits_of(const Case& the_case, double step) {
-  const double frequency = std::numbers::pi / (steps_per_bounce * step);  // [1/s]
+std::vector<TendonLimit> limits_of(const Case& the_case, const RunSettings& run) {
+  const double frequency = std::numbers::pi / (steps_per_bounce * run.step);  // [1/s]
   std::vector<TendonLimit> limits;
   for (const Cable& cable : the_case.cables) {
     limits.push_back(
-        {frequency * frequency, 2.0 * damping_ratio_of(cable.restitution) * frequency});
+        {parameter_of(run, "stiffness", frequency * frequency),
+         parameter_of(run, "damping", 2.0 * damping_ratio_of(cable.restitution) * frequency)});
   }
   return limits;
+}
+
+/// A bounce takes 10 to 150 steps, and the damping stops a body in one step at most.
+std::vector<Parameter> limit_parameters() {
+  return {{.name = "damping", .low = 1e-4, .high = 1.0, .logarithmic = true, .step_power = -1},
+          {.name = "stiffness", .low = 4.4e-4, .high = 0.1, .logarithmic = true, .step_power = -2}};
 }
 
 class TendonLimitSimulation final : public Simulation {
  public:
   TendonLimitSimulation(const Case& the_case, const RunSettings& run, Integrator integrator)
-      : world_(the_case, integrator, limits_of(the_case, run.step)),
-        impulses_(the_case.cables.size()) {}
+      : world_(the_case, integrator, limits_of(the_case, run)), impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] State state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
@@ -94,7 +100,10 @@ ModelEntry entry(std::string name, std::string sentence, Integrator integrator,
   return {.model = {.name = std::move(name),
                     .sentence = std::move(sentence),
                     .settings = joined({world_settings(), limit_settings(), own}),
-                    .maker = Maker::engine},
+                    .maker = Maker::engine,
+                    .parameters = limit_parameters(),
+                    .code = "<spatial limited=\"true\" solreflimit=\"-{stiffness} -{damping}\" "
+                            "solimplimit=\"0.9999 0.9999 1 0.5 1\">"},
           .start = makes<TendonLimitSimulation>(integrator)};
 }
 

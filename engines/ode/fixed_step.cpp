@@ -28,7 +28,7 @@ constexpr Choice contact{Activation::overstretched, World::Rotation::infinitesim
 class FixedStepSimulation final : public Simulation {
  public:
   FixedStepSimulation(const Case& the_case, const RunSettings& run, const Choice& choice)
-      : case_(the_case), choice_(choice), step_(run.step), world_(the_case, choice.rotation) {
+      : case_(the_case), choice_(choice), run_(run), world_(the_case, choice.rotation) {
     if (choice.cfm) {
       dWorldSetCFM(world_.id(), *choice.cfm);
     }
@@ -43,7 +43,8 @@ class FixedStepSimulation final : public Simulation {
       const Cable& cable = case_.cables[index];
       const CableRow row_now = cable_row(cable, start);
       if (acts(row_now, choice_.activation, dt)) {
-        world_.pull(index, row_now, surface(restitution(cable, row_now.rate), dt));
+        world_.pull(index, row_now,
+                    surface(parameter_of(run_, "bounce", restitution(cable, row_now.rate)), dt));
       }
     }
     world_.advance(dt);
@@ -54,14 +55,14 @@ class FixedStepSimulation final : public Simulation {
     dSurfaceParameters result{};
     result.mode = dContactBounce | dContactSoftERP;
     result.bounce = bounce;
-    result.bounce_vel = choice_.bounce_vel;
-    result.soft_erp = correction_in_step(dt, step_);
+    result.bounce_vel = parameter_of(run_, "bounce-vel", choice_.bounce_vel);
+    result.soft_erp = correction_in_step(dt, run_.step);
     return result;
   }
 
   const Case case_;
   Choice choice_;
-  double step_;  // [s], the usual one
+  RunSettings run_;
   World world_;
 };
 
@@ -100,6 +101,15 @@ std::vector<Setting> exact_row_settings() {
 }  // namespace
 
 std::vector<ModelEntry> fixed_step_models() {
+  ModelEntry as_shipped =
+      entry("contact",
+            "The same joint as `row` with ODE's own CFM and rotation and the bounce_vel of its "
+            "demos: what one tries first.",
+            {}, contact, Maker::engine);
+  as_shipped.model.parameters = {{.name = "bounce", .low = 0.0, .high = 1.0},
+                                 {.name = "bounce-vel", .low = 0.0, .high = 0.2}};
+  as_shipped.model.code =
+      "contact.surface.bounce = {bounce}; contact.surface.bounce_vel = {bounce-vel};";
   return {entry("row",
                 "A contact joint from the step after the cable is overstretched; it asks for the "
                 "larger of the bounce and 0.2 of the overstretch per step.",
@@ -108,10 +118,7 @@ std::vector<ModelEntry> fixed_step_models() {
                 "The same joint already in the step that would overstretch the cable: the bounce "
                 "comes up to one step early.",
                 exact_row_settings(), early),
-          entry("contact",
-                "The same joint as `row` with ODE's own CFM and rotation and the bounce_vel of its "
-                "demos: what one tries first.",
-                {}, contact, Maker::engine)};
+          std::move(as_shipped)};
 }
 
 }  // namespace tautline::ode

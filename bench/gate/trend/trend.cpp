@@ -19,7 +19,8 @@ using Runs = std::map<std::string, const RunRow*>;
 struct Stage {
   std::map<SetupKey, Runs> setups;
   std::map<std::string, const CaseRow*> cases;
-  std::map<std::string, std::string> versions;  // by engine
+  std::map<std::string, std::string> versions;              // by engine
+  std::map<SetupKey, std::map<std::string, double>> costs;  // [s], of a simulated second, by case
 };
 
 Stage stage_of(const Report& report) {
@@ -32,6 +33,11 @@ Stage stage_of(const Report& report) {
   }
   for (const EngineRow& engine : report.engines) {
     stage.versions[engine.name] = engine.info ? engine.info->version : "";
+  }
+  for (const TimingRow& timing : report.context.timing) {
+    if (timing.second_cost > 0.0) {
+      stage.costs[setup_of(timing.key)][timing.key.the_case] = timing.second_cost;
+    }
   }
   return stage;
 }
@@ -61,12 +67,34 @@ class Trends {
     std::transform(reports.begin(), reports.end(), std::back_inserter(stages_), stage_of);
     moves_.resize(1);
     for (std::size_t index = 1; index < reports.size(); ++index) {
-      latest_ = changes(reports[index - 1], reports[index], noise);
-      moves_.push_back(moves_of(latest_));
+      changes_.push_back(changes(reports[index - 1], reports[index], noise));
+      moves_.push_back(moves_of(changes_.back()));
     }
   }
 
-  [[nodiscard]] Changes latest() const { return latest_; }
+  [[nodiscard]] const std::vector<Changes>& all_changes() const { return changes_; }
+
+  [[nodiscard]] std::vector<TrendCost> costs() const {
+    std::map<SetupKey, std::map<std::string, std::size_t>> found;
+    std::map<SetupKey, std::size_t> with_runs;
+    for (const Stage& stage : stages_) {
+      for (const auto& [key, cases] : stage.costs) {
+        ++with_runs[key];
+        for (const auto& [name, cost] : cases) {
+          ++found[key][name];
+        }
+      }
+    }
+    std::vector<TrendCost> result;
+    for (auto& [key, cases] : found) {
+      std::erase_if(cases,
+                    [&, all = with_runs[key]](const auto& one) { return one.second != all; });
+      if (!cases.empty()) {
+        result.push_back({key, cases.size(), cost_points(key, cases)});
+      }
+    }
+    return result;
+  }
 
   [[nodiscard]] std::vector<TrendRow> rows() const {
     std::set<SetupKey> keys;
@@ -143,9 +171,27 @@ class Trends {
     return result;
   }
 
+  [[nodiscard]] std::vector<std::optional<double>> cost_points(
+      const SetupKey& key, const std::map<std::string, std::size_t>& cases) const {
+    std::vector<std::optional<double>> points;
+    for (const Stage& stage : stages_) {
+      const auto own = stage.costs.find(key);
+      if (own == stage.costs.end()) {
+        points.emplace_back();
+        continue;
+      }
+      std::vector<double> values;
+      for (const auto& [name, count] : cases) {
+        values.push_back(own->second.at(name));
+      }
+      points.emplace_back(median(values));
+    }
+    return points;
+  }
+
   std::vector<Stage> stages_;
   std::vector<MovesByRow> moves_;  // since the report before; of the first none
-  Changes latest_;
+  std::vector<Changes> changes_;
 };
 
 }  // namespace
@@ -158,7 +204,7 @@ bool TrendRow::moves() const {
 
 Trend trend(const std::vector<Report>& reports, const std::vector<std::string>& names,
             const Noise& noise) {
-  assert(reports.size() >= 2 && reports.size() == names.size());
+  assert(!reports.empty() && reports.size() == names.size());
   Trend result;
   for (std::size_t index = 0; index < reports.size(); ++index) {
     const Report& report = reports[index];
@@ -167,7 +213,11 @@ Trend trend(const std::vector<Report>& reports, const std::vector<std::string>& 
   }
   const Trends trends(reports, noise);
   result.rows = trends.rows();
-  result.latest = trends.latest();
+  result.costs = trends.costs();
+  result.changes = trends.all_changes();
+  if (!result.changes.empty()) {
+    result.latest = result.changes.back();
+  }
   return result;
 }
 

@@ -41,14 +41,24 @@ struct TrendRow {
   [[nodiscard]] bool moves() const;
 };
 
+/// What a simulated second costs an engine, model and step over the reports: median over the cases
+/// that all reports with such runs have.
+struct TrendCost {
+  SetupKey key;
+  std::size_t cases = 0;
+  std::vector<std::optional<double>> points;  // [s], one for each report; none: no such run
+};
+
 /// How engines do from report to report, as from version to version.
 struct Trend {
   std::vector<TrendReport> reports;
-  std::vector<TrendRow> rows;  // of the metrics of the answers
-  Changes latest;              // from the last report but one to the last
+  std::vector<TrendRow> rows;    // of the metrics of the answers
+  std::vector<TrendCost> costs;  // which are noisy and judge nothing
+  std::vector<Changes> changes;  // from each report to the next: one fewer than reports
+  Changes latest;                // the last of them; nothing, of one report
 };
 
-/// The trend over two reports or more, of which `names` are the files. Any two can be compared: see
+/// The trend over one report or more, of which `names` are the files. Any two can be compared: see
 /// `incomparable`.
 [[nodiscard]] Trend trend(const std::vector<Report>& reports, const std::vector<std::string>& names,
                           const Noise& noise = {});

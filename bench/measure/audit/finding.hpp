@@ -28,18 +28,39 @@ struct Finding {
   std::vector<RunOfModel> shown_in;  // the runs that it is about, as it shows in them
 };
 
-/// A kind of finding, and whether a run that shows it can pass: what a limit on numbers misses must
-/// not be called right.
+/// What a finding is about: the speed at which a body leaves, the impulse, or how long it takes.
+enum class Aspect { rebound, impulse, duration };
+
+/// A kind of finding.
 struct FindingKind {
   std::string_view name;
-  bool contradicts_a_pass;
+  Aspect about;
 };
-inline constexpr std::array finding_kinds = {
-    FindingKind{"threshold", true}, FindingKind{"sleeping", true},
-    FindingKind{"restitution-ignored", true}, FindingKind{"scatter", true},
-    FindingKind{"gain", true}, FindingKind{"offset", true}, FindingKind{"tangential-impulse", true},
-    FindingKind{"angular-impulse", true},
-    // how an impact is made, not what becomes of it
-    FindingKind{"several-steps", false}};
+inline constexpr std::array finding_kinds = {FindingKind{"threshold", Aspect::rebound},
+                                             FindingKind{"sleeping", Aspect::rebound},
+                                             FindingKind{"restitution-ignored", Aspect::rebound},
+                                             FindingKind{"scatter", Aspect::rebound},
+                                             FindingKind{"gain", Aspect::rebound},
+                                             FindingKind{"offset", Aspect::rebound},
+                                             FindingKind{"tangential-impulse", Aspect::impulse},
+                                             FindingKind{"angular-impulse", Aspect::impulse},
+                                             FindingKind{"several-steps", Aspect::duration}};
+
+/// The kind of this name; null if there is none.
+[[nodiscard]] constexpr const FindingKind* finding_kind(std::string_view name) {
+  for (const FindingKind& kind : finding_kinds) {
+    if (kind.name == name) {
+      return &kind;
+    }
+  }
+  return nullptr;
+}
+
+/// True if a run that shows a finding of this kind cannot pass: what a limit on numbers misses must
+/// not be called right. How long an impact takes is no fault of what becomes of it.
+[[nodiscard]] constexpr bool contradicts_a_pass(std::string_view name) {
+  const FindingKind* const kind = finding_kind(name);
+  return kind != nullptr && kind->about != Aspect::duration;
+}
 
 }  // namespace tautline::bench

@@ -67,10 +67,8 @@ std::string help_text(const Outline& outline, std::size_t width) {
   }
   return wrapped(outline.summary, width) + "\nusage: tautline COMMAND [OPTIONS]\n" +
          section("commands", commands, width) + example_lines(outline.examples, width) + "\n" +
-         wrapped(
-             "`tautline COMMAND --help` says the rest of a command; `tautline --version` is "
-             "the version.",
-             width);
+         wrapped("`tautline COMMAND --help` says the rest of it; `--version` is the version.",
+                 width);
 }
 
 std::string help_text(const Command& command, std::size_t width) {

@@ -93,17 +93,13 @@ Limits limits_of(const std::optional<std::string>& gate, const LimitNames& names
   return std::move(reading.limits).value_or(Limits());
 }
 
-Request read_request(const BenchCommand& command) {
+Request read_runs(const BenchCommand& command) {
   Request request;
   SuiteOptions& options = request.options;
   request.suite = suite_of(command, request.problems);
   if (request.problems.empty()) {
     options.cases = cases_of(command, request.suite, request.problems);
   }
-  EngineChoice choice = choose_engines(command.engines);
-  append(request.problems, choice.problems);
-  append(request.problems, unknown_models(choice.engines, command.models));
-  options.engines = std::move(choice.engines);
   options.models = command.models;
   options.steps = request.suite != nullptr ? request.suite->steps : usual_steps();
   if (!command.steps.empty()) {
@@ -116,13 +112,23 @@ Request read_request(const BenchCommand& command) {
   options.certify = command.certify.value_or(request.suite != nullptr);
   options.limits.time = command.time_limit;
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
-  append(request.problems, suite_problems(options));
   append(request.problems, missing_folder("--json", command.json, command.out));
-  request.limits =
-      limits_of(command.gate, limit_names(options.engines, options.cases), request.problems);
   if (command.out.empty()) {
     request.problems.emplace_back("--out: is empty; give a folder to write the results to");
   }
+  return request;
+}
+
+Request read_request(const BenchCommand& command) {
+  Request request = read_runs(command);
+  SuiteOptions& options = request.options;
+  EngineChoice choice = choose_engines(command.engines);
+  append(request.problems, choice.problems);
+  append(request.problems, unknown_models(choice.engines, command.models));
+  options.engines = std::move(choice.engines);
+  append(request.problems, suite_problems(options));
+  request.limits =
+      limits_of(command.gate, limit_names(options.engines, options.cases), request.problems);
   return request;
 }
 

@@ -47,6 +47,9 @@ struct Request {
 };
 [[nodiscard]] Request read_request(const BenchCommand& command);
 
+/// The same but for the engines, their models and the limits, which it leaves out.
+[[nodiscard]] Request read_runs(const BenchCommand& command);
+
 /// The limits of the file that --gate names, or those that ship; the file's mistakes, names that
 /// are not among `names` too, are appended to `problems`.
 [[nodiscard]] Limits limits_of(const std::optional<std::string>& gate, const LimitNames& names,

@@ -124,7 +124,7 @@ std::vector<std::string> captions(const ImpactStills& stills) {
   return {
       "slack: the body flies",
       fmt::format("taut: closes at {}", speed_text(*stills.the_case, before)),
-      fmt::format("rebound: it opened at {}", speed_text(*stills.the_case, after)),
+      fmt::format("rebound: opens at {}", speed_text(*stills.the_case, after)),
   };
 }
 

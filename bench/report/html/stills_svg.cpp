@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "tautline/geometry.hpp"
+
 namespace tautline::bench {
 namespace {
 
@@ -32,10 +34,8 @@ constexpr int trail_points = 60;
 
 /// The end of a cable on the body [m].
 Vec2 end_of(const CableRow& cable, const Pose& pose) {
-  const double c = std::cos(pose.angle);
-  const double s = std::sin(pose.angle);
-  const Vec2& r = cable.attachment;
-  return pose.centre + Vec2(c * r.x() - s * r.y(), s * r.x() + c * r.y());
+  return attachment_point(State{.position = pose.centre, .angle = pose.angle},
+                          Cable{.attachment = cable.attachment});
 }
 
 /// Room for the anchors and for the body at every still.

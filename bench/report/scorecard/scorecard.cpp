@@ -14,11 +14,12 @@
 namespace tautline::bench {
 namespace {
 
-/// Findings that contradict a rebound; the others are about the impulse and how long it takes.
-const std::set<std::string> against_rebounds = {
-    "threshold", "restitution-ignored", "scatter", "gain", "offset", "sleeping"};
-
 constexpr std::array makers = {Maker::engine, Maker::by_hand, Maker::tautline};
+
+bool is_about_rebounds(const Finding& finding) {
+  const FindingKind* const kind = finding_kind(finding.kind);
+  return kind != nullptr && kind->about == Aspect::rebound;
+}
 
 /// The shortest cable of each case [m].
 std::map<std::string, double> shortest_cables(const Report& report) {
@@ -92,8 +93,7 @@ ModelCard model_card(const Report& report, const std::string& engine, const Mode
     audit(card, by_step.rbegin()->second);
   }
   for (const Finding& finding : report.findings) {
-    if (finding.engine == engine && finding.model == model.name &&
-        against_rebounds.contains(finding.kind)) {
+    if (finding.engine == engine && finding.model == model.name && is_about_rebounds(finding)) {
       card.wrong.push_back(finding.kind);
     }
   }

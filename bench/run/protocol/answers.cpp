@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -97,11 +98,40 @@ Maker maker_from(const std::string& word) {
   return Maker::by_hand;
 }
 
+/// Nothing in mechanics goes with a higher power of time.
+constexpr double largest_power = 4.0;
+
+std::vector<Parameter> parameters_part(const Part& part) {
+  std::vector<Parameter> result;
+  for (std::size_t index = 0; index < part.size(); ++index) {
+    const Part row = part[index];
+    row.has_only({"name", "low", "high", "scale", "step_power"});
+    Parameter one{row.at("name").name(), row.at("low").number(), row.at("high").number()};
+    if (const auto scale = row.find("scale")) {
+      one.logarithmic = scale->one_of({"linear", "log"}) == "log";
+    }
+    if (const auto power = row.find("step_power")) {
+      const double whole = power->number();
+      if (!(std::abs(whole) <= largest_power) || whole != std::round(whole)) {
+        power->refuse("a whole number from -4 to 4");
+      }
+      one.step_power = static_cast<int>(whole);
+    }
+    if (!(one.low < one.high) || !std::isfinite(one.high - one.low) ||
+        (one.logarithmic && !(one.low > 0.0))) {
+      row.at("low").refuse("below high, and above 0 on a scale of logarithms");
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
 ChildModel model_part(const Part& part) {
   ChildModel result;
   result.model.name = part.at("name").name();
   result.model.sentence = part.at("sentence").text();
-  part.has_only({"name", "sentence", "maker", "drive", "follows_speed", "settings"});
+  part.has_only(
+      {"name", "sentence", "maker", "drive", "follows_speed", "settings", "parameters", "code"});
   result.model.maker = maker_from(part.at("maker").one_of({"engine", "by_hand", "tautline"}));
   if (const auto drive = part.find("drive")) {
     result.by_events = drive->one_of({"steps", "events"}) == "events";
@@ -111,6 +141,12 @@ ChildModel model_part(const Part& part) {
   }
   if (const auto settings = part.find("settings")) {
     result.model.settings = settings_part(*settings);
+  }
+  if (const auto parameters = part.find("parameters")) {
+    result.model.parameters = parameters_part(*parameters);
+  }
+  if (const auto code = part.find("code")) {
+    result.model.code = code->text();
   }
   return result;
 }

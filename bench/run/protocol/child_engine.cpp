@@ -46,4 +46,6 @@ double ChildEngine::processor_time() const { return children_->processor_time();
 
 double ChildEngine::peak_memory() const { return children_->peak_memory(); }
 
+void ChildEngine::forget_peak_memory() const { children_->forget_peak_memory(); }
+
 }  // namespace tautline::bench

@@ -25,6 +25,9 @@ class ChildEngine final : public TableEngine {
   /// The most memory that one of them held at once [bytes].
   [[nodiscard]] double peak_memory() const;
 
+  /// From here on `peak_memory` is the most that is held from here on.
+  void forget_peak_memory() const;
+
  private:
   ChildEngine(EngineTable table, std::shared_ptr<Children> children);
 

@@ -22,6 +22,12 @@ double Children::peak_memory() const {
   return most;
 }
 
+void Children::forget_peak_memory() const {
+  for (const Process& process : processes_) {
+    forget_peak_memory_of(process.conversation->process());
+  }
+}
+
 Conversation* Children::take() {
   const auto idle = std::find_if(processes_.begin(), processes_.end(),
                                  [](const Process& process) { return !process.busy; });

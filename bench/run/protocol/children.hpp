@@ -30,6 +30,7 @@ class Children {
 
   [[nodiscard]] double processor_time() const;  // [s], of those that are alive
   [[nodiscard]] double peak_memory() const;     // [bytes], of the largest
+  void forget_peak_memory() const;              // from here on it is what is held from here on
 
  private:
   [[nodiscard]] Conversation* take();

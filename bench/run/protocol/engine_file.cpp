@@ -43,6 +43,15 @@ void read_tables(const toml::table& file, FileProblems& wrong, EngineFile& resul
   result.lock = path_inside(root, "lock");
   result.installed = path_inside(root, "installed");
   result.bring = root.optional_text("bring").value_or("");
+  result.versions = root.optional_text("versions").value_or("");
+  if (file.contains("shares")) {
+    const std::string right = "must be folders beside this one, such as [\"../common\"]";
+    result.shares = root.texts("shares", right);
+    if (!std::all_of(result.shares.begin(), result.shares.end(),
+                     [](const std::string& path) { return path.starts_with("../"); })) {
+      root.refuse_value("shares", right);
+    }
+  }
   root.refuse_unknown_keys();
 }
 
@@ -52,18 +61,23 @@ bool can_be_run(const fs::path& file) {
 }
 
 bool is_on_path(const std::string& word) {
-  const char* const folders = std::getenv("PATH");
-  for (std::string_view rest = folders != nullptr ? folders : "/usr/bin:/bin"; !rest.empty();) {
-    const std::size_t colon = std::min(rest.find(':'), rest.size());
-    if (can_be_run(fs::path(rest.substr(0, colon)) / word)) {
-      return true;
-    }
-    rest.remove_prefix(std::min(colon + 1, rest.size()));
-  }
-  return false;
+  const char* const list = std::getenv("PATH");
+  const std::vector<fs::path> folders = folders_of(list != nullptr ? list : "/usr/bin:/bin");
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](const fs::path& folder) { return can_be_run(folder / word); });
 }
 
 }  // namespace
+
+std::vector<fs::path> folders_of(std::string_view list) {
+  std::vector<fs::path> folders;
+  while (!list.empty()) {
+    const std::size_t colon = std::min(list.find(':'), list.size());
+    folders.emplace_back(list.substr(0, colon));
+    list.remove_prefix(std::min(colon + 1, list.size()));
+  }
+  return folders;
+}
 
 EngineFile read_engine_file(const fs::path& file) {
   EngineFile result;

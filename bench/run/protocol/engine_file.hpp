@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tautline::bench {
@@ -15,9 +16,14 @@ struct EngineFile {
   std::string lock;                  // in the folder
   std::string installed;             // in the folder: without it the engine is not here
   std::string bring;                 // the command that brings it
+  std::string versions;              // of `package`, those that the engine is made for: ">=0.15"
+  std::vector<std::string> shares;   // folders beside it that it loads from: "../common"
   std::vector<std::string>
       problems;  // of the file, in sentences; the rest is void if there are any
 };
+
+/// The folders of a list like PATH, with colons between them.
+[[nodiscard]] std::vector<std::filesystem::path> folders_of(std::string_view list);
 
 /// Reads it; what is wrong with it becomes `problems`.
 [[nodiscard]] EngineFile read_engine_file(const std::filesystem::path& file);

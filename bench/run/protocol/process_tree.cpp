@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <fstream>
 #include <string>
 #include <utility>
 
@@ -89,6 +90,10 @@ double peak_memory_of(pid_t process) {
   return place == status.npos
              ? 0.0
              : 1024.0 * std::strtod(status.c_str() + place + std::strlen(label), nullptr);  // kB
+}
+
+void forget_peak_memory_of(pid_t process) {
+  std::ofstream("/proc/" + std::to_string(process) + "/clear_refs") << "5";  // see man 5 proc
 }
 
 double processor_time_of(pid_t process) {

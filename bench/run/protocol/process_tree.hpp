@@ -16,6 +16,9 @@ namespace tautline::bench {
 /// The most memory that a process has held at once [bytes]; 0 if it is gone.
 [[nodiscard]] double peak_memory_of(pid_t process);
 
+/// From here on `peak_memory_of` is the most that it holds from here on.
+void forget_peak_memory_of(pid_t process);
+
 /// Processor time that a process has used [s]; 0 if it is gone.
 [[nodiscard]] double processor_time_of(pid_t process);
 

@@ -61,11 +61,14 @@ std::string start_request(int id, const Case& the_case, const ChildModel& model,
                           const RunSettings& settings) {
   // the event driver takes the restitution at each speed itself
   const bool table = model.follows_speed && !model.by_events;
-  return request(id, "start",
-                 {{"case", case_json(the_case, table)},
-                  {"model", model.model.name},
-                  {"step", settings.step},
-                  {"law", to_string(settings.law)}});
+  Json params = {{"case", case_json(the_case, table)},
+                 {"model", model.model.name},
+                 {"step", settings.step},
+                 {"law", to_string(settings.law)}};
+  if (!settings.parameters.empty()) {
+    params["parameters"] = settings.parameters;
+  }
+  return request(id, "start", std::move(params));
 }
 
 std::string step_request(int id, double dt, std::size_t count) {

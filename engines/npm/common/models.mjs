@@ -24,6 +24,9 @@ export function limitModel(engine, name, sentence, settings, options = {}, maker
   return model(name, maker, sentence, settings, (theCase, run) => startLimit(engine, theCase, { ...options, ...run }));
 }
 
+/** `model` with numbers that a run may set, and the code that sets them in a user's program. */
+export const tunable = (model, code, parameters) => ({ ...model, parameters, code });
+
 /** A model whose cable has `what`, one number for all speeds. */
 export function atOneSpeed({ start, ...told }, what) {
   return { ...told, follows_speed: false, start(theCase, run) {

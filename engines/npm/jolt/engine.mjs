@@ -2,7 +2,7 @@
 // no restitution.
 
 import { serve } from "../../protocol/javascript/engine.mjs";
-import { bounceModel, eventModel, limitModel, rowModels, setting, turnableInertia, unwrap } from "../common/models.mjs";
+import { bounceModel, eventModel, limitModel, rowModels, setting, tunable, turnableInertia, unwrap } from "../common/models.mjs";
 import { installedVersion } from "../common/version.mjs";
 
 const J = await (await import("jolt-physics/wasm-compat")).default();
@@ -53,23 +53,25 @@ function createBody(bodies, { mass, inertia }, defaults) {
   return body;
 }
 
-function createLimit(system, body, { anchor, attachment, length }) {
+function createLimit(system, body, { anchor, attachment, length }, { frequency, damping }) {
   lent(new J.DistanceConstraintSettings(), (settings) => {
     settings.mSpace = J.EConstraintSpace_LocalToBodyCOM;
     lent(new J.RVec3(...anchor, 0), (point) => (settings.mPoint1 = point));
     lent(new J.RVec3(...attachment, 0), (point) => (settings.mPoint2 = point));
     settings.mMinDistance = 0;
     settings.mMaxDistance = length;
+    if (frequency !== undefined) settings.mLimitsSpringSettings.mFrequency = frequency;
+    if (damping !== undefined) settings.mLimitsSpringSettings.mDamping = damping;
     system.AddConstraint(settings.Create(J.Body.prototype.sFixedToWorld, body));
   });
 }
 
-function world({ gravity, body: mass, cables }, { limit, defaults }) {
+function world({ gravity, body: mass, cables }, { limit, defaults, parameters = {} }) {
   const jolt = createJolt(), system = jolt.GetPhysicsSystem(), bodies = system.GetBodyInterface();
   lent(new J.Vec3(...gravity, 0), (g) => system.SetGravity(g));
   const body = createBody(bodies, mass, defaults), id = body.GetID();
   // GetTotalLambdaPosition is not always what has acted: the impulses are read from the velocities
-  if (limit) cables.forEach((cable) => createLimit(system, body, cable));
+  if (limit) cables.forEach((cable) => createLimit(system, body, cable, parameters));
   const v = new J.Vec3(0, 0, 0), w = new J.Vec3(0, 0, 0), r = new J.RVec3(0, 0, 0), q = new J.Quat(0, 0, 0, 1);
   let angle = 0;
   return {
@@ -123,7 +125,9 @@ serve({
   version: installedVersion(import.meta.url, "jolt-physics"),
   precision: engine.precision,
   models: [
-    limitModel(engine, "distance", "The largest distance of Jolt's DistanceConstraint, which has no restitution: what one tries first.", [...settings, range]),
+    tunable(limitModel(engine, "distance", "The largest distance of Jolt's DistanceConstraint, which has no restitution: what one tries first.", [...settings, range]),
+      "settings.mLimitsSpringSettings.mFrequency = {frequency}; settings.mLimitsSpringSettings.mDamping = {damping};",
+      [{ name: "damping", low: 0, high: 1 }, { name: "frequency", low: 0.0033, high: 0.05, scale: "log", step_power: -1 }]),
     limitModel(engine, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true, left: (dt) => [1 - shippedDamping * dt, 1 - shippedDamping * dt] }),
     bounceModel(engine, "distance-bounce", "The same constraint, undamped, and after a step in which it pulled an impulse that gives the cable's restitution.", [...settings, range]),
     ...rowModels(engine, settings),

@@ -2,7 +2,7 @@
 // spring and a damper, which a user tunes to the restitution.
 
 import { serve } from "../../protocol/javascript/engine.mjs";
-import { atOneSpeed, eventModel, limitModel, rowModels, setting, turnableInertia } from "../common/models.mjs";
+import { atOneSpeed, eventModel, limitModel, rowModels, setting, tunable, turnableInertia } from "../common/models.mjs";
 import { springFor } from "./spring.mjs";
 
 const M = await (await import("@mujoco/mujoco")).default();
@@ -16,15 +16,15 @@ engine.flight.speed = largestSpeed;
 /** The constraint's impedance: as near to 1 as MuJoCo lets it. */
 const impedance = "0.9999 0.9999 1 0.5 1";
 
-function limitOf({ length, restitution }, limit, step) {
+function limitOf({ length, restitution }, limit, step, parameters) {
   if (!limit) return "";
   const range = `limited="true" range="0 ${length}"`;
   if (limit === "defaults") return range;
-  const { stiffness, damping } = springFor(restitution, step);
+  const { stiffness, damping } = { ...springFor(restitution, step), ...parameters };
   return `${range} solreflimit="${-stiffness} ${-damping}" solimplimit="${impedance}"`;
 }
 
-function xmlOf({ gravity, body: { mass, inertia }, cables }, limit, step) {
+function xmlOf({ gravity, body: { mass, inertia }, cables }, limit, step, parameters) {
   const same = turnableInertia({ mass, inertia });
   const each = (text) => cables.map(text).join("");
   return `<mujoco><compiler autolimits="false" inertiafromgeom="false"/>
@@ -33,12 +33,12 @@ function xmlOf({ gravity, body: { mass, inertia }, cables }, limit, step) {
 <body name="body"><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint type="hinge" axis="0 0 1"/>
 <inertial pos="0 0 0" mass="${mass}" diaginertia="${same} ${same} ${same}"/>
 ${each(({ attachment }, i) => `<site name="attachment${i}" pos="${attachment.join(" ")} 0"/>`)}</body></worldbody>
-<tendon>${each((cable, i) => `<spatial ${limitOf(cable, limit, step)}><site site="anchor${i}"/><site site="attachment${i}"/></spatial>`)}</tendon></mujoco>`;
+<tendon>${each((cable, i) => `<spatial ${limitOf(cable, limit, step, parameters)}><site site="anchor${i}"/><site site="attachment${i}"/></spatial>`)}</tendon></mujoco>`;
 }
 
-function world(theCase, { limit, step }) {
+function world(theCase, { limit, step, parameters }) {
   const { mass } = theCase.body, inertia = turnableInertia(theCase.body);
-  const model = M.MjModel.from_xml_string(xmlOf(theCase, limit, step)), data = new M.MjData(model), options = model.opt;
+  const model = M.MjModel.from_xml_string(xmlOf(theCase, limit, step, parameters)), data = new M.MjData(model), options = model.opt;
   return {
     // views of the heap die as it grows: they are taken anew
     state: () => [...data.qpos, ...data.qvel],
@@ -76,9 +76,11 @@ serve({
   precision: engine.precision,
   models: [
     limitModel(engine, "tendon-limit-defaults", "The limit of a spatial tendon with the soft spring that MuJoCo ships: what one tries first.", [...planar, limited], { limit: "defaults" }),
-    atOneSpeed(limitModel(engine, "tendon-limit", "The same limit with a spring and a damper whose bounce of 20 steps has the cable's restitution.", [...planar, limited,
+    tunable(atOneSpeed(limitModel(engine, "tendon-limit", "The same limit with a spring and a damper whose bounce of 20 steps has the cable's restitution.", [...planar, limited,
       setting("solreflimit", "of the restitution and the step", "MuJoCo has no restitution; a spring and a damper have one."),
       setting("solimplimit", impedance, "The spring acts in full at any overstretch.")], { limit: "tuned" }), "a limit of MuJoCo has one spring"),
+      `<spatial limited="true" solreflimit="-{stiffness} -{damping}" solimplimit="${impedance}">`,
+      [{ name: "damping", low: 1e-4, high: 1, scale: "log", step_power: -1 }, { name: "stiffness", low: 4.4e-4, high: 0.1, scale: "log", step_power: -2 }]),
     ...rowModels(engine, planar),
     eventModel(engine, planar),
   ],

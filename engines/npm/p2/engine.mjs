@@ -2,7 +2,7 @@
 // equation of the solver's own.
 
 import { serve } from "../../protocol/javascript/engine.mjs";
-import { bounceModel, eventModel, limitModel, rowModels, setting, turnableInertia } from "../common/models.mjs";
+import { bounceModel, eventModel, limitModel, rowModels, setting, tunable, turnableInertia } from "../common/models.mjs";
 import { installedVersion } from "../common/version.mjs";
 import { solverRow } from "./row_constraint.mjs";
 
@@ -14,7 +14,7 @@ const engine = { title: "p2-es", precision: "float64", flight: { substeps: 1 }, 
 /** Two coupled rows converge by a factor for each iteration; p2's 10 leave an order of cables. */
 const iterations = 50;
 
-function world({ gravity, body: { mass, inertia }, cables }, { limit, rows, early, step, defaults }) {
+function world({ gravity, body: { mass, inertia }, cables }, { limit, rows, early, step, defaults, parameters = {} }) {
   const w = new C.World({ gravity });
   const body = new C.Body({ mass, ...(defaults ? {} : { damping: 0, angularDamping: 0 }) }), ground = new C.Body({ mass: 0 });
   body.inertia = turnableInertia({ mass, inertia }); // a body without shapes has none
@@ -41,7 +41,10 @@ function world({ gravity, body: { mass, inertia }, cables }, { limit, rows, earl
   };
   if (limit) {
     for (const { anchor, attachment, length } of cables) {
-      w.addConstraint(new C.DistanceConstraint(ground, body, { localAnchorA: anchor, localAnchorB: attachment, distance: length, upperLimit: length }));
+      const constraint = new C.DistanceConstraint(ground, body, { localAnchorA: anchor, localAnchorB: attachment, distance: length, upperLimit: length });
+      if ("stiffness" in parameters) constraint.setStiffness(parameters.stiffness);
+      if ("relaxation" in parameters) constraint.setRelaxation(parameters.relaxation);
+      w.addConstraint(constraint);
     }
   } else if (rows) {
     w.solver.iterations = iterations;
@@ -64,7 +67,9 @@ serve({
   version: installedVersion(import.meta.url, "p2-es"),
   precision: engine.precision,
   models: [
-    limitModel(engine, "distance", "The upper limit of p2's DistanceConstraint, which has no restitution: what rebound there is depends on the step.", [...settings, limit]),
+    tunable(limitModel(engine, "distance", "The upper limit of p2's DistanceConstraint, which has no restitution: what rebound there is depends on the step.", [...settings, limit]),
+      "constraint.setStiffness({stiffness}); constraint.setRelaxation({relaxation});",
+      [{ name: "relaxation", low: 0.1, high: 50, scale: "log" }, { name: "stiffness", low: 4e-4, high: 1, scale: "log", step_power: -2 }]),
     limitModel(engine, "distance-defaults", "The same limit on a body that is damped as p2 ships it.", [arrays, limit], { defaults: true }),
     bounceModel(engine, "distance-bounce", "The same limit, undamped, and after a step in which it pulled an impulse up to the cable's restitution.", [...settings, limit]),
     ...rowModels(engine, settings),

@@ -52,20 +52,20 @@ function spelled(value) {
 
 /**
  * Serves `engine`: {name, version, precision, models}. A model is what `info` says of it, and
- * start(case, {step, law}), which returns a run: state(); step(dt), which returns the impulse of each cable; or for a
- * model driven by events fly(dt), place(state), solve(cables, rates), which returns impulses, and `rounding`. A run
- * may have `stopped`, {time, reason}, and free(), called once it is done.
+ * start(case, {step, law, parameters}), which returns a run: state(); step(dt), which returns the impulse of each
+ * cable; or for a model driven by events fly(dt), place(state), solve(cables, rates), which returns impulses, and
+ * `rounding`. A run may have `stopped`, {time, reason}, and free(), called once it is done.
  */
 export function serve({ models, ...engine }) {
   let run;
   const methods = {
     info: () => ({ protocol: 1, ...engine, models: models.map(({ start, ...told }) => told) }),
-    start({ case: the_case, model, step, law }) {
+    start({ case: the_case, model, step, law, parameters = {} }) {
       run?.free?.();
       run = undefined;
       const found = models.find(({ name }) => name === model);
       if (!found) throw new Unsupported(`no model "${model}"; there are ${models.map(({ name }) => name).join(", ")}`);
-      run = found.start(the_case, { step, law });
+      run = found.start(the_case, { step, law, parameters });
       return { state: run.state(), rounding: run.rounding };
     },
     step({ dt, count }) {

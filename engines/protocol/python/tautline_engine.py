@@ -63,7 +63,7 @@ def _answer(engine, models, runs, method, params):
     if method == "start":
         runs.clear()
         model = {model.info["name"]: model for model in models}[params["model"]]
-        runs.append(model(params["case"], params["step"], params["law"]))
+        runs.append(model(*(params[key] for key in ("case", "step", "law", "parameters") if key in params)))
         rounding = {"rounding": runs[0].rounding} if hasattr(runs[0], "rounding") else {}
         return {"state": runs[0].state(), **rounding}
     run, steps = runs[0], []  # empty before "start"
@@ -80,8 +80,8 @@ def _answer(engine, models, runs, method, params):
 
 def serve(models, **engine):
     """Serves an engine {name, version, precision} of `models`: classes whose `info` is what the protocol says of a
-    model, and whose objects, Model(case, step, law), are runs. A run has state() and step(dt), which returns the
-    impulse of each cable; or fly(dt), place(state) and solve(cables, rates), which returns impulses, for the drive
+    model, and whose objects, Model(case, step, law), are runs; Model(case, step, law, parameters) where a run sets
+    some. A run has state() and step(dt), which returns the impulse of each cable; or fly(dt), place(state) and solve(cables, rates), which returns impulses, for the drive
     "events", then also `rounding` where numbers are no float64. It may set `stopped`, {time, reason}."""
     protocol, sys.stdout = os.fdopen(os.dup(1), "w", encoding="utf-8"), sys.stderr
     os.dup2(2, 1)  # standard output is the protocol's, whatever a library prints

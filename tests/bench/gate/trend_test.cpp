@@ -8,6 +8,10 @@
 #include <vector>
 
 #include "bench/gate/trend/trend_text.hpp"
+#include "bench/gate/trend/version_html.hpp"
+#include "bench/gate/trend/version_svg.hpp"
+#include "bench/gate/trend/version_tables.hpp"
+#include "bench/gate/trend/version_trend.hpp"
 #include "tests/bench/gate/made_report.hpp"
 
 namespace tautline::bench::test {
@@ -90,6 +94,53 @@ TEST(Trend, ShowsWhatMovesAndCountsTheRest) {
   EXPECT_NE(text.find("1 of 5 metrics"), std::string::npos) << text;
   const std::string all = trend_text(trend({still, still, moved}, files), true, {80, false});
   EXPECT_NE(all.find("early [m]"), std::string::npos) << all;
+}
+
+/// Three versions with reports: the second is twice as wrong in case-0 and better in case-1, the
+/// third worse in case-1. What is between them does not start.
+VersionTrend four_versions() {
+  VersionTrend trend{"e", "package", ">=1", {}, std::nullopt};
+  const auto add = [&](const std::string& name, const std::vector<double>& values) {
+    trend.versions.push_back({name, false, "", "", version(name, values)});
+  };
+  add("1", {1, 5});
+  add("2", {2, 1});
+  trend.versions.push_back({"2.5", false, "", "it does not start", std::nullopt});
+  add("3", {2.2, 5});
+  find_trend(trend);
+  return trend;
+}
+
+TEST(VersionMoves, TheNewestRegressionComesFirstAndNamesItsCase) {
+  const Trend trend = four_versions().trend.value();
+  const std::vector<VersionMove> worse = worse_moves(trend);
+  ASSERT_FALSE(worse.empty());
+  EXPECT_EQ(worse.front().version, "3");
+  EXPECT_EQ(worse.front().runs, 2U);
+  EXPECT_EQ(worse.front().most.key.the_case, "case-1") << "by a factor of 5, and case-0 by 1.1";
+  EXPECT_DOUBLE_EQ(worse.front().most.before.value(), 1.0);
+  EXPECT_DOUBLE_EQ(worse.front().most.after.value(), 5.0);
+  EXPECT_EQ(worse.back().version, "2");
+  EXPECT_EQ(worse.back().most.key.the_case, "case-0");
+  for (const VersionMove& move : better_moves(trend)) {
+    EXPECT_EQ(move.version, "2");
+    EXPECT_EQ(move.most.key.the_case, "case-1");
+  }
+  const std::vector<TitledTable> tables = change_tables(trend);
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_EQ(tables[0].title, "Worse");
+  EXPECT_EQ(tables[1].title, "Better");
+}
+
+TEST(VersionMoves, AVersionWithoutAReportStaysInSight) {
+  VersionTrend trend = four_versions();
+  EXPECT_NE(version_svg(trend).find(">(2.5)</text>"), std::string::npos) << version_svg(trend);
+  EXPECT_NE(version_html({trend}, {}).find("it does not start"), std::string::npos);
+  EXPECT_TRUE(newest_sentence(trend).starts_with("From 2 to 3: ")) << newest_sentence(trend);
+  trend.versions.push_back(trend.versions[2]);
+  EXPECT_TRUE(newest_is_worse(trend));
+  EXPECT_TRUE(newest_sentence(trend).starts_with("2.5 has no report: it does not start. From 2"))
+      << newest_sentence(trend);
 }
 
 }  // namespace

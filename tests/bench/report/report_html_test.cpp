@@ -127,12 +127,12 @@ std::string data_of(const std::string& page) {
   return page.substr(at, page.find("</script>", at) - at);
 }
 
-void collect_numbers(const ordered_json& json, std::set<double>& numbers) {
-  if (json.is_number()) {
-    numbers.insert(json.get<double>());
+void collect_numbers(const ordered_json& value, std::set<double>& numbers) {
+  if (value.is_number()) {
+    numbers.insert(value.get<double>());
   }
-  if (json.is_structured()) {
-    for (const ordered_json& part : json) {
+  if (value.is_structured()) {
+    for (const ordered_json& part : value) {
       collect_numbers(part, numbers);
     }
   }

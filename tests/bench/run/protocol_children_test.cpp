@@ -127,6 +127,27 @@ Outcome run_alone(const std::string& way, const std::string& limit) {
   return outcome;
 }
 
+/// How many processes of this child three runs took, one after another.
+std::size_t processes_of_three_runs(const std::string& way) {
+  const TemporaryFolder folder;
+  const std::string mark = folder.path().string();
+  const Outcome outcome = program(
+      {"bench", "bouncing-ball", "--engines", bad_child(folder, way), "--models", "row", "--steps",
+       "1e-2,8e-3,5e-3", "--jobs", "1", "--out", (folder.path() / "results").string()},
+      "TAUTLINE_MARK=" + mark);
+  EXPECT_EQ(left_of(mark), std::vector<int>()) << way << ": " << outcome.errors;
+  return content_of(mark + "/" + way + ".starts").size();
+}
+
+TEST(Children, ServeOneRunAfterAnotherUntilOneFails) {
+  if (!has_python()) {
+    GTEST_SKIP() << no_python;
+  }
+  constexpr std::size_t to_be_asked_who_it_is = 1;
+  EXPECT_EQ(processes_of_three_runs("sound"), to_be_asked_who_it_is + 1);
+  EXPECT_EQ(processes_of_three_runs("exits"), to_be_asked_who_it_is + 3);
+}
+
 TEST(BadChild, ThatSleepsIsEndedWithAllItStarted) {
   if (!has_python()) {
     GTEST_SKIP() << no_python;

@@ -196,7 +196,17 @@ TEST(Answers, WithAMistakeSayWhereItIsAndWhatWouldBeRight) {
        "the engine's answer to info has an unknown key models[0].drives; did you mean drive?"},
       {"info",
        info_with(R"({"name":"row","sentence":"x","maker":"engine","settings":[{"name":"a"}]})"),
-       "the engine's answer to info lacks models[0].settings[0].value"}};
+       "the engine's answer to info lacks models[0].settings[0].value"},
+      {"info",
+       info_with(R"({"name":"row","sentence":"x","maker":"engine","parameters":)"
+                 R"([{"name":"a","low":2,"high":1}]})"),
+       "the engine's answer to info: models[0].parameters[0].low is 2, must be below high, and "
+       "above 0 on a scale of logarithms"},
+      {"info",
+       info_with(R"({"name":"row","sentence":"x","maker":"engine","parameters":)"
+                 R"([{"name":"a","low":1,"high":2,"step_power":0.5}]})"),
+       "the engine's answer to info: models[0].parameters[0].step_power is 0.5, must be a whole "
+       "number from -4 to 4"}};
   for (const auto& [method, result, sentence] : mistakes) {
     EXPECT_EQ(said_of_result(result, method), sentence);
   }

@@ -66,22 +66,22 @@ TEST(Plugin, RefusesAnotherInterfaceBeforeCallingIntoIt) {
 }
 
 constexpr std::string_view here =
-    "tautline-engine 3, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 16";
+    "tautline-engine 4, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 16";
 
 TEST(InterfaceText, TellsWhatToBuildOtherwise) {
   const std::pair<std::string_view, std::string_view> wanted[] = {
       {"tautline-engine 2, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 16",
        "rebuild it against this version's headers"},
-      {"tautline-engine 3, C++ ABI 1013, std::string ABI 1, Eigen 3.4, alignment 16",
+      {"tautline-engine 4, C++ ABI 1013, std::string ABI 1, Eigen 3.4, alignment 16",
        "build it with -fabi-version=17"},
-      {"tautline-engine 3, C++ ABI 1017, std::string ABI 0, Eigen 3.4, alignment 16",
+      {"tautline-engine 4, C++ ABI 1017, std::string ABI 0, Eigen 3.4, alignment 16",
        "build it with -D_GLIBCXX_USE_CXX11_ABI=1"},
-      {"tautline-engine 3, C++ ABI 1002, std::string ABI _GLIBCXX_USE_CXX11_ABI, Eigen 3.4, "
+      {"tautline-engine 4, C++ ABI 1002, std::string ABI _GLIBCXX_USE_CXX11_ABI, Eigen 3.4, "
        "alignment 16",
        "build it with -stdlib=libstdc++"},
-      {"tautline-engine 3, C++ ABI 1017, std::string ABI 1, Eigen 3.3, alignment 16",
+      {"tautline-engine 4, C++ ABI 1017, std::string ABI 1, Eigen 3.3, alignment 16",
        "build it against Eigen 3.4"},
-      {"tautline-engine 3, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 32",
+      {"tautline-engine 4, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 32",
        "add -DEIGEN_MAX_STATIC_ALIGN_BYTES=16"},
       {"what is this", "rebuild it against this version's headers"}};
   for (const auto& [theirs, advice] : wanted) {
@@ -93,7 +93,7 @@ TEST(InterfaceText, TellsWhatToBuildOtherwise) {
 
 TEST(InterfaceText, LetsClangAndGccGoTogether) {
   const std::string clang =
-      "tautline-engine 3, C++ ABI 1002, std::string ABI 1, Eigen 3.4, alignment 16";
+      "tautline-engine 4, C++ ABI 1002, std::string ABI 1, Eigen 3.4, alignment 16";
   EXPECT_EQ(misfit(clang, here), "");
   EXPECT_EQ(misfit(here, clang), "");
   EXPECT_EQ(misfit(here, here), "");

@@ -20,11 +20,12 @@ before(async () => {
 });
 after(() => child.end());
 
-const start = (model, step, theCase = standardCase) => child.ask("start", { case: theCase, model, step, law: "simultaneous" });
+const start = (model, step, theCase = standardCase, parameters = undefined) =>
+  child.ask("start", { case: theCase, model, step, law: "simultaneous", parameters });
 
 /** Runs up to `until` [s] and calls visit(time, before, after, impulses) for each step. */
-async function run(model, step, until, visit) {
-  let { state } = await start(model, step);
+async function run(model, step, until, visit, parameters) {
+  let { state } = await start(model, step, standardCase, parameters);
   const count = Math.round(until / step);
   for (let done = 0; done < count; ) {
     const { steps } = await child.ask("step", { dt: step, count: Math.min(100, count - done) });
@@ -39,7 +40,7 @@ async function run(model, step, until, visit) {
 const longestBounce = 25;
 
 /** The largest distance from the exact motion, and of the first impact its start and its rebound. */
-async function measured(model, step) {
+async function measured(model, step, parameters) {
   const result = { deviation: 0, struck: undefined, rebound: undefined };
   let closing, open = true, steps = 0;
   await run(model, step, 2, (time, was, now, [impulse]) => {
@@ -52,7 +53,7 @@ async function measured(model, step) {
     result.struck ??= time - step;
     closing ??= -rate(was);
     result.rebound = Math.max(result.rebound ?? -Infinity, rate(now) / closing);
-  });
+  }, parameters);
   return result;
 }
 
@@ -87,6 +88,20 @@ for (const [model, { deviation, rebound }] of Object.entries(expected[name] ?? {
     }
   });
 }
+
+test("rebounds otherwise with another value of each parameter", async () => {
+  const step = 1e-3, told = 0.02;
+  for (const { name: model, parameters = [], code } of info.models) {
+    const middle = Object.fromEntries(parameters.map(({ name: of, low, high, scale, step_power: power = 0 }) =>
+      [of, (scale === "log" ? Math.sqrt(low * high) : (low + high) / 2) * step ** power]));
+    const { rebound } = parameters.length ? await measured(model, step, middle) : {};
+    for (const { name: of, high, step_power: power = 0 } of parameters) {
+      assert.ok(code.includes(`{${of}}`), `${model}: its code sets no ${of}`);
+      const other = await measured(model, step, { ...middle, [of]: high * step ** power });
+      assert.ok(Math.abs(other.rebound - rebound) > told, `${model}: e = ${rebound}, and with the largest ${of} ${other.rebound}`);
+    }
+  }
+});
 
 test("flies the parabola, and solves an impact, as exactly as its numbers let it", async () => {
   const rounding = info.precision === "float64" ? 1e-14 : 1e-6;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,12 +41,24 @@ enum class Maker {
   return "";
 }
 
+/// A number of a model that a run may set, such as a stiffness.
+struct Parameter {
+  std::string name;  // [a-z0-9-]+
+  // its value lies between two numbers times a power of the step [s]
+  double low;                // the smaller of these numbers
+  double high;               // the larger one
+  bool logarithmic = false;  // factors of it count, not differences; then low > 0
+  int step_power = 0;        // the power: -2 for a stiffness
+};
+
 /// One way to build the cables of a case in an engine.
 struct Model {
-  std::string name;               // [a-z0-9-]+, such as "row" or "event"
-  std::string sentence;           // what it does, in one sentence
-  std::vector<Setting> settings;  // every one that is not the engine's default
-  Maker maker = Maker::by_hand;   // whose its cable is
+  std::string name;                        // [a-z0-9-]+, such as "row" or "event"
+  std::string sentence;                    // what it does, in one sentence
+  std::vector<Setting> settings;           // every one that is not the engine's default
+  Maker maker = Maker::by_hand;            // whose its cable is
+  std::vector<Parameter> parameters = {};  // that a run may set; none in most models
+  std::string code = {};  // sets them in a user's program, "{name}" where a value stands
 };
 
 /// What an engine says of itself.
@@ -97,6 +110,8 @@ struct RunSettings {
   double step;  // [s], the length of every step but the last, which may be shorter
   /// For impacts on several cables, where a model leaves the choice. The others ignore it.
   ImpactLaw law;
+  /// Some of the model's `parameters`, by name; the model chooses the others.
+  std::map<std::string, double> parameters = {};
 };
 
 /// An engine, made by a plug-in.

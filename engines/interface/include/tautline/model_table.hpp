@@ -34,6 +34,26 @@ struct ModelEntry {
   return result;
 }
 
+/// Throws std::invalid_argument if `settings` set what is no parameter of `model`.
+inline void check_parameters(const Model& model, const RunSettings& settings) {
+  for (const auto& [name, value] : settings.parameters) {
+    bool known = false;
+    for (const Parameter& parameter : model.parameters) {
+      known = known || parameter.name == name;
+    }
+    if (!known) {
+      throw std::invalid_argument("unsupported: model " + model.name + " has no parameter " + name);
+    }
+  }
+}
+
+/// The parameter `name` of a run; `otherwise` where the run does not set it.
+[[nodiscard]] inline double parameter_of(const RunSettings& settings, const std::string& name,
+                                         double otherwise) {
+  const auto found = settings.parameters.find(name);
+  return found == settings.parameters.end() ? otherwise : found->second;
+}
+
 /// A run with the entry called `name`. Throws std::invalid_argument if there is none, or if it
 /// cannot do the case.
 [[nodiscard]] inline std::unique_ptr<Simulation> start_model(std::span<const ModelEntry> entries,
@@ -50,6 +70,7 @@ struct ModelEntry {
                                       std::to_string(index) + " of the case does not");
         }
       }
+      check_parameters(entry.model, settings);
       return entry.start(the_case, settings);
     }
     known += (known.empty() ? "" : ", ") + entry.model.name;

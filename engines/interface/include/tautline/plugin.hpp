@@ -12,7 +12,7 @@
 #define TAUTLINE_TEXT(x) TAUTLINE_TEXT_OF(x)
 
 /// Raised with every change of engine.hpp, case.hpp or solution.hpp.
-#define TAUTLINE_INTERFACE_VERSION 3
+#define TAUTLINE_INTERFACE_VERSION 4
 
 /// What a plug-in must have been built against, as text.
 #define TAUTLINE_INTERFACE \

@@ -1,0 +1,105 @@
+#include "bench/run/versions/pinned_engine.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "bench/base/atomic_file.hpp"
+#include "bench/base/input_file.hpp"
+#include "bench/run/versions/npm.hpp"
+
+namespace tautline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* packages = "node_modules";
+constexpr std::size_t longest_text = std::size_t{16} << 20U;  // [bytes], of a lock file
+
+/// The lowest folder that holds `folder` and all that it shares.
+fs::path common_folder(const fs::path& folder, const std::vector<std::string>& shares) {
+  fs::path common = folder;
+  for (const std::string& shared : shares) {
+    const fs::path other = (folder / shared).lexically_normal().parent_path();
+    const auto [end, unused] =
+        std::mismatch(common.begin(), common.end(), other.begin(), other.end());
+    fs::path both;
+    std::for_each(common.begin(), end, [&](const fs::path& part) { both /= part; });
+    common = both;
+  }
+  return common;
+}
+
+/// True for what npm writes into a folder that it installs to.
+bool is_npms(const fs::path& name) {
+  return name == packages || name == "package.json" || name == "package-lock.json";
+}
+
+/// Copies what the engine's folder has; what npm makes of its own only into a `bare` copy.
+void copy_files(const fs::path& from, const fs::path& to, bool bare) {
+  fs::create_directories(to);
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    const fs::path name = entry.path().filename();
+    if (name == packages || (is_npms(name) && !bare)) {
+      continue;
+    }
+    fs::copy(entry.path(), to / name,
+             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  }
+}
+
+void link(const fs::path& target, const fs::path& name) {
+  fs::create_directories(name.parent_path());
+  fs::remove(name);
+  fs::create_directory_symlink(target, name);
+}
+
+/// What the copy was installed from: another package.json or lock file is another installation.
+std::string origin(const EngineFile& engine, const fs::path& folder, const std::string& version) {
+  return engine.package + "@" + version + "\n" +
+         read_input_file(folder / "package.json", longest_text).content +
+         read_input_file(folder / "package-lock.json", longest_text).content;
+}
+
+}  // namespace
+
+fs::path version_cache() {
+  const auto variable = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return fs::path(value != nullptr ? value : "");
+  };
+  const fs::path given = variable("XDG_CACHE_HOME");
+  // the specification ignores one that is not absolute
+  const fs::path base = given.is_absolute() ? given : variable("HOME") / ".cache";
+  return fs::absolute(base) / "tautline" / "npm";
+}
+
+PinnedEngine pinned_engine(const EngineFile& engine, const std::string& version,
+                           const fs::path& cache) {
+  const fs::path source = fs::canonical(engine.path.parent_path());
+  const fs::path common = common_folder(source, engine.shares);
+  const fs::path root = cache / engine.name / version;
+  const fs::path folder = (root / source.lexically_relative(common)).lexically_normal();
+  const fs::path mark = root / "installed.txt";
+  const std::string wanted = origin(engine, source, version);
+  const bool kept = read_input_file(mark, longest_text).content == wanted &&
+                    fs::exists(folder / engine.installed);
+  if (!kept) {
+    fs::remove_all(root);
+  }
+  copy_files(source, folder, !kept);
+  for (const std::string& shared : engine.shares) {
+    const fs::path target = (source / shared).lexically_normal();
+    link(target, root / target.lexically_relative(common));
+  }
+  PinnedEngine result{folder / engine.path.filename(), ""};
+  if (!kept) {
+    result.problem = install_version(folder, engine.package, version);
+    if (result.problem.empty()) {
+      write_file(mark, wanted);
+    }
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,120 @@
+#include "bench/run/workplace.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "bench/run/protocol/engine_file.hpp"
+#include "bench/run/worker_process.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string failure_of(const ProcessEnd& end, double time_limit) {
+  switch (end.kind) {
+    case ProcessEnd::Kind::timed_out:
+      return fmt::format("timed out after {:g} s", time_limit);
+    case ProcessEnd::Kind::interrupted:
+      return "interrupted";
+    case ProcessEnd::Kind::signalled:
+      return "crashed: " + signal_name(end.code);
+    case ProcessEnd::Kind::exited:
+    case ProcessEnd::Kind::answered:
+      break;
+  }
+  return fmt::format("ended by itself with exit code {} and no result", end.code);
+}
+
+/// An engine may end its process with exit code 0 in the middle of a check.
+bool is_last(const WorkerAnswer& answer) {
+  const auto* const check = std::get_if<CheckAnswer>(&answer);
+  return check == nullptr || check->unfinished.empty();
+}
+
+/// What a worker left, and whether it can be believed.
+Exchange exchange_of(ProcessEnd end, std::optional<WorkerAnswer> answer, double time_limit) {
+  Exchange result;
+  result.end = std::move(end);
+  const bool whole = result.end.kind == ProcessEnd::Kind::answered ||
+                     (result.end.kind == ProcessEnd::Kind::exited && result.end.code == 0);
+  if (!whole || !answer || !is_last(*answer)) {
+    result.last_word = std::move(answer);
+    result.failure = failure_of(result.end, time_limit);
+    return result;
+  }
+  if (const auto* const failure = std::get_if<Failure>(&*answer)) {
+    result.failure = failure->sentence;
+  }
+  result.answer = std::move(answer);
+  return result;
+}
+
+}  // namespace
+
+/// A worker process and the ways to talk to it.
+class Workplace::Worker {
+ public:
+  explicit Worker(const WorkerRequest& first) : plugin_(first.plugin), memory_(first.memory) {}
+
+  /// True if it may obey `request` after what it has done.
+  [[nodiscard]] bool suits(const WorkerRequest& request) const {
+    return request.plugin == plugin_ && request.memory == memory_;
+  }
+
+  [[nodiscard]] Exchange exchange(const WorkerRequest& request, double time_limit) {
+    fill(input_, to_bytes(request));
+    fill(output_, "");
+    (void)::send(turns_.ours.get(), "", 1, MSG_NOSIGNAL);  // one that is gone says so by its end
+    ProcessEnd end = process_.wait(turns_.ours, time_limit);
+    return exchange_of(std::move(end), answer_from(content_of(output_)), time_limit);
+  }
+
+ private:
+  /// Two ends of a socket; what is said at one is heard at the other.
+  struct Turns {
+    Turns() {
+      std::array<int, 2> ends{};
+      if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+        throw std::system_error(errno, std::generic_category(), "cannot make a socket");
+      }
+      ours = Descriptor(ends[0]);
+      const Descriptor other(ends[1]);
+      // above all that a worker has, so that nothing takes its place while it is moved there
+      of_the_worker = Descriptor(::fcntl(other.get(), F_DUPFD_CLOEXEC, turn_descriptor + 1));
+    }
+
+    Descriptor ours;
+    Descriptor of_the_worker;
+  };
+
+  std::string plugin_;
+  std::size_t memory_;  // [bytes]
+  Descriptor input_ = memory_file();
+  Descriptor output_ = memory_file();
+  Turns turns_;
+  Process process_{{"/proc/self/exe", worker_command}, input_, output_, turns_.of_the_worker};
+};
+
+Workplace::Workplace() = default;
+Workplace::~Workplace() = default;
+
+Exchange Workplace::exchange(const WorkerRequest& request, double time_limit) {
+  std::unique_ptr<Worker> worker = std::move(waiting_);
+  if (!worker || !worker->suits(request)) {
+    worker.reset();  // before the next: no more than one at a time
+    worker = std::make_unique<Worker>(request);
+  }
+  Exchange result = worker->exchange(request, time_limit);
+  if (result.end.kind == ProcessEnd::Kind::answered) {
+    waiting_ = std::move(worker);
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

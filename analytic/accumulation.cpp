@@ -277,7 +277,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
         refine(*bounces, the_case, state, after, *cables.begin());
       }
       return BasicCompletion<Real>{cables | carried, bounces->ends, bounces->remaining,
-                                   bounces->uncertainty, after, bounces->error};
+                                   bounces->uncertainty, after};
     }
     cables = cables | near;
   }

@@ -412,9 +412,12 @@ void ErrorTracker::lose() {
 std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(const Place& place) const {
   const Event& event = solution_.events()[place.event];
   const Touching touching{place.taut | event.cables, 45 * epsilon<double>() * fastest_};
-  CompletionLimits any;
-  any.error = std::numeric_limits<double>::max();
-  const auto done = completion(case_, event.after, touching, any);
+  CompletionLimits limits;
+  auto done = completion(case_, event.after, touching, limits);
+  while (!done && limits.error < largest_part) {
+    limits.error *= 2.0;
+    done = completion(case_, event.after, touching, limits);
+  }
   if (!done || !done->ends) {
     return std::nullopt;
   }
@@ -431,12 +434,10 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(const Place& pla
     if (later.kind == EventKind::taut && taut == all) {
       Meeting result{index, mapped(place.spread, projection_derivative(case_, event.after, all)),
                      event.time, event.time + done->remaining + done->uncertainty};
-      const double speed = done->error * speed_scale(case_, done->after);
-      const double lasting = done->remaining + done->uncertainty;
+      const double speed = limits.error * speed_scale(case_, done->after);
+      const double place = limits.error * shortest_length(case_);
       StateVector errors;
-      errors << speed * lasting, speed * lasting, 0.0, speed, speed, 0.0;
-      errors[5] = speed * turned(case_);
-      errors[2] = errors[5] * lasting;
+      errors << place, place, place * turned(case_), speed, speed, speed * turned(case_);
       add_errors(result.spread, errors);
       return result;
     }

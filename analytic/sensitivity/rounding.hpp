@@ -29,13 +29,15 @@ inline double turned(const Case& the_case) {
 inline StateVector arc_rounding(const Case& the_case, const State& start, const State& end,
                                 double dt) {
   const double speed = std::max(start.velocity.norm(), end.velocity.norm());
-  const double place = start.position.norm() + end.position.norm() + speed * dt;
+  const double place =
+      start.position.norm() + end.position.norm() + speed * dt + the_case.gravity.norm() * dt * dt;
   const double turn = std::abs(start.angle) + std::abs(end.angle);
   const double rate = speed + the_case.gravity.norm() * dt;
   const double spin = std::max(std::abs(start.spin), std::abs(end.spin)) + rate * turned(the_case);
   StateVector result;
   result << place, place, turn, rate, rate, spin;
-  return one_rounding * result;
+  constexpr double operations = 3.0;  // that count, of those that make each number
+  return operations * one_rounding * result;
 }
 
 /// Of the pose at which `hit` become taut: what their gaps are off zero, and rounding of the gaps
@@ -44,7 +46,7 @@ inline double contact_rounding(const Case& the_case, const State& state, CableSe
   double result = 0.0;
   for (const std::size_t index : hit) {
     result = std::max(result, std::abs(gap(the_case.cables[index], state)) +
-                                  2 * one_rounding * gap_scale(the_case, index, state));
+                                  4 * one_rounding * gap_scale(the_case, index, state));
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include "tautline/case.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
+#include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
 
@@ -14,8 +15,9 @@ namespace tautline::bench {
 /// "cable 0 is", "cables 0+1 are"
 [[nodiscard]] std::string cables_are(CableSet cables);
 
-/// How the motion ends, when it settled and what is left of it, in a few lines of plain words.
+/// How the motion ends, when it settled and what is left of it, in a few lines of plain words. Each
+/// number has right digits alone, as `uncertainty` says, and what is beyond the horizon is named.
 [[nodiscard]] std::string solution_text(const Case& the_case, const Solution& solution,
-                                        const Settling& settling);
+                                        const Settling& settling, const Uncertainty& uncertainty);
 
 }  // namespace tautline::bench

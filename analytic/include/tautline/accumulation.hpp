@@ -25,7 +25,6 @@ struct BasicCompletion {
   Real remaining;          // [s] to the limit of the impact times, if it ends
   Real uncertainty;        // [s] of `remaining`
   BasicState<Real> after;  // projected onto the taut cables, M-orthogonally (Eq. 18)
-  Real error;              // [-], of the later velocities against their scale
 };
 using Completion = BasicCompletion<double>;
 

@@ -435,9 +435,9 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(const Place& pla
       Meeting result{index, mapped(place.spread, projection_derivative(case_, event.after, all)),
                      event.time, event.time + done->remaining + done->uncertainty};
       const double speed = limits.error * speed_scale(case_, done->after);
-      const double place = limits.error * shortest_length(case_);
+      const double shift = limits.error * shortest_length(case_);
       StateVector errors;
-      errors << place, place, place * turned(case_), speed, speed, speed * turned(case_);
+      errors << shift, shift, shift * turned(case_), speed, speed, speed * turned(case_);
       add_errors(result.spread, errors);
       return result;
     }

@@ -20,9 +20,6 @@ namespace {
 /// the order of: a closing rate, the time between two events, a gap that stays open [-].
 constexpr double trusted_part = 0.25;
 
-/// Nothing is said where an error may be this part of the shortest cable, or of a radian [-].
-constexpr double largest_part = 0.1;
-
 /// Terms of the derivative's series. Those of the motion fall to rounding in 28, so these to some
 /// 1e-3 of the error, whose first digit is all that is said.
 constexpr std::size_t flow_order = 6;
@@ -193,11 +190,13 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   for (const std::size_t index : hit) {
     const Cable& cable = case_.cables[index];
     const double rate = gap_rate(cable, event.before);
-    const double error = bound(rate_row(cable, event.before), now_.topLeftCorner<6, 6>());
+    const double error =
+        bound(rate_row(cable, event.before), now_.topLeftCorner<6, 6>(), curvature_);
     if (!(error <= trusted_part * std::abs(rate)) ||
         (depends_on_speed(cable) && std::abs(-rate - cable.capture_speed) <= error)) {
       return false;
     }
+    curvature_ = std::max(curvature_, std::pow(error / rate, 2));
   }
   const double tick = one_rounding * event.time;
   now_(6, 6) += tick * tick;
@@ -314,14 +313,14 @@ EventErrors ErrorTracker::take_impact(const Event& event) {
     const Cable& cable = case_.cables[index];
     if (const double rate = -gap_rate(cable, event.before); rate >= fastest) {
       fastest = rate;
-      errors.rate = bound(rate_row(cable, event.before), squares) + bound_margin * unit;
+      errors.rate = bound(rate_row(cable, event.before), squares, curvature_) + bound_margin * unit;
     }
   }
   const auto slopes = slopes_of(event);
   const CableMatrix g = delassus(case_, event.before, event.cables);
   for (Eigen::Index row = 0; row < event.impulses.size(); ++row) {
     errors.impulses[row] =
-        bound(StateRow(slopes.impulses.row(row)), squares) +
+        bound(StateRow(slopes.impulses.row(row)), squares, curvature_) +
         bound_margin * (one_rounding * std::abs(event.impulses[row]) + unit / g(row, row));
   }
   now_ = mapped(now_, slopes.after);
@@ -405,73 +404,6 @@ void ErrorTracker::lose() {
   meeting_ = meeting();
   const double from = before_ != nullptr && next_ > 0 ? solution_.events()[next_ - 1].time : 0.0;
   result_.unsure_.push_back({from, std::numeric_limits<double>::infinity()});
-}
-
-/// Where all motions that are still alike at `place` end on the same taut cables, because their
-/// bounces there accumulate.
-std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(const Place& place) const {
-  const Event& event = solution_.events()[place.event];
-  const Touching touching{place.taut | event.cables, 45 * epsilon<double>() * fastest_};
-  CompletionLimits limits;
-  auto done = completion(case_, event.after, touching, limits);
-  while (!done && limits.error < largest_part) {
-    limits.error *= 2.0;
-    done = completion(case_, event.after, touching, limits);
-  }
-  if (!done || !done->ends) {
-    return std::nullopt;
-  }
-  const CableSet all = place.taut | done->cables;
-  CableSet taut = place.taut;
-  for (std::size_t index = place.event + 1; index < solution_.events().size(); ++index) {
-    const Event& later = solution_.events()[index];
-    if (!(later.time <= event.time + done->remaining + done->uncertainty)) {
-      return std::nullopt;
-    }
-    taut = later.kind == EventKind::taut    ? taut | later.cables
-           : later.kind == EventKind::slack ? taut - later.cables
-                                            : taut;
-    if (later.kind == EventKind::taut && taut == all) {
-      Meeting result{index, mapped(place.spread, projection_derivative(case_, event.after, all)),
-                     event.time, event.time + done->remaining + done->uncertainty};
-      const double speed = limits.error * speed_scale(case_, done->after);
-      const double shift = limits.error * shortest_length(case_);
-      StateVector errors;
-      errors << shift, shift, shift * turned(case_), speed, speed, speed * turned(case_);
-      add_errors(result.spread, errors);
-      return result;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Of those of all places, the one that leaves the smallest errors.
-std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
-  std::optional<Meeting> best;
-  const double inertia = case_.body.inertia / case_.body.mass;
-  const auto size = [&](const Spread& spread) {
-    return spread(3, 3) + spread(4, 4) + inertia * spread(5, 5);
-  };
-  for (const Place& place : places_) {
-    const auto found = meeting_from(place);
-    if (found && (!best || size(found->spread) < size(best->spread))) {
-      best = found;
-    }
-  }
-  return best;
-}
-
-/// Goes on from where all motions have met.
-void ErrorTracker::meet(const Event& event) {
-  lost_ = false;
-  now_ = meeting_->spread;
-  result_.unsure_.back().until = std::max(event.time, meeting_->until);
-  const double late = std::max(event.time - meeting_->from, meeting_->until - event.time);
-  const State errors = bounds(now_.topLeftCorner<6, 6>());
-  result_.events_[next_] =
-      EventErrors{late, 0.0, CableVector::Zero(event.impulses.size()), errors, errors};
-  places_.clear();
-  meeting_.reset();
 }
 
 }  // namespace tautline

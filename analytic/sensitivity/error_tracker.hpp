@@ -11,6 +11,9 @@
 
 namespace tautline {
 
+/// Nothing is said where an error may be this part of the shortest cable, or of a radian [-].
+inline constexpr double largest_part = 0.1;
+
 /// d state(dt) / d state(0) along `arc`.
 [[nodiscard]] StateMatrix arc_flow(const Case& the_case, const Arc& arc, double dt);
 
@@ -52,6 +55,7 @@ class ErrorTracker {
   void lose();
   [[nodiscard]] std::optional<Meeting> meeting() const;
   [[nodiscard]] std::optional<Meeting> meeting_from(const Place& place) const;
+  [[nodiscard]] std::optional<Meeting> sampled_meeting(const Place& place) const;
   void meet(const Event& event);
 
   const Case& case_;
@@ -64,8 +68,9 @@ class ErrorTracker {
   const Arc* before_ = nullptr;             // the arc that ended last
   double fastest_ = 0.0;                    // [m/s]
   CableSet taut_;
-  std::size_t next_ = 0;          // event
-  std::size_t accumulation_ = 0;  // not before that event
+  std::size_t next_ = 0;                // event
+  std::size_t accumulation_ = 0;        // not before that event
+  double curvature_ = square_rounding;  // [-], square of the largest part that is not first order
   bool lost_ = false;
   std::deque<Place> places_;
   std::optional<Meeting> meeting_;

@@ -61,11 +61,13 @@ inline StateMatrix at_instant(const Spread& spread, const StateVector& rate) {
 /// The bound that belongs to the square of an error.
 inline double bound(double square) { return bound_margin * std::sqrt(std::max(square, 0.0)); }
 
-/// The bound of a linear function of the state, whose derivative is `row`.
-inline double bound(const StateRow& row, const StateMatrix& squares) {
+/// The bound of a linear function of the state, whose derivative is `row`. What cancels in it does
+/// so up to the part `cancels` of the squares.
+inline double bound(const StateRow& row, const StateMatrix& squares,
+                    double cancels = square_rounding) {
   const double square = (row * squares * row.transpose()).value();
   const double largest = row.cwiseAbs2().dot(squares.diagonal().cwiseMax(0.0));
-  return bound(std::max(square, 0.0) + square_rounding * largest);
+  return bound(std::max(square, 0.0) + cancels * largest);
 }
 
 /// The bounds of the six numbers.

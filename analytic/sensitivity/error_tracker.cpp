@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "dual.hpp"
 #include "linearised.hpp"
 #include "rounding.hpp"
 #include "saltation.hpp"
@@ -19,10 +18,6 @@ namespace {
 /// First order is trusted while the bound of an error is below this part of what it would change
 /// the order of: a closing rate, the time between two events, a gap that stays open [-].
 constexpr double trusted_part = 0.25;
-
-/// Terms of the derivative's series. Those of the motion fall to rounding in 28, so these to some
-/// 1e-3 of the error, whose first digit is all that is said.
-constexpr std::size_t flow_order = 6;
 
 /// A meeting is looked for from as many places before an unsure stretch.
 constexpr std::size_t most_places = 32;
@@ -83,27 +78,6 @@ CableVector tensions(const Case& the_case, const State& state, CableSet pulling)
 }
 
 }  // namespace
-
-StateMatrix arc_flow(const Case& the_case, const Arc& arc, double dt) {
-  StateMatrix result = StateMatrix::Identity();
-  if (arc.series.rows() == 0) {
-    result.topRightCorner<3, 3>().diagonal().setConstant(dt);
-    return result;
-  }
-  if (arc.series.rows() == 1) {
-    return result;  // at rest
-  }
-  const auto series =
-      flow_derivative(the_case, arc.initial, basis(the_case, arc.initial, arc.taut), flow_order);
-  Eigen::Matrix<double, 3, 6> pose = Eigen::Matrix<double, 3, 6>::Zero();
-  Eigen::Matrix<double, 3, 6> rate = Eigen::Matrix<double, 3, 6>::Zero();
-  for (std::size_t k = series.size(); k-- > 0;) {
-    rate = (rate * dt + pose).eval();
-    pose = (pose * dt + series[k]).eval();
-  }
-  result << pose, rate;
-  return result;
-}
 
 ErrorTracker::ErrorTracker(const Case& the_case, const Solution& solution,
                            const SolveOptions& options, Uncertainty& result)

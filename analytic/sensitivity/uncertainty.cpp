@@ -5,10 +5,39 @@
 #include <iterator>
 
 #include "error_tracker.hpp"
+#include "linearised.hpp"
 #include "rounding.hpp"
 #include "saltation.hpp"
 
 namespace tautline {
+namespace {
+
+/// Terms of the derivative's series. Those of the motion fall to rounding in 28, so these to some
+/// 1e-3 of the error, whose first digit is all that is said.
+constexpr std::size_t flow_order = 6;
+
+}  // namespace
+
+StateMatrix arc_flow(const Case& the_case, const Arc& arc, double dt) {
+  StateMatrix result = StateMatrix::Identity();
+  if (arc.series.rows() == 0) {
+    result.topRightCorner<3, 3>().diagonal().setConstant(dt);
+    return result;
+  }
+  if (arc.series.rows() == 1) {
+    return result;  // at rest
+  }
+  const auto series =
+      flow_derivative(the_case, arc.initial, basis(the_case, arc.initial, arc.taut), flow_order);
+  Eigen::Matrix<double, 3, 6> pose = Eigen::Matrix<double, 3, 6>::Zero();
+  Eigen::Matrix<double, 3, 6> rate = Eigen::Matrix<double, 3, 6>::Zero();
+  for (std::size_t k = series.size(); k-- > 0;) {
+    rate = (rate * dt + pose).eval();
+    pose = (pose * dt + series[k]).eval();
+  }
+  result << pose, rate;
+  return result;
+}
 
 Uncertainty::Uncertainty(const Case& the_case, const Solution& solution,
                          const SolveOptions& options)

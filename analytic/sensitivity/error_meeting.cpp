@@ -44,7 +44,7 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(const Place& pla
       const double shift = limits.error * shortest_length(case_);
       StateVector errors;
       errors << shift, shift, shift * turned(case_), speed, speed, speed * turned(case_);
-      add_errors(result.spread, errors);
+      add_errors(result.spread, sample_margin * errors);
       return result;
     }
   }
@@ -70,7 +70,8 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
 /// Where bounces are still too large for a certificate: motions from starts at the bounds of the
 /// errors, each way along their largest axes, are followed until all are on the same taut cables.
 std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_meeting(const Place& place) const {
-  constexpr Eigen::Index axes = 4;  // the largest; errors across them are far smaller
+  constexpr Eigen::Index axes = 2;       // the largest; errors across them are far smaller
+  constexpr double sample_margin = 3.0;  // [-], for what lies between samples: up to 1.9 was seen
   const Event& event = solution_.events()[place.event];
   const auto last =
       std::find_if(solution_.events().rbegin(), solution_.events().rend(),
@@ -98,7 +99,13 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_meeting(const Place& 
       neighbour.initial.angle += by[2];
       neighbour.initial.velocity += by.segment<2>(3);
       neighbour.initial.spin += by[5];
-      neighbour.initial = with_zero_gaps(case_, neighbour.initial, place.taut | event.cables);
+      CableSet close = place.taut | event.cables;
+      for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+        if (gap(case_.cables[index], neighbour.initial) < 0.0) {
+          close.insert(index);
+        }
+      }
+      neighbour.initial = with_zero_gaps(case_, neighbour.initial, close);
       if (!problems(neighbour).empty()) {
         return std::nullopt;
       }

@@ -273,12 +273,12 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
   int digits = 2 * asked.digits + 2 * spare_digits;
   Run few = solver.run(digits);
   while (true) {
-    Run many = solver.run(2 * digits);
-    const tautline::Digits precision(static_cast<unsigned>(2 * digits));
+    digits += digits / 2;
+    Run many = solver.run(digits);
+    const tautline::Digits precision(static_cast<unsigned>(digits));
     const Multi rounding = pow(Multi(10), -(asked.digits + spare_digits - 3));
     const SummaryErrors<Multi> errors = differences(few, many, rounding);
-    digits *= 2;
-    if (!agree(many, errors, asked.digits) && 2 * digits <= enough_digits) {
+    if (!agree(many, errors, asked.digits) && digits <= enough_digits) {
       few = std::move(many);
       continue;
     }

@@ -22,9 +22,9 @@ struct ManyDigits {
 };
 
 /// What `tautline solve` prints of `the_case`, with `asked.digits` right digits of each number:
-/// computed with as many as it takes, twice as many until two solutions agree. `solution` solves it
-/// in doubles with `options`. Numbers that do not come to agree keep those digits that do.
-/// Not for several threads: see `Digits`.
+/// computed with as many as it takes, half as many again until two solutions agree. `solution`
+/// solves it in doubles with `options`. Numbers that do not come to agree keep those digits that
+/// do. Not for several threads: see `Digits`.
 [[nodiscard]] std::string many_digits_text(const Case& the_case, const SolveOptions& options,
                                            const Solution& solution, const ManyDigits& asked,
                                            const TerminalStyle& style);

@@ -77,7 +77,7 @@ template <class Real>
   const int before = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
   std::string text = right_fixed(value, error, std::max(0, most - before));
   const double shown_error = static_cast<double>(error);
-  if (shown_error <= 1e-12 * size && text.find('.') != std::string::npos) {
+  if (shown_error <= std::pow(10.0, -most - 3) * size && text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);  // zeros of what is exactly so
     if (text.ends_with('.')) {
       text.pop_back();

@@ -44,7 +44,7 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(const Place& pla
       const double shift = limits.error * shortest_length(case_);
       StateVector errors;
       errors << shift, shift, shift * turned(case_), speed, speed, speed * turned(case_);
-      add_errors(result.spread, sample_margin * errors);
+      add_errors(result.spread, errors);
       return result;
     }
   }
@@ -121,8 +121,7 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_meeting(const Place& 
     }
   }
   Meeting result{solution_.events().size() - 1, Spread::Zero(), event.time, until};
-  add_errors(result.spread,
-             errors);  // which a bound is a multiple of: a margin for what lies between
+  add_errors(result.spread, sample_margin * errors);
   return result;
 }
 

@@ -12,7 +12,7 @@
 #include "bench/program/options.hpp"
 #include "bench/solution/certificate_text.hpp"
 #include "bench/solution/certify.hpp"
-#include "bench/solution/many_digits.hpp"
+#include "bench/solution/digits/many_digits.hpp"
 #include "bench/solution/plot_svg.hpp"
 #include "bench/solution/solution_json.hpp"
 #include "bench/solution/solution_tables.hpp"

@@ -8,7 +8,7 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/solution/right_digits.hpp"
+#include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/solution_text.hpp"
 #include "tautline/geometry.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/solution/summary.hpp"
+#include "bench/solution/digits/summary.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -99,19 +99,6 @@ std::string horizon_text(const Case& the_case, const Solution& solution,
 }
 
 }  // namespace
-
-std::string cable_list(CableSet cables) {
-  std::string result;
-  for (const std::size_t index : cables) {
-    result += (result.empty() ? "" : "+") + std::to_string(index);
-  }
-  return result;
-}
-
-std::string cables_are(CableSet cables) {
-  return cables.size() == 1 ? "cable " + cable_list(cables) + " is"
-                            : "cables " + cable_list(cables) + " are";
-}
 
 std::string solution_text(const Case& the_case, const Solution& solution, const Settling& settling,
                           const Uncertainty& uncertainty) {

@@ -1,4 +1,4 @@
-#include "bench/solution/many_digits.hpp"
+#include "bench/solution/digits/many_digits.hpp"
 
 #include <fmt/format.h>
 #include <mpfr.h>
@@ -8,9 +8,9 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/solution/in_digits.hpp"
-#include "bench/solution/right_digits.hpp"
-#include "bench/solution/summary.hpp"
+#include "bench/solution/digits/in_digits.hpp"
+#include "bench/solution/digits/right_digits.hpp"
+#include "bench/solution/digits/summary.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 

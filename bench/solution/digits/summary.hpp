@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/solution/right_digits.hpp"
-#include "bench/solution/solution_text.hpp"
+#include "bench/solution/cable_words.hpp"
+#include "bench/solution/digits/right_digits.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/ledger.hpp"
 #include "tautline/settling.hpp"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -37,7 +38,7 @@ Json printed(const Case& the_case, const std::vector<double>& sample_times = {})
 TEST(SolutionJson, HasTheNamesScriptsDependOn) {
   const Json json = printed(bouncing_ball(), {0.5});
   const Strings state = {"position", "angle", "velocity", "spin"};
-  EXPECT_EQ(json.at("schema"), 2);
+  EXPECT_EQ(json.at("schema"), 3);
   EXPECT_EQ(keys(json.at("case")),
             (Strings{"name", "duration", "gravity", "body", "cables", "initial"}));
   EXPECT_EQ(keys(json.at("case").at("body")), (Strings{"mass", "inertia"}));
@@ -45,7 +46,9 @@ TEST(SolutionJson, HasTheNamesScriptsDependOn) {
             (Strings{"anchor", "attachment", "length", "restitution"}));
   EXPECT_EQ(keys(json.at("options")), (Strings{"law", "completion_error", "max_events"}));
   const Json& event = json.at("events").at(0);
-  EXPECT_EQ(keys(event), (Strings{"time", "kind", "cables", "impulses", "before", "after"}));
+  EXPECT_EQ(keys(event),
+            (Strings{"time", "kind", "cables", "impulses", "before", "after", "errors"}));
+  EXPECT_EQ(keys(event.at("errors")), (Strings{"time", "impulses", "before", "after"}));
   EXPECT_EQ(keys(event.at("before")), state);
   EXPECT_EQ(keys(json.at("end_state")), state);
   EXPECT_EQ(keys(json.at("energy")),
@@ -56,7 +59,9 @@ TEST(SolutionJson, HasTheNamesScriptsDependOn) {
             (Strings{"time", "uncertainty", "cables", "permanent", "rests", "swing"}));
   EXPECT_TRUE(json.at("settling").at("lock").at("swing").is_null()) << "the ball rests";
   EXPECT_EQ(keys(json.at("samples").at(0)),
-            (Strings{"time", "position", "angle", "velocity", "spin"}));
+            (Strings{"time", "position", "angle", "velocity", "spin", "errors"}));
+  EXPECT_EQ(keys(json.at("samples").at(0).at("errors")), state);
+  EXPECT_EQ(json.at("unsure"), Json::array());
 }
 
 TEST(SolutionJson, FirstBounceHasItsClosedForm) {
@@ -79,7 +84,7 @@ TEST(SolutionJson, EveryNumberOfTheSolutionReadsBackEqual) {
     const Event& event = solution.events()[index];
     const Json& other = json.at("events").at(index);
     EXPECT_EQ(other.at("time").get<double>(), event.time);
-    EXPECT_EQ(other.at("impulses").at(0).get<double>(), event.impulses[0]);
+    EXPECT_EQ(other.at("impulses").at(0).get<double>(), std::max(0.0, event.impulses[0]));
     EXPECT_EQ(other.at("after").at("spin").get<double>(), event.after.spin);
   }
   EXPECT_EQ(json.at("end_time").get<double>(), solution.end_time());

@@ -152,6 +152,7 @@ int trend_command(const TrendCommand& command) {
   catch_interruption();
   const Descriptor tree = open_tree(command.runs.out, false);
   std::vector<VersionTrend> trends;
+  trends.reserve(plans.size());
   for (const VersionPlan& plan : plans) {
     trends.push_back(trend_of(command, plan));
   }

@@ -120,10 +120,15 @@ WorkerAnswer answer_to_request(std::optional<Plugin>& plugin) {
   }
 }
 
+/// False where the program is gone, or wants no more.
 bool is_our_turn() {
   char byte = 0;
-  return ::read(turn_descriptor, &byte, 1) ==
-         1;  // none where the program is gone, or wants no more
+  return ::read(turn_descriptor, &byte, 1) == 1;
+}
+
+/// True after what the engine may be asked again and again, and did well.
+bool stays(const WorkerAnswer& answer) {
+  return std::holds_alternative<RunAnswer>(answer) || std::holds_alternative<StrikesAnswer>(answer);
 }
 
 void give_turn_back() { (void)::send(turn_descriptor, "", 1, MSG_NOSIGNAL); }
@@ -137,7 +142,7 @@ int worker_main() {
       return 1;
     }
     std::fflush(nullptr);
-    if (!std::holds_alternative<RunAnswer>(answer) || !plugin->has_a_process()) {
+    if (!stays(answer) || !plugin->has_a_process()) {
       break;
     }
   }

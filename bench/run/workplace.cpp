@@ -10,7 +10,6 @@
 #include <utility>
 #include <variant>
 
-#include "bench/run/protocol/engine_file.hpp"
 #include "bench/run/worker_process.hpp"
 
 namespace tautline::bench {

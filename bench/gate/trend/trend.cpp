@@ -181,6 +181,7 @@ class Trends {
         continue;
       }
       std::vector<double> values;
+      values.reserve(cases.size());
       for (const auto& [name, count] : cases) {
         values.push_back(own->second.at(name));
       }

@@ -105,7 +105,8 @@ Table versions_table(const VersionTrend& versions) {
     const std::string untried = version.untried ? "untried: not among engine.toml's versions" : "";
     const std::string said = version.report ? failures_of(*version.report)
                                             : printable(version.problem, longest_sentence);
-    const std::string note = untried + (untried.empty() || said.empty() ? "" : "; ") + said;
+    const std::string note =
+        fmt::format("{}{}{}", untried, untried.empty() || said.empty() ? "" : "; ", said);
     if (!version.report) {
       table.add({printable(version.version), dash, dash, dash, dash, note});
       continue;

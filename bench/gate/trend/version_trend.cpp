@@ -23,6 +23,7 @@ std::vector<VersionMove> moves_to(const std::string& version, const MetricChange
     }
   }
   std::vector<VersionMove> result;
+  result.reserve(found.size());
   for (const auto& [key, move] : found) {
     result.push_back(move);
   }

@@ -24,7 +24,7 @@ constexpr std::size_t longest_engine_file = std::size_t{64} << 10U;  // [bytes]
 
 /// A path in the folder, as a key gives it.
 std::string path_inside(StrictTable& table, std::string_view key) {
-  const std::string path = table.optional_text(key).value_or("");
+  std::string path = table.optional_text(key).value_or("");
   if (fs::path(path).is_absolute()) {
     table.refuse_value(key, "must be relative to the folder of this file");
   }

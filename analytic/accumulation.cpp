@@ -236,6 +236,20 @@ CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state,
   return result;
 }
 
+/// True where `state` stretches a cable outside `cables`.
+template <class Real>
+bool overstretches(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                   CableSet cables) {
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    if (!cables.contains(index) &&
+        gap(cable, state) < -rounding_margin * rounding_of_gap(cable, state)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// The cables of `cables` that move: not at exactly zero gap and rate.
 template <class Real>
 CableSet moving(const BasicCase<Real>& the_case, const BasicState<Real>& state,
@@ -286,7 +300,8 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
     if (near.empty()) {
       // cables almost dependent, which the body had to go far to close
       if (!(energy(the_case, after) - energy(the_case, state) <=
-            rounding_margin * rounding_of_energy(the_case, state))) {  // also where it overflows
+            rounding_margin * rounding_of_energy(the_case, state)) ||  // also where it overflows
+          overstretches(the_case, after, cables | carried)) {
         return std::nullopt;
       }
       if (cables.size() == 1 && bounces->ends) {

@@ -123,6 +123,45 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
   return result;
 }
 
+/// The candidate that holds the `certain` cables and those of the `doubtful` that go on pulling.
+template <class Real>
+std::optional<BasicHold<Real>> chosen(const BasicCase<Real>& the_case,
+                                      const BasicState<Real>& state,
+                                      const BasicTouching<Real>& touching, CableSet resting,
+                                      CableSet certain, const Doubtful<Real>& doubtful) {
+  const std::vector<std::size_t> choices = doubtful.cables.indices();
+  for (unsigned bits = 0; bits < (1U << choices.size()); ++bits) {
+    CableSet pulling = certain;
+    for (std::size_t choice = 0; choice < choices.size(); ++choice) {
+      if (((bits >> choice) & 1U) != 0) {
+        pulling.insert(choices[choice]);
+      }
+    }
+    if (bits != 0 && !independent(the_case, state, pulling)) {
+      continue;
+    }
+    if (auto found = candidate(the_case, state, touching, resting, pulling, doubtful)) {
+      return found;
+    }
+  }
+  return candidate(the_case, state, touching, {}, certain, {});  // rounding denies all of them
+}
+
+/// Those of `certain` whose tension falls to zero before `time_rounding`: at this instant, as far
+/// as the time can tell.
+template <class Real>
+CableSet released_now(const std::optional<BasicHold<Real>>& held, CableSet certain,
+                      const Real& time_rounding) {
+  CableSet result;
+  for (const std::size_t index : held ? certain : CableSet{}) {
+    const auto tension = held->motion.tension(index);
+    if (tension[0] + tension[1] * time_rounding <= 0) {
+      result.insert(index);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 template <class Real>
@@ -144,22 +183,16 @@ std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const Basic
     }
     ++row;
   }
-  const std::vector<std::size_t> choices = doubtful.cables.indices();
-  for (unsigned bits = 0; bits < (1U << choices.size()); ++bits) {
-    CableSet pulling = certain;
-    for (std::size_t choice = 0; choice < choices.size(); ++choice) {
-      if (((bits >> choice) & 1U) != 0) {
-        pulling.insert(choices[choice]);
-      }
-    }
-    if (bits != 0 && !independent(the_case, state, pulling)) {
-      continue;
-    }
-    if (auto found = candidate(the_case, state, touching, resting, pulling, doubtful)) {
-      return found;
-    }
+  auto found = chosen(the_case, state, touching, resting, certain, doubtful);
+  const CableSet lost = released_now(found, certain, touching.time_rounding);
+  if (lost.empty()) {
+    return found;
   }
-  return candidate(the_case, state, touching, {}, certain, {});  // rounding denies all of them
+  for (const std::size_t index : lost) {
+    doubtful.cables.insert(index);
+    doubtful.tension_errors[index] = abs(found->motion.tension(index)[0]);
+  }
+  return chosen(the_case, state, touching, resting, certain - lost, doubtful);
 }
 
 template <class Real>

@@ -31,8 +31,10 @@ class Progress {
   [[nodiscard]] bool is_hopeless() const { return in_a_row_ > max_cables; }
 
  private:
-  /// In so many rounds time must advance by a rounding each [-].
-  static constexpr std::size_t rounds_to_advance = 10'000;
+  /// In so many rounds time must advance by a rounding each [-]. So many impacts of two cables with
+  /// e = 0.99 shrink to a rounding, 0.99^(7200 / 2) = 2e-16, or end before: analytic/README.md,
+  /// "Limits".
+  static constexpr std::size_t rounds_to_advance = 7'200;
 
   std::size_t rounds_ = 0;
   std::size_t in_a_row_ = 0;

@@ -261,9 +261,12 @@ class Motion {
     state_ = on_cables(last, held_ ? held_->pulling : CableSet{}, stop.cables);
     time_ = arcs_.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
+    touching_.time_rounding = epsilon<Real>() * time_;
     note_speed();
     steps_ += stop.cables.empty() ? 1U : 0U;
-    held_ = stop.is_step ? continued(case_, state_, touching_, *held_) : std::nullopt;
+    // what has let go of all cables flies
+    const bool goes_on = stop.is_step && !held_->taut().empty();
+    held_ = goes_on ? continued(case_, state_, touching_, *held_) : std::nullopt;
     if (held_ && is_singular(*held_)) {
       held_.reset();
     }

@@ -158,7 +158,7 @@ int solve_command(const SolveCommand& command) {
     fmt::print(
         "{}", many_digits_text(*the_case, options, solution,
                                {*command.digits, command.decimal, command.events}, output_style()));
-    return exit_done;
+    return exit_code(solution.ending());
   }
   Extras extras{settling(*the_case, solution), std::nullopt};
   if (command.certify) {

@@ -171,6 +171,26 @@ Json certificate_json(const Certificate& certificate) {
           {"settling", settling_object(certificate.settling)}};
 }
 
+/// `object` with a line for each of its values, and for each element where that is a list: an event
+/// by itself is read at a glance, and indents would nearly double what a long motion takes.
+std::string in_lines(const Json& object) {
+  std::string result;
+  for (const auto& [key, value] : object.items()) {
+    result += (result.empty() ? "{\n  " : ",\n  ") + Json(key).dump() + ": ";
+    if (!value.is_array() || value.empty()) {
+      result += value.dump();
+      continue;
+    }
+    const char* before = "[\n    ";
+    for (const Json& element : value) {
+      result += before + element.dump();
+      before = ",\n    ";
+    }
+    result += "\n  ]";
+  }
+  return result + "\n}\n";
+}
+
 }  // namespace
 
 std::vector<std::string> sample_problems(const Solution& solution,
@@ -199,7 +219,8 @@ std::string solution_json(const Case& the_case, const SolveOptions& options,
                  {"options",
                   {{"law", to_string(options.law)},
                    {"completion_error", options.completion.error},
-                   {"max_events", options.max_events}}},
+                   {"max_events", options.max_events},
+                   {"max_steps", options.max_steps}}},
                  {"events", Json::array()},
                  {"ending", to_string(solution.ending())},
                  {"end_time", solution.end_time()},
@@ -223,7 +244,7 @@ std::string solution_json(const Case& the_case, const SolveOptions& options,
   if (certificate) {
     result["certificate"] = certificate_json(*certificate);
   }
-  return result.dump(2) + "\n";
+  return in_lines(result);
 }
 
 }  // namespace tautline::bench

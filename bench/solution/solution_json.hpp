@@ -22,7 +22,8 @@ inline constexpr int solution_schema = 3;
 
 /// What `tautline solve --json` writes:
 ///
-///     schema, case (with the keys of a case file), options: {law, completion_error, max_events},
+///     schema, case (with the keys of a case file),
+///     options: {law, completion_error, max_events, max_steps},
 ///     events: [{time, kind, cables, impulses, before, after, errors: {time, impulses, before,
 ///     after}|null}], ending, end_time, end_state,
 ///     energy: {start, impacts, completions, end, residual}, settling,
@@ -37,6 +38,8 @@ inline constexpr int solution_schema = 3;
 /// `errors` bound those of the numbers beside them, as `Uncertainty` does; null where the solution
 /// is one of many motions that start alike, which are the `unsure` stretches of time. That of the
 /// time of a completed accumulation is of its limit. Impulses are >= 0.
+///
+/// Each value, event and sample is a line.
 ///
 /// A state is {position: [x, y], angle, velocity: [vx, vy], spin}.
 /// Requires that `sample_problems` is empty; else throws std::out_of_range.

@@ -17,8 +17,8 @@ struct SolveOptions {
   /// When the rest of an accumulation is completed at once. The default error is below rounding.
   CompletionLimits completion = {};
 
-  /// The run ends with Ending::event_limit once it has this many events.
-  std::size_t max_events = 1'000'000;
+  /// The run ends with Ending::event_limit once it has this many events: about a second.
+  std::size_t max_events = 500'000;
 
   /// The run ends with Ending::step_limit after this many steps of taut motion: about a second. A
   /// swing takes some twenty, and a turn of the body about its cables three.

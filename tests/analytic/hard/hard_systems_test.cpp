@@ -178,6 +178,30 @@ TEST(HardSystems, ABodyThatTurnsAboutItsCentreRestsThere) {
   EXPECT_TRUE(solution.events()[1].cables.contains(1));
 }
 
+TEST(HardSystems, ABodyThatTurnsThousandsOfTimesIsHitTheFirstTimeThatItCan) {
+  // the centre leaves the anchor at 0.1 m/s: from 15 s on, at 1.5 m, the arm of 0.5 m reaches the
+  // cable's 2 m where it points away, which it does within a turn
+  constexpr double spin = 2000.0;  // [rad/s]
+  constexpr double turn = 2.0 * std::numbers::pi / spin;
+  Case the_case;
+  the_case.duration = 20.0;
+  the_case.gravity = Vec2(0.0, 0.0);
+  the_case.body = {1.0, 0.1};
+  the_case.cables = {{Vec2(0.0, 0.0), Vec2(0.5, 0.0), 2.0, 0.5}};
+  the_case.initial.velocity = Vec2(0.0, 0.1);
+  the_case.initial.spin = spin;
+  const Solution hit = solved(the_case);
+  ASSERT_FALSE(hit.events().empty());
+  EXPECT_GE(hit.events().front().time, 15.0);
+  EXPECT_LE(hit.events().front().time, 15.0 + turn);
+
+  the_case.ceiling = 1.0;  // half a metre above the centre after five seconds
+  const Solution risen = solved(the_case);
+  ASSERT_EQ(risen.ending(), Ending::ceiling);
+  EXPECT_GE(risen.end_time(), 5.0);
+  EXPECT_LE(risen.end_time(), 5.0 + turn);
+}
+
 TEST(HardSystems, SaysWhichLimitEndedARun) {
   const Case the_case = table_case("1910121100");
   SolveOptions options;

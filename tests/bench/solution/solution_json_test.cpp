@@ -44,7 +44,8 @@ TEST(SolutionJson, HasTheNamesScriptsDependOn) {
   EXPECT_EQ(keys(json.at("case").at("body")), (Strings{"mass", "inertia"}));
   EXPECT_EQ(keys(json.at("case").at("cables").at(0)),
             (Strings{"anchor", "attachment", "length", "restitution"}));
-  EXPECT_EQ(keys(json.at("options")), (Strings{"law", "completion_error", "max_events"}));
+  EXPECT_EQ(keys(json.at("options")),
+            (Strings{"law", "completion_error", "max_events", "max_steps"}));
   const Json& event = json.at("events").at(0);
   EXPECT_EQ(keys(event),
             (Strings{"time", "kind", "cables", "impulses", "before", "after", "errors"}));
@@ -62,6 +63,18 @@ TEST(SolutionJson, HasTheNamesScriptsDependOn) {
             (Strings{"time", "position", "angle", "velocity", "spin", "errors"}));
   EXPECT_EQ(keys(json.at("samples").at(0).at("errors")), state);
   EXPECT_EQ(json.at("unsure"), Json::array());
+}
+
+TEST(SolutionJson, AnEventIsALineWithoutIndents) {
+  const Case the_case = bouncing_ball();
+  const SolveOptions options;
+  const Solution solution = solve(the_case, options);
+  const std::string text =
+      solution_json(the_case, options, solution, settling(the_case, solution), {}, std::nullopt);
+  const std::size_t first = text.find("    {\"time\"");
+  ASSERT_NE(first, std::string::npos) << text;
+  const Json event = Json::parse(text.substr(first, text.find(",\n", first) - first));
+  EXPECT_EQ(event, printed(the_case).at("events").at(0));
 }
 
 TEST(SolutionJson, FirstBounceHasItsClosedForm) {

@@ -159,7 +159,8 @@ TEST(Solve, FailsWhereTheMotionIsGivenUpAndSaysWhy) {
   // an elastic point mass between three taut cables is thrown to and fro within the instant
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "caught.toml").string();
-  std::ofstream(file) << R"(duration = 1
+  std::ofstream(file) << R"(name = "caught"
+duration = 1
 gravity = [0, -1]
 body = {mass = 1, inertia = 0}
 cables = [
@@ -171,7 +172,7 @@ initial = {position = [0, 0], velocity = [0.7, -0.4]}
 )";
   const Outcome text = program({"solve", file});
   EXPECT_EQ(text.code, 1) << text.errors;
-  EXPECT_NE(text.output.find("does not advance"), std::string::npos) << text.output;
+  EXPECT_NE(text.output.find("event follows event"), std::string::npos) << text.output;
   const Outcome script = program({"solve", file, "--json", "-"});
   EXPECT_EQ(script.code, 1);
   EXPECT_EQ(json::parse(script.output).at("ending"), "no_progress");

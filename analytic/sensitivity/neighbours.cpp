@@ -81,7 +81,7 @@ std::optional<double> spread_of_locks(const Solution& solution, double from,
   for (const Solution& motion : others) {
     result = std::max(result, std::abs(from + lock_time(motion) - lock_time(solution)));
   }
-  return neighbour_margin * result;
+  return lock_margin * result;
 }
 
 }  // namespace tautline

@@ -10,8 +10,8 @@
 namespace tautline {
 namespace {
 
-/// Margin of the certificate: how many times its scale a derivative is allowed to be [-].
-constexpr double certificate_margin = 20.0;
+/// Of the error, whatever the margin of the certificate [-].
+constexpr double error_margin = 20.0;
 
 /// Bounces shared by several cables last longer than the slowest cable's own series: measured on
 /// the 21 cases of Table 5.1, up to 2.3 times as long [-].
@@ -22,14 +22,17 @@ template <class Real>
 struct Scales {
   Real acceleration;
   Real rate;
+  double margin;  // of the certificate [-]
 };
 
 template <class Real>
-Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                    double margin) {
   const Real shortest = shortest_length(the_case);
   const Real acceleration = acceleration_scale(the_case, state);
   return {acceleration, abs(state.spin) + speed_scale(the_case, state) / shortest +
-                            sqrt(Real(acceleration / shortest))};
+                            sqrt(Real(acceleration / shortest)),
+          margin};
 }
 
 /// How the bounces on a set of almost taut cables go on.
@@ -62,7 +65,7 @@ Real twice_normal_energy(const BasicCase<Real>& the_case, const BasicState<Real>
 /// True where `pull` [m/s^2] changes by a small part of itself in a time of `dt` [s].
 template <class Real>
 bool is_steady(const Real& pull, const Real& dt, const Scales<Real>& scale) {
-  return pull > certificate_margin * scale.acceleration * scale.rate * dt;  // false for infinities
+  return pull > scale.margin * scale.acceleration * scale.rate * dt;  // false for infinities
 }
 
 /// The largest restitution up to `speed` of the cable and those that hang side by side with it.
@@ -115,7 +118,7 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
     ++row;
   }
   result.error =
-      certificate_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
+      error_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
   if (!is_steady(Real(pull.minCoeff()), result.remaining, scale)) {
     return std::nullopt;
   }
@@ -162,7 +165,7 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
     const BasicCable<Real>& cable = the_case.cables[index];
     const Real closing = max(Real(0), Real(-gap_rate(cable, state)));
     const Real reach =
-        closing * remaining + certificate_margin * scale.acceleration * remaining * remaining;
+        closing * remaining + scale.margin * scale.acceleration * remaining * remaining;
     if (gap(cable, state) <= reach) {
       result.insert(index);
     }
@@ -184,7 +187,7 @@ bool is_slow(const BasicCable<Real>& cable, const BasicState<Real>& state, const
   const Real kept = restitution_up_to(cable, rebound);
   const Real lost = kept < 1 ? Real(1 - kept * kept * kept) : Real(1);
   const Real ratio = rebound * scale.rate / scale.acceleration;
-  return 2 * certificate_margin * ratio * ratio * ratio <= 3 * lost * limits.error;  // Eq. 20
+  return 2 * error_margin * ratio * ratio * ratio <= 3 * lost * limits.error;  // Eq. 20
 }
 
 /// The touching cables slow enough to be candidates; empty if one of them is still closing.
@@ -271,7 +274,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
                                                 const BasicState<Real>& state,
                                                 const BasicTouching<Real>& touching,
                                                 const CompletionLimits& limits) {
-  const Scales<Real> scale = scales(the_case, state);
+  const Scales<Real> scale = scales(the_case, state, limits.margin);
   CableSet cables = slow_contacts(the_case, state, touching, limits, scale);
   // a round loses cables that leave or gains one that takes part; few rounds settle it
   for (std::size_t round = 0; round < 2 * max_cables && !cables.empty(); ++round) {
@@ -308,7 +311,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
         refine(*bounces, the_case, state, after, *cables.begin());
       }
       return BasicCompletion<Real>{cables | carried, bounces->ends, bounces->remaining,
-                                   bounces->uncertainty, after};
+                                   bounces->uncertainty, bounces->error, after};
     }
     cables = cables | near;
   }

@@ -1,49 +1,55 @@
 // Where motions that have come apart are alike again: on the taut cables on which all of them end.
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 
 #include "error_tracker.hpp"
-#include "linearised.hpp"
-#include "rounding.hpp"
-#include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/solve.hpp"
+#include "neighbours.hpp"
+#include "tangent.hpp"
+#include "tautline/rounding.hpp"
 
 namespace tautline {
+namespace {
 
-/// Where all motions that are still alike at `place` end on the same taut cables, because their
-/// bounces there accumulate.
-std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(const Place& place) const {
-  const Event& event = solution_.events()[place.event];
-  const Touching touching{place.taut | event.cables, 45 * epsilon<double>() * fastest_};
-  CompletionLimits limits;
-  auto done = completion(case_, event.after, touching, limits);
-  while (!done && limits.error < largest_part) {
-    limits.error *= 2.0;
-    done = completion(case_, event.after, touching, limits);
-  }
+/// How many times its scale a derivative may be while the bounces last [-]. The scale is itself a
+/// bound from the sizes of a system; the default margin of a completion holds the motion to
+/// rounding, this one to what is printed.
+constexpr double steadiness = 2.0;
+
+}  // namespace
+
+/// Where all motions that are still alike at the start of this arc end on the same taut cables,
+/// because their bounces there accumulate.
+std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(std::size_t arc) const {
+  const State& start = solution_.arcs()[arc].initial;
+  const CableSet held = solution_.arcs()[arc].taut;
+  const double from = solution_.arcs()[arc].start;
+  const std::size_t next = arrived_[arc];
+  const Touching touching{held | solution_.events()[next - 1].cables,
+                          few_roundings * epsilon<double>() * fastest_};
+  const auto done = completion(case_, start, touching,
+                               {.error = largest_part, .speed = {}, .margin = steadiness});
   if (!done || !done->ends) {
     return std::nullopt;
   }
-  const CableSet all = place.taut | done->cables;
-  CableSet taut = place.taut;
-  for (std::size_t index = place.event + 1; index < solution_.events().size(); ++index) {
+  const CableSet all = held | done->cables;
+  const double until = from + done->remaining + done->uncertainty;
+  CableSet taut = held;
+  for (std::size_t index = next; index < solution_.events().size(); ++index) {
     const Event& later = solution_.events()[index];
-    if (!(later.time <= event.time + done->remaining + done->uncertainty)) {
+    if (!(later.time <= until)) {
       return std::nullopt;
     }
     taut = later.kind == EventKind::taut    ? taut | later.cables
            : later.kind == EventKind::slack ? taut - later.cables
                                             : taut;
     if (later.kind == EventKind::taut && taut == all) {
-      Meeting result{index, mapped(place.spread, projection_derivative(case_, event.after, all)),
-                     event.time, event.time + done->remaining + done->uncertainty};
-      const double speed = limits.error * speed_scale(case_, done->after);
-      const double shift = limits.error * shortest_length(case_);
+      const Tangent onto = tangent(case_, done->after, basis(case_, done->after, all));
+      Meeting result{index, projected(result_.starts_[arc], onto), until,
+                     std::max(later.time - from, until - later.time)};
+      const double speed = done->error * sizes_.speed(done->after);
+      const double shift = done->error * sizes_.shortest;
       StateVector errors;
-      errors << shift, shift, shift * turned(case_), speed, speed, speed * turned(case_);
+      errors << shift, shift, shift * sizes_.turned, speed, speed, speed * sizes_.turned;
       add_errors(result.spread, errors);
       return result;
     }
@@ -51,77 +57,58 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(const Place& pla
   return std::nullopt;
 }
 
-/// Of those of all places, the one that leaves the smallest errors.
+/// From those of the last places after an impact that leave the smallest errors.
 std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
+  constexpr std::size_t most_places = 32;
   std::optional<Meeting> best;
+  std::optional<std::size_t> last;
   const double inertia = case_.body.inertia / case_.body.mass;
   const auto size = [&](const Spread& spread) {
     return spread(3, 3) + spread(4, 4) + inertia * spread(5, 5);
   };
-  for (const Place& place : places_) {
-    const auto found = meeting_from(place);
+  std::size_t places = 0;
+  for (std::size_t arc = arrived_.size(); arc-- > first_place_ && places < most_places;) {
+    const std::size_t next = arrived_[arc];
+    if (next == 0 || solution_.events()[next - 1].kind != EventKind::impact ||
+        (arc > 0 && arrived_[arc - 1] == next)) {
+      continue;
+    }
+    ++places;
+    last = last.value_or(arc);
+    const auto found = meeting_from(arc);
     if (found && (!best || size(found->spread) < size(best->spread))) {
       best = found;
     }
   }
-  return best || places_.empty() ? best : sampled_meeting(places_.back());
+  return best || !last ? best : sampled_meeting(*last);
 }
 
-/// Where bounces are still too large for a certificate: motions from starts at the bounds of the
-/// errors, each way along their largest axes, are followed until all are on the same taut cables.
-std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_meeting(const Place& place) const {
-  constexpr Eigen::Index axes = 2;       // the largest; errors across them are far smaller
-  constexpr double sample_margin = 3.0;  // [-], for what lies between samples: up to 1.9 was seen
-  const Event& event = solution_.events()[place.event];
-  const auto last =
-      std::find_if(solution_.events().rbegin(), solution_.events().rend(),
-                   [](const Event& other) { return other.kind != EventKind::impact; });
-  if (last == solution_.events().rend() || last->kind != EventKind::taut ||
-      last->time <= event.time || last != solution_.events().rbegin()) {
-    return std::nullopt;  // no final set of taut cables
+/// Where bounces are still too large for a certificate: neighbours are followed until all are on
+/// the same taut cables.
+std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_meeting(std::size_t arc) const {
+  const auto set = final_set(solution_);
+  const double from = solution_.arcs()[arc].start;
+  if (!set || set->time <= from) {
+    return std::nullopt;
   }
-  Case neighbour = case_;
-  neighbour.duration =
-      std::min(2.0 * (last->time - event.time) + 0.01 * last->time, case_.duration - event.time);
-  const double until = event.time + neighbour.duration;
-  const CableSet all = solution_.arcs().back().taut;
+  const double until = std::min(2.0 * set->time - from + 0.01 * set->time, case_.duration);
+  const auto others =
+      neighbours(case_, solution_, options_, {arc, result_.starts_[arc], until - from});
   const State end = solution_.at(until);
-  StateVector rate;
-  rate << event.after.velocity, event.after.spin, case_.gravity, 0.0;
-  const Eigen::SelfAdjointEigenSolver<StateMatrix> split(at_instant(place.spread, rate));
   StateVector errors = StateVector::Zero();
-  for (Eigen::Index axis = 6 - axes; axis < 6; ++axis) {
-    for (const double way : {-1.0, 1.0}) {
-      const StateVector by =
-          way * bound(split.eigenvalues()[axis]) * split.eigenvectors().col(axis);
-      neighbour.initial = event.after;
-      neighbour.initial.position += by.head<2>();
-      neighbour.initial.angle += by[2];
-      neighbour.initial.velocity += by.segment<2>(3);
-      neighbour.initial.spin += by[5];
-      CableSet close = place.taut | event.cables;
-      for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-        if (gap(case_.cables[index], neighbour.initial) < 0.0) {
-          close.insert(index);
-        }
-      }
-      neighbour.initial = with_zero_gaps(case_, neighbour.initial, close);
-      if (!problems(neighbour).empty()) {
-        return std::nullopt;
-      }
-      const Solution motion = solve(neighbour, options_);
-      if (motion.arcs().back().taut != all || motion.end_time() < neighbour.duration) {
-        return std::nullopt;
-      }
-      const State there = motion.at(neighbour.duration);
-      StateVector apart;
-      apart << there.position - end.position, there.angle - end.angle,
-          there.velocity - end.velocity, there.spin - end.spin;
-      errors = errors.cwiseMax(apart.cwiseAbs());
-    }
+  for (const Solution& motion : others) {
+    const State there = motion.at(until - from);
+    StateVector apart;
+    apart << there.position - end.position, there.angle - end.angle, there.velocity - end.velocity,
+        there.spin - end.spin;
+    errors = errors.cwiseMax(apart.cwiseAbs());
   }
-  Meeting result{solution_.events().size() - 1, Spread::Zero(), event.time, until};
-  add_errors(result.spread, sample_margin * errors);
+  const auto late = spread_of_locks(solution_, from, others);
+  if (!late) {
+    return std::nullopt;
+  }
+  Meeting result{solution_.events().size() - 1, Spread::Zero(), until, *late};
+  add_errors(result.spread, neighbour_margin * errors);
   return result;
 }
 
@@ -130,11 +117,10 @@ void ErrorTracker::meet(const Event& event) {
   lost_ = false;
   now_ = meeting_->spread;
   result_.unsure_.back().until = std::max(event.time, meeting_->until);
-  const double late = std::max(event.time - meeting_->from, meeting_->until - event.time);
   const State errors = bounds(now_.topLeftCorner<6, 6>());
   result_.events_[next_] =
-      EventErrors{late, 0.0, CableVector::Zero(event.impulses.size()), errors, errors};
-  places_.clear();
+      EventErrors{meeting_->late, 0.0, CableVector::Zero(event.impulses.size()), errors, errors};
+  first_place_ = arrived_.size();
   meeting_.reset();
 }
 

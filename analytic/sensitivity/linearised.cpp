@@ -129,7 +129,7 @@ BasicReboundSlopes<Real> rebound_slopes(const BasicCase<Real>& the_case, ImpactL
     result.after.setIdentity();
     return result;
   }
-  const auto turned = rebound(lifted(the_case), variables(impact.before), active);
+  const auto turned = rebound(lifted<Dual<Real>>(the_case), variables(impact.before), active);
   result.after = slopes(turned.after);
   Eigen::Index row = 0;
   Eigen::Index of_active = 0;
@@ -153,7 +153,7 @@ BasicStateMatrix<Real> projection_derivative(const BasicCase<Real>& the_case,
                                              const BasicState<Real>& state, CableSet cables) {
   using Number = Dual<Real>;
   constexpr int enough = 8;  // as in with_zero_gaps, and none is left out: slopes converge last
-  const BasicCase<Number> dual_case = lifted(the_case);
+  const BasicCase<Number> dual_case = lifted<Number>(the_case);
   const CableSet rows = basis(the_case, state, cables);
   BasicState<Number> now = variables(state);
   for (int iteration = 0; iteration < enough; ++iteration) {
@@ -180,7 +180,7 @@ std::vector<Eigen::Matrix<Real, 3, 6>> flow_derivative(const BasicCase<Real>& th
                                                        const BasicState<Real>& start,
                                                        CableSet pulling, std::size_t order) {
   using Number = Dual<Real>;
-  const BasicCase<Number> dual_case = lifted(the_case);
+  const BasicCase<Number> dual_case = lifted<Number>(the_case);
   const TautSeries<Number> motion(dual_case, variables(start), pulling, order);
   std::vector<Eigen::Matrix<Real, 3, 6>> result(order + 1);
   for (std::size_t k = 0; k <= order; ++k) {

@@ -13,6 +13,12 @@ namespace tautline {
 // Derivatives of the maps that a motion is made of. Equation numbers are those of
 // analytic/README.md.
 
+/// True for the arc of a body at rest, whose series are a place and a spin.
+template <class Real>
+[[nodiscard]] bool is_rest(const BasicArc<Real>& arc) {
+  return arc.series.rows() == 2;
+}
+
 /// A largest independent subset of `cables`: the others follow these.
 template <class Real>
 [[nodiscard]] CableSet basis(const BasicCase<Real>& the_case, const BasicState<Real>& state,

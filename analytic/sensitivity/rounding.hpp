@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "spread.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/solution.hpp"
@@ -15,40 +18,43 @@ inline double gap_scale(const Case& the_case, std::size_t index, const State& st
   return cable.length + cable.anchor.norm() + state.position.norm() + cable.attachment.norm();
 }
 
-/// The spin that a unit of velocity turns into where taut or hit cables share it out [1/m].
-inline double turned(const Case& the_case) {
-  const double radius = attachment_radius(the_case);
-  if (!(radius > 0.0)) {
-    return 0.0;
+/// What errors are measured against all along a motion.
+struct Sizes {
+  explicit Sizes(const Case& the_case)
+      : radius(attachment_radius(the_case)),
+        shortest(shortest_length(the_case)),
+        gravity(the_case.gravity.norm()),
+        turned(radius > 0.0 ? std::min(1.0 / radius,
+                                       radius * the_case.body.mass * inverse_mass(the_case.body)[2])
+                            : 0.0),
+        turns(!is_point_mass(the_case)) {}
+
+  /// A bound of the speeds of the body's attachment points [m/s].
+  [[nodiscard]] double speed(const State& state) const {
+    return state.velocity.norm() + std::abs(state.spin) * radius;
   }
-  const double inverse_inertia = inverse_mass(the_case.body)[2];
-  return std::min(1.0 / radius, radius * the_case.body.mass * inverse_inertia);
-}
+
+  double radius;    // [m], of the attachments
+  double shortest;  // [m], of the cables
+  double gravity;   // [m/s^2]
+  double turned;    // [1/m], the spin that a unit of velocity turns into where cables share it out
+  bool turns;       // false: a point mass
+};
 
 /// Of the state at the end of an arc of length `dt`.
-inline StateVector arc_rounding(const Case& the_case, const State& start, const State& end,
+inline StateVector arc_rounding(const Sizes& sizes, const State& start, const State& end,
                                 double dt) {
-  const double speed = std::max(start.velocity.norm(), end.velocity.norm());
+  const double speed =
+      std::sqrt(std::max(start.velocity.squaredNorm(), end.velocity.squaredNorm()));
   const double place =
-      start.position.norm() + end.position.norm() + speed * dt + the_case.gravity.norm() * dt * dt;
+      start.position.norm() + end.position.norm() + speed * dt + sizes.gravity * dt * dt;
   const double turn = std::abs(start.angle) + std::abs(end.angle);
-  const double rate = speed + the_case.gravity.norm() * dt;
-  const double spin = std::max(std::abs(start.spin), std::abs(end.spin)) + rate * turned(the_case);
+  const double rate = speed + sizes.gravity * dt;
+  const double spin = std::max(std::abs(start.spin), std::abs(end.spin)) + rate * sizes.turned;
   StateVector result;
   result << place, place, turn, rate, rate, spin;
   constexpr double operations = 3.0;  // that count, of those that make each number
   return operations * one_rounding * result;
-}
-
-/// Of the pose at which `hit` become taut: what their gaps are off zero, and rounding of the gaps
-/// and of the turned attachments.
-inline double contact_rounding(const Case& the_case, const State& state, CableSet hit) {
-  double result = 0.0;
-  for (const std::size_t index : hit) {
-    result = std::max(result, std::abs(gap(the_case.cables[index], state)) +
-                                  4 * one_rounding * gap_scale(the_case, index, state));
-  }
-  return result;
 }
 
 }  // namespace tautline

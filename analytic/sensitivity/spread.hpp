@@ -27,12 +27,14 @@ inline constexpr double bound_margin = 4.0;
 /// Squares are right to rounding of the largest that they are made of: what cancels is not [-].
 inline constexpr double square_rounding = 1e-14;
 
-/// The spread after the state's part is mapped by `derivative` at the event's instant.
-inline Spread mapped(const Spread& spread, const StateMatrix& derivative) {
+/// The spread after the velocities have changed by `kick` times the error of the state.
+inline Spread kicked(const Spread& spread, const Eigen::Matrix<double, 3, 6>& kick) {
   Spread result = spread;
-  result.topLeftCorner<6, 6>() = derivative * spread.topLeftCorner<6, 6>() * derivative.transpose();
-  result.topRightCorner<6, 1>() = derivative * spread.topRightCorner<6, 1>();
-  result.bottomLeftCorner<1, 6>() = result.topRightCorner<6, 1>().transpose();
+  const Eigen::Matrix<double, 3, 7> change = kick * spread.topRows<6>();
+  const Eigen::Matrix3d square = change.leftCols<6>() * kick.transpose();
+  result.middleRows<3>(3) += change;
+  result.middleCols<3>(3) += change.transpose();
+  result.block<3, 3>(3, 3) += square;
   return result;
 }
 

@@ -4,44 +4,14 @@
 #include <cmath>
 #include <iterator>
 
+#include "error_flow.hpp"
 #include "error_tracker.hpp"
-#include "linearised.hpp"
-#include "rounding.hpp"
-#include "saltation.hpp"
+#include "neighbours.hpp"
 
 namespace tautline {
-namespace {
-
-/// Terms of the derivative's series. Those of the motion fall to rounding in 28, so these to some
-/// 1e-3 of the error, whose first digit is all that is said.
-constexpr std::size_t flow_order = 6;
-
-}  // namespace
-
-StateMatrix arc_flow(const Case& the_case, const Arc& arc, double dt) {
-  StateMatrix result = StateMatrix::Identity();
-  if (arc.series.rows() == 0) {
-    result.topRightCorner<3, 3>().diagonal().setConstant(dt);
-    return result;
-  }
-  if (arc.series.rows() == 1) {
-    return result;  // at rest
-  }
-  const auto series =
-      flow_derivative(the_case, arc.initial, basis(the_case, arc.initial, arc.taut), flow_order);
-  Eigen::Matrix<double, 3, 6> pose = Eigen::Matrix<double, 3, 6>::Zero();
-  Eigen::Matrix<double, 3, 6> rate = Eigen::Matrix<double, 3, 6>::Zero();
-  for (std::size_t k = series.size(); k-- > 0;) {
-    rate = (rate * dt + pose).eval();
-    pose = (pose * dt + series[k]).eval();
-  }
-  result << pose, rate;
-  return result;
-}
-
 Uncertainty::Uncertainty(const Case& the_case, const Solution& solution,
                          const SolveOptions& options)
-    : case_(&the_case), solution_(&solution) {
+    : case_(&the_case), solution_(&solution), options_(options) {
   ErrorTracker(the_case, solution, options, *this).run();
 }
 
@@ -62,10 +32,10 @@ std::optional<Uncertainty::Spread> Uncertainty::spread(double time) const {
   const Arc& arc = *std::prev(next);
   const double dt = time - arc.start;
   const auto index = static_cast<std::size_t>(std::distance(arcs.begin(), next)) - 1;
-  Spread result = mapped(starts_[index], arc_flow(*case_, arc, dt));
-  add_errors(result, arc_rounding(*case_, arc.initial, arc.after(dt, case_->gravity), dt));
-  const StateVector rate = state_rate(arc, dt, case_->gravity);
-  result.topLeftCorner<6, 6>() = at_instant(result, rate);
+  const State state = arc.after(dt, case_->gravity);
+  Spread result = along(starts_[index], *case_, Sizes(*case_), arc,
+                        basis(*case_, arc.initial, arc.taut), dt, state);
+  result.topLeftCorner<6, 6>() = at_instant(result, rate_at(arc, dt, state, case_->gravity));
   return result;
 }
 
@@ -110,6 +80,23 @@ std::optional<double> Uncertainty::energy(double time) const {
       case_->body.inertia * state.spin;
   const double rounding = 4 * epsilon<double>() * std::abs(tautline::energy(*case_, state));
   return bound(row, squares->topLeftCorner<6, 6>()) + rounding;
+}
+
+std::optional<double> Uncertainty::lock() const {
+  const Event* const set = final_set(*solution_);
+  if (set == nullptr || !events_.back() || unsure_.empty() || unsure_.back().from >= set->time ||
+      unsure_.back().until < set->time) {
+    return std::nullopt;
+  }
+  const double from = unsure_.back().from;
+  const auto& arcs = solution_->arcs();
+  const auto next = std::upper_bound(arcs.begin(), arcs.end(), from,
+                                     [](double t, const Arc& arc) { return t < arc.start; });
+  const auto arc = static_cast<std::size_t>(std::distance(arcs.begin(), next)) - 1;
+  const double until = std::min(3.0 * unsure_.back().until - 2.0 * from, case_->duration);
+  return spread_of_locks(
+      *solution_, from,
+      neighbours(*case_, *solution_, options_, {arc, starts_[arc], until - from}));
 }
 
 }  // namespace tautline

@@ -155,9 +155,10 @@ int solve_command(const SolveCommand& command) {
     return exit_usage;
   }
   if (command.digits && !command.certify) {
-    fmt::print(
-        "{}", many_digits_text(*the_case, options, solution,
-                               {*command.digits, command.decimal, command.events}, output_style()));
+    fmt::print("{}", many_digits_text(*the_case, options, solution,
+                                      {*command.digits, command.decimal, command.events,
+                                       literals_of(command.the_case)},
+                                      output_style()));
     return exit_code(solution.ending());
   }
   Extras extras{settling(*the_case, solution), std::nullopt};

@@ -55,7 +55,9 @@ std::vector<std::string> accumulation_cells(const Solution& solution,
                                             const Uncertainty& uncertainty, const Event& event,
                                             const EventErrors& errors,
                                             const Accumulation& accumulation) {
-  const double error = errors.time + std::abs(accumulation.uncertainty);
+  const bool last = &accumulation == &solution.accumulations().back();
+  const double time_error = (last ? uncertainty.lock() : std::nullopt).value_or(errors.time);
+  const double error = time_error + std::abs(accumulation.uncertainty);
   std::vector<std::string> cells = {right_fixed(accumulation.time, error, time_digits),
                                     std::string(to_string(event.kind)), cable_list(event.cables),
                                     dash, dash};

@@ -57,7 +57,8 @@ SummaryErrors<double> summary_errors(const Case& the_case, const Solution& solut
   }
   if (settling.lock) {
     const double start = solution.events().back().time;
-    const double error = time_error(solution, uncertainty, start, EventKind::taut);
+    const double error =
+        uncertainty.lock().value_or(time_error(solution, uncertainty, start, EventKind::taut));
     errors.lock = error < 0.0 ? error : error + settling.lock->uncertainty;
     if (settling.lock->swing && errors.energy >= 0.0) {
       swing_errors(the_case, solution.events().back().after, *settling.lock->swing, errors);

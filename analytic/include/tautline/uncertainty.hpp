@@ -52,6 +52,11 @@ class Uncertainty {
   /// The first instant [s] at which nothing is sure any more; none if there is none.
   [[nodiscard]] std::optional<double> horizon() const;
 
+  /// A bound of the error of the last event, where cables become taut for good after a stretch in
+  /// which nothing is sure [s]: of its time, or of the limit of the accumulation that it completes.
+  /// From motions that start within the errors, which it solves; none where they do not tell.
+  [[nodiscard]] std::optional<double> lock() const;
+
   /// Squares of errors and their products: of the six numbers of a state, relative to its event
   /// before, and of the time of that event.
   using Spread = Eigen::Matrix<double, 7, 7>;
@@ -64,6 +69,7 @@ class Uncertainty {
 
   const Case* case_;
   const Solution* solution_;
+  SolveOptions options_;
   std::vector<Spread> starts_;  // of each arc; those in an unsure stretch are not looked at
   std::vector<std::optional<EventErrors>> events_;
   std::vector<Unsure> unsure_;

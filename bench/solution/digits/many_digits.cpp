@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
@@ -27,39 +28,73 @@ constexpr int spare_digits = 15;
 /// Where no more digits are tried: a solution of so many takes minutes.
 constexpr int enough_digits = 800;
 
-/// The decimal that a double is the nearest to: the shortest.
-Multi decimal(double value) { return Multi(shortest(value)); }
-BasicVec2<Multi> decimal(const Vec2& v) { return {decimal(v.x()), decimal(v.y())}; }
+/// The decimals that the doubles of a case are read from.
+class Decimals {
+ public:
+  explicit Decimals(const Literals& written) : written_(written) {}
+
+  /// As it is written in the file at `place`, if that is where the double is from; else the
+  /// shortest decimal that it is the nearest to.
+  [[nodiscard]] Multi number(const std::string& place, double value) const {
+    const auto found = written_.find(place);
+    const bool from_there =
+        found != written_.end() && std::strtod(found->second.c_str(), nullptr) == value;
+    return Multi(from_there ? found->second : shortest(value));
+  }
+  [[nodiscard]] BasicVec2<Multi> pair(const std::string& place, const Vec2& value) const {
+    return {number(place + "[0]", value.x()), number(place + "[1]", value.y())};
+  }
+
+ private:
+  const Literals& written_;
+};
+
+BasicCable<Multi> in_decimals(const Decimals& read, const std::string& place, const Cable& cable) {
+  BasicCable<Multi> result{read.pair(place + ".anchor", cable.anchor),
+                           read.pair(place + ".attachment", cable.attachment),
+                           read.number(place + ".length", cable.length),
+                           read.number(place + ".restitution", cable.restitution),
+                           read.number(place + ".capture_speed", cable.capture_speed),
+                           {}};
+  for (std::size_t index = 0; index < cable.restitution_table.size(); ++index) {
+    const RestitutionPoint& point = cable.restitution_table[index];
+    const BasicVec2<Multi> same = read.pair(fmt::format("{}.restitution_table[{}]", place, index),
+                                            {point.speed, point.restitution});
+    result.restitution_table.push_back({same.x(), same.y()});
+  }
+  return result;
+}
 
 /// `the_case` with the numbers of Table 5.1 as they are printed, or with the decimals that its
 /// doubles are read from.
-BasicCase<Multi> in_decimals(const Case& the_case) {
+BasicCase<Multi> in_decimals(const Case& the_case, const Literals& written) {
+  const Decimals read(written);
   BasicCase<Multi> result = in_digits(the_case);
+  result.duration = read.number("duration", the_case.duration);
   for (const auto& row : table_5_1<Multi>()) {
     if (the_case.name == "breakwater/" + std::string(row.number)) {
+      const Multi duration = result.duration;
       result = breakwater<Multi>(row.parameters, the_case.name);
-      result.duration = decimal(the_case.duration);
+      result.duration = duration;
       return result;
     }
   }
-  result.body = {decimal(the_case.body.mass), decimal(the_case.body.inertia)};
-  result.gravity = decimal(the_case.gravity);
-  result.duration = decimal(the_case.duration);
+  result.body = {read.number("body.mass", the_case.body.mass),
+                 read.number("body.inertia", the_case.body.inertia)};
+  result.gravity = read.pair("gravity", the_case.gravity);
+  if (the_case.angle_limit) {
+    result.angle_limit = read.number("angle_limit", *the_case.angle_limit);
+  }
+  if (the_case.ceiling) {
+    result.ceiling = read.number("ceiling", *the_case.ceiling);
+  }
   const State& start = the_case.initial;
-  result.initial = {decimal(start.position), decimal(start.angle), decimal(start.velocity),
-                    decimal(start.spin)};
+  result.initial = {
+      read.pair("initial.position", start.position), read.number("initial.angle", start.angle),
+      read.pair("initial.velocity", start.velocity), read.number("initial.spin", start.spin)};
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    const Cable& cable = the_case.cables[index];
-    BasicCable<Multi>& same = result.cables[index];
-    same.anchor = decimal(cable.anchor);
-    same.attachment = decimal(cable.attachment);
-    same.length = decimal(cable.length);
-    same.restitution = decimal(cable.restitution);
-    same.capture_speed = decimal(cable.capture_speed);
-    same.restitution_table.clear();
-    for (const RestitutionPoint& point : cable.restitution_table) {
-      same.restitution_table.push_back({decimal(point.speed), decimal(point.restitution)});
-    }
+    result.cables[index] =
+        in_decimals(read, fmt::format("cables[{}]", index), the_case.cables[index]);
   }
   return result;
 }
@@ -101,7 +136,8 @@ class Solver {
   /// With numbers of `digits`.
   [[nodiscard]] Run run(int digits) const {
     const tautline::Digits precision(static_cast<unsigned>(digits));
-    BasicCase<Multi> the_case = asked_.decimal ? in_decimals(case_) : in_digits(case_);
+    BasicCase<Multi> the_case =
+        asked_.decimal ? in_decimals(case_, asked_.written) : in_digits(case_);
     const Multi duration = the_case.duration;
     if (locked_by_ && Multi(*locked_by_) < duration) {
       the_case.duration = Multi(*locked_by_);
@@ -151,7 +187,8 @@ class Solver {
     if (!lock.rests) {
       const int few = asked_.digits + spare_digits;
       const tautline::Digits precision(static_cast<unsigned>(few));
-      BasicCase<Multi> same = asked_.decimal ? in_decimals(case_) : in_digits(case_);
+      BasicCase<Multi> same =
+          asked_.decimal ? in_decimals(case_, asked_.written) : in_digits(case_);
       lock.swing = swing(same, rounded(events.back().after, few));
     }
     lock.permanent = lock.rests || lock.swing.has_value();

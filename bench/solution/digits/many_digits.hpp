@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/base/terminal.hpp"
+#include "bench/cases/literals.hpp"
 #include "tautline/case.hpp"
 #include "tautline/solution.hpp"
 #include "tautline/solve.hpp"
@@ -19,6 +20,7 @@ struct ManyDigits {
   int digits = 0;           // significant, that are right
   bool decimal = false;     // of the decimals that the case is written in, not of their doubles
   bool all_events = false;  // not the first 20
+  Literals written = {};    // the numbers of the case's file, if it has one
 };
 
 /// What `tautline solve` prints of `the_case`, with `asked.digits` right digits of each number:

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "bench/cases/case_file.hpp"
+#include "bench/cases/literals.hpp"
 #include "bench/solution/digits/in_digits.hpp"
 #include "bench/solution/digits/many_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
@@ -152,14 +154,30 @@ TEST(Digits, StandardCaseLocksAtItsTimeToTwelveDigits) {
   const Case the_case = shipped_cases().front();
   const Solution solution = solve(the_case);
   const std::string doubles =
-      many_digits_text(the_case, {}, solution, {12, false, false}, unlimited);
+      many_digits_text(the_case, {}, solution, {12, false, false, {}}, unlimited);
   // 50 digits alone say 8.1286365123 +- 3e-10, by how far their bounces are followed
   EXPECT_NE(doubles.find("From t = 8.12863651217 on cables 0+1 are taut"), std::string::npos)
       << doubles;
   const std::string decimals =
-      many_digits_text(the_case, {}, solution, {7, true, false}, unlimited);
+      many_digits_text(the_case, {}, solution, {7, true, false, {}}, unlimited);
   // of the decimals of Table 5.1, as independent code with 60 digits says
   EXPECT_NE(decimals.find("From t = 8.128808 on"), std::string::npos) << decimals;
+}
+
+TEST(Digits, DecimalsAreReadWithAllTheirDigits) {
+  const std::string file = R"(name = "long"
+duration = 2
+gravity = [0, -2.0]
+body = { mass = 1, inertia = 0 }
+cables = [{ anchor = [0, 0], attachment = [0, 0], length = 2.000_000000000000001, restitution = 0 }]
+initial = { position = [0, -1] }
+)";
+  const CaseReading read = read_case_text(file, "long.toml");
+  ASSERT_TRUE(read.the_case) << read.problems.front();
+  const std::string text = many_digits_text(*read.the_case, {}, solve(*read.the_case),
+                                            {20, true, false, literals(file)}, unlimited);
+  // it falls by 1 + 1e-18 in the root of that
+  EXPECT_NE(text.find("1.0000000000000000005"), std::string::npos) << text;
 }
 
 TEST(Digits, WhatIsPrintedIsWhatBothEndsOfTheErrorRoundTo) {

@@ -123,6 +123,14 @@ std::vector<fs::path> named_files(const fs::path& file) {
       found.push_back(named);
     }
   }
+  for (const std::string& shared : engine.shares) {
+    for (const auto& entry : fs::directory_iterator(file.parent_path() / shared, error)) {
+      if (entry.is_regular_file(error)) {
+        found.push_back(entry.path());
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());  // a folder lists its files in any order
   return found;
 }
 

@@ -32,9 +32,9 @@ struct EngineFile {
 /// or what is not installed. Empty if it can. Requires a file without problems; starts nothing.
 [[nodiscard]] std::string missing(const EngineFile& engine);
 
-/// The files of the engine's folder that decide what it does, as far as its file names them: the
-/// file itself, what it is locked to, and the words of its command that are files. What these load
-/// from elsewhere is not known.
+/// The files that decide what the engine does, as far as its file names them: the file itself, what
+/// it is locked to, the words of its command that are files, and the files in the folders that it
+/// shares. What these load from elsewhere is not known.
 [[nodiscard]] std::vector<std::filesystem::path> named_files(const std::filesystem::path& file);
 
 /// True for the name that such a file has.

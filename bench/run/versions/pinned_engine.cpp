@@ -1,11 +1,20 @@
 #include "bench/run/versions/pinned_engine.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <cstdlib>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include "bench/base/atomic_file.hpp"
+#include "bench/base/descriptor.hpp"
 #include "bench/base/input_file.hpp"
+#include "bench/base/process.hpp"
 #include "bench/run/versions/npm.hpp"
 
 namespace tautline::bench {
@@ -15,6 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* packages = "node_modules";
 constexpr std::size_t longest_text = std::size_t{16} << 20U;  // [bytes], of a lock file
+constexpr std::size_t longest_file = std::size_t{1} << 30U;   // [bytes], of an engine's folder
 
 /// The lowest folder that holds `folder` and all that it shares.
 fs::path common_folder(const fs::path& folder, const std::vector<std::string>& shares) {
@@ -35,17 +45,49 @@ bool is_npms(const fs::path& name) {
   return name == packages || name == "package.json" || name == "package-lock.json";
 }
 
+/// Copies a file, or a folder with all that is in it. Another program may be running the copy that
+/// is there: it reads the old file or the new, never a part of it.
+void copy_whole(const fs::path& from, const fs::path& to) {
+  if (fs::is_directory(from)) {
+    fs::create_directories(to);
+    for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+      copy_whole(entry.path(), to / entry.path().filename());
+    }
+    return;
+  }
+  write_file(to, read_input_file(from, longest_file).content);
+  fs::permissions(to, fs::status(from).permissions());
+}
+
 /// Copies what the engine's folder has; what npm makes of its own only into a `bare` copy.
 void copy_files(const fs::path& from, const fs::path& to, bool bare) {
-  fs::create_directories(to);
   for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
     const fs::path name = entry.path().filename();
     if (name == packages || (is_npms(name) && !bare)) {
       continue;
     }
-    fs::copy(entry.path(), to / name,
-             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    copy_whole(entry.path(), to / name);
   }
+}
+
+/// Waits until no other program makes this copy, and keeps others from it until it is closed. Has
+/// no number if this program was told to stop.
+Descriptor lock(const fs::path& root) {
+  using namespace std::chrono_literals;
+  fs::create_directories(root.parent_path());
+  const std::string name = root.string() + ".lock";
+  Descriptor file(::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  while (file.get() < 0 || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (file.get() < 0 || errno != EWOULDBLOCK) {
+      throw fs::filesystem_error("cannot lock", name,
+                                 std::error_code(errno, std::generic_category()));
+    }
+    if (interruption()) {
+      return Descriptor();
+    }
+    std::this_thread::sleep_for(50ms);  // npm takes seconds
+  }
+  return file;
 }
 
 void link(const fs::path& target, const fs::path& name) {
@@ -80,6 +122,10 @@ PinnedEngine pinned_engine(const EngineFile& engine, const std::string& version,
   const fs::path common = common_folder(source, engine.shares);
   const fs::path root = cache / engine.name / version;
   const fs::path folder = (root / source.lexically_relative(common)).lexically_normal();
+  const Descriptor locked = lock(root);
+  if (locked.get() < 0) {
+    return {folder / engine.path.filename(), "interrupted"};
+  }
   const fs::path mark = root / "installed.txt";
   const std::string wanted = origin(engine, source, version);
   const bool kept = read_input_file(mark, longest_text).content == wanted &&

@@ -1,4 +1,5 @@
-// A case, and the geometry of its cables. A state is x y angle vx vy spin.
+// A case, the geometry of its cables, and the numbers of a message. A state is x y angle vx vy
+// spin.
 #pragma once
 #include <jansson.h>
 #include <math.h>
@@ -29,6 +30,13 @@ static double tautline_number(const json_t* value) {
 static void tautline_read(const json_t* array, int count, double* to) {
   for (int k = 0; k < count; ++k) to[k] = tautline_number(json_array_get(array, k));
 }
+static json_t* tautline_add(json_t* array, const double* from, int count) {
+  for (int k = 0; k < count; ++k) {
+    const char* text = isnan(from[k]) ? "NaN" : from[k] > 0 ? "Infinity" : "-Infinity";
+    json_array_append_new(array, isfinite(from[k]) ? json_real(from[k]) : json_string(text));
+  }
+  return array;
+}
 
 static tautline_row tautline_row_of(const tautline_cable* cable, const double* q) {
   const double c = cos(q[2]), s = sin(q[2]), *a = cable->attachment;
@@ -54,24 +62,21 @@ static inline double tautline_restitution(const tautline_cable* cable, double ra
   return next[1];
 }
 
-static tautline_case tautline_case_of(const json_t* from) {
-  const json_t *body = json_object_get(from, "body"), *start = json_object_get(from, "initial"),
-               *row;
+static tautline_case tautline_case_of(json_t* from) {
   tautline_case c = {0};
-  c.mass = tautline_number(json_object_get(body, "mass"));
-  c.inertia = tautline_number(json_object_get(body, "inertia"));
-  tautline_read(json_object_get(from, "gravity"), 2, c.gravity);
-  tautline_read(json_object_get(start, "position"), 2, c.state);
-  tautline_read(json_object_get(start, "velocity"), 2, c.state + 3);
-  c.state[2] = tautline_number(json_object_get(start, "angle"));
-  c.state[5] = tautline_number(json_object_get(start, "spin"));
-  const json_t* rows = json_object_get(from, "cables");
-  while (c.cables < tautline_most_cables && (row = json_array_get(rows, c.cables))) {
-    tautline_cable* cable = &c.cable[c.cables++];
-    tautline_read(json_object_get(row, "anchor"), 2, cable->anchor);
-    tautline_read(json_object_get(row, "attachment"), 2, cable->attachment);
-    cable->length = json_number_value(json_object_get(row, "length"));
-    cable->restitution = json_object_get(row, "restitution");
+  json_t *position = NULL, *velocity = NULL, *angle = NULL, *spin = NULL, *cables = NULL, *row;
+  json_unpack(from, "{s:{s:F, s:F}, s:[FF], s:{s:o, s:o, s:o, s:o}, s:o}", "body", "mass", &c.mass,
+              "inertia", &c.inertia, "gravity", &c.gravity[0], &c.gravity[1], "initial", "position",
+              &position, "angle", &angle, "velocity", &velocity, "spin", &spin, "cables", &cables);
+  tautline_read(position, 2, c.state);
+  tautline_read(velocity, 2, c.state + 3);
+  c.state[2] = tautline_number(angle);
+  c.state[5] = tautline_number(spin);
+  while (c.cables < tautline_most_cables && (row = json_array_get(cables, c.cables))) {
+    tautline_cable* k = &c.cable[c.cables++];
+    json_unpack(row, "{s:[FF], s:[FF], s:F, s:o}", "anchor", &k->anchor[0], &k->anchor[1],
+                "attachment", &k->attachment[0], &k->attachment[1], "length", &k->length,
+                "restitution", &k->restitution);
   }
   return c;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <nlohmann/json.hpp>
 
 #include "tests/bench/run/protocol_support.hpp"
@@ -31,8 +32,10 @@ class Versions {
     std::vector<std::string> words = {
         "trend",   (folder_.path() / "engines/rope/engine.toml").string() + versions,
         "--cases", "bouncing-ball",
-        "--steps", "0.01",
-        "--out",   out().string()};
+        "--steps", "0.01"};
+    if (std::find(more.begin(), more.end(), "--out") == more.end()) {
+      words.insert(words.end(), {"--out", out().string()});
+    }
     words.insert(words.end(), more.begin(), more.end());
     return program(words, "PATH='" + npm_fixtures.string() + "':\"$PATH\" XDG_CACHE_HOME='" +
                               cache().string() + "' NPM_LOG='" + log().string() +
@@ -41,6 +44,16 @@ class Versions {
   [[nodiscard]] fs::path out() const { return folder_.path() / "out"; }
   [[nodiscard]] fs::path cache() const { return folder_.path() / "cache"; }
   [[nodiscard]] fs::path log() const { return folder_.path() / "log.txt"; }
+  /// How often npm was asked to install something.
+  [[nodiscard]] int installations() const {
+    const std::string log = content_of(this->log());
+    int count = 0;
+    for (std::size_t at = log.find("install "); at != std::string::npos;
+         at = log.find("install ", at + 1)) {
+      ++count;
+    }
+    return count;
+  }
   [[nodiscard]] json result() const { return json::parse(content_of(out() / "trend.json")); }
 
  private:
@@ -121,21 +134,31 @@ TEST(VersionTrend, ASecondCallFetchesNothing) {
     GTEST_SKIP() << no_python;
   }
   const Versions versions;
-  const auto installations = [&] {
-    const std::string log = content_of(versions.log());
-    std::size_t count = 0;
-    for (std::size_t at = log.find("install "); at != std::string::npos;
-         at = log.find("install ", at + 1)) {
-      ++count;
-    }
-    return count;
-  };
   EXPECT_EQ(versions.trend("@1.1").code, 0);
-  EXPECT_EQ(installations(), 1U);
+  EXPECT_EQ(versions.installations(), 1);
   EXPECT_EQ(versions.trend("@1.1", {"--resume"}).code, 0);
-  EXPECT_EQ(installations(), 1U) << content_of(versions.log());
+  EXPECT_EQ(versions.installations(), 1) << content_of(versions.log());
   const json report = json::parse(content_of(versions.out() / "rope/1.1.0/report.json"));
   EXPECT_EQ(report.at("context").at("kept_runs"), 1) << "--resume keeps what was run";
+}
+
+TEST(VersionTrend, TwoAtOnceShareOneInstallation) {
+  if (!has_python()) {
+    GTEST_SKIP() << no_python;
+  }
+  const Versions versions;
+  std::vector<std::future<Outcome>> both;
+  for (const char* out : {"one", "other"}) {
+    const std::string folder = (versions.out().parent_path() / out).string();
+    both.push_back(std::async(std::launch::async, [=, &versions] {
+      return versions.trend("@1.1", {"--out", folder});
+    }));
+  }
+  for (auto& one : both) {
+    const Outcome outcome = one.get();
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  }
+  EXPECT_EQ(versions.installations(), 1);
 }
 
 TEST(VersionTrend, AnInterruptionKeepsWhatIsDone) {

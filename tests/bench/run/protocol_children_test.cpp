@@ -30,6 +30,11 @@ const std::vector<BadChild>& every_child() {
       {"wrong-id", "failed", "id is 1000"},
       {"nan", "failed", "JSON has no NaN, say \"NaN\""},
       {"nan-word", "diverged", "left every reasonable range after t = 0.09"},
+      {"out-of-range", "failed", "a message is whole JSON, and its numbers are doubles"},
+      {"nests", "failed", "the engine's answer to step: steps is an object, must be an array"},
+      {"pushes", "failed", "[6] is -1.0, must be an impulse of at least 0"},
+      {"raises", "failed",
+       "ended by itself with exit code 1 before it answered step; it printed: ValueError: lost"},
       {"null", "failed", "steps[2][2] is null, must be a number"},
       {"too-few", "failed", "answered 7 steps where 8 were asked, and not why it stopped"},
       {"too-wide", "failed", "must be 7 numbers: x, y, angle, vx, vy, spin, then the impulse"},
@@ -42,6 +47,8 @@ const std::vector<BadChild>& every_child() {
       {"slips", "failed", "unknown key stoped; did you mean stopped?"},
       {"answers-after-the-end", "finished", ""},
       {"mute", "", "ended by itself with exit code 3 before it answered info"},
+      {"lacks-a-module", "",
+       "exit code 1 before it answered info; it printed: Error: Cannot find module 'rope'"},
       {"wrong-name", "", "the engine says that its name is other"},
       {"wrong-protocol", "", "protocol is 2, must be 1"}};
   return ways;

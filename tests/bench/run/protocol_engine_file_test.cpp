@@ -132,6 +132,25 @@ TEST(EngineFile, WhoseCommandCannotBeStartedIsOneSentence) {
             "directory) before it answered info\n");
 }
 
+TEST(EngineFile, LeadsToAllFilesThatDecideWhatTheEngineDoes) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "mine");
+  std::filesystem::create_directories(folder.path() / "common/sub");
+  const auto file =
+      folder.file("mine/engine.toml", engine_toml("mine", {"python3", "engine.py"}) +
+                                          "lock = \"lock.txt\"\nshares = [\"../common\"]\n");
+  for (const char* name :
+       {"mine/engine.py", "mine/lock.txt", "mine/notes.txt", "common/step.py", "common/sub/x.py"}) {
+    static_cast<void>(folder.file(name, ""));
+  }
+  std::vector<std::string> found;
+  for (const std::filesystem::path& one : bench::named_files(file)) {
+    found.push_back(one.lexically_normal().lexically_relative(folder.path()).string());
+  }
+  EXPECT_EQ(found, std::vector<std::string>(
+                       {"common/step.py", "mine/engine.py", "mine/engine.toml", "mine/lock.txt"}));
+}
+
 TEST(EngineFolders, SayWhyAnEngineThatIsNamedIsNotHere) {
   const EngineFolder folder;
   for (const std::string& name : {std::string("absent"), std::string("no-command"),

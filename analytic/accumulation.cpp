@@ -26,12 +26,12 @@ struct Scales {
 };
 
 template <class Real>
-Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                    double margin) {
+Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state, double margin) {
   const Real shortest = shortest_length(the_case);
   const Real acceleration = acceleration_scale(the_case, state);
-  return {acceleration, abs(state.spin) + speed_scale(the_case, state) / shortest +
-                            sqrt(Real(acceleration / shortest)),
+  return {acceleration,
+          abs(state.spin) + speed_scale(the_case, state) / shortest +
+              sqrt(Real(acceleration / shortest)),
           margin};
 }
 
@@ -117,8 +117,7 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
     }
     ++row;
   }
-  result.error =
-      error_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
+  result.error = error_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
   if (!is_steady(Real(pull.minCoeff()), result.remaining, scale)) {
     return std::nullopt;
   }
@@ -310,7 +309,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
       if (cables.size() == 1 && bounces->ends) {
         refine(*bounces, the_case, state, after, *cables.begin());
       }
-      return BasicCompletion<Real>{cables | carried, bounces->ends, bounces->remaining,
+      return BasicCompletion<Real>{cables | carried,     bounces->ends,  bounces->remaining,
                                    bounces->uncertainty, bounces->error, after};
     }
     cables = cables | near;

@@ -16,6 +16,7 @@ namespace tautline {
 // the cables do to the body is computed from A: G has the square of its condition, and loses twice
 // the digits.
 
+/// A row of A, or a velocity times the root of the mass.
 template <class Real>
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
 
@@ -85,7 +86,10 @@ class RowSpace {
     }
   }
 
+  /// How many rows span it.
   [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// The vector k of the space with k · row(i) = 1 and k · row(j) = 0 for the others.
   [[nodiscard]] const Vector3<Real>& dual(std::size_t i) const { return dual_[i]; }
 
   /// The part of `v` in the space. Its error is rounding of `v`, however near to dependence.
@@ -110,6 +114,7 @@ class RowSpace {
 template <class Real>
 class CableRows {
  public:
+  /// Of `cables` at the pose of `state`.
   CableRows(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables)
       : rows_(static_cast<Eigen::Index>(cables.size()), 3), shapes_(rows_.rows(), 3) {
     const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
@@ -124,6 +129,7 @@ class CableRows {
     }
   }
 
+  /// A.
   [[nodiscard]] const Rows<Real>& rows() const { return rows_; }
 
   /// The gradients with the angle times the longest arm: every column is a length.

@@ -21,8 +21,8 @@ struct EventErrors {
 
 /// A stretch of time [s] in which nothing is sure but the energy's bounds.
 struct Unsure {
-  double from;
-  double until;  // infinity: to the end
+  double from;   // [s]
+  double until;  // [s], infinity: to the end
 };
 
 /// How far a solution in doubles can be trusted: bounds of its errors, from the rounding that each

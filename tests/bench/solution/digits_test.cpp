@@ -155,7 +155,8 @@ TEST(Digits, StandardCaseLocksAtItsTimeToTwelveDigits) {
   const Solution solution = solve(the_case);
   const std::string doubles =
       many_digits_text(the_case, {}, solution, {12, false, false, {}}, unlimited);
-  // 50 digits alone say 8.1286365123 +- 3e-10, by how far their bounces are followed
+  // 8.1286365121677143 by independent code with 60 digits that follows 614 bounces of cable 1 to
+  // their end, the slide on it, and 281 bounces of cable 0 beside it
   EXPECT_NE(doubles.find("From t = 8.12863651217 on cables 0+1 are taut"), std::string::npos)
       << doubles;
   const std::string decimals =

@@ -31,6 +31,33 @@ double least_gap(double g0, double r0, double g1, double r1, double dt) {
   return least;
 }
 
+/// True where the body and `a` stand to a vertical axis as the body and `b` do, to the last bit.
+bool mirrored(const Case& the_case, const State& state, const Cable& a, const Cable& b) {
+  const auto image = [](const Vec2& p) { return Vec2(-p.x(), p.y()); };
+  return the_case.gravity.x() == 0.0 && state.angle == 0.0 && state.velocity.x() == 0.0 &&
+         state.spin == 0.0 && a.length == b.length && a.attachment == image(b.attachment) &&
+         a.anchor - Vec2(state.position.x(), 0.0) ==
+             image(b.anchor - Vec2(state.position.x(), 0.0));
+}
+
+/// The delay of both cables of `hit` where symmetry makes them taut at one instant: an error that
+/// the symmetry has not delays one as much as it hastens the other.
+std::optional<StateRow> delay_of_images(const Case& the_case, const State& state, CableSet hit) {
+  const std::vector<std::size_t> pair = hit.indices();
+  if (pair.size() != 2) {
+    return std::nullopt;
+  }
+  const Cable& a = the_case.cables[pair[0]];
+  const Cable& b = the_case.cables[pair[1]];
+  const auto one = delay_derivative(the_case, state, CableSet::of(pair[0]));
+  const auto other = delay_derivative(the_case, state, CableSet::of(pair[1]));
+  if (!one || !other || !mirrored(the_case, the_case.initial, a, b) ||
+      !mirrored(the_case, state, a, b)) {
+    return std::nullopt;
+  }
+  return StateRow((*one + *other) / 2.0);
+}
+
 /// Those of `event`'s cables that pull.
 CableSet pulling(const Event& event) {
   CableSet result;
@@ -81,6 +108,16 @@ void ErrorTracker::look_at(const State& state) {
   }
 }
 
+/// How much earlier than in `event` the first of `hit` may become taut [s].
+double ErrorTracker::earlier(const Event& event, CableSet hit) const {
+  double result = 0.0;
+  for (const std::size_t index : hit) {
+    const auto delay = delay_derivative(case_, event.before, CableSet::of(index));
+    result = std::max(result, delay ? bound(*delay, now_.topLeftCorner<6, 6>()) : event.time);
+  }
+  return result;
+}
+
 /// Adds the error of the instant at which `hit` become taut. False where first order does not say
 /// what happens.
 bool ErrorTracker::arrive(const Event& event, CableSet hit) {
@@ -93,8 +130,15 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
                                 4 * one_rounding * gap_scale(case_, index, event.before));
   }
   now_.diagonal().head<2>().array() += place * place;
-  const auto delay = delay_derivative(case_, event.before, hit);
-  if (!delay || !order_is_sure(event)) {
+  if (!order_is_sure(event)) {
+    return false;
+  }
+  auto delay = delay_derivative(case_, event.before, hit);
+  if (!delay) {
+    delay = delay_of_images(case_, event.before, hit);
+  }
+  if (!delay) {  // which of them is first is open; what is before them is not
+    sure_to_ = std::max(sure_to_, event.time - earlier(event, hit));
     return false;
   }
   const StateMatrix squares = now_.topLeftCorner<6, 6>();

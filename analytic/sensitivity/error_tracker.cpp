@@ -146,8 +146,8 @@ void ErrorTracker::follow(std::size_t index) {
 void ErrorTracker::lose() {
   lost_ = true;
   meeting_ = meeting();
-  const double from = before_ != nullptr && next_ > 0 ? solution_.events()[next_ - 1].time : 0.0;
-  result_.unsure_.push_back({from, std::numeric_limits<double>::infinity()});
+  const double last = before_ != nullptr && next_ > 0 ? solution_.events()[next_ - 1].time : 0.0;
+  result_.unsure_.push_back({std::max(last, sure_to_), std::numeric_limits<double>::infinity()});
 }
 
 }  // namespace tautline

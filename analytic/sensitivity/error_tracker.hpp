@@ -50,6 +50,7 @@ class ErrorTracker {
   [[nodiscard]] EventErrors take_slack(const Event& event);
   [[nodiscard]] Kick kick_of(const Event& event) const;
   [[nodiscard]] const Accumulation* completed_by(const Event& event);
+  [[nodiscard]] double earlier(const Event& event, CableSet hit) const;
   [[nodiscard]] bool arrive(const Event& event, CableSet hit);
   [[nodiscard]] bool release(const Event& event);
   [[nodiscard]] bool order_is_sure(const Event& event) const;
@@ -80,6 +81,7 @@ class ErrorTracker {
   std::size_t accumulation_ = 0;        // not before that event
   double curvature_ = square_rounding;  // [-], square of the largest part that is not first order
   bool lost_ = false;
+  double sure_to_ = 0.0;              // [s], whatever comes of the next event
   std::vector<std::size_t> arrived_;  // for each arc, the events up to its start
   std::size_t first_place_ = 0;       // the first arc after the last unsure stretch
   std::optional<Meeting> meeting_;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "bench/cases/case_file.hpp"
 #include "bench/cases/literals.hpp"
@@ -189,6 +190,22 @@ TEST(Digits, WhatIsPrintedIsWhatBothEndsOfTheErrorRoundTo) {
   EXPECT_EQ(right_fixed(-1e-9, 1e-10, 4), "0.0000");
   EXPECT_EQ(right_scientific(2.516891e-1, 1e-5, 6), "2.517e-01");
   EXPECT_EQ(right_general(0.125, 1e-17, 6), "0.125");
+}
+
+TEST(Digits, AnImpactOnMirroredCablesIsSureAndAnAlmostMirroredOneIsOpen) {
+  const std::vector<Case> cases = shipped_cases();
+  Case beam = *std::find_if(cases.begin(), cases.end(),
+                            [](const Case& one) { return one.name == "level-beam"; });
+  const Solution solution = solve(beam);
+  ASSERT_EQ(solution.events().front().cables.size(), 2U);
+  EXPECT_FALSE(Uncertainty(beam, solution).horizon());
+  beam.gravity.x() = 1e-15;  // less than the instants of both impacts can tell
+  const Solution almost = solve(beam);
+  ASSERT_EQ(almost.events().front().cables.size(), 2U);
+  const auto horizon = Uncertainty(beam, almost).horizon();
+  ASSERT_TRUE(horizon) << "which cable is first decides all that follows";
+  EXPECT_NEAR(*horizon, almost.events().front().time, 1e-9) << "the fall is sure";
+  EXPECT_LE(*horizon, almost.events().front().time);
 }
 
 TEST(Digits, EventsBeyondTheHorizonAreOneRow) {

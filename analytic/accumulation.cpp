@@ -4,13 +4,14 @@
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/projection.hpp"
+#include "tautline/rounding.hpp"
 #include "tautline/series.hpp"
 
 namespace tautline {
 namespace {
 
-/// Margin of the certificate: how many times its scale a derivative is allowed to be [-].
-constexpr double certificate_margin = 20.0;
+/// Of the error, whatever the margin of the certificate [-].
+constexpr double error_margin = 20.0;
 
 /// Bounces shared by several cables last longer than the slowest cable's own series: measured on
 /// the 21 cases of Table 5.1, up to 2.3 times as long [-].
@@ -21,14 +22,17 @@ template <class Real>
 struct Scales {
   Real acceleration;
   Real rate;
+  double margin;  // of the certificate [-]
 };
 
 template <class Real>
-Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state, double margin) {
   const Real shortest = shortest_length(the_case);
   const Real acceleration = acceleration_scale(the_case, state);
-  return {acceleration, abs(state.spin) + speed_scale(the_case, state) / shortest +
-                            sqrt(Real(acceleration / shortest))};
+  return {acceleration,
+          abs(state.spin) + speed_scale(the_case, state) / shortest +
+              sqrt(Real(acceleration / shortest)),
+          margin};
 }
 
 /// How the bounces on a set of almost taut cables go on.
@@ -56,6 +60,12 @@ Real twice_normal_energy(const BasicCase<Real>& the_case, const BasicState<Real>
     ++row;
   }
   return result;
+}
+
+/// True where `pull` [m/s^2] changes by a small part of itself in a time of `dt` [s].
+template <class Real>
+bool is_steady(const Real& pull, const Real& dt, const Scales<Real>& scale) {
+  return pull > scale.margin * scale.acceleration * scale.rate * dt;  // false for infinities
 }
 
 /// The largest restitution up to `speed` of the cable and those that hang side by side with it.
@@ -92,8 +102,13 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
     const Real flight = 2 * speed / pull[row];
     const Real height = speed * flight / 4;
     result.speed = max(result.speed, speed);
-    if (kept < 1) {
-      result.remaining = max(result.remaining, Real(flight / (1 - kept)));
+    const Real series = flight / (1 - kept);  // [s], infinite for an elastic cable
+    const bool is_over = is_steady(pull[row], series, scale);
+    if (!is_over && height <= rounding_of_gap(the_case.cables[index], state)) {
+      result.ends = false;  // it bounces on, too low for a gap to tell
+      result.remaining = max(result.remaining, flight);
+    } else if (kept < 1) {
+      result.remaining = max(result.remaining, series);
       heights = max(heights, Real(2 * height * flight / (3 * (1 - kept * kept * kept))));
     } else {  // it bounces for ever, at this height
       result.ends = false;
@@ -102,10 +117,8 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
     }
     ++row;
   }
-  result.error =
-      certificate_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
-  const Real change = scale.acceleration * scale.rate * result.remaining;  // of a pull, meanwhile
-  if (!(pull.minCoeff() > certificate_margin * change)) {  // also where `change` overflows to NaN
+  result.error = error_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
+  if (!is_steady(Real(pull.minCoeff()), result.remaining, scale)) {
     return std::nullopt;
   }
   if (cables.size() > 1) {  // how the cables hand the energy to each other is open
@@ -151,7 +164,7 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
     const BasicCable<Real>& cable = the_case.cables[index];
     const Real closing = max(Real(0), Real(-gap_rate(cable, state)));
     const Real reach =
-        closing * remaining + certificate_margin * scale.acceleration * remaining * remaining;
+        closing * remaining + scale.margin * scale.acceleration * remaining * remaining;
     if (gap(cable, state) <= reach) {
       result.insert(index);
     }
@@ -162,15 +175,18 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
 /// True where bounces that begin with `rebound` [m/s] may meet the limits: where they would with a
 /// pull as large as the accelerations of the motion. A stronger one has to wait a little.
 template <class Real>
-bool is_slow(const BasicCable<Real>& cable, const Real& rebound, const CompletionLimits& limits,
-             const Scales<Real>& scale) {
+bool is_slow(const BasicCable<Real>& cable, const BasicState<Real>& state, const Real& rebound,
+             const CompletionLimits& limits, const Scales<Real>& scale) {
   if (limits.speed) {
     return rebound <= *limits.speed;
+  }
+  if (rebound * rebound <= 2 * scale.acceleration * rounding_of_gap(cable, state)) {
+    return true;  // no higher than what a gap can tell
   }
   const Real kept = restitution_up_to(cable, rebound);
   const Real lost = kept < 1 ? Real(1 - kept * kept * kept) : Real(1);
   const Real ratio = rebound * scale.rate / scale.acceleration;
-  return 2 * certificate_margin * ratio * ratio * ratio <= 3 * lost * limits.error;  // Eq. 20
+  return 2 * error_margin * ratio * ratio * ratio <= 3 * lost * limits.error;  // Eq. 20
 }
 
 /// The touching cables slow enough to be candidates; empty if one of them is still closing.
@@ -182,10 +198,10 @@ CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& 
   for (const std::size_t index : touching.cables) {
     const BasicCable<Real>& cable = the_case.cables[index];
     const Real rate = gap_rate(cable, state);
-    if (rate < -touching.rate_rounding) {
+    if (rate < -touching.rounding(cable)) {
       return {};
     }
-    if (is_slow(cable, rate, limits, scale)) {
+    if (is_slow(cable, state, rate, limits, scale)) {
       slow.insert(index);
     }
   }
@@ -208,18 +224,32 @@ CableSet pulled(CableSet cables, const BasicTensions<Real>& held) {
 
 /// The cables of `cables` that are at zero gap and rate, up to rounding.
 template <class Real>
-CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables,
-                 const Real& rate_rounding) {
-  constexpr double drift = 1e3;  // [-] roundings of a length
+CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                 const BasicTouching<Real>& touching, CableSet cables) {
+  constexpr double drift = 1e3;  // [-] roundings of a gap
   CableSet result;
   for (const std::size_t index : cables) {
     const BasicCable<Real>& cable = the_case.cables[index];
-    if (abs(gap(cable, state)) <= drift * epsilon<Real>() * cable.length &&
-        abs(gap_rate(cable, state)) <= rate_rounding) {
+    if (abs(gap(cable, state)) <= drift * rounding_of_gap(cable, state) &&
+        abs(gap_rate(cable, state)) <= touching.rounding(cable)) {
       result.insert(index);
     }
   }
   return result;
+}
+
+/// True where `state` stretches a cable outside `cables`.
+template <class Real>
+bool overstretches(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                   CableSet cables) {
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    if (!cables.contains(index) &&
+        gap(cable, state) < -rounding_margin * rounding_of_gap(cable, state)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// The cables of `cables` that move: not at exactly zero gap and rate.
@@ -229,7 +259,7 @@ CableSet moving(const BasicCase<Real>& the_case, const BasicState<Real>& state,
   CableSet result;
   for (const std::size_t index : cables) {
     if (!touching.cables.contains(index) ||
-        abs(gap_rate(the_case.cables[index], state)) > touching.rate_rounding) {
+        abs(gap_rate(the_case.cables[index], state)) > touching.rounding(the_case.cables[index])) {
       result.insert(index);
     }
   }
@@ -243,7 +273,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
                                                 const BasicState<Real>& state,
                                                 const BasicTouching<Real>& touching,
                                                 const CompletionLimits& limits) {
-  const Scales<Real> scale = scales(the_case, state);
+  const Scales<Real> scale = scales(the_case, state, limits.margin);
   CableSet cables = slow_contacts(the_case, state, touching, limits, scale);
   // a round loses cables that leave or gains one that takes part; few rounds settle it
   for (std::size_t round = 0; round < 2 * max_cables && !cables.empty(); ++round) {
@@ -267,17 +297,20 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
     CableSet near = within_reach(the_case, state, cables, latest, scale);
     const BasicState<Real> after = projected(the_case, state, cables);
     // redundant: where the others end taut, so do these
-    const CableSet carried = at_zero(the_case, after, near, touching.rate_rounding);
+    const CableSet carried = at_zero(the_case, after, touching, near);
     near = near - carried;
     if (near.empty()) {
-      if (!isfinite(energy(the_case, after))) {
+      // cables almost dependent, which the body had to go far to close
+      if (!(energy(the_case, after) - energy(the_case, state) <=
+            rounding_margin * rounding_of_energy(the_case, state)) ||  // also where it overflows
+          overstretches(the_case, after, cables | carried)) {
         return std::nullopt;
       }
       if (cables.size() == 1 && bounces->ends) {
         refine(*bounces, the_case, state, after, *cables.begin());
       }
-      return BasicCompletion<Real>{cables | carried, bounces->ends, bounces->remaining,
-                                   bounces->uncertainty, after};
+      return BasicCompletion<Real>{cables | carried,     bounces->ends,  bounces->remaining,
+                                   bounces->uncertainty, bounces->error, after};
     }
     cables = cables | near;
   }

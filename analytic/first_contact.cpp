@@ -80,6 +80,47 @@ class GapAlongFlight {
   Real gravity_size_;            // [m/s^2]
 };
 
+/// The same of a body that turns many times before the cable is within its reach. While the centre
+/// is no farther from the anchor than the length without the arm, no angle makes the cable taut.
+template <class Real>
+class GapOfTurningBody {
+ public:
+  /// `bare` is the cable without the arm, attached at the centre.
+  GapOfTurningBody(const GapAlongFlight<Real>& gap, const BasicCase<Real>& the_case,
+                   const BasicCable<Real>& bare, const BasicState<Real>& start)
+      : gap_(gap), centre_(the_case, bare, start, false, Real(0)) {}
+
+  [[nodiscard]] BasicSample<Real> at(const Real& s) const { return gap_.at(s); }
+  [[nodiscard]] Real jerk_bound(const Real& s, const Real& window) const {
+    return gap_.jerk_bound(s, window);
+  }
+  [[nodiscard]] Real clear(const Real& s, const Real& window) const {
+    const BasicSample<Real> now = centre_.at(s);
+    return now.value > 0 ? safe_step(centre_, now, s, window) : Real(0);
+  }
+
+ private:
+  const GapAlongFlight<Real>& gap_;
+  GapAlongFlight<Real> centre_;
+};
+
+/// The first time within `horizon` at which the cable is taut, as `first_root`.
+template <class Real>
+BasicRootSearch<Real> time_to_taut(const BasicCase<Real>& the_case, const BasicCable<Real>& cable,
+                                   const BasicState<Real>& state, const Real& rate_rounding,
+                                   bool at_zero, const Real& horizon) {
+  constexpr double many = 100.0;  // [rad]: so far the gap alone takes some hundred steps
+  const GapAlongFlight<Real> f(the_case, cable, state, at_zero, rate_rounding);
+  const Real arm = cable.attachment.norm();
+  if (!(abs(state.spin) * horizon > many) || arm == 0 || !(arm < cable.length)) {
+    return first_root(f, horizon, {at_zero});
+  }
+  BasicCable<Real> bare = cable;
+  bare.length -= arm;
+  bare.attachment.setZero();
+  return first_root(GapOfTurningBody<Real>(f, the_case, bare, state), horizon, {at_zero});
+}
+
 }  // namespace
 
 template <class Real>
@@ -95,9 +136,9 @@ BasicFirstContactSearch<Real> first_contact(const BasicCase<Real>& the_case,
     const Real until =
         earliest ? min(horizon, Real(*earliest * (1 + simultaneous<Real>()))) : horizon;
     const bool at_zero = touching.cables.contains(index);
-    const GapAlongFlight<Real> f(the_case, the_case.cables[index], state, at_zero,
-                                 touching.rate_rounding);
-    const BasicRootSearch<Real> search = first_root(f, until, {at_zero});
+    const BasicCable<Real>& cable = the_case.cables[index];
+    const BasicRootSearch<Real> search =
+        time_to_taut(the_case, cable, state, touching.rounding(cable), at_zero, until);
     result.steps += search.steps;
     if (search.root && isnan(*search.root)) {
       result.contact = BasicFirstContact<Real>{*search.root, {}};

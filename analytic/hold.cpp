@@ -6,15 +6,10 @@
 #include "instantiate.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
+#include "tautline/rounding.hpp"
 
 namespace tautline {
 namespace {
-
-/// A number this small against those it is made of is rounding of zero [-]: 1e-12 in double.
-template <class Real>
-Real rounding_of_zero() {
-  return 4500 * epsilon<Real>();
-}
 
 /// Terms of the series: the 28 of a double make steps of about a quarter of the radius of
 /// convergence, which is the cheapest; more digits need more terms in proportion.
@@ -25,19 +20,19 @@ std::size_t series_order() {
   return digits < 17.0 ? 28 : static_cast<std::size_t>(6.0 + 1.1 * digits);
 }
 
-/// The first coefficient that is not rounding of zero over a time `h`: its sign, and how many are
-/// before it. Sign 0: all are.
+/// The first coefficient that changes more than `rounding` over a time `h`: its sign, and how many
+/// are before it. Sign 0: none does.
 struct Leading {
   int sign;
   std::size_t zeros;
 };
 template <class Real>
 Leading leading(std::span<const Real> coefficients, std::size_t known_zeros, const Real& h,
-                const Real& scale) {
+                const Real& rounding) {
   Real power(1);
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
     const Real term = coefficients[k] * power;
-    if (k >= known_zeros && abs(term) > rounding_of_zero<Real>() * scale) {
+    if (k >= known_zeros && abs(term) > rounding) {
       return {term > 0 ? 1 : -1, k};
     }
     power *= h;
@@ -71,12 +66,20 @@ bool has_twin(const BasicCase<Real>& the_case, std::size_t index, CableSet cable
   });
 }
 
+/// Cables whose tension and acceleration are both zero, up to `tension_errors` [N]: the next
+/// derivatives decide.
+template <class Real>
+struct Doubtful {
+  CableSet cables;
+  std::array<Real, max_cables> tension_errors{};
+};
+
 /// One candidate: `pulling` of `resting` are held. None if a tension or a gap turns negative.
 template <class Real>
 std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
                                          const BasicState<Real>& state,
                                          const BasicTouching<Real>& touching, CableSet resting,
-                                         CableSet pulling, CableSet doubtful) {
+                                         CableSet pulling, const Doubtful<Real>& doubtful) {
   const Real acceleration = acceleration_scale(the_case, state);
   // over which a cable notices that acceleration
   const Real time = acceleration > 0 ? Real(sqrt(Real(shortest_length(the_case) / acceleration)))
@@ -93,9 +96,9 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
   for (const std::size_t index : resting | touching.cables) {
     const BasicCable<Real>& cable = the_case.cables[index];
     if (pulling.contains(index)) {
-      if (doubtful.contains(index)) {
-        const Real scale = the_case.body.mass * acceleration;
-        const Leading first = leading(result.motion.tension(index), 0, h, scale);
+      if (doubtful.cables.contains(index)) {
+        const Leading first =
+            leading(result.motion.tension(index), 0, h, doubtful.tension_errors[index]);
         if (first.sign <= 0) {
           return std::nullopt;
         }
@@ -106,7 +109,8 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
     } else if (has_twin(the_case, index, pulling)) {
       result.following.insert(index);
     } else {
-      const Leading first = leading(result.motion.gap(index), 2, h, cable.length);
+      const Real rounding = rounding_margin * rounding_of_gap(cable, state);
+      const Leading first = leading(result.motion.gap(index), 2, h, rounding);
       if (first.sign < 0) {
         return std::nullopt;
       }
@@ -119,31 +123,13 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
   return result;
 }
 
-}  // namespace
-
+/// The candidate that holds the `certain` cables and those of the `doubtful` that go on pulling.
 template <class Real>
-std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                    const BasicTouching<Real>& touching, CableSet resting) {
-  const auto held = resting_tensions(the_case, state, resting);
-  if (!held) {
-    return std::nullopt;
-  }
-  const Real acceleration = acceleration_scale(the_case, state);
-  CableSet certain;
-  CableSet doubtful;  // tension and acceleration are both zero: the next derivatives decide
-  Eigen::Index row = 0;
-  for (const std::size_t index : resting) {
-    const Eigen::Matrix<Real, 3, 1> gradient = gap_gradient(the_case.cables[index], state);
-    const Real pull =
-        held->tension[row] * gradient.cwiseProduct(inverse_mass(the_case.body)).dot(gradient);
-    if (pull > rounding_of_zero<Real>() * acceleration) {
-      certain.insert(index);
-    } else if (held->acceleration[row] <= rounding_of_zero<Real>() * acceleration) {
-      doubtful.insert(index);
-    }
-    ++row;
-  }
-  const std::vector<std::size_t> choices = doubtful.indices();
+std::optional<BasicHold<Real>> chosen(const BasicCase<Real>& the_case,
+                                      const BasicState<Real>& state,
+                                      const BasicTouching<Real>& touching, CableSet resting,
+                                      CableSet certain, const Doubtful<Real>& doubtful) {
+  const std::vector<std::size_t> choices = doubtful.cables.indices();
   for (unsigned bits = 0; bits < (1U << choices.size()); ++bits) {
     CableSet pulling = certain;
     for (std::size_t choice = 0; choice < choices.size(); ++choice) {
@@ -159,6 +145,54 @@ std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const Basic
     }
   }
   return candidate(the_case, state, touching, {}, certain, {});  // rounding denies all of them
+}
+
+/// Those of `certain` whose tension falls to zero before `time_rounding`: at this instant, as far
+/// as the time can tell.
+template <class Real>
+CableSet released_now(const std::optional<BasicHold<Real>>& held, CableSet certain,
+                      const Real& time_rounding) {
+  CableSet result;
+  for (const std::size_t index : held ? certain : CableSet{}) {
+    const auto tension = held->motion.tension(index);
+    if (tension[0] + tension[1] * time_rounding <= 0) {
+      result.insert(index);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                    const BasicTouching<Real>& touching, CableSet resting) {
+  const auto held = resting_tensions(the_case, state, resting);
+  if (!held) {
+    return std::nullopt;
+  }
+  CableSet certain;
+  Doubtful<Real> doubtful;
+  Eigen::Index row = 0;
+  for (const std::size_t index : resting) {
+    if (held->tension[row] > held->tension_error[row]) {
+      certain.insert(index);
+    } else if (held->acceleration[row] <= held->acceleration_error[row]) {
+      doubtful.cables.insert(index);
+      doubtful.tension_errors[index] = held->tension_error[row];
+    }
+    ++row;
+  }
+  auto found = chosen(the_case, state, touching, resting, certain, doubtful);
+  const CableSet lost = released_now(found, certain, touching.time_rounding);
+  if (lost.empty()) {
+    return found;
+  }
+  for (const std::size_t index : lost) {
+    doubtful.cables.insert(index);
+    doubtful.tension_errors[index] = abs(found->motion.tension(index)[0]);
+  }
+  return chosen(the_case, state, touching, resting, certain - lost, doubtful);
 }
 
 template <class Real>

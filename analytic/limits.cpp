@@ -28,6 +28,15 @@ class RoomAlongFlight {
     return abs(start_.spin * start_.spin * start_.spin) * cable_.attachment.norm();
   }
 
+  /// While the centre is an arm below the ceiling no angle brings the attachment there.
+  [[nodiscard]] Real clear(const Real& s, const Real& window) const {
+    const BasicState<Real> state = fly(start_, the_case_.gravity, s);
+    const Real room = *the_case_.ceiling - state.position.y() - cable_.attachment.norm();
+    return room > 0 ? min(window, first_quadratic_root<Real>(room, -state.velocity.y(),
+                                                             the_case_.gravity.y()))
+                    : Real(0);
+  }
+
  private:
   const BasicCase<Real>& the_case_;
   const BasicCable<Real>& cable_;

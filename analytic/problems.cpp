@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -6,6 +7,7 @@
 
 #include "tautline/case.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/rounding.hpp"
 
 namespace tautline {
 namespace {
@@ -183,7 +185,8 @@ class Checker {
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       const Cable& cable = case_.cables[index];
       const double distance = (attachment_point(case_.initial, cable) - cable.anchor).norm();
-      if (cable.length - distance < -gap_rounding * cable.length) {
+      const double rounding = few_roundings * rounding_of_gap(cable, case_.initial);
+      if (cable.length - distance < -std::max(gap_rounding * cable.length, rounding)) {
         add(cable_name(index) + ": overstretched at the start by " + text(distance - cable.length) +
             " m: its ends are " + text(distance) + " m apart, its length is " + text(cable.length) +
             " m");

@@ -2,31 +2,69 @@
 
 #include "impact/least_solution.hpp"
 #include "instantiate.hpp"
+#include "tautline/rows.hpp"
 
 namespace tautline {
 namespace {
 
+/// The gaps of `cables` [m].
+template <class Real>
+BasicCableVector<Real> gaps(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                            CableSet cables) {
+  BasicCableVector<Real> result(static_cast<Eigen::Index>(cables.size()));
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    result[row++] = gap(the_case.cables[index], state);
+  }
+  return result;
+}
+
+/// The z with G z = right that only the rows of `basis` have, which are independent.
+template <class Real>
+BasicCableVector<Real> multipliers_of(const CableRows<Real>& rows, CableSet basis,
+                                      const BasicCableVector<Real>& right) {
+  const RowSpace<Real> space = rows.space(basis);
+  Vector3<Real> sum = Vector3<Real>::Zero();
+  std::size_t i = 0;
+  for (const std::size_t row : basis) {
+    sum += right[static_cast<Eigen::Index>(row)] * space.dual(i++);
+  }
+  BasicCableVector<Real> result = BasicCableVector<Real>::Zero(right.size());
+  i = 0;
+  for (const std::size_t row : basis) {
+    result[static_cast<Eigen::Index>(row)] = space.dual(i++).dot(sum);
+  }
+  return result;
+}
+
+/// The z with G z = right of smallest size; a sine below `least` [-] is none.
+template <class Real>
+BasicCableVector<Real> shared_multipliers(const CableRows<Real>& rows, CableSet basis,
+                                          const BasicCableVector<Real>& right, const Real& least) {
+  const BasicCableVector<Real> z = multipliers_of(rows, basis, right);
+  const BasicCableMatrix<Real> shapes = rows.shapes().transpose();
+  return least_solution<Real>(shapes, shapes * z, least);
+}
+
 /// What the velocity of `state` gains [m/s, m/s, rad/s] where the gaps of `cables` are closed and
 /// the momentum along the cables is kept (Eq. 18), up to parts across them.
 template <class Real>
-Eigen::Matrix<Real, 3, 1> momentum_kept(const BasicCase<Real>& the_case,
-                                        const BasicState<Real>& state, CableSet cables) {
-  constexpr double almost_dependent = 1e-4;  // [-], pivots that would multiply rounding of the gaps
-  constexpr Eigen::Index all = 3;            // independent cables leave no motion along them
-  BasicCableVector<Real> gaps(static_cast<Eigen::Index>(cables.size()));
-  Eigen::Index row = 0;
-  for (const std::size_t index : cables) {
-    gaps[row++] = gap(the_case.cables[index], state);
-  }
-  const auto shift =
-      least_solution<Real>(delassus(the_case, state, cables), gaps, almost_dependent, all);
-  Eigen::Matrix<Real, 3, 1> result = Eigen::Matrix<Real, 3, 1>::Zero();
-  if (!shift) {
+Vector3<Real> momentum_kept(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                            CableSet cables) {
+  constexpr double almost_dependent = 1e-2;  // [-], a sine that would multiply rounding of the gaps
+  const CableRows<Real> rows(the_case, state, cables);
+  const CableSet basis = rows.most_independent(Real(almost_dependent));
+  Vector3<Real> result = Vector3<Real>::Zero();
+  if (basis.size() == 3) {  // independent cables leave no motion along them
     return result;
   }
-  row = 0;
+  const BasicCableVector<Real> open = gaps(the_case, state, cables);
+  const BasicCableVector<Real> shift =
+      basis == rows.all() ? multipliers_of(rows, basis, open)
+                          : shared_multipliers(rows, basis, open, Real(almost_dependent));
+  Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    result += (*shift)[row++] * gap_gradient_rate(the_case.cables[index], state);
+    result += shift[row++] * gap_gradient_rate(the_case.cables[index], state);
   }
   return result.cwiseProduct(inverse_mass(the_case.body));
 }
@@ -36,55 +74,55 @@ Eigen::Matrix<Real, 3, 1> momentum_kept(const BasicCase<Real>& the_case,
 template <class Real>
 BasicCableVector<Real> multipliers(const BasicCase<Real>& the_case, const BasicState<Real>& state,
                                    CableSet cables, const BasicCableVector<Real>& right) {
-  const BasicCableMatrix<Real> g = delassus(the_case, state, cables);
-  if (g.rows() == 1) {
-    return right / g(0, 0);
+  if (cables.empty()) {
+    return right;
   }
-  if (g.rows() == 2) {  // by far the most frequent: in closed form unless the rows are dependent
-    constexpr double dependent_rows = 1e-12;  // [-]
-    const Real determinant = g(0, 0) * g(1, 1) - g(0, 1) * g(0, 1);
-    if (determinant > dependent_rows * g(0, 0) * g(1, 1)) {
-      BasicCableVector<Real> z(2);
-      z[0] = (g(1, 1) * right[0] - g(0, 1) * right[1]) / determinant;
-      z[1] = (g(0, 0) * right[1] - g(0, 1) * right[0]) / determinant;
-      return z;
-    }
+  const CableRows<Real> rows(the_case, state, cables);
+  if (rows.independent(rows.all())) {
+    return multipliers_of(rows, rows.all(), right);
   }
-  return least_solution<Real>(g, right);
+  return shared_multipliers(rows, rows.most_independent(), right, rows.dependent());
 }
 
 template <class Real>
 BasicState<Real> with_zero_rates(const BasicCase<Real>& the_case, const BasicState<Real>& state,
                                  CableSet cables) {
-  const BasicCableVector<Real> rates = gap_rates(the_case, state, cables);
-  return with_impulses<Real>(the_case, state, cables,
-                             -multipliers<Real>(the_case, state, cables, rates));
+  if (cables.empty()) {
+    return state;
+  }
+  const CableRows<Real> rows(the_case, state, cables);
+  const RowSpace<Real> space = rows.space(rows.most_independent());
+  return with_change<Real>(the_case.body, state, -space.part(mass_velocity(the_case.body, state)));
 }
 
 template <class Real>
 BasicState<Real> with_zero_gaps(const BasicCase<Real>& the_case, BasicState<Real> state,
-                                CableSet cables) {
-  constexpr int enough = 8;  // quadratic: three reach a double's last bit, seven 100 digits
-  const Real rounding = 4 * epsilon<Real>();
+                                CableSet cables, const std::type_identity_t<Real>& least_sine) {
+  constexpr int enough = 8;          // quadratic: three reach a double's last bit, seven 100 digits
+  constexpr double last_bits = 4.0;  // [-] roundings, which a step leaves
+  if (cables.empty()) {
+    return state;
+  }
+  const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
+  const std::vector<std::size_t> indices = cables.indices();
   for (int iteration = 0; iteration < enough; ++iteration) {
-    BasicCableVector<Real> gaps(static_cast<Eigen::Index>(cables.size()));
-    Eigen::Index row = 0;
-    Real largest(0);
-    for (const std::size_t index : cables) {
-      const BasicCable<Real>& cable = the_case.cables[index];
-      gaps[row] = gap(cable, state);
-      largest = max(largest, Real(abs(gaps[row++]) / cable.length));
+    const CableRows<Real> rows(the_case, state, cables);
+    const CableSet basis = rows.most_independent(least_sine);  // with them the others close
+    const RowSpace<Real> space = rows.space(basis);
+    Vector3<Real> step = Vector3<Real>::Zero();  // of the pose, times the root of the mass
+    bool closed = true;
+    std::size_t i = 0;
+    for (const std::size_t row : basis) {
+      const BasicCable<Real>& cable = the_case.cables[indices[row]];
+      const Real open = gap(cable, state);
+      closed = closed && abs(open) <= last_bits * rounding_of_gap(cable, state);
+      step -= open * space.dual(i++);
     }
-    if (largest <= rounding) {
+    if (closed) {
       break;
     }
-    const BasicCableVector<Real> z = multipliers<Real>(the_case, state, cables, -gaps);
-    BasicState<Real> step;  // the gradients at the present pose, as a change of pose
-    step.position = state.position;
-    step.angle = state.angle;
-    step = with_impulses<Real>(the_case, step, cables, z);
-    state.position += step.velocity;
-    state.angle += step.spin;
+    state.position += step.cwiseProduct(weight).template head<2>();
+    state.angle += step[2] * weight[2];
   }
   return state;
 }
@@ -92,7 +130,7 @@ BasicState<Real> with_zero_gaps(const BasicCase<Real>& the_case, BasicState<Real
 template <class Real>
 BasicState<Real> projected(const BasicCase<Real>& the_case, const BasicState<Real>& state,
                            CableSet cables) {
-  const Eigen::Matrix<Real, 3, 1> change = momentum_kept(the_case, state, cables);
+  const Vector3<Real> change = momentum_kept(the_case, state, cables);
   BasicState<Real> result = with_zero_gaps(the_case, state, cables);
   result.velocity += change.template head<2>();
   result.spin += change[2];
@@ -105,7 +143,7 @@ template BasicCableVector<Instance> multipliers(const BasicCase<Instance>&,
 template BasicState<Instance> with_zero_rates(const BasicCase<Instance>&,
                                               const BasicState<Instance>&, CableSet);
 template BasicState<Instance> with_zero_gaps(const BasicCase<Instance>&, BasicState<Instance>,
-                                             CableSet);
+                                             CableSet, const Instance&);
 template BasicState<Instance> projected(const BasicCase<Instance>&, const BasicState<Instance>&,
                                         CableSet);
 

@@ -169,7 +169,7 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
     return std::nullopt;
   }
   SolveOptions limited;
-  limited.max_events = 20'000;  // steps of its series; a period of a usual swing takes a hundred
+  limited.max_steps = 20'000;  // steps of its series; a period of a usual swing takes a hundred
   // [time scales]; near-critical swings are slow
   for (const int length : {8, 16, 32, 64, 128, 256}) {
     free.duration = length * time_scale(the_case);

@@ -76,6 +76,8 @@ std::string_view to_string(Ending ending) {
       return "reached_duration";
     case Ending::rest:
       return "rest";
+    case Ending::unstable_rest:
+      return "unstable_rest";
     case Ending::angle_limit:
       return "angle_limit";
     case Ending::ceiling:
@@ -84,6 +86,10 @@ std::string_view to_string(Ending ending) {
       return "singular";
     case Ending::event_limit:
       return "event_limit";
+    case Ending::step_limit:
+      return "step_limit";
+    case Ending::no_progress:
+      return "no_progress";
     case Ending::overflow:
       return "overflow";
   }

@@ -3,13 +3,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "equilibrium.hpp"
 #include "instantiate.hpp"
+#include "local_origin.hpp"
+#include "progress.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/hold.hpp"
 #include "tautline/limits.hpp"
 #include "tautline/projection.hpp"
+#include "tautline/rounding.hpp"
 
 // Everything here is a template on the scalar `Real` because one text serves two arithmetics:
 // double, for the answers, and numbers of any length, which say how far those answers are right
@@ -20,14 +24,6 @@
 
 namespace tautline {
 namespace {
-
-/// Rounding of a gap rate against the fastest speed so far [-]: some ten operations of one ulp
-/// each. Not against the present speed: the body may be stopped within an instant by ever smaller
-/// impacts, and what is left then is rounding of the speeds before. 1e-14 in double.
-template <class Real>
-Real rate_rounding() {
-  return 45 * epsilon<Real>();
-}
 
 /// The instant that ends an arc, and what happens there.
 template <class Real>
@@ -50,28 +46,27 @@ bool fits(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
 template <class Real>
 class Motion {
  public:
-  explicit Motion(const BasicCase<Real>& the_case, const SolveOptions& options)
+  /// `touching` are the cables at zero gap.
+  Motion(const BasicCase<Real>& the_case, const SolveOptions& options, CableSet touching)
       : case_(the_case), options_(options), state_(the_case.initial) {
+    touching_.cables = touching;
     note_speed();
-    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      const BasicCable<Real>& cable = case_.cables[index];
-      if (gap(cable, state_) <= gap_rounding * cable.length) {
-        touching_.cables.insert(index);
-      }
-    }
   }
 
   /// The whole algorithm.
   BasicSolution<Real> run() {
-    for (std::size_t round = 0; round < options_.max_events; ++round) {
+    while (true) {
+      if (const auto ending = limit_reached()) {
+        return finish(*ending);
+      }
       Stop<Real> stop{Real(0), std::nullopt, contacts().closing};  // left by an impact: at once
       if (stop.cables.empty()) {
         complete_accumulation();
         if (!held_ && !hold_resting()) {
           return finish(Ending::singular);
         }
-        if (at_rest()) {
-          return come_to_rest();
+        if (const auto ending = rest()) {
+          return come_to_rest(*ending);
         }
         stop = next_stop();
       }
@@ -87,10 +82,35 @@ class Motion {
         }
       }
     }
-    return finish(Ending::event_limit);
   }
 
  private:
+  /// Why to give up, if there is a reason.
+  [[nodiscard]] std::optional<Ending> limit_reached() {
+    if (events_.size() >= options_.max_events) {
+      return Ending::event_limit;
+    }
+    if (steps_ >= options_.max_steps) {
+      return Ending::step_limit;
+    }
+    const auto chattering = progress_.stands_still(time_);
+    return chattering && !stop_chatter(*chattering) ? std::optional(Ending::no_progress)
+                                                    : std::nullopt;
+  }
+
+  /// Ends the impacts that follow each other within this instant. False where they do not end.
+  [[nodiscard]] bool stop_chatter(CableSet cables) {
+    const auto after = end_of_chatter(case_, state_, cables);
+    if (!after || progress_.is_hopeless()) {
+      return false;
+    }
+    record(EventKind::impact, cables,
+           -multipliers<Real>(case_, state_, cables, gap_rates(case_, state_, cables)), *after);
+    touching_.cables = touching_.cables | cables;
+    held_.reset();
+    return true;
+  }
+
   /// The cables at zero gap that close now and those that rest, up to rounding.
   struct Contacts {
     CableSet closing;
@@ -100,9 +120,10 @@ class Motion {
     Contacts result;
     for (const std::size_t index : touching_.cables) {
       const Real rate = gap_rate(case_.cables[index], state_);
-      if (rate < -touching_.rate_rounding) {
+      const Real rounding = touching_.rounding(case_.cables[index]);
+      if (rate < -rounding) {
         result.closing.insert(index);
-      } else if (rate <= touching_.rate_rounding) {
+      } else if (rate <= rounding) {
         result.resting.insert(index);
       }
     }
@@ -159,7 +180,7 @@ class Motion {
   /// leave it nowhere to go.
   [[nodiscard]] bool is_caught() const {
     constexpr double of_rounding = 100.0;  // [-], left by a long row of impacts within an instant
-    return speed_scale(case_, state_) <= of_rounding * touching_.rate_rounding;
+    return speed_scale(case_, state_) <= of_rounding * rate_rounding();
   }
 
   /// True where no time step is small enough: tensions grow without bound.
@@ -167,21 +188,15 @@ class Motion {
     return !(time_ + held.reach > time_);
   }
 
-  /// True where held cables keep the body from moving, now and so for ever.
-  [[nodiscard]] bool at_rest() const {
-    if (taut_.empty()) {
-      return false;
+  /// The ending where held cables keep the body from moving, now and so for ever. A spin about the
+  /// centre that it hangs at is no motion.
+  [[nodiscard]] std::optional<Ending> rest() const {
+    if (taut_.empty() || state_.velocity.norm() > rate_rounding()) {
+      return std::nullopt;
     }
-    const auto& motion = held_->motion;
-    const Real radius = attachment_radius(case_);
-    if (speed_scale(case_, state_) > touching_.rate_rounding || (radius == 0 && state_.spin != 0)) {
-      return false;
-    }
-    // pulling cables are independent: as many as there are ways to move leave none
-    const bool turns = radius > 0 && inverse_mass(case_.body)[2] > 0;
-    const Real still = rate_rounding<Real>() * 100 * case_.gravity.norm();
-    return held_->pulling.size() >= (turns ? 3U : 2U) ||
-           abs(motion.x()[2]) + abs(motion.y()[2]) + radius * abs(motion.angle()[2]) <= still;
+    const bool still =
+        speed_scale(case_, state_) <= rate_rounding() || turns_freely(case_, state_, taut_);
+    return still ? equilibrium(case_, state_, *held_) : std::nullopt;
   }
 
   /// The earliest of: a contact, a release, the reach of a series, a limit of the case's validity,
@@ -246,8 +261,12 @@ class Motion {
     state_ = on_cables(last, held_ ? held_->pulling : CableSet{}, stop.cables);
     time_ = arcs_.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
+    touching_.time_rounding = epsilon<Real>() * time_;
     note_speed();
-    held_ = stop.is_step ? continued(case_, state_, touching_, *held_) : std::nullopt;
+    steps_ += stop.cables.empty() ? 1U : 0U;
+    // what has let go of all cables flies
+    const bool goes_on = stop.is_step && !held_->taut().empty();
+    held_ = goes_on ? continued(case_, state_, touching_, *held_) : std::nullopt;
     if (held_ && is_singular(*held_)) {
       held_.reset();
     }
@@ -257,22 +276,30 @@ class Motion {
   /// the gaps of those just hit once it is more than a few arcs leave.
   [[nodiscard]] BasicState<Real> on_cables(BasicState<Real> state, CableSet held,
                                            CableSet hit) const {
-    const Real drift = 45 * epsilon<Real>();  // [-] of a cable's length; one arc leaves one or two
     bool drifted = !held.empty();
     for (const std::size_t index : hit) {
       const BasicCable<Real>& cable = case_.cables[index];
-      drifted = drifted || abs(gap(cable, state)) > drift * cable.length;
+      drifted = drifted || abs(gap(cable, state)) > few_roundings * rounding_of_gap(cable, state);
     }
     if (drifted) {
-      state = with_zero_gaps(case_, state, held | hit);
+      constexpr double almost_dependent = 1e-2;  // [-], a sine: a hundredfold of the gaps is enough
+      state = with_zero_gaps(case_, state, held | hit, hit.empty() ? 0.0 : almost_dependent);
     }
     return held.empty() ? state : with_zero_rates(case_, state, held);
   }
 
-  /// Keeps the rounding of gap rates up to date.
+  /// Keeps the rounding of gap rates up to date: that of the fastest speeds so far. Not of the
+  /// present ones: the body may be stopped within an instant by ever smaller impacts, and what is
+  /// left then is rounding of the speeds before.
   void note_speed() {
-    touching_.rate_rounding =
-        max(touching_.rate_rounding, Real(rate_rounding<Real>() * speed_scale(case_, state_)));
+    const Real rounding = few_roundings * epsilon<Real>();
+    touching_.rate_rounding = max(touching_.rate_rounding, Real(rounding * state_.velocity.norm()));
+    touching_.spin_rounding = max(touching_.spin_rounding, Real(rounding * abs(state_.spin)));
+  }
+
+  /// Of the fastest attachment [m/s].
+  [[nodiscard]] Real rate_rounding() const {
+    return touching_.rate_rounding + touching_.spin_rounding * attachment_radius(case_);
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
@@ -291,6 +318,7 @@ class Motion {
       return given && impact.impulses.hasNaN() ? Ending::singular : Ending::overflow;
     }
     record(EventKind::impact, cables, std::move(impact.impulses), impact.after);
+    progress_.note_hit(closing);
     return std::nullopt;
   }
 
@@ -305,14 +333,17 @@ class Motion {
     return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
   }
 
-  BasicSolution<Real> come_to_rest() {
+  BasicSolution<Real> come_to_rest(Ending ending) {
     state_.velocity.setZero();
-    state_.spin = Real(0);
+    if (!turns_freely(case_, state_, taut_)) {
+      state_.spin = Real(0);
+    }
     BasicArc<Real> rest{time_, case_.duration, state_, taut_, {}};
-    rest.series.resize(1, 3);
-    rest.series << state_.position.x(), state_.position.y(), state_.angle;
+    rest.series.resize(2, 3);
+    rest.series << state_.position.x(), state_.position.y(), state_.angle, Real(0), Real(0),
+        state_.spin;
     arcs_.push_back(std::move(rest));
-    return solution(Ending::rest);
+    return solution(ending);
   }
 
   BasicSolution<Real> finish(Ending ending) {
@@ -331,6 +362,8 @@ class Motion {
   Real time_ = Real(0);
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
+  std::size_t steps_ = 0;  // without an event
+  Progress<Real> progress_;
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
   std::vector<BasicArc<Real>> arcs_;
@@ -345,7 +378,18 @@ BasicSolution<Real> solve(const BasicCase<Real>& the_case, const SolveOptions& o
   if (const auto broken = problems(in_double(the_case)); !broken.empty()) {
     throw std::invalid_argument(broken.front());
   }
-  return Motion<Real>(the_case, options).run();
+  CableSet touching;  // by the rounding of the numbers given
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    if (starts_at_zero(the_case.cables[index], the_case.initial)) {
+      touching.insert(index);
+    }
+  }
+  const BasicVec2<Real> origin = local_origin(the_case);
+  if (origin.isZero(0)) {
+    return Motion<Real>(the_case, options, touching).run();
+  }
+  const BasicCase<Real> near = seen_from(origin, the_case);
+  return seen_from<Real>(-origin, Motion<Real>(near, options, touching).run());
 }
 
 template BasicSolution<Instance> solve(const BasicCase<Instance>&, const SolveOptions&);

@@ -4,16 +4,9 @@
 #include <array>
 #include <bit>
 
-#include "tautline/case.hpp"
+#include "tautline/rows.hpp"
 
 namespace tautline {
-
-template <class Real>
-using Vector3 = Eigen::Matrix<Real, 3, 1>;
-
-/// Gradients of gaps over the root of the mass, one per row.
-template <class Real>
-using Rows = Eigen::Matrix<Real, Eigen::Dynamic, 3, 0, max_cables, 3>;
 
 /// Forces of rows that stand still, and which of them are strictly between their bounds.
 template <class Real>

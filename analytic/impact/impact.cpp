@@ -7,8 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "complementary.hpp"
 #include "instantiate.hpp"
+#include "rebound.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/projection.hpp"
 
 namespace tautline {
 namespace {
@@ -122,61 +125,61 @@ BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicStat
   if (cables.size() == 1) {
     return single_impact(the_case.body, the_case.cables[*cables.begin()], before);
   }
-  const BasicCableMatrix<Real> g = delassus(the_case, before, cables);
-  BasicCableVector<Real> q(g.rows());  // (1 + restitution) times the rate before
-  std::vector<Eigen::Index> rows;
+  const BasicCableVector<Real> rates = gap_rates(the_case, before, cables);
+  const BasicCableVector<Real> rounding = rate_errors(the_case, before, cables);
+  BasicCableVector<Real> e(rates.size());
+  CableSet closing;
+  Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    const BasicCable<Real>& cable = the_case.cables[index];
-    const Real rate = gap_rate(cable, before);
-    rows.push_back(static_cast<Eigen::Index>(rows.size()));
-    q[rows.back()] = (1 + restitution(cable, rate)) * rate;
+    e[row] = restitution(the_case.cables[index], rates[row]);
+    if (!(rates[row] > 0)) {
+      closing.insert(index);
+    }
+    ++row;
   }
-  BasicImpact<Real> impact;
-  if (!g.allFinite() || !q.allFinite()) {
-    impact.impulses = BasicCableVector<Real>::Constant(q.size(), not_a_number<Real>());
-  } else if (const auto impulses = solve_lcp(g, q, impact_rounding(the_case, before))) {
-    impact.impulses = *impulses;
-  } else {
-    // a resting cable's rate, above zero by rounding, left no solution: such cables take no part
-    std::erase_if(rows, [&](Eigen::Index row) { return q[row] > 0; });
-    impact.impulses = BasicCableVector<Real>::Zero(q.size());
-    // solvable: z >= 0 with J^T z = 0 and closing or resting rates only forces z . q = 0
-    const BasicCableVector<Real> none = BasicCableVector<Real>::Constant(
-        static_cast<Eigen::Index>(rows.size()), not_a_number<Real>());
-    const BasicCableMatrix<Real> part = g(rows, rows);
-    const BasicCableVector<Real> rates = q(rows);
-    impact.impulses(rows) =
-        solve_lcp(part, rates, impact_rounding(the_case, before)).value_or(none);
+  if (auto found = rebound(the_case, before, cables, e, rounding)) {
+    return *std::move(found);
   }
-  impact.after = with_impulses(the_case, before, cables, impact.impulses);
-  return impact;
+  // a resting cable's rate, above zero by rounding, left no solution: such cables take no part
+  if (closing != cables && !closing.empty()) {
+    const std::vector<Eigen::Index> part = rows_within(closing, cables);
+    if (const auto found = rebound<Real>(the_case, before, closing, e(part), rounding(part))) {
+      BasicCableVector<Real> impulses = BasicCableVector<Real>::Zero(rates.size());
+      impulses(part) = found->impulses;
+      return {std::move(impulses), found->after};
+    }
+  }
+  const BasicCableVector<Real> none =
+      BasicCableVector<Real>::Constant(rates.size(), not_a_number<Real>());
+  return {none, with_impulses(the_case, before, cables, none)};
 }
 
 template <class Real>
 bool independent(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
-  if (cables.size() > degrees_of_freedom) {
-    return false;
-  }
-  const BasicCableMatrix<Real> g = delassus(the_case, state, cables);
-  const Eigen::LDLT<BasicCableMatrix<Real>> factors(g);
-  return cables.empty() || factors.vectorD().minCoeff() > dependent_rows * g.diagonal().maxCoeff();
+  const CableRows<Real> rows(the_case, state, cables);
+  return rows.independent(rows.all());
 }
 
 template <class Real>
 std::optional<BasicTensions<Real>> resting_tensions(const BasicCase<Real>& the_case,
                                                     const BasicState<Real>& state,
                                                     CableSet cables) {
-  const BasicCableMatrix<Real> g = delassus(the_case, state, cables);
-  BasicCableVector<Real> free(g.rows());
+  const auto count = static_cast<Eigen::Index>(cables.size());
+  BasicCableVector<Real> free(count);
+  BasicCableVector<Real> rounding(count);
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    free[row++] = free_gap_acceleration(the_case, index, state);
+    free[row] = free_gap_acceleration(the_case, index, state);
+    rounding[row++] =
+        rounding_margin * rounding_of_acceleration(the_case, the_case.cables[index], state);
   }
-  const auto tension = solve_lcp(g, free);
-  if (!tension) {
+  const CableRows<Real> rows(the_case, state, cables);
+  auto found = complementary(rows, free, rounding);
+  if (!found) {
     return std::nullopt;
   }
-  return BasicTensions<Real>{*tension, g * *tension + free};
+  return BasicTensions<Real>{std::move(found->multipliers), std::move(found->left),
+                             std::move(found->multiplier_error), std::move(found->left_error)};
 }
 
 template std::optional<BasicCableVector<Instance>> solve_lcp(const BasicCableMatrix<Instance>&,

@@ -2,6 +2,7 @@
 
 #include "energetic_impact.hpp"
 #include "instantiate.hpp"
+#include "rebound.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/projection.hpp"
@@ -9,17 +10,19 @@
 namespace tautline {
 namespace {
 
+/// `impact`, and what stops the cables that it leaves closing and loses the least.
 template <class Real>
-BasicCableVector<Real> unknown(Eigen::Index count) {
-  return BasicCableVector<Real>::Constant(count, not_a_number<Real>());
-}
-
-/// The impulses that bring every closing rate to zero and lose the least: `rates` are those of a
-/// motion, so that its projection onto the motions that close nothing exists.
-template <class Real>
-BasicCableVector<Real> stopping(const BasicCableMatrix<Real>& g,
-                                const BasicCableVector<Real>& rates, const Real& rounding) {
-  return solve_lcp(g, rates, rounding).value_or(unknown<Real>(rates.size()));
+BasicImpact<Real> stopped(const BasicCase<Real>& the_case, const BasicState<Real>& before,
+                          CableSet cables, BasicImpact<Real> impact) {
+  const auto count = static_cast<Eigen::Index>(cables.size());
+  const auto stop =
+      rebound<Real>(the_case, impact.after, cables, BasicCableVector<Real>::Zero(count),
+                    rate_errors(the_case, before, cables));
+  if (!stop) {
+    impact.impulses.setConstant(not_a_number<Real>());
+    return impact;
+  }
+  return {impact.impulses + stop->impulses, stop->after};
 }
 
 /// Poisson's two phases: compression brings every closing rate to zero; expansion gives back
@@ -30,19 +33,28 @@ BasicCableVector<Real> stopping(const BasicCableMatrix<Real>& g,
 /// (J k)_i >= 0 and P_i >= 0 that product is largest where all e_i = 1, and then no more than the
 /// speed of v + J^T P, which is that before the impact: no restitutions gain energy.
 template <class Real>
-BasicCableVector<Real> poisson_impulses(const BasicCase<Real>& the_case,
-                                        const BasicState<Real>& before, CableSet cables) {
-  const BasicCableMatrix<Real> g = delassus(the_case, before, cables);
+BasicImpact<Real> poisson_impact(const BasicCase<Real>& the_case, const BasicState<Real>& before,
+                                 CableSet cables) {
   const BasicCableVector<Real> rates = gap_rates(the_case, before, cables);
-  const Real rounding = impact_rounding(the_case, before);
-  const BasicCableVector<Real> compression = stopping(g, rates, rounding);
-  BasicCableVector<Real> impulses = compression;
+  const BasicCableVector<Real> none = BasicCableVector<Real>::Zero(rates.size());
+  const BasicImpact<Real> compressed = stopped(the_case, before, cables, {none, before});
+  BasicCableVector<Real> e(rates.size());
+  Real most(0);
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    impulses[row] += restitution(the_case.cables[index], rates[row]) * compression[row];
+    e[row] = restitution(the_case.cables[index], rates[row]);
+    most = compressed.impulses[row] > 0 ? max(most, e[row]) : most;
     ++row;
   }
-  return impulses + stopping<Real>(g, rates + g * impulses, rounding);
+  // what all give back is the compression turned round, which rounding cannot make longer
+  BasicImpact<Real> expanded = compressed;
+  expanded.after.velocity += most * (compressed.after.velocity - before.velocity);
+  expanded.after.spin += most * (compressed.after.spin - before.spin);
+  const BasicCableVector<Real> less =
+      compressed.impulses.cwiseProduct(BasicCableVector<Real>(most - e.array()));
+  expanded.after = with_impulses<Real>(the_case, expanded.after, cables, -less);
+  expanded.impulses += most * compressed.impulses - less;
+  return stopped(the_case, before, cables, std::move(expanded));
 }
 
 /// One cable after the other.
@@ -80,12 +92,62 @@ BasicImpact<Real> completed(const BasicCase<Real>& the_case, const BasicState<Re
   BasicState<Real> after = with_impulses(the_case, before, cables, impulses);
   const BasicCableVector<Real> rates = gap_rates(the_case, after, cables);
   const Real rounding = 32 * epsilon<Real>() * speed_scale(the_case, before);
-  if (rates.minCoeff() < -rounding) {
-    impulses +=
-        stopping(delassus(the_case, before, cables), rates, impact_rounding(the_case, before));
-    after = with_impulses(the_case, before, cables, impulses);
+  BasicImpact<Real> impact{std::move(impulses), std::move(after)};
+  return rates.minCoeff() < -rounding ? stopped(the_case, before, cables, std::move(impact))
+                                      : impact;
+}
+
+/// `cables` without those beside which one of more restitution hangs: identical cables pull as the
+/// one of them that gives back most, the first where several do.
+template <class Real>
+CableSet acting(const BasicCase<Real>& the_case, const BasicState<Real>& before, CableSet cables) {
+  CableSet result = cables;
+  for (const std::size_t a : cables) {
+    const Real rate = gap_rate(the_case.cables[a], before);
+    const Real kept = restitution(the_case.cables[a], rate);
+    for (const std::size_t b : cables) {
+      if (a == b || !side_by_side(the_case.cables[a], the_case.cables[b])) {
+        continue;
+      }
+      const Real other = restitution(the_case.cables[b], rate);
+      if (other > kept || (other == kept && b < a)) {  // exactly: the numbers given
+        result.erase(a);
+      }
+    }
   }
-  return {std::move(impulses), std::move(after)};
+  return result;
+}
+
+/// By `law` on several cables, none beside another.
+template <class Real>
+BasicImpact<Real> impact_on_several(ImpactLaw law, const BasicCase<Real>& the_case,
+                                    const BasicState<Real>& before, CableSet cables) {
+  switch (law) {
+    case ImpactLaw::poisson:
+      return poisson_impact(the_case, before, cables);
+    case ImpactLaw::sequential:
+      return completed(the_case, before, cables, sequential_impulses(the_case, before, cables));
+    case ImpactLaw::energetic:
+      return completed(the_case, before, cables, energetic_impulses(the_case, before, cables));
+    case ImpactLaw::simultaneous:
+      break;
+  }
+  return newton_impact(the_case, before, cables);
+}
+
+/// The velocities of `after` without what rounding has added to their energy, where the impulses of
+/// cables almost opposed are large: no law gains any.
+template <class Real>
+BasicState<Real> without_gain(const BasicCase<Real>& the_case, const BasicState<Real>& before,
+                              BasicState<Real> after) {
+  const Real most = mass_velocity(the_case.body, before).squaredNorm();
+  const Real reached = mass_velocity(the_case.body, after).squaredNorm();
+  if (reached > most * (1 + few_roundings * epsilon<Real>())) {
+    const Real part = sqrt(Real(most / reached));
+    after.velocity *= part;
+    after.spin *= part;
+  }
+  return after;
 }
 
 }  // namespace
@@ -93,20 +155,22 @@ BasicImpact<Real> completed(const BasicCase<Real>& the_case, const BasicState<Re
 template <class Real>
 BasicImpact<Real> resolve_impact(ImpactLaw law, const BasicCase<Real>& the_case,
                                  const BasicState<Real>& before, CableSet cables) {
-  if (cables.size() > 1 && delassus(the_case, before, cables).allFinite() &&
-      gap_rates(the_case, before, cables).allFinite()) {
-    switch (law) {
-      case ImpactLaw::poisson:
-        return completed(the_case, before, cables, poisson_impulses(the_case, before, cables));
-      case ImpactLaw::sequential:
-        return completed(the_case, before, cables, sequential_impulses(the_case, before, cables));
-      case ImpactLaw::energetic:
-        return completed(the_case, before, cables, energetic_impulses(the_case, before, cables));
-      case ImpactLaw::simultaneous:
-        break;
-    }
+  if (cables.size() == 1 || !delassus(the_case, before, cables).allFinite() ||
+      !gap_rates(the_case, before, cables).allFinite()) {
+    return newton_impact(the_case, before, cables);
   }
-  return newton_impact(the_case, before, cables);
+  const CableSet several = acting(the_case, before, cables);
+  BasicImpact<Real> impact = several.size() == 1
+                                 ? newton_impact(the_case, before, several)
+                                 : impact_on_several(law, the_case, before, several);
+  impact.after = without_gain(the_case, before, std::move(impact.after));
+  if (several != cables) {
+    const auto count = static_cast<Eigen::Index>(cables.size());
+    BasicCableVector<Real> impulses = BasicCableVector<Real>::Zero(count);
+    impulses(rows_within(several, cables)) = impact.impulses;
+    impact.impulses = std::move(impulses);
+  }
+  return impact;
 }
 
 template BasicImpact<Instance> resolve_impact(ImpactLaw, const BasicCase<Instance>&,

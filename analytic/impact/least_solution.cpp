@@ -13,22 +13,19 @@ BasicCableVector<Real> least_solution(const BasicCableMatrix<Real>& a,
 }
 
 template <class Real>
-std::optional<BasicCableVector<Real>> least_solution(const BasicCableMatrix<Real>& a,
-                                                     const BasicCableVector<Real>& b,
-                                                     double threshold, Eigen::Index full) {
+BasicCableVector<Real> least_solution(const BasicCableMatrix<Real>& a,
+                                      const BasicCableVector<Real>& b,
+                                      const std::type_identity_t<Real>& threshold) {
   Eigen::CompleteOrthogonalDecomposition<BasicCableMatrix<Real>> solver;
-  solver.setThreshold(Real(threshold));
+  solver.setThreshold(threshold);
   solver.compute(a);
-  if (solver.rank() >= full) {
-    return std::nullopt;
-  }
-  return BasicCableVector<Real>(solver.solve(b));
+  return solver.solve(b);
 }
 
 template BasicCableVector<Instance> least_solution(const BasicCableMatrix<Instance>&,
                                                    const BasicCableVector<Instance>&);
-template std::optional<BasicCableVector<Instance>> least_solution(const BasicCableMatrix<Instance>&,
-                                                                  const BasicCableVector<Instance>&,
-                                                                  double, Eigen::Index);
+template BasicCableVector<Instance> least_solution(const BasicCableMatrix<Instance>&,
+                                                   const BasicCableVector<Instance>&,
+                                                   const Instance&);
 
 }  // namespace tautline

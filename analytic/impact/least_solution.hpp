@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <type_traits>
 
 #include "tautline/case.hpp"
 
@@ -12,12 +12,10 @@ template <class Real>
 [[nodiscard]] BasicCableVector<Real> least_solution(const BasicCableMatrix<Real>& a,
                                                     const BasicCableVector<Real>& b);
 
-/// The same where pivots below `threshold` [-] of the largest count as zero; none with a rank of
-/// `full` or more.
+/// The same where pivots below `threshold` [-] of the largest count as zero.
 template <class Real>
-[[nodiscard]] std::optional<BasicCableVector<Real>> least_solution(const BasicCableMatrix<Real>& a,
-                                                                   const BasicCableVector<Real>& b,
-                                                                   double threshold,
-                                                                   Eigen::Index full);
+[[nodiscard]] BasicCableVector<Real> least_solution(const BasicCableMatrix<Real>& a,
+                                                    const BasicCableVector<Real>& b,
+                                                    const std::type_identity_t<Real>& threshold);
 
 }  // namespace tautline

@@ -1,7 +1,8 @@
 #pragma once
 
-// Numbers that carry their derivative along: what is computed from the six numbers of a state gives
-// its exact derivative with respect to them. Only what geometry.hpp and series.hpp need.
+// Numbers that carry their derivatives along, with respect to the six numbers of a state or to
+// fewer coordinates of it: what is computed from them has its exact derivative. Only what
+// geometry.hpp and series.hpp need.
 
 #include <Eigen/Core>
 #include <concepts>
@@ -11,10 +12,11 @@
 
 namespace tautline {
 
-/// A number and its derivatives with respect to x, y, angle, x velocity, y velocity and spin.
-template <class Real>
+/// A number and its derivatives: of six, with respect to x, y, angle, x velocity, y velocity and
+/// spin.
+template <class Real, int Count = 6>
 struct Dual {
-  using Slopes = Eigen::Matrix<Real, 6, 1>;
+  using Slopes = Eigen::Matrix<Real, Count, 1>;
 
   Dual() : value(0), slopes(Slopes::Zero()) {}
   template <class Number>
@@ -77,26 +79,42 @@ struct Dual {
   }
 };
 
-/// `the_case` for calculations with duals; its numbers are constants.
-template <class Real>
-[[nodiscard]] BasicCase<Dual<Real>> lifted(const BasicCase<Real>& the_case) {
-  using Number = Dual<Real>;
+/// `cable` for calculations with duals; its numbers are constants.
+template <class Number, class Real>
+[[nodiscard]] BasicCable<Number> lifted(const BasicCable<Real>& cable) {
+  BasicCable<Number> result{cable.anchor.template cast<Number>(),
+                            cable.attachment.template cast<Number>(),
+                            Number(cable.length),
+                            Number(cable.restitution),
+                            Number(cable.capture_speed),
+                            {}};
+  for (const BasicRestitutionPoint<Real>& point : cable.restitution_table) {
+    result.restitution_table.push_back({Number(point.speed), Number(point.restitution)});
+  }
+  return result;
+}
+
+/// `the_case` for calculations with duals, with `cables` alone.
+template <class Number, class Real>
+[[nodiscard]] BasicCase<Number> lifted(const BasicCase<Real>& the_case, CableSet cables) {
   BasicCase<Number> result;
   result.body = {Number(the_case.body.mass), Number(the_case.body.inertia)};
-  for (const BasicCable<Real>& cable : the_case.cables) {
-    BasicCable<Number> lifted{cable.anchor.template cast<Number>(),
-                              cable.attachment.template cast<Number>(),
-                              Number(cable.length),
-                              Number(cable.restitution),
-                              Number(cable.capture_speed),
-                              {}};
-    for (const BasicRestitutionPoint<Real>& point : cable.restitution_table) {
-      lifted.restitution_table.push_back({Number(point.speed), Number(point.restitution)});
-    }
-    result.cables.push_back(std::move(lifted));
+  result.cables.reserve(cables.size());
+  for (const std::size_t index : cables) {
+    result.cables.push_back(lifted<Number>(the_case.cables[index]));
   }
   result.gravity = the_case.gravity.template cast<Number>();
   return result;
+}
+
+/// The same with all cables.
+template <class Number, class Real>
+[[nodiscard]] BasicCase<Number> lifted(const BasicCase<Real>& the_case) {
+  CableSet all;
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    all.insert(index);
+  }
+  return lifted<Number>(the_case, all);
 }
 
 /// `state` as the point at which to differentiate: its six numbers are the variables.
@@ -116,13 +134,13 @@ template <class Real>
 
 namespace Eigen {
 
-template <class Real>
-struct NumTraits<tautline::Dual<Real>> : GenericNumTraits<tautline::Dual<Real>> {
+template <class Real, int Count>
+struct NumTraits<tautline::Dual<Real, Count>> : GenericNumTraits<tautline::Dual<Real, Count>> {
   enum {
     RequireInitialization = 1,
-    ReadCost = 7 * static_cast<int>(NumTraits<Real>::ReadCost),
-    AddCost = 7 * static_cast<int>(NumTraits<Real>::AddCost),
-    MulCost = 13 * static_cast<int>(NumTraits<Real>::MulCost),
+    ReadCost = (Count + 1) * static_cast<int>(NumTraits<Real>::ReadCost),
+    AddCost = (Count + 1) * static_cast<int>(NumTraits<Real>::AddCost),
+    MulCost = (2 * Count + 1) * static_cast<int>(NumTraits<Real>::MulCost),
   };
 };
 

@@ -37,22 +37,10 @@ CableSet pulled(const BasicEvent<Real>& impact) {
   return result;
 }
 
-/// A largest independent subset of `cables`: the others follow these.
+/// The impulses that turn the rates of `cables`, as Newton's law says, and the state after them.
 template <class Real>
-CableSet basis(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
-  CableSet result;
-  for (const std::size_t index : cables) {
-    if (independent(the_case, state, result | CableSet::of(index))) {
-      result.insert(index);
-    }
-  }
-  return result;
-}
-
-/// The state after impulses that turn the rates of `cables`, as Newton's law says.
-template <class Real>
-BasicState<Real> rebound(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                         CableSet cables) {
+BasicImpact<Real> rebound(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                          CableSet cables) {
   BasicCableVector<Real> q = gap_rates(the_case, state, cables);
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
@@ -60,7 +48,9 @@ BasicState<Real> rebound(const BasicCase<Real>& the_case, const BasicState<Real>
     ++row;
   }
   const BasicCableMatrix<Real> inverse = delassus(the_case, state, cables).inverse();
-  return with_impulses<Real>(the_case, state, cables, -inverse * q);
+  BasicCableVector<Real> impulses = -inverse * q;
+  BasicState<Real> after = with_impulses<Real>(the_case, state, cables, impulses);
+  return {std::move(impulses), std::move(after)};
 }
 
 template <class Real>
@@ -94,17 +84,21 @@ Real difference_step(const BasicCase<Real>& the_case, const BasicState<Real>& st
 /// The derivative of any law's resolved impact, by central differences. Their steps keep the rates
 /// of `held` zero.
 template <class Real>
-BasicStateMatrix<Real> difference_quotients(const BasicCase<Real>& the_case, ImpactLaw law,
-                                            const BasicEvent<Real>& impact, CableSet held) {
+BasicReboundSlopes<Real> difference_quotients(const BasicCase<Real>& the_case, ImpactLaw law,
+                                              const BasicEvent<Real>& impact, CableSet held) {
   const Real step = difference_step(the_case, impact.before, impact.cables - held);
-  const auto after = [&](int axis, const Real& by) {
+  const auto resolved = [&](int axis, const Real& by) {
     const BasicState<Real> state = changed(impact.before, axis, by);
     const BasicState<Real> start = held.empty() ? state : with_zero_rates(the_case, state, held);
-    return numbers(resolve_impact(law, the_case, start, impact.cables).after);
+    return resolve_impact(law, the_case, start, impact.cables);
   };
-  BasicStateMatrix<Real> result;
+  BasicReboundSlopes<Real> result;
+  result.impulses.resize(impact.impulses.size(), 6);
   for (int axis = 0; axis < 6; ++axis) {
-    result.col(axis) = (after(axis, step) - after(axis, -step)) / (2 * step);
+    const BasicImpact<Real> above = resolved(axis, step);
+    const BasicImpact<Real> below = resolved(axis, -step);
+    result.after.col(axis) = (numbers(above.after) - numbers(below.after)) / (2 * step);
+    result.impulses.col(axis) = (above.impulses - below.impulses) / (2 * step);
   }
   return result;
 }
@@ -112,16 +106,46 @@ BasicStateMatrix<Real> difference_quotients(const BasicCase<Real>& the_case, Imp
 }  // namespace
 
 template <class Real>
-BasicStateMatrix<Real> rebound_derivative(const BasicCase<Real>& the_case, ImpactLaw law,
-                                          const BasicEvent<Real>& impact, CableSet held) {
+CableSet basis(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
+  CableSet result;
+  for (const std::size_t index : cables) {
+    if (independent(the_case, state, result | CableSet::of(index))) {
+      result.insert(index);
+    }
+  }
+  return result;
+}
+
+template <class Real>
+BasicReboundSlopes<Real> rebound_slopes(const BasicCase<Real>& the_case, ImpactLaw law,
+                                        const BasicEvent<Real>& impact, CableSet held) {
   if (law != ImpactLaw::simultaneous && impact.cables.size() > 1) {
     return difference_quotients(the_case, law, impact, held);
   }
+  BasicReboundSlopes<Real> result;
+  result.impulses.setZero(impact.impulses.size(), 6);
   const CableSet active = pulled(impact);
   if (active.empty()) {
-    return BasicStateMatrix<Real>::Identity();
+    result.after.setIdentity();
+    return result;
   }
-  return slopes(rebound(lifted(the_case), variables(impact.before), active));
+  const auto turned = rebound(lifted<Dual<Real>>(the_case), variables(impact.before), active);
+  result.after = slopes(turned.after);
+  Eigen::Index row = 0;
+  Eigen::Index of_active = 0;
+  for (const std::size_t index : impact.cables) {
+    if (active.contains(index)) {
+      result.impulses.row(row) = turned.impulses[of_active++].slopes.transpose();
+    }
+    ++row;
+  }
+  return result;
+}
+
+template <class Real>
+BasicStateMatrix<Real> rebound_derivative(const BasicCase<Real>& the_case, ImpactLaw law,
+                                          const BasicEvent<Real>& impact, CableSet held) {
+  return rebound_slopes(the_case, law, impact, held).after;
 }
 
 template <class Real>
@@ -129,7 +153,7 @@ BasicStateMatrix<Real> projection_derivative(const BasicCase<Real>& the_case,
                                              const BasicState<Real>& state, CableSet cables) {
   using Number = Dual<Real>;
   constexpr int enough = 8;  // as in with_zero_gaps, and none is left out: slopes converge last
-  const BasicCase<Number> dual_case = lifted(the_case);
+  const BasicCase<Number> dual_case = lifted<Number>(the_case);
   const CableSet rows = basis(the_case, state, cables);
   BasicState<Number> now = variables(state);
   for (int iteration = 0; iteration < enough; ++iteration) {
@@ -156,7 +180,7 @@ std::vector<Eigen::Matrix<Real, 3, 6>> flow_derivative(const BasicCase<Real>& th
                                                        const BasicState<Real>& start,
                                                        CableSet pulling, std::size_t order) {
   using Number = Dual<Real>;
-  const BasicCase<Number> dual_case = lifted(the_case);
+  const BasicCase<Number> dual_case = lifted<Number>(the_case);
   const TautSeries<Number> motion(dual_case, variables(start), pulling, order);
   std::vector<Eigen::Matrix<Real, 3, 6>> result(order + 1);
   for (std::size_t k = 0; k <= order; ++k) {
@@ -188,6 +212,9 @@ std::optional<Eigen::Matrix<Real, 1, 6>> delay_derivative(const BasicCase<Real>&
   return result;
 }
 
+template CableSet basis(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);
+template BasicReboundSlopes<Instance> rebound_slopes(const BasicCase<Instance>&, ImpactLaw,
+                                                     const BasicEvent<Instance>&, CableSet);
 template BasicStateMatrix<Instance> rebound_derivative(const BasicCase<Instance>&, ImpactLaw,
                                                        const BasicEvent<Instance>&, CableSet);
 template BasicStateMatrix<Instance> projection_derivative(const BasicCase<Instance>&,

@@ -13,6 +13,31 @@ namespace tautline {
 // Derivatives of the maps that a motion is made of. Equation numbers are those of
 // analytic/README.md.
 
+/// True for the arc of a body at rest, whose series are a place and a spin.
+template <class Real>
+[[nodiscard]] bool is_rest(const BasicArc<Real>& arc) {
+  return arc.series.rows() == 2;
+}
+
+/// A largest independent subset of `cables`: the others follow these.
+template <class Real>
+[[nodiscard]] CableSet basis(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                             CableSet cables);
+
+/// What an impact's results gain per unit of the state before.
+template <class Real>
+struct BasicReboundSlopes {
+  BasicStateMatrix<Real> after;                                       // the state after
+  Eigen::Matrix<Real, Eigen::Dynamic, 6, 0, max_cables, 6> impulses;  // one row per cable
+};
+
+/// Of an impact that happens at a given instant (Eq. 43). `held` are those of its cables that were
+/// taut before: the differences keep them so.
+template <class Real>
+[[nodiscard]] BasicReboundSlopes<Real> rebound_slopes(const BasicCase<Real>& the_case,
+                                                      ImpactLaw law, const BasicEvent<Real>& impact,
+                                                      CableSet held);
+
 /// d state after / d state before of an impact that happens at a given instant (Eq. 43).
 /// `held` are those of its cables that were taut before: the differences keep them so.
 template <class Real>

@@ -156,7 +156,7 @@ void BasicSensitivity<Real>::follow(const BasicCase<Real>& the_case, const Basic
     append(arc.start, arc.end, {});
     return;
   }
-  const bool rests = arc.series.rows() == 1;
+  const bool rests = is_rest(arc);
   for (Real start = arc.start; start == arc.start || start < arc.end;) {
     auto series = flow_derivative(the_case, arc.after(start - arc.start, gravity), held->pulling,
                                   held->motion.x().size() - 1);

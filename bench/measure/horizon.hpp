@@ -14,4 +14,10 @@ namespace tautline::bench {
                                             ImpactLaw law = ImpactLaw::simultaneous,
                                             double local_error = 1e-12, double visible = 1e-3);
 
+/// The first instant [s] at which the exact position itself is not sure to a tenth of `visible`, so
+/// that no run is judged by it: errors of doubles grow along the motion as those of a run do. The
+/// end of `solution` if it is sure throughout.
+[[nodiscard]] double sure_until(const Case& the_case, const Solution& solution,
+                                ImpactLaw law = ImpactLaw::simultaneous, double visible = 1e-3);
+
 }  // namespace tautline::bench

@@ -13,7 +13,8 @@ std::vector<ReferenceCase> solve_cases(const std::vector<Case>& cases, ImpactLaw
   std::vector<ReferenceCase> references;
   for (const Case& the_case : cases) {
     Solution solution = solve(the_case, {.law = law});
-    const double horizon = predictability_horizon(the_case, solution, law);
+    const double horizon = std::min(predictability_horizon(the_case, solution, law),
+                                    sure_until(the_case, solution, law));
     Settling settled = settling(the_case, solution);
     references.push_back({the_case, std::move(solution), std::move(settled), horizon, law});
   }

@@ -12,6 +12,7 @@
 #include "bench/program/options.hpp"
 #include "bench/solution/certificate_text.hpp"
 #include "bench/solution/certify.hpp"
+#include "bench/solution/digits/many_digits.hpp"
 #include "bench/solution/plot_svg.hpp"
 #include "bench/solution/solution_json.hpp"
 #include "bench/solution/solution_tables.hpp"
@@ -31,7 +32,8 @@ struct SolveCommand {
   std::optional<double> ceiling;      // [m], instead of the case's
   ImpactLaw law = ImpactLaw::simultaneous;
   bool certify = false;       // also solve with more digits, and compare
-  std::optional<int> digits;  // of that; `default_digits` if not given
+  std::optional<int> digits;  // of that, `default_digits` if not given; else right ones to print
+  bool decimal = false;       // of the decimals that the case is written in
   std::string json;           // file, "-" for standard output, or empty
   std::string plot;           // the same, for a picture (SVG)
   bool events = false;        // print all of them
@@ -44,20 +46,22 @@ struct Extras {
 };
 
 /// The summary first, and below it what was asked for.
-void print_solution(const SolveCommand& command, const Case& the_case, const Solution& solution,
-                    const Extras& extras) {
+void print_solution(const SolveCommand& command, const Case& the_case, const SolveOptions& options,
+                    const Solution& solution, const Extras& extras) {
+  const Uncertainty uncertainty(the_case, solution, options);
   const TerminalStyle style = output_style();
-  fmt::print("{}: {} cable{}, {} event{}\n\n{}", printable(the_case.name), the_case.cables.size(),
-             the_case.cables.size() == 1 ? "" : "s", solution.events().size(),
-             solution.events().size() == 1 ? "" : "s",
-             wrapped_lines(solution_text(the_case, solution, extras.settling), style.text));
+  fmt::print(
+      "{}: {} cable{}, {} event{}\n\n{}", printable(the_case.name), the_case.cables.size(),
+      the_case.cables.size() == 1 ? "" : "s", solution.events().size(),
+      solution.events().size() == 1 ? "" : "s",
+      wrapped_lines(solution_text(the_case, solution, extras.settling, uncertainty), style.text));
   if (extras.certificate) {
     fmt::print("\n{}",
                wrapped_lines(certificate_text(*extras.certificate, the_case, solution, style),
                              style.text, 2));
   }
-  fmt::print("{}{}", samples_text(solution, command.at, style),
-             events_text(the_case, solution, command.events, style));
+  fmt::print("{}{}", samples_text(solution, uncertainty, command.at, style),
+             events_text(the_case, solution, uncertainty, command.events, style));
 }
 
 /// The one case that `command` means, with its overrides; or complains.
@@ -76,14 +80,22 @@ std::optional<Case> wanted_case(const SolveCommand& command) {
   return found;
 }
 
-/// What is wrong with --certify and --digits; none if nothing is.
-std::optional<std::string> certify_problem(const SolveCommand& command) {
-  if (!command.digits) {
-    return std::nullopt;
+/// What is wrong with --certify, --digits and --decimal; none if nothing is.
+std::optional<std::string> digits_usage_problem(const SolveCommand& command) {
+  if (command.decimal && (!command.digits || command.certify)) {
+    return "--decimal: is for --digits without --certify";
   }
-  return command.certify
-             ? digits_problem(*command.digits)
-             : fmt::format("--digits {}: is for --certify, which is not given", *command.digits);
+  if (!command.digits || command.certify) {
+    return command.digits ? digits_problem(*command.digits) : std::nullopt;
+  }
+  if (*command.digits < 1 || *command.digits > most_right_digits) {
+    return fmt::format("--digits {}: must be 1 to {}", *command.digits, most_right_digits);
+  }
+  if (!command.json.empty() || !command.at.empty()) {
+    return fmt::format("--digits {}: prints a summary and events; --json and --at need --certify",
+                       *command.digits);
+  }
+  return std::nullopt;
 }
 
 /// What is wrong with --plot and --json together; none if nothing is.
@@ -110,12 +122,19 @@ std::vector<std::string> usage_problems(const SolveCommand& command) {
   for (const std::string& sentence : missing_folder("--plot", command.plot)) {
     broken.push_back(sentence);
   }
-  for (const auto& sentence : {certify_problem(command), output_problem(command)}) {
+  for (const auto& sentence : {digits_usage_problem(command), output_problem(command)}) {
     if (sentence) {
       broken.push_back(*sentence);
     }
   }
   return broken;
+}
+
+/// A motion that was given up is a failure, though what is told of it is right.
+int exit_code(Ending ending) {
+  const bool given_up = ending == Ending::event_limit || ending == Ending::step_limit ||
+                        ending == Ending::no_progress;
+  return given_up ? exit_failed : exit_done;
 }
 
 int solve_command(const SolveCommand& command) {
@@ -135,6 +154,13 @@ int solve_command(const SolveCommand& command) {
     complain(broken);
     return exit_usage;
   }
+  if (command.digits && !command.certify) {
+    fmt::print("{}", many_digits_text(*the_case, options, solution,
+                                      {*command.digits, command.decimal, command.events,
+                                       literals_of(command.the_case)},
+                                      output_style()));
+    return exit_code(solution.ending());
+  }
   Extras extras{settling(*the_case, solution), std::nullopt};
   if (command.certify) {
     extras.certificate =
@@ -145,13 +171,13 @@ int solve_command(const SolveCommand& command) {
   }
   if (command.json.empty()) {
     if (command.plot != "-") {
-      print_solution(command, *the_case, solution, extras);
+      print_solution(command, *the_case, options, solution, extras);
     }
-    return exit_done;
+    return exit_code(solution.ending());
   }
   write_output(command.json, solution_json(*the_case, options, solution, extras.settling,
                                            command.at, extras.certificate));
-  return exit_done;
+  return exit_code(solution.ending());
 }
 
 }  // namespace
@@ -172,7 +198,10 @@ void add_solve(CLI::App& app, int& code) {
   command->add_flag("--certify", asked->certify,
                     "also solve with many digits, and say until when the doubles are right");
   command->add_option("--digits", asked->digits,
-                      "decimal digits for --certify, 20 to 1000 (default: 50)");
+                      "print so many right digits, 1 to 100; with --certify: compute with so "
+                      "many, 20 to 1000 (default: 50)");
+  command->add_flag("--decimal", asked->decimal,
+                    "--digits of the decimals that the case is written in, not of their doubles");
   command
       ->add_option("--json", asked->json, "write everything as JSON to this file, or to stdout: -")
       ->check(named_file);
@@ -182,6 +211,7 @@ void add_solve(CLI::App& app, int& code) {
       ->check(named_file);
   command->add_flag("--events", asked->events, "print all events, not the first 20");
   command->footer(
+      "tautline solve breakwater/1910121100 --digits 12     twelve right digits\n"
       "tautline solve bouncing-ball --until 2.7             a few events\n"
       "tautline solve breakwater/1910121100 --plot p.svg    a picture of the motion");
   command->callback([asked, &code] { code = solve_command(*asked); });

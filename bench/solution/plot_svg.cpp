@@ -46,6 +46,8 @@ std::string ending_words(const Solution& solution) {
       return "at its duration";
     case Ending::rest:
       return "at rest";
+    case Ending::unstable_rest:
+      return "at an unstable equilibrium";
     case Ending::angle_limit:
       return "at the angle limit";
     case Ending::ceiling:

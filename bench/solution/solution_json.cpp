@@ -1,9 +1,12 @@
 #include "bench/solution/solution_json.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "bench/base/text.hpp"
+#include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -33,17 +36,29 @@ Json cable_json(const Cable& cable) {
   return result;
 }
 
-Json event_json(const Event& event) {
+Json errors_json(const EventErrors& errors) {
+  Json impulses = Json::array();
+  for (const double impulse : errors.impulses) {
+    impulses.push_back(impulse);
+  }
+  return {{"time", errors.time},
+          {"impulses", std::move(impulses)},
+          {"before", state_json(errors.before)},
+          {"after", state_json(errors.after)}};
+}
+
+Json event_json(const Event& event, const std::optional<EventErrors>& errors) {
   Json impulses = Json::array();
   for (const double impulse : event.impulses) {
-    impulses.push_back(impulse);
+    impulses.push_back(std::max(impulse, 0.0));  // cables pull: the rest is gravity's
   }
   return {{"time", event.time},
           {"kind", to_string(event.kind)},
           {"cables", event.cables.indices()},
           {"impulses", std::move(impulses)},
           {"before", state_json(event.before)},
-          {"after", state_json(event.after)}};
+          {"after", state_json(event.after)},
+          {"errors", errors ? errors_json(*errors) : Json(nullptr)}};
 }
 
 Json accumulation_json(const Accumulation& accumulation) {
@@ -79,9 +94,20 @@ Json mark_json(const std::optional<EventMark>& mark) {
       {"time", mark->time}, {"kind", to_string(mark->kind)}, {"cables", mark->cables.indices()}};
 }
 
-Json sample_json(double time, const State& state) {
+Json sample_json(double time, const State& state, const std::optional<State>& errors) {
   Json result = {{"time", time}};
   result.update(state_json(state));
+  result["errors"] = errors ? state_json(*errors) : Json(nullptr);
+  return result;
+}
+
+Json unsure_json(const Uncertainty& uncertainty) {
+  Json result = Json::array();
+  for (const Unsure& stretch : uncertainty.unsure()) {
+    result.push_back(
+        {{"from", stretch.from},
+         {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)}});
+  }
   return result;
 }
 
@@ -145,6 +171,26 @@ Json certificate_json(const Certificate& certificate) {
           {"settling", settling_object(certificate.settling)}};
 }
 
+/// `object` with a line for each of its values, and for each element where that is a list: an event
+/// by itself is read at a glance, and indents would nearly double what a long motion takes.
+std::string in_lines(const Json& object) {
+  std::string result;
+  for (const auto& [key, value] : object.items()) {
+    result += (result.empty() ? "{\n  " : ",\n  ") + Json(key).dump() + ": ";
+    if (!value.is_array() || value.empty()) {
+      result += value.dump();
+      continue;
+    }
+    const char* before = "[\n    ";
+    for (const Json& element : value) {
+      result += before + element.dump();
+      before = ",\n    ";
+    }
+    result += "\n  ]";
+  }
+  return result + "\n}\n";
+}
+
 }  // namespace
 
 std::vector<std::string> sample_problems(const Solution& solution,
@@ -167,21 +213,24 @@ std::string solution_json(const Case& the_case, const SolveOptions& options,
                           std::span<const double> sample_times,
                           const std::optional<Certificate>& certificate) {
   const State end_state = solution.at(solution.end_time());
+  const Uncertainty uncertainty(the_case, solution, options);
   Json result = {{"schema", solution_schema},
                  {"case", case_json(the_case)},
                  {"options",
                   {{"law", to_string(options.law)},
                    {"completion_error", options.completion.error},
-                   {"max_events", options.max_events}}},
+                   {"max_events", options.max_events},
+                   {"max_steps", options.max_steps}}},
                  {"events", Json::array()},
                  {"ending", to_string(solution.ending())},
                  {"end_time", solution.end_time()},
                  {"end_state", state_json(end_state)},
                  {"energy", ledger_json(energy_ledger(the_case, solution))},
                  {"settling", settling_object(settling)}};
-  for (const Event& event : solution.events()) {
-    result["events"].push_back(event_json(event));
+  for (std::size_t index = 0; index < solution.events().size(); ++index) {
+    result["events"].push_back(event_json(solution.events()[index], uncertainty.events()[index]));
   }
+  result["unsure"] = unsure_json(uncertainty);
   result["accumulations"] = Json::array();
   for (const Accumulation& accumulation : solution.accumulations()) {
     result["accumulations"].push_back(accumulation_json(accumulation));
@@ -189,13 +238,13 @@ std::string solution_json(const Case& the_case, const SolveOptions& options,
   if (!sample_times.empty()) {
     result["samples"] = Json::array();
     for (const double time : sample_times) {
-      result["samples"].push_back(sample_json(time, solution.at(time)));
+      result["samples"].push_back(sample_json(time, solution.at(time), uncertainty.at(time)));
     }
   }
   if (certificate) {
     result["certificate"] = certificate_json(*certificate);
   }
-  return result.dump(2) + "\n";
+  return in_lines(result);
 }
 
 }  // namespace tautline::bench

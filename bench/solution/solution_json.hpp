@@ -13,7 +13,7 @@
 namespace tautline::bench {
 
 /// The number of the format below; it changes when a name or a meaning does.
-inline constexpr int solution_schema = 2;
+inline constexpr int solution_schema = 3;
 
 /// One sentence for each of `sample_times` at which the solution has no state: outside
 /// [0, end_time()].
@@ -22,14 +22,24 @@ inline constexpr int solution_schema = 2;
 
 /// What `tautline solve --json` writes:
 ///
-///     schema, case (with the keys of a case file), options: {law, completion_error, max_events},
-///     events: [{time, kind, cables, impulses, before, after}], ending, end_time, end_state,
+///     schema, case (with the keys of a case file),
+///     options: {law, completion_error, max_events, max_steps},
+///     events: [{time, kind, cables, impulses, before, after, errors: {time, impulses, before,
+///     after}|null}], ending, end_time, end_state,
 ///     energy: {start, impacts, completions, end, residual}, settling,
 ///     accumulations: [{start, time, uncertainty, cables, energy_lost}],
-///     samples: [{time, position, angle, velocity, spin}], if there are sample times,
+///     unsure: [{from, until|null}],
+///     samples: [{time, position, angle, velocity, spin, errors: state|null}], if there are sample
+///     times,
 ///     certificate, if there is one: {digits, completion_error, correct: [{digits, until|null}],
 ///         events: {same, until, all, next_in_double: {time, kind, cables}|null, next_in_digits,
 ///         in_digits}, ending, end_time, energy, settling}
+///
+/// `errors` bound those of the numbers beside them, as `Uncertainty` does; null where the solution
+/// is one of many motions that start alike, which are the `unsure` stretches of time. That of the
+/// time of a completed accumulation is of its limit. Impulses are >= 0.
+///
+/// Each value, event and sample is a line.
 ///
 /// A state is {position: [x, y], angle, velocity: [vx, vy], spin}.
 /// Requires that `sample_problems` is empty; else throws std::out_of_range.

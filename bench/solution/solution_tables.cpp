@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/solution_text.hpp"
 #include "tautline/geometry.hpp"
 
@@ -17,30 +18,89 @@ namespace {
 /// Events that anyone reads below the summary.
 constexpr std::size_t most_events = 20;
 
+/// Digits after the point of a time, and of the numbers of a state.
+constexpr int time_digits = 12;
+constexpr int state_digits = 6;
+
+/// Digits after the point that a double has at most where it is printed whole.
+constexpr int most_digits_of_sample = 17;
+
+/// The cells of six numbers with their errors.
+void add_state(std::vector<std::string>& cells, const State& state, const State& errors) {
+  const auto add = [&](double value, double error) {
+    cells.push_back(right_fixed(value, error, state_digits));
+  };
+  add(state.position.x(), errors.position.x());
+  add(state.position.y(), errors.position.y());
+  add(state.angle, errors.angle);
+  add(state.velocity.x(), errors.velocity.x());
+  add(state.velocity.y(), errors.velocity.y());
+  add(state.spin, errors.spin);
+}
+
+/// The accumulation that `event` completes, or null.
+const Accumulation* completed_by(const Solution& solution, const Event& event) {
+  const auto& all = solution.accumulations();
+  const auto found = std::lower_bound(
+      all.begin(), all.end(), event.time,
+      [](const Accumulation& accumulation, double time) { return accumulation.start < time; });
+  const bool completes = event.kind == EventKind::taut && found != all.end() &&
+                         found->start == event.time && found->cables == event.cables;
+  return completes ? &*found : nullptr;
+}
+
+/// Of an accumulation: its limit, the cables and the state there. Infinitely many impacts have no
+/// rate and no impulse.
+std::vector<std::string> accumulation_cells(const Solution& solution,
+                                            const Uncertainty& uncertainty, const Event& event,
+                                            const EventErrors& errors,
+                                            const Accumulation& accumulation) {
+  const bool last = &accumulation == &solution.accumulations().back();
+  const double time_error = (last ? uncertainty.lock() : std::nullopt).value_or(errors.time);
+  const double error = time_error + std::abs(accumulation.uncertainty);
+  std::vector<std::string> cells = {right_fixed(accumulation.time, error, time_digits),
+                                    std::string(to_string(event.kind)), cable_list(event.cables),
+                                    dash, dash};
+  const double limit = std::min(accumulation.time, solution.end_time());
+  if (const auto at_limit = uncertainty.at(limit)) {
+    const State state = solution.at(limit);
+    State off = *at_limit;  // and what the motion goes within the error of the limit
+    off.position += error * state.velocity.cwiseAbs();
+    off.angle += error * std::abs(state.spin);
+    const State later = solution.at(std::min(limit + error, solution.end_time()));
+    off.velocity += 2.0 * (later.velocity - state.velocity).cwiseAbs();
+    off.spin += 2.0 * std::abs(later.spin - state.spin);
+    add_state(cells, state, off);
+  } else {
+    cells.insert(cells.end(), 6, dash);
+  }
+  return cells;
+}
+
 /// The fastest closing rate and the sum of the impulses of one event.
-std::vector<std::string> event_cells(const Case& the_case, const Event& event) {
+std::vector<std::string> event_cells(const Case& the_case, const Solution& solution,
+                                     const Uncertainty& uncertainty, const Event& event,
+                                     const EventErrors& errors) {
+  if (const Accumulation* const accumulation = completed_by(solution, event)) {
+    return accumulation_cells(solution, uncertainty, event, errors, *accumulation);
+  }
   double closing = 0.0;
   for (const std::size_t index : event.cables) {
     closing = std::max(closing, -gap_rate(the_case.cables[index], event.before));
   }
-  const State& after = event.after;
-  return {fmt::format("{:.12f}", event.time),
-          std::string(to_string(event.kind)),
-          cable_list(event.cables),
-          fmt::format("{:.6e}", closing),
-          fmt::format("{:.6e}", event.impulses.sum()),
-          fixed_text(after.position.x(), 6),
-          fixed_text(after.position.y(), 6),
-          fixed_text(after.angle, 6),
-          fixed_text(after.velocity.x(), 6),
-          fixed_text(after.velocity.y(), 6),
-          fixed_text(after.spin, 6)};
+  const bool impact = event.kind == EventKind::impact;
+  std::vector<std::string> cells = {
+      right_fixed(event.time, errors.time, time_digits), std::string(to_string(event.kind)),
+      cable_list(event.cables), impact ? right_scientific(closing, errors.rate, 6) : dash,
+      impact ? right_scientific(event.impulses.sum(), errors.impulses.sum(), 6) : dash};
+  add_state(cells, event.after, errors.after);
+  return cells;
 }
 
 }  // namespace
 
-std::string events_text(const Case& the_case, const Solution& solution, bool all,
-                        const TerminalStyle& style) {
+std::string events_text(const Case& the_case, const Solution& solution,
+                        const Uncertainty& uncertainty, bool all, const TerminalStyle& style) {
   const std::size_t count = solution.events().size();
   const std::size_t shown = all ? count : std::min(count, most_events);
   if (shown == 0) {
@@ -59,7 +119,12 @@ std::string events_text(const Case& the_case, const Solution& solution, bool all
                column("y", pose), column("angle", pose), column("vx", velocity),
                column("vy", velocity), column("spin", velocity)});
   for (std::size_t index = 0; index < shown; ++index) {
-    table.add(event_cells(the_case, solution.events()[index]));
+    const auto& errors = uncertainty.events()[index];
+    if (errors) {
+      table.add(event_cells(the_case, solution, uncertainty, solution.events()[index], *errors));
+    } else if (index == 0 || uncertainty.events()[index - 1]) {
+      table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});
+    }
   }
   const std::string rest = shown < count
                                ? fmt::format(
@@ -70,8 +135,8 @@ std::string events_text(const Case& the_case, const Solution& solution, bool all
   return "\n" + table.plain(style) + wrapped(rest, style.text);
 }
 
-std::string samples_text(const Solution& solution, const std::vector<double>& times,
-                         const TerminalStyle& style) {
+std::string samples_text(const Solution& solution, const Uncertainty& uncertainty,
+                         const std::vector<double>& times, const TerminalStyle& style) {
   constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
   constexpr std::size_t longest_name = 9;     // [columns], "sample at"
   const std::size_t fit =
@@ -82,12 +147,24 @@ std::string samples_text(const Solution& solution, const std::vector<double>& ti
     std::vector<std::vector<std::string>> rows = {{"x"},  {"y"},  {"angle"},
                                                   {"vx"}, {"vy"}, {"spin"}};
     for (std::size_t index = first; index < std::min(times.size(), first + fit); ++index) {
-      const State state = solution.at(times[index]);
       headings.push_back(shortest(times[index]));
-      const std::array numbers = {state.position.x(), state.position.y(), state.angle,
-                                  state.velocity.x(), state.velocity.y(), state.spin};
+      std::vector<std::string> cells;
+      if (const auto errors = uncertainty.at(times[index])) {
+        const State state = solution.at(times[index]);
+        const auto add = [&](double value, double error) {
+          cells.push_back(right_general(value, error, most_digits_of_sample));
+        };
+        add(state.position.x(), errors->position.x());
+        add(state.position.y(), errors->position.y());
+        add(state.angle, errors->angle);
+        add(state.velocity.x(), errors->velocity.x());
+        add(state.velocity.y(), errors->velocity.y());
+        add(state.spin, errors->spin);
+      } else {
+        cells.assign(rows.size(), "beyond the horizon");
+      }
       for (std::size_t row = 0; row < rows.size(); ++row) {
-        rows[row].push_back(shortest(numbers.at(row)));
+        rows[row].push_back(cells[row]);
       }
     }
     Table samples(headings, 1);

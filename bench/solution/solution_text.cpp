@@ -2,121 +2,110 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "bench/solution/digits/summary.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/ledger.hpp"
 
 namespace tautline::bench {
 namespace {
 
-/// What an ending means, in a sentence.
-std::string ending_sentence(const Case& the_case, const Solution& solution) {
+/// The bound of the error of the time of the event at `time`; < 0 where it is not sure.
+double time_error(const Solution& solution, const Uncertainty& uncertainty, double time,
+                  EventKind kind) {
+  for (std::size_t index = solution.events().size(); index-- > 0;) {
+    const Event& event = solution.events()[index];
+    if (event.time == time && event.kind == kind) {
+      return uncertainty.events()[index] ? uncertainty.events()[index]->time : -1.0;
+    }
+  }
+  return -1.0;
+}
+
+/// What errors of the energy do to the numbers of a swing: it is one of a family that differ in
+/// energy alone, of which a neighbour is measured.
+void swing_errors(const Case& the_case, const State& state, const Swing& found,
+                  SummaryErrors<double>& errors) {
+  constexpr double part = 1e-3;  // [-], of the velocity
+  State neighbour = state;
+  neighbour.velocity *= 1.0 + part;
+  neighbour.spin *= 1.0 + part;
+  const auto other = swing(the_case, neighbour);
+  const double difference = other ? std::abs(other->energy - found.energy) : 0.0;
+  if (difference > 0.0) {
+    errors.amplitude = std::abs(other->amplitude - found.amplitude) / difference * errors.energy;
+    errors.period = std::abs(other->period - found.period) / difference * errors.energy;
+  } else {
+    errors.amplitude = found.amplitude / found.energy * errors.energy;
+    errors.period = found.period / found.energy * errors.energy;
+  }
+  // turning points are found to the root of rounding at worst, and the series to rounding
+  constexpr double measured = 1e-11;  // [-]
+  errors.amplitude += measured * found.amplitude;
+  errors.period += measured * found.period;
+}
+
+SummaryErrors<double> summary_errors(const Case& the_case, const Solution& solution,
+                                     const Settling& settling, const Uncertainty& uncertainty) {
+  SummaryErrors<double> errors;
   const double end = solution.end_time();
-  switch (solution.ending()) {
-    case Ending::reached_duration:
-      return fmt::format("The run reached its duration, t = {}.", end);
-    case Ending::rest:
-      return fmt::format("The body is at rest from t = {:.9f} on, to its duration, t = {}.",
-                         solution.arcs().back().start, end);
-    case Ending::singular:
-      return fmt::format(
-          "Stopped at t = {:.9f}: the touching cables come so near to one line there that their "
-          "tensions or impulses cannot be told.",
-          end);
-    case Ending::angle_limit:
-      return fmt::format("|angle| reached the limit {} at t = {:.9f}.", *the_case.angle_limit, end);
-    case Ending::ceiling:
-      return fmt::format("An attachment reached the ceiling {} at t = {:.9f}.", *the_case.ceiling,
-                         end);
-    case Ending::event_limit:
-      return fmt::format(
-          "Stopped at t = {:.9f}: the limit of events and steps of taut motion is reached.", end);
-    case Ending::overflow:
-      return fmt::format(
-          "Stopped at t = {:.9f}: past it the motion has numbers too large for a double.", end);
-  }
-  return "";
-}
-
-std::string last_impacts_sentence(const Settling& settling) {
-  std::string result;
+  errors.energy = uncertainty.energy(end).value_or(-1.0);
   for (const LastImpact& last : settling.last_impacts) {
-    result += fmt::format("{} faster than {:g}: {}", result.empty() ? "Last impact" : ";",
-                          last.speed, last.time ? fmt::format("t = {:.6f}", *last.time) : "none");
+    errors.last_impacts.push_back(
+        last.time ? time_error(solution, uncertainty, *last.time, EventKind::impact) : 0.0);
   }
-  return result + ".";
-}
-
-/// When the final set of cables became taut, and whether they stay so.
-std::string lock_sentence(const Case& the_case, const Lock& lock) {
-  const std::string error =
-      lock.uncertainty > 0.0 ? fmt::format(" (+- {:.0e}, rounding not counted)", lock.uncertainty)
-                             : "";
-  const std::string since =
-      fmt::format("From t = {:.6f}{} on {} taut", lock.time, error, cables_are(lock.cables));
-  if (lock.rests) {
-    return since + ", for good: the body is at rest.";
+  if (settling.lock) {
+    const double start = solution.events().back().time;
+    const double error =
+        uncertainty.lock().value_or(time_error(solution, uncertainty, start, EventKind::taut));
+    errors.lock = error < 0.0 ? error : error + settling.lock->uncertainty;
+    if (settling.lock->swing && errors.energy >= 0.0) {
+      swing_errors(the_case, solution.events().back().after, *settling.lock->swing, errors);
+    }
   }
-  if (lock.permanent) {
-    return since + ", for good: no tension falls to zero in a whole period.";
+  if (solution.ending() == Ending::rest || solution.ending() == Ending::unstable_rest) {
+    errors.end_time = time_error(solution, uncertainty, solution.events().back().time,
+                                 solution.events().back().kind);
+  } else if (const auto state = uncertainty.at(end)) {  // where a limit of the case is passed
+    const State last = solution.at(end);
+    const double speed = last.velocity.norm() + std::abs(last.spin) * attachment_radius(the_case);
+    const double off =
+        state->position.norm() + state->angle * std::max(attachment_radius(the_case), 1.0);
+    errors.end_time = speed > 0.0 ? off / speed + 1e-15 * end : -1.0;
   }
-  const std::size_t freedoms = is_point_mass(the_case) ? 2 : 3;
-  return since + (lock.cables.size() + 1 < freedoms
-                      ? "; for how long is not known: with more than one degree of freedom left "
-                        "there is no period to look at."
-                      : ", but perhaps not for good: no whole period without a release was found.");
+  return errors;
 }
 
-/// What is left of the initial energy, and the swing.
-std::string swing_sentence(const Case& the_case, const Solution& solution, const Swing& swing) {
-  const double lowest = energy(the_case, solution.at(solution.end_time())) - swing.energy;
-  const double start = energy(the_case, the_case.initial) - lowest;
-  return fmt::format(
-      "The body swings with amplitude {:.6g} rad and period {:.6g}. Of the initial energy {:.6g} "
-      "above the equilibrium {:.6g} is left ({:.2f} %).",
-      swing.amplitude, swing.period, start, swing.energy, 100.0 * swing.energy / start);
-}
-
-/// What is left of the initial energy where there is no swing to measure it against.
-std::string energy_sentence(const EnergyLedger& ledger) {
-  const double rounding = 1e-15 * std::abs(ledger.start);
-  const double end = std::abs(ledger.end) <= rounding ? 0.0 : ledger.end;
-  return fmt::format("Impacts have taken {:.6g} of energy: {:.6g} at the start, {:.6g} at the end.",
-                     ledger.impacts + ledger.completions, ledger.start, end);
-}
-
-}  // namespace
-
-std::string cable_list(CableSet cables) {
+/// Where the solution is one of many, and what is sure there all the same.
+std::string horizon_text(const Case& the_case, const Solution& solution,
+                         const Uncertainty& uncertainty) {
   std::string result;
-  for (const std::size_t index : cables) {
-    result += (result.empty() ? "" : "+") + std::to_string(index);
+  for (const Unsure& stretch : uncertainty.unsure()) {
+    const std::string from = fmt::format("{:.6g}", stretch.from);
+    if (stretch.until <= solution.end_time()) {
+      result += fmt::format(
+          "Between t = {} and {:.6g} the order of impacts is beyond the horizon: one of many "
+          "motions, which all come to the same taut cables.\n",
+          from, stretch.until);
+    } else {
+      const double left = energy(the_case, solution.at(std::max(0.0, stretch.from)));
+      result += fmt::format(
+          "From t = {} on all is beyond the horizon: one of many motions. Sure is that the energy, "
+          "{:.3g} there, does not grow. --digits N tells this one.\n",
+          from, left);
+    }
   }
   return result;
 }
 
-std::string cables_are(CableSet cables) {
-  return cables.size() == 1 ? "cable " + cable_list(cables) + " is"
-                            : "cables " + cable_list(cables) + " are";
-}
+}  // namespace
 
-std::string solution_text(const Case& the_case, const Solution& solution,
-                          const Settling& settling) {
-  std::string result = ending_sentence(the_case, solution) + "\n";
-  if (!solution.events().empty()) {
-    result += last_impacts_sentence(settling) + "\n";
-  }
-  if (!settling.lock) {
-    const CableSet taut = solution.arcs().back().taut;
-    result += fmt::format("At the end {} taut.\n", taut.empty() ? "no cable is" : cables_are(taut));
-  } else {
-    result += lock_sentence(the_case, *settling.lock) + "\n";
-  }
-  if (settling.lock && settling.lock->swing) {
-    return result + swing_sentence(the_case, solution, *settling.lock->swing) + "\n";
-  }
-  return result + energy_sentence(energy_ledger(the_case, solution)) + "\n";
+std::string solution_text(const Case& the_case, const Solution& solution, const Settling& settling,
+                          const Uncertainty& uncertainty) {
+  const SummaryErrors<double> errors = summary_errors(the_case, solution, settling, uncertainty);
+  return Summary<double>(the_case, solution, settling, errors, Figures{}).text() +
+         horizon_text(the_case, solution, uncertainty);
 }
 
 }  // namespace tautline::bench

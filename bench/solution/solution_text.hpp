@@ -2,20 +2,17 @@
 
 #include <string>
 
+#include "bench/solution/cable_words.hpp"
 #include "tautline/case.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
+#include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
 
-/// "0+1"
-[[nodiscard]] std::string cable_list(CableSet cables);
-
-/// "cable 0 is", "cables 0+1 are"
-[[nodiscard]] std::string cables_are(CableSet cables);
-
-/// How the motion ends, when it settled and what is left of it, in a few lines of plain words.
+/// How the motion ends, when it settled and what is left of it, in a few lines of plain words. Each
+/// number has right digits alone, as `uncertainty` says, and what is beyond the horizon is named.
 [[nodiscard]] std::string solution_text(const Case& the_case, const Solution& solution,
-                                        const Settling& settling);
+                                        const Settling& settling, const Uncertainty& uncertainty);
 
 }  // namespace tautline::bench

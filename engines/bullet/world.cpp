@@ -58,8 +58,13 @@ State World::state() const {
 }
 
 void World::advance(double dt) {
-  const int as_one_substep = 0;
-  dynamics_.stepSimulation(static_cast<btScalar>(dt), as_one_substep);
+  const auto step = static_cast<btScalar>(dt);
+  if (btFuzzyZero(step)) {  // less than SIMD_EPSILON, 1.2e-7 in float: only as a substep is it made
+    dynamics_.stepSimulation(step, 1, step);
+  } else {
+    const int as_one_substep = 0;
+    dynamics_.stepSimulation(step, as_one_substep);
+  }
   follow_turn(dt);
 }
 

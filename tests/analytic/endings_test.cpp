@@ -191,6 +191,7 @@ TEST(Endings, AtTheLimitsOfEachNumberNothingOverflows) {
     change(the_case);
     SolveOptions options;
     options.max_events = 200;
+    options.max_steps = 200;
     const Solution solution = solve(the_case, options);
     expect_sound(the_case, solution);
     EXPECT_NE(solution.ending(), Ending::overflow) << name;

@@ -31,14 +31,14 @@ constexpr std::array laws = {ImpactLaw::simultaneous, ImpactLaw::poisson, Impact
 
 /// What became of many systems.
 struct SystemTally {
-  std::array<int, 7> endings{};  // by Ending
-  double overstretch = 0.0;      // [-], of a cable's length
-  double drift = 0.0;            // [-], of a taut cable's gap, of its length
-  double energy_gain = 0.0;      // [-], of the case's energy scale
-  double energy_drift = 0.0;     // [-], between events, of that scale
-  double held_rate = 0.0;        // [m/s], of a taut cable
-  double push = 0.0;             // [-], a tension below zero, of the weights in the system
-  double slowest = 0.0;          // [s] of processor time for one system
+  std::array<int, 10> endings{};  // by Ending
+  double overstretch = 0.0;       // [-], of a cable's length
+  double drift = 0.0;             // [-], of a taut cable's gap, of its length
+  double energy_gain = 0.0;       // [-], of the case's energy scale
+  double energy_drift = 0.0;      // [-], between events, of that scale
+  double held_rate = 0.0;         // [m/s], of a taut cable
+  double push = 0.0;              // [-], a tension below zero, of the weights in the system
+  double slowest = 0.0;           // [s] of processor time for one system
 };
 
 /// Samples `solution` at even times.
@@ -86,6 +86,7 @@ void expect_truthful(const Case& the_case, const Solution& solution, SystemTally
     case Ending::reached_duration:
       EXPECT_EQ(solution.end_time(), the_case.duration);
       break;
+    case Ending::unstable_rest:
     case Ending::rest: {
       EXPECT_EQ(solution.end_time(), the_case.duration);
       const Arc& last = solution.arcs().back();
@@ -93,12 +94,21 @@ void expect_truthful(const Case& the_case, const Solution& solution, SystemTally
       const auto held = resting_tensions(the_case, last.initial, last.taut);
       ASSERT_TRUE(held.has_value());
       EXPECT_EQ(speed_scale(the_case, solution.at(the_case.duration)), 0.0);
-      EXPECT_EQ(difference(solution.at(the_case.duration), last.initial), 0.0);
+      State resting = last.initial;  // a point mass may turn, which nothing notices
+      resting.angle += resting.spin * (last.end - last.start);
+      EXPECT_EQ(difference(solution.at(the_case.duration), resting), 0.0);
       break;
     }
     case Ending::event_limit:
-      EXPECT_GE(solution.arcs().size() + 1, event_limit);
+      EXPECT_GE(solution.events().size(), event_limit);
       break;
+    case Ending::no_progress: {
+      // elastic cables throw the body to and fro within an instant
+      const std::vector<Event>& events = solution.events();
+      const Event& earlier = events.at(events.size() - 5'000);
+      EXPECT_LE(events.back().time - earlier.time, 1e-11 * events.back().time);
+      break;
+    }
     case Ending::singular: {
       // at the end no tension of a sensible size holds the cables at zero gap and rate
       const State end = solution.at(solution.end_time());

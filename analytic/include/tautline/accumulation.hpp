@@ -14,6 +14,8 @@ struct CompletionLimits {
   double error = 1e-17;
   /// Instead of `error`, if given: no remaining rebound is faster than this [m/s].
   std::optional<double> speed;
+  /// How many times its scale a derivative may be while the bounces last [-].
+  double margin = 20.0;
 };
 
 /// What an accumulation of impacts, infinitely many bounces that end within a finite time, comes
@@ -24,6 +26,7 @@ struct BasicCompletion {
   bool ends;               // false: an elastic cable goes on bouncing, too low to matter
   Real remaining;          // [s] to the limit of the impact times, if it ends
   Real uncertainty;        // [s] of `remaining`
+  Real error;              // [-], what completing changes the later velocities by
   BasicState<Real> after;  // projected onto the taut cables, M-orthogonally (Eq. 18)
 };
 using Completion = BasicCompletion<double>;

@@ -28,7 +28,14 @@ using FirstContactSearch = BasicFirstContactSearch<double>;
 template <class Real>
 struct BasicTouching {
   CableSet cables;               // that touch at this instant
-  Real rate_rounding = Real(0);  // [m/s], a closing rate up to this is rounding of zero
+  Real rate_rounding = Real(0);  // [m/s], a closing rate up to this is rounding of zero,
+  Real spin_rounding = Real(0);  // [rad/s], and one up to this times the arm more
+  Real time_rounding = Real(0);  // [s], what is nearer than this is now
+
+  /// A closing rate of `cable` up to this is rounding of zero [m/s].
+  [[nodiscard]] Real rounding(const BasicCable<Real>& cable) const {
+    return rate_rounding + spin_rounding * cable.attachment.norm();
+  }
 };
 using Touching = BasicTouching<double>;
 

@@ -80,8 +80,10 @@ template <class Real>
 /// 0 <= tension, perpendicular to, gap acceleration >= 0.
 template <class Real>
 struct BasicTensions {
-  BasicCableVector<Real> tension;       // [N], one per cable of the set
-  BasicCableVector<Real> acceleration;  // [m/s^2], of each gap under these tensions
+  BasicCableVector<Real> tension;             // [N], one per cable of the set
+  BasicCableVector<Real> acceleration;        // [m/s^2], of each gap under these tensions
+  BasicCableVector<Real> tension_error;       // [N], by which rounding may have changed the tension
+  BasicCableVector<Real> acceleration_error;  // [m/s^2], and the acceleration
 };
 using Tensions = BasicTensions<double>;
 /// None where no tension can hold the cables: the pose is admissible, no motion through it is.

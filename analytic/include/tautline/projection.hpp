@@ -29,10 +29,12 @@ template <class Real>
                                                const BasicState<Real>& state, CableSet cables);
 
 /// The state with the gaps of `cables` closed, M-orthogonally, by Newton's method. The gaps are
-/// small against the lengths.
+/// small against the lengths. Cables whose sine with the others is below `least_sine` are left out:
+/// to close them, too, the body would have to go far.
 template <class Real>
-[[nodiscard]] BasicState<Real> with_zero_gaps(const BasicCase<Real>& the_case,
-                                              BasicState<Real> state, CableSet cables);
+[[nodiscard]] BasicState<Real> with_zero_gaps(
+    const BasicCase<Real>& the_case, BasicState<Real> state, CableSet cables,
+    const std::type_identity_t<Real>& least_sine = Real(0));
 
 /// The state in which `cables` are taut and the momentum along them is that of `state`: the nearest
 /// pose in the metric of M, then the velocity without the rates (Eq. 18). Momentum, not velocity,

@@ -124,7 +124,8 @@ inline constexpr int most_fine_steps = 1000;
 /// bound is too large for a double the root is NaN, never none.
 ///
 /// `Function` offers at(s) -> Sample, and jerk_bound(s, w), an upper bound of |f'''| on [s, s + w]
-/// as long as f >= 0 there; it must not shrink when w grows.
+/// as long as f >= 0 there; it must not shrink when w grows. It may offer clear(s, w), a time up to
+/// w from s on in which it knows of no root, where it oscillates many times before the first.
 template <class Function, class Real>
 [[nodiscard]] BasicRootSearch<Real> first_root(const Function& f, const Real& horizon,
                                                SearchStart start = {}) {
@@ -167,6 +168,9 @@ template <class Function, class Real>
     Real step = safe_step(f, now, s, Real(horizon - s));
     if (!isfinite(step)) {
       return unknown();
+    }
+    if constexpr (requires { f.clear(s, step); }) {
+      step = max(step, Real(f.clear(s, Real(horizon - s))));
     }
     if (s + step == s || search.steps > most_fine_steps) {  // not to be resolved
       if (!isfinite(f.jerk_bound(s, Real(0)))) {

@@ -9,6 +9,7 @@
 #include "tautline/case.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/root_search.hpp"
+#include "tautline/rows.hpp"
 
 namespace tautline {
 
@@ -126,9 +127,8 @@ class TautSeries {
   std::vector<Real> store_;
   Channel x_, y_, angle_, sine_, cosine_;
   std::array<CableSeries, max_cables> cables_;
-  /// Independent rows are three at most.
-  using Coupling = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
-  Coupling inverse_;  // of the matrix K_0 of Eq. 23
+  Vector3<Real> root_of_mass_;
+  RowSpace<Real> coupled_;  // of the rows L a of the taut cables (Eq. 23)
 };
 
 }  // namespace tautline

@@ -3,8 +3,6 @@
 // The recurrences of series.hpp, apart from their declarations. Equation numbers are those of
 // analytic/README.md.
 
-#include <Eigen/LU>
-
 #include "tautline/series.hpp"
 
 namespace tautline {
@@ -130,31 +128,20 @@ void TautSeries<Real>::start_channels(const BasicState<Real>& start) {
   }
 }
 
-/// The inverse of the matrix K_0 of Eq. 23.
+/// The rows whose products are the matrix K_0 of Eq. 23.
 template <class Real>
 void TautSeries<Real>::couple() {
-  const Eigen::Matrix<Real, 3, 1> weight = inverse_mass(case_->body);
-  const auto count = static_cast<Eigen::Index>(taut_.size());
+  root_of_mass_ = root_of_mass(case_->body);
+  const Vector3<Real> weight = root_of_inverse_mass(case_->body);
+  std::array<Vector3<Real>, 3> rows;
+  std::size_t count = 0;
   for (const std::size_t index : taut_) {
     CableSeries& cable = cables_[index];
     cable.lever[0] = cable.arm_x[0] * cable.from_y[0] - cable.arm_y[0] * cable.from_x[0];
+    rows[count++] = {cable.from_x[0] * weight[0], cable.from_y[0] * weight[1],
+                     cable.lever[0] * weight[2]};
   }
-  Coupling coupling(count, count);
-  Eigen::Index row = 0;
-  for (const std::size_t i : taut_) {
-    const CableSeries& a = cables_[i];
-    Eigen::Index column = 0;
-    for (const std::size_t j : taut_) {
-      const CableSeries& b = cables_[j];
-      coupling(row, column++) =
-          (a.from_x[0] * b.from_x[0] + a.from_y[0] * b.from_y[0]) * weight[0] +
-          a.lever[0] * b.lever[0] * weight[2];
-    }
-    ++row;
-  }
-  if (count > 0) {
-    inverse_ = coupling.inverse();
-  }
+  coupled_ = RowSpace<Real>(rows, count);
 }
 
 /// sin' = angle' cos, cos' = -angle' sin. Coefficient k needs the angle's up to k.
@@ -189,14 +176,12 @@ void TautSeries<Real>::expand_cable(std::size_t index, std::size_t k) {
 /// From coefficients up to k + 1 of the pose, the tensions' k and the pose's k + 2 (Eqs. 22-24).
 template <class Real>
 void TautSeries<Real>::expand_motion(std::size_t k) {
-  const Eigen::Matrix<Real, 3, 1> weight = inverse_mass(case_->body);
   const double per_second = static_cast<double>((k + 1) * (k + 2));
-  Real force_x(0);  // of coefficient k, without the unknown tensions; per mass
-  Real force_y(0);
-  Real moment(0);  // per inertia
+  const Vector3<Real> weight = inverse_mass(case_->body);
+  // coefficient k, without the unknown tensions
+  Vector3<Real> acceleration = Vector3<Real>::Zero();
   if (k == 0) {
-    force_x = case_->gravity.x();
-    force_y = case_->gravity.y();
+    acceleration.template head<2>() = case_->gravity;
   } else {
     for (const std::size_t index : taut_) {
       CableSeries& cable = cables_[index];
@@ -204,36 +189,31 @@ void TautSeries<Real>::expand_motion(std::size_t k) {
           series::cross_product<Real>(cable.arm_x, cable.from_y, cable.arm_y, cable.from_x, k);
       const auto [along_x, along_y, turning] =
           series::known_products<Real>(cable.pull, cable.from_x, cable.from_y, cable.lever, k);
-      force_x -= along_x * weight[0];
-      force_y -= along_y * weight[0];
-      moment -= turning * weight[2];
+      acceleration -= Vector3<Real>(along_x, along_y, turning).cwiseProduct(weight);
     }
   }
   // sine and cosine of order k + 2 but for the angle's coefficient k + 2, which is still zero
   expand_trigonometry(k + 2);
-  Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, 3, 1> right(static_cast<Eigen::Index>(taut_.size()));
-  Eigen::Index row = 0;
+  // by the cables, to keep their lengths
+  Vector3<Real> needed = acceleration.cwiseProduct(root_of_mass_);
+  std::size_t row = 0;
   for (const std::size_t index : taut_) {
     expand_cable(index, k + 2);  // the arm's known part only: x and y are still zero, too
     const CableSeries& cable = cables_[index];
     const Real stretch = series::half_square<Real>(cable.from_x, cable.from_y, k + 2);
-    right[row++] = per_second * stretch + cable.from_x[0] * force_x + cable.from_y[0] * force_y +
-                   cable.lever[0] * moment;
+    needed += Real(per_second * stretch) * coupled_.dual(row++);
   }
-  if (row > 0) {
-    row = 0;
-    for (const std::size_t index : taut_) {
-      CableSeries& cable = cables_[index];
-      const Real pull = inverse_.row(row++).transpose().dot(right);
-      cable.pull[k] = pull;
-      force_x -= pull * cable.from_x[0] * weight[0];
-      force_y -= pull * cable.from_y[0] * weight[0];
-      moment -= pull * cable.lever[0] * weight[2];
-    }
+  row = 0;
+  for (const std::size_t index : taut_) {
+    CableSeries& cable = cables_[index];
+    const Real pull = coupled_.dual(row++).dot(needed);
+    cable.pull[k] = pull;
+    acceleration -=
+        pull * Vector3<Real>(cable.from_x[0], cable.from_y[0], cable.lever[0]).cwiseProduct(weight);
   }
-  x_[k + 2] = force_x / per_second;
-  y_[k + 2] = force_y / per_second;
-  angle_[k + 2] = moment / per_second;
+  x_[k + 2] = acceleration[0] / per_second;
+  y_[k + 2] = acceleration[1] / per_second;
+  angle_[k + 2] = acceleration[2] / per_second;
   sine_[k + 2] += cosine_[0] * angle_[k + 2];
   cosine_[k + 2] -= sine_[0] * angle_[k + 2];
   for (std::size_t index = 0; index < case_->cables.size(); ++index) {

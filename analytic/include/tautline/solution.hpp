@@ -49,11 +49,15 @@ using Arc = BasicArc<double>;
 /// Why a solution ends.
 enum class Ending {
   reached_duration,  // nothing ended it before the case's duration
-  rest,              // the body has come to rest for good; the last arc lasts to the duration
+  rest,              // the body has come to rest for good, or to a steady spin about the centre it
+                     // hangs at; the last arc lasts to the duration
+  unstable_rest,     // the same, at an equilibrium that the smallest push ends
   angle_limit,       // |angle| reached the case's limit
   ceiling,           // an attachment reached the case's ceiling
   singular,          // touching cables came into one line: no tension or impulse can be told there
-  event_limit,       // more events and steps than SolveOptions allows
+  event_limit,       // as many events as SolveOptions allows
+  step_limit,        // as many steps of taut motion without an event as SolveOptions allows
+  no_progress,       // event follows event and time does not advance
   overflow,          // the numbers of the motion no longer fit a double
 };
 

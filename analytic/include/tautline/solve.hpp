@@ -17,8 +17,12 @@ struct SolveOptions {
   /// When the rest of an accumulation is completed at once. The default error is below rounding.
   CompletionLimits completion = {};
 
-  /// The run ends with Ending::event_limit after this many events and steps of taut motion.
-  std::size_t max_events = 1'000'000;
+  /// The run ends with Ending::event_limit once it has this many events: about a second.
+  std::size_t max_events = 500'000;
+
+  /// The run ends with Ending::step_limit after this many steps of taut motion: about a second. A
+  /// swing takes some twenty, and a turn of the body about its cables three.
+  std::size_t max_steps = 200'000;
 };
 
 /// The exact motion of `the_case` from time 0. Never throws on a case without `problems`; a case

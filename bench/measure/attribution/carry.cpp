@@ -34,8 +34,8 @@ std::optional<Carried> Carried::by(Case restarted, ImpactLaw law) {
     return std::nullopt;
   }
   Carried result(restarted.initial);
-  result.solution_ =
-      std::make_shared<const Solution>(solve(restarted, {.law = law, .max_events = most_events}));
+  result.solution_ = std::make_shared<const Solution>(
+      solve(restarted, {.law = law, .max_events = most_events, .max_steps = most_events}));
   if (result.solution_->end_time() < restarted.duration) {
     return std::nullopt;
   }

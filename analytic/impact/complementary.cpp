@@ -1,0 +1,100 @@
+#include "complementary.hpp"
+
+#include "instantiate.hpp"
+
+namespace tautline {
+namespace {
+
+/// The rows whose bits are set.
+CableSet rows_of(unsigned bits) {
+  CableSet rows;
+  for (std::size_t row = 0; bits >> row != 0; ++row) {
+    if (((bits >> row) & 1U) != 0) {
+      rows.insert(row);
+    }
+  }
+  return rows;
+}
+
+/// The trial in which the rows of `active` are brought to zero, w_i = 0, by their z_i.
+template <class Real>
+Complementary<Real> trial(const CableRows<Real>& cables, const BasicCableVector<Real>& q,
+                          const BasicCableVector<Real>& rounding, CableSet active) {
+  const RowSpace<Real> space = cables.space(active);
+  Vector3<Real> change = Vector3<Real>::Zero();  // A^T z
+  Vector3<Real> error = Vector3<Real>::Zero();
+  std::size_t i = 0;
+  for (const std::size_t row : active) {
+    change -= q[static_cast<Eigen::Index>(row)] * space.dual(i);
+    error += rounding[static_cast<Eigen::Index>(row)] * space.dual(i).cwiseAbs();
+    ++i;
+  }
+  error += rounding_margin * epsilon<Real>() * change.cwiseAbs();
+  const BasicCableVector<Real> zero = BasicCableVector<Real>::Zero(q.size());
+  Complementary<Real> result{active, zero, q + cables.rows() * change, zero,
+                             rounding + cables.rows().cwiseAbs() * error};
+  i = 0;
+  for (const std::size_t row : active) {
+    const auto k = static_cast<Eigen::Index>(row);
+    result.multipliers[k] = space.dual(i).dot(change);
+    result.multiplier_error[k] = space.dual(i).cwiseAbs().dot(error);
+    result.left[k] = Real(0);
+    ++i;
+  }
+  return result;
+}
+
+/// By how much a trial breaks a sign [in units of w]; none where that is more than rounding.
+template <class Real>
+std::optional<Real> violation(const CableRows<Real>& cables, const Complementary<Real>& found) {
+  Real result(0);
+  for (Eigen::Index row = 0; row < found.left.size(); ++row) {
+    const bool is_active = found.active.contains(static_cast<std::size_t>(row));
+    const Real& value = is_active ? found.multipliers[row] : found.left[row];
+    const Real& error = is_active ? found.multiplier_error[row] : found.left_error[row];
+    if (!(value >= -error)) {  // also where it overflowed
+      return std::nullopt;
+    }
+    const Real unit = is_active ? Real(cables.rows().row(row).squaredNorm()) : Real(1);
+    result = max(result, Real(-value * unit));
+  }
+  return result;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
+                                                 const BasicCableVector<Real>& q,
+                                                 const BasicCableVector<Real>& rounding) {
+  // A solution with independent active rows always exists (Caratheodory), so the at most
+  // 1 + 8 + 28 + 56 sets of up to three rows are all there is to try. In exact arithmetic one of
+  // them violates nothing; rounding decides between neighbours, so the smallest violation wins.
+  std::optional<Complementary<Real>> best;
+  Real smallest = infinity<Real>();
+  for (unsigned bits = 0; bits < (1U << static_cast<unsigned>(q.size())); ++bits) {
+    const CableSet active = rows_of(bits);
+    if (!cables.independent(active)) {
+      continue;
+    }
+    Complementary<Real> found = trial(cables, q, rounding, active);
+    const auto broken = violation(cables, found);
+    if (broken && *broken < smallest) {
+      smallest = *broken;
+      best = std::move(found);
+      if (smallest == 0) {  // exactly: nothing is better
+        break;
+      }
+    }
+  }
+  if (best) {
+    best->multipliers = best->multipliers.cwiseMax(Real(0)).eval();
+  }
+  return best;
+}
+
+template std::optional<Complementary<Instance>> complementary(const CableRows<Instance>&,
+                                                              const BasicCableVector<Instance>&,
+                                                              const BasicCableVector<Instance>&);
+
+}  // namespace tautline

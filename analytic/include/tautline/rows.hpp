@@ -1,0 +1,232 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+
+#include "tautline/case.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/rounding.hpp"
+
+namespace tautline {
+
+// A planar body has three degrees of freedom. Its velocity times the root of the mass is a vector
+// of three numbers, and each cable a row of them, so that the Delassus matrix is G = A A^T. What
+// the cables do to the body is computed from A: G has the square of its condition, and loses twice
+// the digits.
+
+/// A row of A, or a velocity times the root of the mass.
+template <class Real>
+using Vector3 = Eigen::Matrix<Real, 3, 1>;
+
+/// One row of three numbers for each cable of a set, in rising index order.
+template <class Real>
+using Rows = Eigen::Matrix<Real, Eigen::Dynamic, 3, 0, max_cables, 3>;
+
+/// M^1/2 as a diagonal; its last number is 0 for a point mass.
+template <class Real>
+[[nodiscard]] Vector3<Real> root_of_mass(const BasicBody<Real>& body) {
+  const Real root = sqrt(body.mass);
+  return {root, root, body.inertia > 0 ? Real(sqrt(body.inertia)) : Real(0)};
+}
+
+/// M^-1/2 as a diagonal; its last number is 0 for a point mass.
+template <class Real>
+[[nodiscard]] Vector3<Real> root_of_inverse_mass(const BasicBody<Real>& body) {
+  const Real root = Real(1) / sqrt(body.mass);
+  return {root, root, body.inertia > 0 ? Real(Real(1) / sqrt(body.inertia)) : Real(0)};
+}
+
+/// The velocity of `state` times the root of the mass.
+template <class Real>
+[[nodiscard]] Vector3<Real> mass_velocity(const BasicBody<Real>& body,
+                                          const BasicState<Real>& state) {
+  return Vector3<Real>(state.velocity.x(), state.velocity.y(), state.spin)
+      .cwiseProduct(root_of_mass(body));
+}
+
+/// `state` after its velocity times the root of the mass has changed by `change`.
+template <class Real>
+[[nodiscard]] BasicState<Real> with_change(const BasicBody<Real>& body, BasicState<Real> state,
+                                           const Vector3<Real>& change) {
+  const Vector3<Real> jump = change.cwiseProduct(root_of_inverse_mass(body));
+  state.velocity += jump.template head<2>();
+  state.spin += jump[2];
+  return state;
+}
+
+/// The space of up to three independent rows a_i, and their dual vectors k_i in it: k_i . a_j is 1
+/// where i = j, else 0. The multipliers that give A^T z = b are z_i = k_i . b.
+///
+/// By cross products: each number of a k_i then has a rounding error small against the products it
+/// is made of, whatever the sizes of the columns. So a body with next to no inertia, whose last
+/// column is large, costs no digits.
+template <class Real>
+class RowSpace {
+ public:
+  /// No rows: nothing but zero is in it.
+  RowSpace() = default;
+
+  /// The first `size` of `rows`, which are independent.
+  RowSpace(const std::array<Vector3<Real>, 3>& rows, std::size_t size) : size_(size) {
+    if (size_ == 1) {
+      dual_[0] = rows[0] / rows[0].squaredNorm();
+    } else if (size_ == 2) {
+      normal_ = rows[0].cross(rows[1]);
+      const Real square = normal_.squaredNorm();
+      dual_[0] = rows[1].cross(normal_) / square;
+      dual_[1] = normal_.cross(rows[0]) / square;
+    } else if (size_ == 3) {
+      const Vector3<Real> last = rows[0].cross(rows[1]);
+      const Real volume = last.dot(rows[2]);
+      dual_[0] = rows[1].cross(rows[2]) / volume;
+      dual_[1] = rows[2].cross(rows[0]) / volume;
+      dual_[2] = last / volume;
+    }
+  }
+
+  /// How many rows span it.
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// The vector k of the space with k · row(i) = 1 and k · row(j) = 0 for the others.
+  [[nodiscard]] const Vector3<Real>& dual(std::size_t i) const { return dual_[i]; }
+
+  /// The part of `v` in the space. Its error is rounding of `v`, however near to dependence.
+  [[nodiscard]] Vector3<Real> part(const Vector3<Real>& v) const {
+    if (size_ == 1) {
+      return dual_[0] * (dual_[0].dot(v) / dual_[0].squaredNorm());
+    }
+    if (size_ == 2) {
+      return v - normal_ * (normal_.dot(v) / normal_.squaredNorm());
+    }
+    return size_ == 3 ? v : Vector3<Real>(Vector3<Real>::Zero());
+  }
+
+ private:
+  std::size_t size_ = 0;
+  std::array<Vector3<Real>, 3> dual_;
+  Vector3<Real> normal_;  // of the plane of two rows
+};
+
+/// The rows A = J M^-1/2 of `cables`, which know which of them are independent: by their geometry,
+/// whatever the masses.
+template <class Real>
+class CableRows {
+ public:
+  /// Of `cables` at the pose of `state`.
+  CableRows(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables)
+      : rows_(static_cast<Eigen::Index>(cables.size()), 3), shapes_(rows_.rows(), 3) {
+    const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
+    Eigen::Index row = 0;
+    for (const std::size_t index : cables) {
+      const Vector3<Real> gradient = gap_gradient(the_case.cables[index], state);
+      shapes_.row(row) = gradient.transpose();
+      rows_.row(row++) = gradient.cwiseProduct(weight).transpose();
+    }
+    if (cables.size() > 1) {  // one depends on nothing
+      make_comparable(the_case, state, cables);
+    }
+  }
+
+  /// A.
+  [[nodiscard]] const Rows<Real>& rows() const { return rows_; }
+
+  /// The gradients with the angle times the longest arm: every column is a length.
+  [[nodiscard]] const Rows<Real>& shapes() const { return shapes_; }
+
+  /// A sine up to this is rounding of zero [-].
+  [[nodiscard]] const Real& dependent() const { return dependent_; }
+
+  /// Every row.
+  [[nodiscard]] CableSet all() const {
+    CableSet result;
+    for (Eigen::Index row = 0; row < rows_.rows(); ++row) {
+      result.insert(static_cast<std::size_t>(row));
+    }
+    return result;
+  }
+
+  /// True where none of `chosen`, which are rows and not cables, is a sum of the others, beyond
+  /// rounding.
+  [[nodiscard]] bool independent(CableSet chosen) const {
+    if (chosen.size() < 2) {
+      return true;
+    }
+    if (chosen.size() > 3) {
+      return false;
+    }
+    const auto [a, b, c] = vectors(shapes_, chosen);
+    const Vector3<Real> normal = a.cross(b);
+    if (chosen.size() == 2) {
+      return normal.norm() > dependent_;
+    }
+    const Real widest =
+        max(Real(normal.norm()), max(Real(b.cross(c).norm()), Real(c.cross(a).norm())));
+    return widest > dependent_ && abs(normal.dot(c)) > dependent_ * widest;
+  }
+
+  /// That of `chosen`, which are independent.
+  [[nodiscard]] RowSpace<Real> space(CableSet chosen) const {
+    return RowSpace<Real>(vectors(rows_, chosen), chosen.size());
+  }
+
+  /// As many independent rows as there are: of those left the one that stands out most, while its
+  /// sine is above `least` [-] and rounding.
+  [[nodiscard]] CableSet most_independent(const Real& least = Real(0)) const {
+    CableSet result = CableSet::of(0);
+    while (result.size() < 3) {
+      const auto [a, b, unused] = vectors(shapes_, result);
+      const Vector3<Real> normal = a.cross(b);
+      Real largest = max(least, dependent_);
+      std::optional<std::size_t> best;
+      for (Eigen::Index row = 0; row < shapes_.rows(); ++row) {
+        const Vector3<Real> next = shapes_.row(row).transpose();
+        const Real sine = result.size() == 1
+                              ? Real(a.cross(next).norm() / (a.norm() * next.norm()))
+                              : Real(abs(normal.dot(next)) / (normal.norm() * next.norm()));
+        if (sine > largest) {
+          largest = sine;
+          best = static_cast<std::size_t>(row);
+        }
+      }
+      if (!best) {
+        break;
+      }
+      result.insert(*best);
+    }
+    return result;
+  }
+
+ private:
+  using Three = std::array<Vector3<Real>, 3>;
+  static Three vectors(const Rows<Real>& rows, CableSet chosen) {
+    Three result{Vector3<Real>::Zero(), Vector3<Real>::Zero(), Vector3<Real>::Zero()};
+    std::size_t count = 0;
+    for (const std::size_t row : chosen) {
+      result[count++] = rows.row(static_cast<Eigen::Index>(row)).transpose();
+    }
+    return result;
+  }
+
+  /// Gives the shapes a length as their last column, and their rounding.
+  void make_comparable(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                       CableSet cables) {
+    Real longest(0);  // [m], of the arms
+    Real rounding(0);
+    for (const std::size_t index : cables) {
+      const BasicCable<Real>& cable = the_case.cables[index];
+      longest = max(longest, Real(cable.attachment.norm()));
+      rounding = max(rounding, rounding_of_direction(cable, state));
+    }
+    dependent_ = rounding_margin * rounding;
+    const bool turns = longest > 0 && the_case.body.inertia > 0;
+    shapes_.col(2) *= turns ? Real(Real(1) / longest) : Real(0);
+  }
+
+  Rows<Real> rows_;
+  Rows<Real> shapes_;
+  Real dependent_ = Real(0);
+};
+
+}  // namespace tautline

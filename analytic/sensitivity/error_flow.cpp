@@ -1,0 +1,36 @@
+#include "error_flow.hpp"
+
+#include "linearised.hpp"
+#include "saltation.hpp"
+#include "tangent.hpp"
+
+namespace tautline {
+
+StateVector rate_at(const Arc& arc, double dt, const State& last, const Vec2& gravity) {
+  if (arc.series.rows() > 0) {
+    return state_rate(arc, dt, gravity);
+  }
+  StateVector result;
+  result << last.velocity, last.spin, gravity, 0.0;
+  return result;
+}
+
+Spread along(const Spread& spread, const Case& the_case, const Sizes& sizes, const Arc& arc,
+             CableSet basis, double dt, const State& last) {
+  Spread result = spread;
+  if (arc.series.rows() == 0) {  // Eq. 40, from both sides
+    result.topRows<3>() += dt * spread.middleRows<3>(3);
+    result.leftCols<3>() += (dt * result.middleCols<3>(3)).eval();
+  } else if (is_rest(arc)) {
+    if (arc.initial.spin != 0.0) {  // exactly
+      result.row(2) += dt * spread.row(5);
+      result.col(2) += (dt * result.col(5)).eval();
+    }
+  } else {
+    result = carried(spread, the_case, arc.initial, basis, dt);
+  }
+  add_errors(result, arc_rounding(sizes, arc.initial, last, dt));
+  return result;
+}
+
+}  // namespace tautline

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "spread.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline {
+
+// What doubles add to the error of a motion. Each number is made by a few
+// operations, whose roundings are taken as independent.
+
+/// The size of the numbers that a gap is computed from [m].
+inline double gap_scale(const Case& the_case, std::size_t index, const State& state) {
+  const Cable& cable = the_case.cables[index];
+  return cable.length + cable.anchor.norm() + state.position.norm() + cable.attachment.norm();
+}
+
+/// What errors are measured against all along a motion.
+struct Sizes {
+  explicit Sizes(const Case& the_case)
+      : radius(attachment_radius(the_case)),
+        shortest(shortest_length(the_case)),
+        gravity(the_case.gravity.norm()),
+        turned(radius > 0.0 ? std::min(1.0 / radius,
+                                       radius * the_case.body.mass * inverse_mass(the_case.body)[2])
+                            : 0.0),
+        turns(!is_point_mass(the_case)) {}
+
+  /// A bound of the speeds of the body's attachment points [m/s].
+  [[nodiscard]] double speed(const State& state) const {
+    return state.velocity.norm() + std::abs(state.spin) * radius;
+  }
+
+  double radius;    // [m], of the attachments
+  double shortest;  // [m], of the cables
+  double gravity;   // [m/s^2]
+  double turned;    // [1/m], the spin that a unit of velocity turns into where cables share it out
+  bool turns;       // false: a point mass
+};
+
+/// Of the state at the end of an arc of length `dt`.
+inline StateVector arc_rounding(const Sizes& sizes, const State& start, const State& end,
+                                double dt) {
+  const double speed =
+      std::sqrt(std::max(start.velocity.squaredNorm(), end.velocity.squaredNorm()));
+  const double place =
+      start.position.norm() + end.position.norm() + speed * dt + sizes.gravity * dt * dt;
+  const double turn = std::abs(start.angle) + std::abs(end.angle);
+  const double rate = speed + sizes.gravity * dt;
+  const double spin = std::max(std::abs(start.spin), std::abs(end.spin)) + rate * sizes.turned;
+  StateVector result;
+  result << place, place, turn, rate, rate, spin;
+  constexpr double operations = 3.0;  // that count, of those that make each number
+  return operations * one_rounding * result;
+}
+
+}  // namespace tautline

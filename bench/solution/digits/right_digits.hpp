@@ -1,0 +1,89 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ios>
+#include <string>
+
+#include "bench/base/table.hpp"
+#include "bench/base/text.hpp"
+#include "tautline/multiprecision.hpp"
+
+namespace tautline::bench {
+
+// Numbers of which only the digits are shown that are right: both ends of the interval of the error
+// round to them.
+
+/// "-0.00" and its like without the sign.
+[[nodiscard]] inline std::string without_signed_zero(std::string text) {
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return zero && text.starts_with('-') ? text.substr(1) : text;
+}
+
+/// `value` with so many digits after the point.
+[[nodiscard]] inline std::string fixed_digits(double value, int digits) {
+  return fixed_text(value, digits);
+}
+[[nodiscard]] inline std::string fixed_digits(const Multi& value, int digits) {
+  return without_signed_zero(value.str(digits, std::ios::fixed));
+}
+
+/// `value` with so many digits after the first.
+[[nodiscard]] inline std::string scientific_digits(double value, int digits) {
+  return without_signed_zero(fmt::format("{:.{}e}", value, digits));
+}
+[[nodiscard]] inline std::string scientific_digits(const Multi& value, int digits) {
+  return without_signed_zero(value.str(digits, std::ios::scientific));
+}
+
+/// `value`, which is off by at most `error`, with as many right digits after the point as there
+/// are, at most `most`; a dash where none is right.
+template <class Real>
+[[nodiscard]] std::string right_fixed(const Real& value, const Real& error, int most) {
+  if (error >= 0) {
+    for (int digits = most; digits >= 0; --digits) {
+      std::string low = fixed_digits(Real(value - error), digits);
+      if (low == fixed_digits(Real(value + error), digits)) {
+        return low;
+      }
+    }
+  }
+  return dash;
+}
+
+/// The same in powers of ten, with at most `most` digits after the first.
+template <class Real>
+[[nodiscard]] std::string right_scientific(const Real& value, const Real& error, int most) {
+  if (error >= 0) {
+    for (int digits = most; digits >= 0; --digits) {
+      std::string low = scientific_digits(Real(value - error), digits);
+      if (low == scientific_digits(Real(value + error), digits)) {
+        return low;
+      }
+    }
+  }
+  return dash;
+}
+
+/// The same with at most `most` significant digits and no zeros behind them.
+template <class Real>
+[[nodiscard]] std::string right_general(const Real& value, const Real& error, int most) {
+  const double size = std::abs(static_cast<double>(value));
+  if (size > 0.0 && (size < 1e-4 || size >= 1e6)) {
+    return right_scientific(value, error, most - 1);
+  }
+  const int before = size > 0.0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  std::string text = right_fixed(value, error, std::max(0, most - before));
+  const double shown_error = static_cast<double>(error);
+  if (shown_error <= std::pow(10.0, -most - 3) * size && text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);  // zeros of what is exactly so
+    if (text.ends_with('.')) {
+      text.pop_back();
+    }
+  }
+  return text;
+}
+
+}  // namespace tautline::bench

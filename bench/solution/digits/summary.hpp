@@ -1,0 +1,226 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/solution/cable_words.hpp"
+#include "bench/solution/digits/right_digits.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/ledger.hpp"
+#include "tautline/settling.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline::bench {
+
+// How a motion ends and settles in plain words, of which each number has right digits alone.
+
+/// Bounds of the errors of the numbers of a summary; < 0 where nothing is right.
+template <class Real>
+struct SummaryErrors {
+  Real end_time = Real(-1);        // [s]
+  std::vector<Real> last_impacts;  // [s]
+  Real lock = Real(-1);            // [s]
+  Real energy = Real(-1);          // [J], at the end
+  Real amplitude = Real(-1);       // [rad]
+  Real period = Real(-1);          // [s]
+};
+
+/// At most so many digits.
+struct Figures {
+  int after_point = 6;  // of times
+  int significant = 6;  // of other numbers
+};
+
+template <class Real>
+class Summary {
+ public:
+  Summary(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution,
+          const BasicSettling<Real>& settling, SummaryErrors<Real> errors, Figures figures)
+      : case_(the_case),
+        solution_(solution),
+        settling_(settling),
+        errors_(std::move(errors)),
+        figures_(figures) {}
+
+  /// A few lines, each with an end.
+  [[nodiscard]] std::string text() const {
+    std::string result = ending_sentence() + "\n";
+    if (!solution_.events().empty()) {
+      result += last_impacts_sentence() + "\n";
+    }
+    if (!settling_.lock) {
+      const CableSet taut = solution_.arcs().back().taut;
+      result +=
+          fmt::format("At the end {} taut.\n", taut.empty() ? "no cable is" : cables_are(taut));
+    } else {
+      result += lock_sentence(*settling_.lock) + "\n";
+    }
+    const bool swings = settling_.lock && settling_.lock->swing;
+    return result + (swings ? swing_sentence(*settling_.lock->swing) : energy_sentence()) + "\n";
+  }
+
+ private:
+  [[nodiscard]] std::string time(const Real& value, const Real& error, int more = 0) const {
+    return figures_.significant > Figures{}.significant
+               ? right_general(value, error, figures_.significant)
+               : right_fixed(value, error, figures_.after_point + more);
+  }
+  [[nodiscard]] std::string number(const Real& value, const Real& error) const {
+    return right_general(value, error, figures_.significant);
+  }
+
+  /// Since when the body is at rest.
+  [[nodiscard]] std::string since_when() const {
+    return time(solution_.arcs().back().start, errors_.end_time, 3);
+  }
+
+  [[nodiscard]] std::string resting_sentence() const {
+    const std::string duration = shortest(static_cast<double>(case_.duration));
+    if (solution_.arcs().back().initial.spin != Real(0)) {  // exactly
+      return fmt::format(
+          "The body hangs still at its centre from t = {} on, to its duration, t = {}, and turns "
+          "steadily.",
+          since_when(), duration);
+    }
+    return fmt::format("The body is at rest from t = {} on, to its duration, t = {}.", since_when(),
+                       duration);
+  }
+
+  /// What an ending means, in a sentence.
+  [[nodiscard]] std::string ending_sentence() const {
+    const std::string end = time(solution_.end_time(), errors_.end_time, 3);
+    switch (solution_.ending()) {
+      case Ending::reached_duration:
+        return fmt::format("The run reached its duration, t = {}.",
+                           shortest(static_cast<double>(case_.duration)));
+      case Ending::rest:
+        return resting_sentence();
+      case Ending::unstable_rest:
+        return fmt::format(
+            "The body stands still from t = {} on, to its duration, t = {}, at an unstable "
+            "equilibrium: the smallest push would end it.",
+            since_when(), shortest(static_cast<double>(case_.duration)));
+      case Ending::singular:
+        return fmt::format(
+            "Stopped at t = {}: the touching cables come so near to one line there that their "
+            "tensions or impulses cannot be told.",
+            end);
+      case Ending::angle_limit:
+        return fmt::format("|angle| reached the limit {} at t = {}.",
+                           shortest(static_cast<double>(*case_.angle_limit)), end);
+      case Ending::ceiling:
+        return fmt::format("An attachment reached the ceiling {} at t = {}.",
+                           shortest(static_cast<double>(*case_.ceiling)), end);
+      case Ending::event_limit:
+        return fmt::format("Stopped at t = {}: the limit of {} events is reached.", end,
+                           solution_.events().size());
+      case Ending::step_limit:
+        return fmt::format(
+            "Stopped at t = {}: the limit of steps of taut motion is reached; the body turns or "
+            "swings too often until t = {}.",
+            end, shortest(static_cast<double>(case_.duration)));
+      case Ending::no_progress:
+        return fmt::format(
+            "Stopped at t = {}: event follows event there, and time does not "
+            "advance.",
+            end);
+      case Ending::overflow:
+        return fmt::format(
+            "Stopped at t = {}: past it the motion has numbers too large for a double.", end);
+    }
+    return "";
+  }
+
+  [[nodiscard]] std::string last_impacts_sentence() const {
+    std::string result;
+    for (std::size_t index = 0; index < settling_.last_impacts.size(); ++index) {
+      const BasicLastImpact<Real>& last = settling_.last_impacts[index];
+      const std::string when = !last.time ? "none"
+                               : errors_.last_impacts.at(index) < Real(0)
+                                   ? "beyond the horizon"
+                                   : "t = " + time(*last.time, errors_.last_impacts[index]);
+      result += fmt::format("{} faster than {:g}: {}", result.empty() ? "Last impact" : ";",
+                            static_cast<double>(last.speed), when);
+    }
+    return result + ".";
+  }
+
+  /// When the final set of cables became taut, and whether they stay so.
+  [[nodiscard]] std::string lock_sentence(const BasicLock<Real>& lock) const {
+    std::string since;
+    if (errors_.lock < Real(0)) {
+      since = fmt::format("At the end {} taut, since when is beyond the horizon",
+                          cables_are(lock.cables));
+    } else {
+      const double error = static_cast<double>(errors_.lock);
+      const bool wide = error > 0.5e-6 && figures_.significant == Figures{}.significant;
+      // with an error beside it the digit that the error is about is worth showing
+      const int digits = wide ? std::max(0, static_cast<int>(std::ceil(-std::log10(error)))) : 0;
+      since =
+          fmt::format("From t = {} on {} taut",
+                      wide ? fmt::format("{} (+- {:.0e})", fixed_digits(lock.time, digits), error)
+                           : time(lock.time, errors_.lock),
+                      cables_are(lock.cables));
+    }
+    if (lock.rests) {
+      return since + ", for good: the body is at rest.";
+    }
+    if (lock.permanent) {
+      return since + ", for good: no tension falls to zero in a whole period.";
+    }
+    const std::size_t freedoms = is_point_mass(case_) ? 2 : 3;
+    return since + (lock.cables.size() + 1 < freedoms
+                        ? "; for how long is not known: with more than one degree of freedom left "
+                          "there is no period to look at."
+                        : ", but perhaps not for good: no whole period without a release was "
+                          "found.");
+  }
+
+  /// What is left of the initial energy, and the swing.
+  [[nodiscard]] std::string swing_sentence(const BasicSwing<Real>& swing) const {
+    const Real lowest = energy(case_, solution_.at(solution_.end_time())) - swing.energy;
+    const Real start = energy(case_, case_.initial) - lowest;
+    const Real rounding = 16 * epsilon<Real>() * (abs(start) + abs(lowest));
+    if (errors_.energy < Real(0)) {
+      return fmt::format(
+          "The swing is beyond the horizon. Of the initial energy {} above the equilibrium at most "
+          "that much is left.",
+          number(start, rounding));
+    }
+    return fmt::format(
+        "The body swings with amplitude {} rad and period {}. Of the initial energy {} above the "
+        "equilibrium {} is left ({} %).",
+        number(swing.amplitude, errors_.amplitude), number(swing.period, errors_.period),
+        number(start, rounding), number(swing.energy, errors_.energy),
+        right_fixed(Real(100 * swing.energy / start), Real(100 * errors_.energy / start), 2));
+  }
+
+  /// What is left of the initial energy where there is no swing to measure it against.
+  [[nodiscard]] std::string energy_sentence() const {
+    const BasicEnergyLedger<Real> ledger = energy_ledger(case_, solution_);
+    const Real rounding = 4 * epsilon<Real>() * abs(ledger.start);
+    const std::string start = number(ledger.start, rounding);
+    if (errors_.energy < Real(0)) {
+      return fmt::format(
+          "The energy at the start is {}. What impacts have taken at the end is beyond the "
+          "horizon.",
+          start);
+    }
+    const Real lost = ledger.impacts + ledger.completions;
+    const Real end = abs(ledger.end) <= rounding ? Real(0) : ledger.end;
+    return fmt::format("Impacts have taken {} of energy: {} at the start, {} at the end.",
+                       number(lost, Real(errors_.energy + rounding)), start,
+                       number(end, errors_.energy));
+  }
+
+  const BasicCase<Real>& case_;
+  const BasicSolution<Real>& solution_;
+  const BasicSettling<Real>& settling_;
+  SummaryErrors<Real> errors_;
+  Figures figures_;
+};
+
+}  // namespace tautline::bench

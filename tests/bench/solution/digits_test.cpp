@@ -1,0 +1,224 @@
+// What `tautline solve` prints: no digit is wrong, and few right ones are held back.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "bench/cases/case_file.hpp"
+#include "bench/cases/literals.hpp"
+#include "bench/solution/digits/in_digits.hpp"
+#include "bench/solution/digits/many_digits.hpp"
+#include "bench/solution/digits/right_digits.hpp"
+#include "bench/solution/solution_tables.hpp"
+#include "tautline/scenarios.hpp"
+#include "tautline/solve.hpp"
+#include "tautline/uncertainty.hpp"
+#include "tests/analytic/support.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// How many random systems are drawn: more with TAUTLINE_DIGIT_SYSTEMS in the environment, of which
+/// 2000 take some minutes, and then all cases of Table 5.1 too.
+constexpr int few_systems = 60;
+int systems() {
+  const char* const wanted = std::getenv("TAUTLINE_DIGIT_SYSTEMS");
+  return wanted != nullptr ? std::atoi(wanted) : few_systems;
+}
+
+/// Decimal digits of the truth: 100 where time does not matter; what a double has left is far above
+/// the rounding of 50 in these systems, too.
+unsigned true_digits() { return systems() > few_systems ? 100 : 50; }
+
+/// What completing the accumulations of the truth leaves [-].
+constexpr double true_completion = 1e-26;
+
+/// Counts digits that are printed against those that are right.
+struct DigitCount {
+  long printed = 0;
+  long right = 0;
+  long wrong = 0;
+
+  /// A number that is shown with at most `most` digits after the point.
+  void add(double value, double error, const Multi& truth, int most, const std::string& what) {
+    const std::string shown = right_fixed(value, error, most);
+    int good = most;
+    while (good >= 0 && fixed_digits(value, good) != fixed_digits(truth, good)) {
+      --good;
+    }
+    right += good + 1;
+    if (shown == dash) {
+      return;
+    }
+    const std::size_t point = shown.find('.');
+    const int after = point == std::string::npos ? 0 : static_cast<int>(shown.size() - point) - 1;
+    printed += std::min(after, good) + 1;
+    if (shown != fixed_digits(truth, after)) {
+      ++wrong;
+      ADD_FAILURE() << what << " is printed " << shown << ", is " << truth.str(20) << " (double "
+                    << value << " +- " << error << ")";
+    }
+  }
+
+  void add(const State& value, const State& error, const BasicState<Multi>& truth, int most,
+           const std::string& what) {
+    add(value.position.x(), error.position.x(), truth.position.x(), most, what + " x");
+    add(value.position.y(), error.position.y(), truth.position.y(), most, what + " y");
+    add(value.angle, error.angle, truth.angle, most, what + " angle");
+    add(value.velocity.x(), error.velocity.x(), truth.velocity.x(), most, what + " vx");
+    add(value.velocity.y(), error.velocity.y(), truth.velocity.y(), most, what + " vy");
+    add(value.spin, error.spin, truth.spin, most, what + " spin");
+  }
+};
+
+/// The events in order as long as both have the same, and samples everywhere.
+void count_digits(const Case& the_case, DigitCount& count) {
+  const Solution solution = solve(the_case);
+  const Uncertainty uncertainty(the_case, solution);
+  const tautline::Digits precision(true_digits());
+  SolveOptions sharper;
+  sharper.completion.error = true_completion;
+  const BasicSolution<Multi> truth = solve(in_digits(the_case), sharper);
+  constexpr int time_digits = 12;  // as in the table of events
+  constexpr int state_digits = 6;
+  const std::size_t common = std::min(solution.events().size(), truth.events().size());
+  for (std::size_t index = 0; index < common; ++index) {
+    const Event& event = solution.events()[index];
+    const BasicEvent<Multi>& other = truth.events()[index];
+    const auto& errors = uncertainty.events()[index];
+    if (event.kind != other.kind || event.cables != other.cables) {
+      break;  // an accumulation that is followed further, or the horizon
+    }
+    if (errors && event.kind != EventKind::taut) {
+      const std::string what = the_case.name + ": event " + std::to_string(index);
+      count.add(event.time, errors->time, other.time, time_digits, what + " time");
+      count.add(event.after, errors->after, other.after, state_digits, what);
+    }
+  }
+  constexpr int samples = 50;
+  const double end = std::min(solution.end_time(), static_cast<double>(truth.end_time()));
+  for (int sample = 1; sample < samples; ++sample) {
+    const double time = end * sample / samples;
+    if (const auto errors = uncertainty.at(time)) {
+      count.add(solution.at(time), *errors, truth.at(Multi(time)), time_digits,
+                the_case.name + ": t = " + std::to_string(time));
+    }
+  }
+}
+
+TEST(Digits, NoneIsWrongAndFourOfFiveRightOnesArePrinted) {
+  constexpr std::uint64_t seed = 14;
+  test::Random random(seed);
+  DigitCount count;
+  for (int system = 0; system < systems(); ++system) {
+    test::Draw draw;
+    draw.cables = 1 + static_cast<std::size_t>(system % 3);
+    Case the_case = test::random_case(random, draw);
+    the_case.name = "system " + std::to_string(system) + " of seed " + std::to_string(seed);
+    count_digits(the_case, count);
+  }
+  std::printf("%ld digits printed, %ld right, %ld numbers wrong\n", count.printed, count.right,
+              count.wrong);
+  EXPECT_EQ(count.wrong, 0);
+  EXPECT_GE(static_cast<double>(count.printed), 0.8 * static_cast<double>(count.right));
+}
+
+TEST(Digits, StandardCaseIsPrintedRightToTwiceItsHorizon) {
+  DigitCount count;
+  count_digits(shipped_cases().front(), count);  // to t = 20; its horizon is near 8.1
+  std::printf("%ld digits printed, %ld right, %ld numbers wrong\n", count.printed, count.right,
+              count.wrong);
+  EXPECT_EQ(count.wrong, 0);
+  EXPECT_GE(static_cast<double>(count.printed), 0.8 * static_cast<double>(count.right));
+}
+
+TEST(Digits, EveryCaseOfTheTableIsPrintedRight) {
+  if (systems() <= few_systems) {
+    GTEST_SKIP() << "takes a minute: TAUTLINE_DIGIT_SYSTEMS=2000 asks for it";
+  }
+  DigitCount count;
+  for (const Case& the_case : shipped_cases()) {
+    if (the_case.name.starts_with("breakwater/")) {
+      count_digits(the_case, count);
+    }
+  }
+  EXPECT_EQ(count.wrong, 0);
+  EXPECT_GE(static_cast<double>(count.printed), 0.8 * static_cast<double>(count.right));
+}
+
+TEST(Digits, StandardCaseLocksAtItsTimeToTwelveDigits) {
+  const Case the_case = shipped_cases().front();
+  const Solution solution = solve(the_case);
+  const std::string doubles =
+      many_digits_text(the_case, {}, solution, {12, false, false, {}}, unlimited);
+  // 8.1286365121677143 by independent code with 60 digits that follows 614 bounces of cable 1 to
+  // their end, the slide on it, and 281 bounces of cable 0 beside it
+  EXPECT_NE(doubles.find("From t = 8.12863651217 on cables 0+1 are taut"), std::string::npos)
+      << doubles;
+  const std::string decimals =
+      many_digits_text(the_case, {}, solution, {7, true, false, {}}, unlimited);
+  // of the decimals of Table 5.1, as independent code with 60 digits says
+  EXPECT_NE(decimals.find("From t = 8.128808 on"), std::string::npos) << decimals;
+}
+
+TEST(Digits, DecimalsAreReadWithAllTheirDigits) {
+  const std::string file = R"(name = "long"
+duration = 2
+gravity = [0, -2.0]
+body = { mass = 1, inertia = 0 }
+cables = [{ anchor = [0, 0], attachment = [0, 0], length = 2.000_000000000000001, restitution = 0 }]
+initial = { position = [0, -1] }
+)";
+  const CaseReading read = read_case_text(file, "long.toml");
+  ASSERT_TRUE(read.the_case) << read.problems.front();
+  const std::string text = many_digits_text(*read.the_case, {}, solve(*read.the_case),
+                                            {20, true, false, literals(file)}, unlimited);
+  // it falls by 1 + 1e-18 in the root of that
+  EXPECT_NE(text.find("1.0000000000000000005"), std::string::npos) << text;
+}
+
+TEST(Digits, WhatIsPrintedIsWhatBothEndsOfTheErrorRoundTo) {
+  EXPECT_EQ(right_fixed(8.129857, 1.3e-3, 6), "8.13");
+  EXPECT_EQ(right_fixed(0.25, 0.0, 3), "0.250");
+  EXPECT_EQ(right_fixed(0.96, 0.6, 6), dash);
+  EXPECT_EQ(right_fixed(1.0, -1.0, 6), dash) << "nothing is known";
+  EXPECT_EQ(right_fixed(-1e-9, 1e-10, 4), "0.0000");
+  EXPECT_EQ(right_scientific(2.516891e-1, 1e-5, 6), "2.517e-01");
+  EXPECT_EQ(right_general(0.125, 1e-17, 6), "0.125");
+}
+
+TEST(Digits, AnImpactOnMirroredCablesIsSureAndAnAlmostMirroredOneIsOpen) {
+  const std::vector<Case> cases = shipped_cases();
+  Case beam = *std::find_if(cases.begin(), cases.end(),
+                            [](const Case& one) { return one.name == "level-beam"; });
+  const Solution solution = solve(beam);
+  ASSERT_EQ(solution.events().front().cables.size(), 2U);
+  EXPECT_FALSE(Uncertainty(beam, solution).horizon());
+  beam.gravity.x() = 1e-15;  // less than the instants of both impacts can tell
+  const Solution almost = solve(beam);
+  ASSERT_EQ(almost.events().front().cables.size(), 2U);
+  const auto horizon = Uncertainty(beam, almost).horizon();
+  ASSERT_TRUE(horizon) << "which cable is first decides all that follows";
+  EXPECT_NEAR(*horizon, almost.events().front().time, 1e-9) << "the fall is sure";
+  EXPECT_LE(*horizon, almost.events().front().time);
+}
+
+TEST(Digits, EventsBeyondTheHorizonAreOneRow) {
+  const Case the_case = shipped_cases().front();
+  const Solution solution = solve(the_case);
+  const Uncertainty uncertainty(the_case, solution);
+  ASSERT_TRUE(uncertainty.horizon());
+  const std::string text = events_text(the_case, solution, uncertainty, true, unlimited);
+  const std::string row = "beyond the horizon: one of many motions";
+  EXPECT_NE(text.find(row), std::string::npos);
+  EXPECT_EQ(text.find(row), text.rfind(row));
+  EXPECT_EQ(text.find("-0.0000000"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tautline::bench

@@ -43,9 +43,10 @@ class Progress {
 };
 
 /// The end of impacts that follow each other within an instant, between cables that leave the body
-/// next to nowhere to go. For ever where one of them loses energy: their rates fall to zero then,
-/// and as all impulses are along the cables, what is left is the part of the motion that closes
-/// none. None if all are elastic.
+/// next to nowhere to go, and have done so for as long as `Progress` waits. Where one of them loses
+/// energy their rates fall to zero, and as all impulses are along the cables, what is left is the
+/// part of the motion that closes none: derived for two cables (analytic/README.md, "Limits"),
+/// taken for more. None if all are elastic.
 template <class Real>
 [[nodiscard]] std::optional<BasicState<Real>> end_of_chatter(const BasicCase<Real>& the_case,
                                                              const BasicState<Real>& state,

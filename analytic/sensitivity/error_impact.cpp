@@ -31,13 +31,18 @@ double least_gap(double g0, double r0, double g1, double r1, double dt) {
   return least;
 }
 
+/// True where a + b is `sum` and nothing was rounded: Knuth's sum without error.
+bool add_up_to(double a, double b, double sum) {
+  const double of_b = sum - a;
+  return a + b == sum && (a - (sum - of_b)) + (b - of_b) == 0.0;
+}
+
 /// True where the body and `a` stand to a vertical axis as the body and `b` do, to the last bit.
 bool mirrored(const Case& the_case, const State& state, const Cable& a, const Cable& b) {
-  const auto image = [](const Vec2& p) { return Vec2(-p.x(), p.y()); };
   return the_case.gravity.x() == 0.0 && state.angle == 0.0 && state.velocity.x() == 0.0 &&
-         state.spin == 0.0 && a.length == b.length && a.attachment == image(b.attachment) &&
-         a.anchor - Vec2(state.position.x(), 0.0) ==
-             image(b.anchor - Vec2(state.position.x(), 0.0));
+         state.spin == 0.0 && a.length == b.length && a.attachment.x() == -b.attachment.x() &&
+         a.attachment.y() == b.attachment.y() && a.anchor.y() == b.anchor.y() &&
+         add_up_to(a.anchor.x(), b.anchor.x(), 2.0 * state.position.x());
 }
 
 /// The delay of both cables of `hit` where symmetry makes them taut at one instant: an error that

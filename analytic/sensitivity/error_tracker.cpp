@@ -131,7 +131,8 @@ void ErrorTracker::follow(std::size_t index) {
   const State last = next_ < events.size() && events[next_].time <= arc.end ? events[next_].before
                      : index + 1 < arcs.size() ? arcs[index + 1].initial
                                                : arc.after(dt, case_.gravity);
-  if (!arc.taut.empty() && (followed_ != before_ || before_->taut != arc.taut)) {
+  const bool goes_on = before_ != nullptr && followed_ == before_ && before_->taut == arc.taut;
+  if (!arc.taut.empty() && !goes_on) {
     basis_ = basis(case_, arc.initial, arc.taut);
   }
   followed_ = &arc;

@@ -54,6 +54,10 @@ std::vector<Solution> neighbours(const Case& the_case, const Solution& solution,
   rate << arc.initial.velocity, arc.initial.spin, the_case.gravity, 0.0;
   const Eigen::SelfAdjointEigenSolver<StateMatrix> split(at_instant(origin.spread, rate));
   const StateVector largest = bound(split.eigenvalues()[5]) * split.eigenvectors().col(5);
+  constexpr std::size_t few = 1'000;  // [-]
+  SolveOptions patient = options;     // with what does as the solution does, not with more
+  patient.max_events = std::min(options.max_events, few + 2 * solution.events().size());
+  patient.max_steps = std::min(options.max_steps, few + 2 * solution.arcs().size());
   Case neighbour = the_case;
   neighbour.duration = origin.duration;
   std::vector<Solution> result;
@@ -62,7 +66,7 @@ std::vector<Solution> neighbours(const Case& the_case, const Solution& solution,
     if (!problems(neighbour).empty()) {
       return {};
     }
-    result.push_back(solve(neighbour, options));
+    result.push_back(solve(neighbour, patient));
     const Solution& motion = result.back();
     if (final_set(motion) == nullptr || motion.arcs().back().taut != solution.arcs().back().taut ||
         motion.end_time() < neighbour.duration) {

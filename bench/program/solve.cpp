@@ -91,9 +91,10 @@ std::optional<std::string> digits_usage_problem(const SolveCommand& command) {
   if (*command.digits < 1 || *command.digits > most_right_digits) {
     return fmt::format("--digits {}: must be 1 to {}", *command.digits, most_right_digits);
   }
-  if (!command.json.empty() || !command.at.empty()) {
-    return fmt::format("--digits {}: prints a summary and events; --json and --at need --certify",
-                       *command.digits);
+  if (!command.json.empty() || !command.at.empty() || !command.plot.empty()) {
+    return fmt::format(
+        "--digits {}: prints a summary and events; --json, --plot and --at need --certify",
+        *command.digits);
   }
   return std::nullopt;
 }

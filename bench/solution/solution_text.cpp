@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "bench/solution/digits/summary.hpp"
 #include "tautline/geometry.hpp"
@@ -77,23 +79,40 @@ SummaryErrors<double> summary_errors(const Case& the_case, const Solution& solut
   return errors;
 }
 
+/// Two instants with as many digits as show that they differ.
+std::pair<std::string, std::string> told_apart(double from, double until) {
+  for (int digits = 6; digits < std::numeric_limits<double>::max_digits10; ++digits) {
+    const std::string a = fmt::format("{:.{}g}", from, digits);
+    const std::string b = fmt::format("{:.{}g}", until, digits);
+    if (a != b) {
+      return {a, b};
+    }
+  }
+  return {shortest(from), shortest(until)};
+}
+
 /// Where the solution is one of many, and what is sure there all the same.
 std::string horizon_text(const Case& the_case, const Solution& solution,
                          const Uncertainty& uncertainty) {
   std::string result;
   for (const Unsure& stretch : uncertainty.unsure()) {
-    const std::string from = fmt::format("{:.6g}", stretch.from);
     if (stretch.until <= solution.end_time()) {
+      const auto [from, until] = told_apart(stretch.from, stretch.until);
       result += fmt::format(
-          "Between t = {} and {:.6g} the order of impacts is beyond the horizon: one of many "
-          "motions, which all come to the same taut cables.\n",
-          from, stretch.until);
+          "Between t = {} and {} the order of impacts is beyond the horizon: one of many motions, "
+          "which all come to the same taut cables.\n",
+          from, until);
     } else {
-      const double left = energy(the_case, solution.at(std::max(0.0, stretch.from)));
+      const double before = std::max(0.0, std::nextafter(stretch.from, 0.0));
+      const double error = uncertainty.energy(before).value_or(-1.0);
+      const std::string left =
+          error < 0.0 ? ""
+                      : fmt::format(", {} there,",
+                                    right_general(energy(the_case, solution.at(before)), error, 6));
       result += fmt::format(
-          "From t = {} on all is beyond the horizon: one of many motions. Sure is that the energy, "
-          "{:.3g} there, does not grow. --digits N tells this one.\n",
-          from, left);
+          "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "
+          "energy{} does not grow. --digits N computes this one, which may take long.\n",
+          stretch.from, left);
     }
   }
   return result;

@@ -65,14 +65,14 @@ BasicCable<Multi> in_decimals(const Decimals& read, const std::string& place, co
   return result;
 }
 
-/// `the_case` with the numbers of Table 5.1 as they are printed, or with the decimals that its
-/// doubles are read from.
+/// `the_case` with the numbers of Table 5.1 as they are printed if it is of no file, or with the
+/// decimals that its doubles are read from.
 BasicCase<Multi> in_decimals(const Case& the_case, const Literals& written) {
   const Decimals read(written);
   BasicCase<Multi> result = in_digits(the_case);
   result.duration = read.number("duration", the_case.duration);
   for (const auto& row : table_5_1<Multi>()) {
-    if (the_case.name == "breakwater/" + std::string(row.number)) {
+    if (written.empty() && the_case.name == "breakwater/" + std::string(row.number)) {
       const Multi duration = result.duration;
       result = breakwater<Multi>(row.parameters, the_case.name);
       result.duration = duration;

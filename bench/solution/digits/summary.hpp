@@ -72,20 +72,27 @@ class Summary {
     return right_general(value, error, figures_.significant);
   }
 
-  /// Since when the body is at rest.
+  /// Since when the body is at rest: since the end of its bounces, if any are completed.
+  [[nodiscard]] Real rest_time() const {
+    return settling_.lock ? settling_.lock->time : solution_.arcs().back().start;
+  }
   [[nodiscard]] std::string since_when() const {
-    return time(solution_.arcs().back().start, errors_.end_time, 3);
+    const Real error = settling_.lock ? errors_.lock : errors_.end_time;
+    return error < Real(0) ? "an instant beyond the horizon" : "t = " + time(rest_time(), error, 3);
   }
 
   [[nodiscard]] std::string resting_sentence() const {
     const std::string duration = shortest(static_cast<double>(case_.duration));
+    if (rest_time() > case_.duration) {
+      return fmt::format("The run reached its duration, t = {}, among the last bounces.", duration);
+    }
     if (solution_.arcs().back().initial.spin != Real(0)) {  // exactly
       return fmt::format(
-          "The body hangs still at its centre from t = {} on, to its duration, t = {}, and turns "
+          "The body hangs still at its centre from {} on, to its duration, t = {}, and turns "
           "steadily.",
           since_when(), duration);
     }
-    return fmt::format("The body is at rest from t = {} on, to its duration, t = {}.", since_when(),
+    return fmt::format("The body is at rest from {} on, to its duration, t = {}.", since_when(),
                        duration);
   }
 
@@ -100,7 +107,7 @@ class Summary {
         return resting_sentence();
       case Ending::unstable_rest:
         return fmt::format(
-            "The body stands still from t = {} on, to its duration, t = {}, at an unstable "
+            "The body stands still from {} on, to its duration, t = {}, at an unstable "
             "equilibrium: the smallest push would end it.",
             since_when(), shortest(static_cast<double>(case_.duration)));
       case Ending::singular:

@@ -15,7 +15,9 @@
 #include "bench/solution/digits/many_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/solution_tables.hpp"
+#include "bench/solution/solution_text.hpp"
 #include "tautline/scenarios.hpp"
+#include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 #include "tautline/uncertainty.hpp"
 #include "tests/analytic/support.hpp"
@@ -199,6 +201,12 @@ TEST(Digits, AnImpactOnMirroredCablesIsSureAndAnAlmostMirroredOneIsOpen) {
   const Solution solution = solve(beam);
   ASSERT_EQ(solution.events().front().cables.size(), 2U);
   EXPECT_FALSE(Uncertainty(beam, solution).horizon());
+  Case beside = beam;  // to both sides alike only as far as differences are rounded
+  beside.initial.position.x() = 0.1;
+  beside.cables[0].anchor.x() = -2.9;
+  beside.cables[1].anchor.x() = 3.1;
+  const Solution shifted = solve(beside);
+  EXPECT_TRUE(Uncertainty(beside, shifted).horizon());
   beam.gravity.x() = 1e-15;  // less than the instants of both impacts can tell
   const Solution almost = solve(beam);
   ASSERT_EQ(almost.events().front().cables.size(), 2U);
@@ -206,6 +214,57 @@ TEST(Digits, AnImpactOnMirroredCablesIsSureAndAnAlmostMirroredOneIsOpen) {
   ASSERT_TRUE(horizon) << "which cable is first decides all that follows";
   EXPECT_NEAR(*horizon, almost.events().front().time, 1e-9) << "the fall is sure";
   EXPECT_LE(*horizon, almost.events().front().time);
+}
+
+TEST(Digits, AMotionThatStartsOnATautCableHasBounds) {
+  Case hung;
+  hung.name = "hung";
+  hung.duration = 5.0;
+  hung.gravity = {0.0, -1.0};
+  hung.body = {1.0, 0.1};
+  hung.cables = {{{0.0, 0.0}, {0.0, 0.5}, 1.0, 0.5}};
+  hung.initial.position = {0.0, -1.5};
+  for (const double push : {0.0, 0.1}) {
+    hung.initial.velocity.x() = push;
+    const Solution solution = solve(hung);
+    const auto errors = Uncertainty(hung, solution).at(4.0);
+    ASSERT_TRUE(errors) << "pushed by " << push;
+    EXPECT_LT(errors->position.norm(), 1e-12);
+  }
+  hung.initial.velocity.x() = 0.0;
+  hung.cables[0].attachment.y() = -0.5;  // below its centre
+  hung.initial.position.y() = -0.5;
+  const Solution unstable = solve(hung);
+  EXPECT_EQ(unstable.ending(), Ending::unstable_rest);
+  EXPECT_TRUE(Uncertainty(hung, unstable).at(0.0));
+}
+
+TEST(Digits, AFileIsReadWhateverTheNameOfItsCase) {
+  const std::string file = R"(name = "breakwater/1910121100"
+duration = 1.5
+gravity = [0, -2.0]
+body = { mass = 1, inertia = 0 }
+cables = [{ anchor = [0, 0], attachment = [0, 0], length = 2, restitution = 0.5 }]
+initial = { position = [0, -1] }
+)";
+  const CaseReading read = read_case_text(file, "own.toml");
+  ASSERT_TRUE(read.the_case) << read.problems.front();
+  const std::string text = many_digits_text(*read.the_case, {}, solve(*read.the_case),
+                                            {6, true, false, literals(file)}, unlimited);
+  EXPECT_NE(text.find("t = 1.000000;"), std::string::npos) << text;
+}
+
+TEST(Digits, RestIsSaidFromTheEndOfTheBouncesOn) {
+  const std::vector<Case> cases = shipped_cases();
+  Case ball = *std::find_if(cases.begin(), cases.end(),
+                            [](const Case& one) { return one.name == "bouncing-ball"; });
+  const auto text = [&](double until) {
+    ball.duration = until;
+    const Solution solution = solve(ball);
+    return solution_text(ball, solution, settling(ball, solution), Uncertainty(ball, solution));
+  };
+  EXPECT_NE(text(4.0).find("at rest from t = 3.0000000"), std::string::npos) << text(4.0);
+  EXPECT_NE(text(2.9999999999).find("among the last bounces"), std::string::npos);
 }
 
 TEST(Digits, EventsBeyondTheHorizonAreOneRow) {

@@ -1,0 +1,119 @@
+#include "bench/ensemble/solve/ensemble.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "bench/base/atomic_file.hpp"
+#include "bench/base/process.hpp"
+#include "bench/ensemble/solve/draw_files.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Draws that are solved in one go.
+struct Chunk {
+  std::size_t setup;
+  std::size_t first;
+  std::size_t end;
+  std::vector<DrawResult> results = {};
+};
+
+std::vector<Chunk> chunks_of(const EnsembleRequest& request) {
+  const std::size_t count = draw_count(request.spec);
+  std::vector<Chunk> chunks;
+  for (std::size_t setup = 0; setup < request.setups.size(); ++setup) {
+    const std::size_t size = chunk_size(request.setups[setup]);
+    for (std::size_t first = 0; first < count; first += size) {
+      chunks.push_back({setup, first, std::min(first + size, count)});
+    }
+  }
+  std::stable_sort(chunks.begin(), chunks.end(),
+                   [](const Chunk& one, const Chunk& other) { return one.first < other.first; });
+  return chunks;
+}
+
+/// One thread's part of the work: its solvers, and the files that keep what they find.
+class Solving {
+ public:
+  Solving(const EnsembleRequest& request, const EnsembleOptions& options)
+      : request_(request), options_(options) {}
+
+  /// Fills the results of `chunk`; true where they had been done before.
+  bool fill(Chunk& chunk) {
+    const Setup& setup = request_.setups[chunk.setup];
+    const std::uint64_t mark = draws_fingerprint(
+        request_.spec, setup, options_.programs.empty() ? 0 : options_.programs[chunk.setup]);
+    const auto file = chunk_file(options_.out, setup, chunk.first);
+    if (options_.resume) {
+      if (auto kept = read_chunk(file, request_.spec, mark, chunk.first, chunk.end)) {
+        chunk.results = std::move(*kept);
+        return true;
+      }
+    }
+    auto& solver = solvers_[chunk.setup];
+    if (!solver) {
+      solver = draw_solver(request_, setup);
+    }
+    chunk.results = solver->solve(chunk.first, chunk.end);
+    const bool whole = chunk.results.size() == chunk.end - chunk.first;
+    if (whole && !options_.out.empty()) {
+      write_file(file, chunk_csv(request_.spec, mark, chunk.results));
+    }
+    return false;
+  }
+
+ private:
+  const EnsembleRequest& request_;
+  const EnsembleOptions& options_;
+  std::map<std::size_t, std::unique_ptr<DrawSolver>> solvers_;  // by setup
+};
+
+}  // namespace
+
+EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOptions& options,
+                              const DrawProgress& progress) {
+  std::vector<Chunk> chunks = chunks_of(request);
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex guard;  // of `failure` and `progress`
+  const auto work = [&] {
+    Solving solving(request, options);
+    for (std::size_t index = next++; index < chunks.size() && !interruption(); index = next++) {
+      try {
+        Chunk& chunk = chunks[index];
+        const bool kept = solving.fill(chunk);
+        const std::scoped_lock lock(guard);
+        progress(request.setups[chunk.setup], chunk.results.size(), kept);
+      } catch (...) {
+        const std::scoped_lock lock(guard);
+        failure = std::current_exception();
+        next = chunks.size();
+        return;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned job = 0; job < options.jobs; ++job) {
+      workers.emplace_back(work);
+    }
+  }
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
+  EnsembleResult result;
+  result.draws.resize(request.setups.size());
+  result.interrupted = interruption();
+  for (Chunk& chunk : chunks) {  // those of a setup in rising order
+    std::move(chunk.results.begin(), chunk.results.end(),
+              std::back_inserter(result.draws[chunk.setup]));
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

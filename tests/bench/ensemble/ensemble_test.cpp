@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -28,7 +29,7 @@ EnsembleRequest request_of(const std::string& text) {
 
 EnsembleResult solved(const EnsembleRequest& request, unsigned jobs = 2) {
   return solve_ensemble(request, {.out = {}, .jobs = jobs, .resume = false, .programs = {}},
-                        [](const Setup&, std::size_t, bool) {});
+                        [](const auto&, std::size_t, bool) {});
 }
 
 /// All draws as text: the same bits, the same text.
@@ -60,10 +61,12 @@ TEST(Ensemble, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(Ensemble, StatisticsOfADrawAreThoseOfItsMotion) {
   const EnsembleRequest request = request_of(perturbed("1910121100", 3));
-  for (const DrawResult& draw : solved(request).draws.front()) {
+  const EnsembleResult result = solved(request);
+  for (const DrawResult& draw : result.draws.front()) {
     const Case the_case = case_of(request.spec, request.setups.front(), draw.draw);
     const Solution solution = solve(the_case);
     const Settling settled = settling(the_case, solution);
+    ASSERT_TRUE(settled.lock && settled.lock->swing);
     EXPECT_EQ(value_of(request, draw, "settled_fast"), settled.last_impacts[0].time);
     EXPECT_EQ(value_of(request, draw, "settled_slow"), settled.last_impacts[1].time);
     EXPECT_EQ(value_of(request, draw, "lock"), settled.lock->time);
@@ -110,7 +113,7 @@ TEST(Ensemble, ResumesFromWhatItsFolderHas) {
   EnsembleRequest request = request_of(perturbed("1510121100", 500));
   EnsembleOptions options{.out = folder.path(), .jobs = 2, .resume = true, .programs = {}};
   std::size_t kept = 0;
-  const auto count_kept = [&](const Setup&, std::size_t draws, bool was_kept) {
+  const auto count_kept = [&](const auto&, std::size_t draws, bool was_kept) {
     kept += was_kept ? draws : 0;
   };
   const std::string all = text_of(request, solve_ensemble(request, options, count_kept));

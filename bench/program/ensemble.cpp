@@ -34,7 +34,8 @@ namespace fs = std::filesystem;
 struct EnsembleCommand {
   std::string spec;
   std::string command_line;
-  std::optional<std::size_t> count;  // none: that of the spec
+  std::optional<std::string> the_case;  // none: that of the spec
+  std::optional<std::size_t> count;     // none: that of the spec
   fs::path out = "ensemble";
   std::optional<unsigned> jobs;  // none: one per core
   bool resume = false;
@@ -108,7 +109,7 @@ std::vector<std::uint64_t> programs_of(const EnsembleRequest& request) {
 EnsembleReading read_ensemble(const EnsembleCommand& command) {
   EnsembleReading reading;
   reading.problems = command_problems(command);
-  SpecReading spec = read_spec_file(command.spec);
+  SpecReading spec = read_spec_file(command.spec, command.the_case);
   add_problems(reading.problems, spec.problems);
   if (!reading.problems.empty()) {
     return reading;
@@ -220,6 +221,7 @@ void add_ensemble(CLI::App& app, int& code, const std::string& command_line) {
           "SPEC", asked->spec,
           "a file (TOML) that names the case, what varies, how many draws, and the engines")
       ->required();
+  command->add_option("--case", asked->the_case, "this case instead, a file or a shipped one");
   command->add_option("--count", asked->count, "so many draws, or at each point of a grid");
   command->add_option("--out", asked->out, "folder for the page and the draws")
       ->capture_default_str();

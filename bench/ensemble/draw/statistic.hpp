@@ -20,6 +20,7 @@ struct Statistic {
   std::string unit;     // or empty
   Digits digits;        // of a value
   bool compared;        // with the exact motion
+  bool of_exact;        // the exact motion tells it; no cable of it is ever overstretched
   bool of_engines;      // an engine's run tells it
   std::string meaning;  // a sentence
 };

@@ -39,7 +39,7 @@ ordered_json setup_json(const EnsembleReport& report, std::size_t place) {
   ordered_json summaries = ordered_json::object();
   for (std::size_t index = 0; index < findings.statistics.size(); ++index) {
     const Statistic& statistic = findings.statistics[index];
-    if (!setup.engine || statistic.of_engines) {
+    if (setup.engine ? statistic.of_engines : statistic.of_exact) {
       summaries[statistic.name] = summary_json(findings.summaries[place][index]);
     }
   }

@@ -56,8 +56,13 @@ Table summary_table(const EnsembleReport& report) {
   const Findings& findings = report.findings;
   for (std::size_t place = 0; place < findings.statistics.size(); ++place) {
     const Statistic& statistic = findings.statistics[place];
+    if (is_constant(report, place)) {
+      continue;  // a sentence says so
+    }
+    bool is_first = true;
     for (std::size_t setup = 0; setup < report.request.setups.size(); ++setup) {
-      if (report.request.setups[setup].engine && !statistic.of_engines) {
+      const bool of_engine = report.request.setups[setup].engine.has_value();
+      if (of_engine ? !statistic.of_engines : !statistic.of_exact) {
         continue;
       }
       const Summary& summary = findings.summaries[setup][place];
@@ -66,7 +71,7 @@ Table summary_table(const EnsembleReport& report) {
                            digits_between(statistic));
       };
       const Quantile& median = summary.quantiles[median_place];
-      table.add({setup == 0 ? Cell(statistic_title(statistic)) : Cell(""),
+      table.add({is_first ? Cell(statistic_title(statistic)) : Cell(""),
                  printable(report.request.setups[setup].name),
                  number_cell(static_cast<double>(summary.count), as_count),
                  number_cell(static_cast<double>(summary.without), as_count),
@@ -76,6 +81,7 @@ Table summary_table(const EnsembleReport& report) {
                  number_cell(summary.quantiles.front().value, statistic.digits),
                  number_cell(summary.quantiles.back().value, statistic.digits), some(summary.mean),
                  some(summary.deviation)});
+      is_first = false;
     }
   }
   return table;
@@ -89,7 +95,7 @@ Table comparison_table(const EnsembleReport& report) {
   std::size_t last = 0;
   for (const Comparison& one : findings.comparisons) {
     const Statistic& statistic = findings.statistics[one.statistic];
-    Cell verdict(one.differs() ? "differs" : "same?");
+    Cell verdict(one.differs() ? "differs" : "not told apart");
     verdict.kind = one.differs() ? "verdict fail" : "verdict pass";
     verdict.colour = one.differs() ? Colour::red : Colour::plain;
     table.add(

@@ -63,7 +63,36 @@ std::string verdict_on(const EnsembleReport& report, std::size_t setup) {
                      all.size(), joined(words, "and"));
 }
 
+/// "The same in all draws: captured (1) and first cable (0)."; empty where nothing is.
+std::string constant_words(const EnsembleReport& report) {
+  std::vector<std::string> words;
+  for (std::size_t place = 0; place < report.findings.statistics.size(); ++place) {
+    const Summary& summary = report.findings.summaries.front()[place];
+    if (is_constant(report, place) && summary.count > 0) {
+      words.push_back(
+          fmt::format("{} ({:g})", report.findings.statistics[place].heading, summary.mean));
+    }
+  }
+  return words.empty() ? "" : "The same in all draws: " + joined(words, "and") + ".";
+}
+
 }  // namespace
+
+bool is_constant(const EnsembleReport& report, std::size_t statistic) {
+  std::optional<double> value;
+  for (const std::vector<DrawResult>& draws : report.result.draws) {
+    for (const DrawResult& draw : draws) {
+      if (!draw.problem.empty() || !draw.values[statistic]) {
+        continue;
+      }
+      value = value.value_or(*draw.values[statistic]);
+      if (*draw.values[statistic] != *value) {  // exactly: the same number
+        return false;
+      }
+    }
+  }
+  return true;
+}
 
 std::string statistic_title(const Statistic& statistic) {
   return statistic.heading + (statistic.unit.empty() ? "" : " [" + statistic.unit + "]");
@@ -90,6 +119,9 @@ std::vector<std::string> ensemble_sentences(const EnsembleReport& report) {
                                       report.result.draws[setup].size(),
                                       printable(report.findings.first_problems[setup])));
     }
+  }
+  if (std::string constant = constant_words(report); !constant.empty()) {
+    sentences.push_back(std::move(constant));
   }
   if (report.result.interrupted) {
     sentences.emplace_back("Interrupted: these are the draws that are finished.");

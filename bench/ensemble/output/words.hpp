@@ -23,6 +23,9 @@ struct EnsembleReport {
 /// for each with draws that have no values.
 [[nodiscard]] std::vector<std::string> ensemble_sentences(const EnsembleReport& report);
 
+/// True where every draw of every setup has the same value of a statistic, or none has one.
+[[nodiscard]] bool is_constant(const EnsembleReport& report, std::size_t statistic);
+
 /// "last impact > 0.01 m/s [s]".
 [[nodiscard]] std::string statistic_title(const Statistic& statistic);
 

@@ -47,12 +47,14 @@ ImpactLaw read_law(StrictTable& table) {
 }
 
 /// The case that a spec means: a file beside it, or a shipped one.
-std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source) {
+std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source,
+                              const std::optional<std::string>& other_case) {
   std::string name = root.text("case");
   if (name.ends_with(".toml") && std::filesystem::path(name).is_relative()) {
     name = (source.parent_path() / name).string();
     name = name.find('/') == std::string::npos ? "./" + name : name;
   }
+  name = other_case.value_or(name);
   if (name.empty()) {
     return std::nullopt;
   }
@@ -192,10 +194,10 @@ void check_names(StrictTable& root, const EnsembleSpec& spec) {
 }
 
 EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& source,
-                         FileProblems& wrong) {
+                         const std::optional<std::string>& other_case, FileProblems& wrong) {
   StrictTable root(&file, "", wrong);
   EnsembleSpec spec;
-  spec.the_case = read_case(root, source).value_or(Case());
+  spec.the_case = read_case(root, source, other_case).value_or(Case());
   spec.the_case.duration =
       root.optional_number("until", above_zero, "[s]").value_or(spec.the_case.duration);
   spec.count =
@@ -228,23 +230,25 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
 
 }  // namespace
 
-SpecReading read_spec_file(const std::filesystem::path& path) {
+SpecReading read_spec_file(const std::filesystem::path& path,
+                           const std::optional<std::string>& other_case) {
   const InputFile file = read_input_file(path, longest_spec_file);
   if (file.problem) {
     FileProblems wrong(path.native());
     wrong.add(0, *file.problem);
     return {std::nullopt, wrong.sentences()};
   }
-  return read_spec_text(file.content, path);
+  return read_spec_text(file.content, path, other_case);
 }
 
-SpecReading read_spec_text(std::string_view text, const std::filesystem::path& source) {
+SpecReading read_spec_text(std::string_view text, const std::filesystem::path& source,
+                           const std::optional<std::string>& other_case) {
   FileProblems wrong(source.native());
   const std::optional<toml::table> file = parse_toml(text, wrong);
   if (!file) {
     return {std::nullopt, wrong.sentences()};
   }
-  EnsembleSpec spec = read_tables(*file, source, wrong);
+  EnsembleSpec spec = read_tables(*file, source, other_case, wrong);
   if (!wrong.empty()) {
     return {std::nullopt, wrong.sentences()};
   }

@@ -18,11 +18,13 @@ struct SpecReading {
 };
 
 /// Reads the file of `tautline ensemble` (docs/ensembles.md), as strictly as a case file. A path in
-/// it counts from the folder that it is in.
-[[nodiscard]] SpecReading read_spec_file(const std::filesystem::path& path);
+/// it counts from the folder that it is in. `other_case` stands for the case that it names.
+/// `other_case` stands for the case that it names.
+[[nodiscard]] SpecReading read_spec_file(const std::filesystem::path& path,
+                                         const std::optional<std::string>& other_case = {});
 
 /// Reads its text; `source` stands for the file in the sentences, and for its folder.
-[[nodiscard]] SpecReading read_spec_text(std::string_view text,
-                                         const std::filesystem::path& source);
+[[nodiscard]] SpecReading read_spec_text(std::string_view text, const std::filesystem::path& source,
+                                         const std::optional<std::string>& other_case = {});
 
 }  // namespace tautline::bench

@@ -142,6 +142,7 @@ EnsembleResult solve_visibly(const EnsembleReading& reading) {
     work += work_of(setup) * static_cast<double>(draws);
   }
   Progress progress(work, draws * request.setups.size(), "draws");
+  progress.show_rate();
   EnsembleResult result = solve_ensemble(request, reading.options,
                                          [&](const Setup& setup, std::size_t ended, bool kept) {
                                            for (std::size_t draw = 0; draw < ended; ++draw) {

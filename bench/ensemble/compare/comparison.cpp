@@ -56,7 +56,8 @@ void test(Pair& pair, std::uint64_t seed, std::size_t tests) {
   // Holm asks this of the first test that he refuses where he has refused none before
   found.visible =
       critical_distance(error_rate / static_cast<double>(tests), first.size(), second.size());
-  if (const double shift = visible_shift(first.values, found.visible); std::isfinite(shift)) {
+  if (const double shift = visible_shift(first.values, found.visible);
+      shift > 0.0 && std::isfinite(shift)) {
     found.visible_shift = shift;
   }
   if (found.energy) {

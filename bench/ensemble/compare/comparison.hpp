@@ -33,7 +33,8 @@ struct Comparison {
   std::optional<double> median_change;  // in the statistic's unit; none without both medians
   /// The smallest Kolmogorov distance that would be called a difference [-].
   double visible = 1.0;
-  std::optional<double> visible_shift;  // that a shift would make; none where none is that small
+  std::optional<double>
+      visible_shift;  // that makes it; none where more draws than that share a value
 
   [[nodiscard]] bool differs() const {
     return kolmogorov.adjusted <= error_rate || (energy && energy->adjusted <= error_rate);

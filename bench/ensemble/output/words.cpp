@@ -23,9 +23,9 @@ std::vector<const Comparison*> comparisons_of(const Findings& findings, std::siz
 /// "0.08 (a shift of 0.05 s)".
 std::string visible_words(const Comparison& one, const Statistic& statistic) {
   std::string words = fmt::format("{:.2g}", one.visible);
-  if (one.visible_shift && *one.visible_shift > 0.0) {
-    words += fmt::format(", as a shift of {:.2g} {} would make", *one.visible_shift,
-                         statistic.unit.empty() ? "" : statistic.unit);
+  if (one.visible_shift) {
+    words += fmt::format(", as a shift of {:.2g}{}{} would make", *one.visible_shift,
+                         statistic.unit.empty() ? "" : " ", statistic.unit);
   }
   return words;
 }

@@ -78,6 +78,7 @@ void adjust(std::vector<Pair>& pairs) {
     }
   }
   std::vector<double> probabilities;
+  probabilities.reserve(tests.size());
   for (const Test* one : tests) {
     probabilities.push_back(one->probability);
   }

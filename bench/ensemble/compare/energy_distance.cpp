@@ -17,6 +17,7 @@ struct Pooled {
   Pooled(const std::vector<double>& one, const std::vector<double>& other)
       : first(one.size()), second(other.size()) {
     std::vector<std::pair<double, bool>> all;  // a value, and whether it is the first's
+    all.reserve(first + second);
     for (const double value : one) {
       all.emplace_back(value, true);
     }

@@ -46,13 +46,23 @@ ImpactLaw read_law(StrictTable& table) {
   return impact_laws.at(static_cast<std::size_t>(place) % impact_laws.size());
 }
 
+/// A relative path, as it is from where the program runs. `name` with a '/' or an ending is one.
+std::string from_folder_of(const std::filesystem::path& source, const std::string& name) {
+  const bool is_path =
+      name.find('/') != std::string::npos || name.ends_with(".so") || name.ends_with(".toml");
+  if (!is_path || std::filesystem::path(name).is_absolute()) {
+    return name;
+  }
+  const std::string path = (source.parent_path() / name).string();
+  return path.find('/') == std::string::npos ? "./" + path : path;
+}
+
 /// The case that a spec means: a file beside it, or a shipped one.
 std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source,
                               const std::optional<std::string>& other_case) {
   std::string name = root.text("case");
-  if (name.ends_with(".toml") && std::filesystem::path(name).is_relative()) {
-    name = (source.parent_path() / name).string();
-    name = name.find('/') == std::string::npos ? "./" + name : name;
+  if (name.ends_with(".toml")) {  // a shipped one has a '/', too
+    name = from_folder_of(source, name);
   }
   name = other_case.value_or(name);
   if (name.empty()) {
@@ -145,9 +155,11 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
   return result;
 }
 
-void read_engines(StrictTable table, EnsembleSpec& spec) {
+void read_engines(StrictTable table, const std::filesystem::path& source, EnsembleSpec& spec) {
   const std::string names = "must be an array of at least one name";
-  spec.engines = table.texts("names", names);
+  for (const std::string& name : table.texts("names", names)) {
+    spec.engines.push_back(from_folder_of(source, name));
+  }
   if (table.has("models")) {
     spec.models = table.texts("models", names);
   }
@@ -197,7 +209,9 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
                          const std::optional<std::string>& other_case, FileProblems& wrong) {
   StrictTable root(&file, "", wrong);
   EnsembleSpec spec;
-  spec.the_case = read_case(root, source, other_case).value_or(Case());
+  Case any_case;  // stands for one that cannot be read: with every cable that is asked for
+  any_case.cables.resize(max_cables);
+  spec.the_case = read_case(root, source, other_case).value_or(any_case);
   spec.the_case.duration =
       root.optional_number("until", above_zero, "[s]").value_or(spec.the_case.duration);
   spec.count =
@@ -219,7 +233,7 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
     spec.exact.push_back(read_variant(table, names));
   }
   if (root.has("engines")) {
-    read_engines(root.table("engines"), spec);
+    read_engines(root.table("engines"), source, spec);
   }
   root.refuse_unknown_keys();
   if (wrong.empty()) {

@@ -138,6 +138,29 @@ TEST(EnsembleSpec, NamesEveryMistakeWithItsLine) {
   }
 }
 
+TEST(EnsembleSpec, ThoseToStartFromAreSound) {
+  for (const char* name : {"atlas.toml", "engines.toml", "laws.toml"}) {
+    const SpecReading reading = read_spec_file(std::filesystem::path(TAUTLINE_SPECS) / name);
+    EXPECT_TRUE(reading.spec) << reading.problems.front();
+  }
+}
+
+TEST(EnsembleSpec, PathsCountFromItsFolder) {
+  const std::string engines =
+      "[engines]\nnames = [\"ode\", \"./mine.so\", \"js/engine.toml\", \"/there/a.so\"]\n";
+  const std::string vary = "[[vary]]\nquantities = [\"x\"]\nnormal = 1\n";
+  const SpecReading reading = read_spec_text(standard + vary + engines, "some/spec.toml");
+  ASSERT_TRUE(reading.spec);
+  EXPECT_EQ(
+      reading.spec->engines,
+      (std::vector<std::string>{"ode", "some/./mine.so", "some/js/engine.toml", "/there/a.so"}));
+  const SpecReading missing =
+      read_spec_text("case = \"mine.toml\"\n[[vary]]\nquantities = [\"length_1\"]\nnormal = 1\n",
+                     "some/spec.toml");
+  ASSERT_EQ(missing.problems.size(), 1U);
+  EXPECT_NE(missing.problems[0].find("some/mine.toml"), std::string::npos) << missing.problems[0];
+}
+
 TEST(EnsembleSpec, RefusesWhatIsVariedTwice) {
   const SpecReading reading =
       read_spec_text(standard + "[[vary]]\nquantities = [\"x\", \"x\"]\nnormal = 1\n", "test.toml");

@@ -213,8 +213,8 @@ int ensemble_command(const EnsembleCommand& command) {
 }  // namespace
 
 void add_ensemble(CLI::App& app, int& code, const std::string& command_line) {
-  CLI::App* const command = app.add_subcommand(
-      "ensemble", "Many draws of a case, exact and by engines, compared as distributions");
+  CLI::App* const command =
+      app.add_subcommand("ensemble", "Many draws of a case, by engines too, as distributions");
   const auto asked = std::make_shared<EnsembleCommand>();
   asked->command_line = command_line;
   command

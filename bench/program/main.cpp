@@ -23,8 +23,7 @@ using namespace tautline::bench;
 
 constexpr const char* first_steps =
     "tautline solve bouncing-ball           an exact motion, solved now\n"
-    "tautline bench                         hold them against the exact motion\n"
-    "tautline bench --engine ./mine.so      and your own";
+    "tautline bench --engine ./mine.so      hold engines against it, yours too";
 
 /// A word in single quotes, for a shell.
 std::string quoted(const std::string& word) {

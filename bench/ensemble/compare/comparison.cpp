@@ -174,6 +174,7 @@ Findings findings_of(const EnsembleRequest& request, const EnsembleResult& resul
   std::vector<Pair> pairs = pairs_of(request.setups, findings.statistics, samples);
   test_all(pairs, request.spec.seed, jobs);
   adjust(pairs);
+  findings.comparisons.reserve(pairs.size());
   for (const Pair& pair : pairs) {
     findings.comparisons.push_back(pair.found);
   }

@@ -14,6 +14,7 @@ namespace {
 /// Numbers in (0, 1), one for each quantity that is drawn.
 std::vector<double> random_parts(std::uint64_t seed, std::size_t index, std::size_t count) {
   std::vector<double> parts;
+  parts.reserve(count);
   for (std::size_t place = 0; place < count; ++place) {
     parts.push_back(random_part(seed, Purpose::draw, index, place));
   }
@@ -30,6 +31,7 @@ std::vector<double> sobol_parts(std::uint64_t seed, std::size_t index, std::size
   sequence.seed(index);
   constexpr double points = 0x1p64;  // of the sequence's numbers, which are integers
   std::vector<double> parts;
+  parts.reserve(count);
   for (std::size_t place = 0; place < count; ++place) {
     const double shift = random_part(seed, Purpose::shift, 0, place);
     const double part = static_cast<double>(sequence()) / points + shift;
@@ -69,6 +71,7 @@ DrawnValues drawn_values(const EnsembleSpec& spec, std::uint64_t seed, std::size
   auto part = parts.begin();
   std::size_t rest = grid_point(spec, index);  // the first grid goes fastest
   DrawnValues values;
+  values.reserve(spec.varied.size());
   for (const auto& [name, distribution] : spec.varied) {
     if (distribution.kind == Distribution::Kind::grid) {
       values.push_back(distribution.numbers[rest % distribution.numbers.size()]);

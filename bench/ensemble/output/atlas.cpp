@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "bench/base/text.hpp"
 #include "bench/ensemble/draw/draw.hpp"
@@ -116,9 +117,8 @@ std::optional<Atlas> atlas_of(const EnsembleReport& report) {
   Atlas atlas{{spec.varied[axes[0]], spec.varied[axes[1]]}, {}, {}, {}};
   const std::size_t cells =
       atlas.axes[0].distribution.numbers.size() * atlas.axes[1].distribution.numbers.size();
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    atlas.draws.push_back(cell);  // the first two grids go fastest
-  }
+  atlas.draws.resize(cells);
+  std::iota(atlas.draws.begin(), atlas.draws.end(), std::size_t{0});  // two grids go fastest
   for (const char* name : {"impacts", "settled_fast", "swing_energy", "captured", "first_cable"}) {
     const std::size_t place = place_of_statistic(report.findings.statistics, name);
     std::vector<double> sums(cells, 0.0);

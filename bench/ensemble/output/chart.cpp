@@ -132,6 +132,7 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
   const std::vector<Setup>& setups = report.request.setups;
   const Statistic& shown = report.findings.statistics[statistic];
   std::vector<Sample> samples;
+  samples.reserve(setups.size());
   for (const std::vector<DrawResult>& draws : report.result.draws) {
     samples.push_back(sample_of(draws, statistic));
   }

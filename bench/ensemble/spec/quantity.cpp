@@ -59,6 +59,7 @@ std::vector<double*> numbers(Case& the_case, std::string_view name) {
   assert(of_cable != nullptr && "the name is one of quantities_of");
   std::vector<double*> result;
   if (name == of_cable->name) {
+    result.reserve(the_case.cables.size());
     for (Cable& cable : the_case.cables) {
       result.push_back(&of_cable->of(cable));
     }

@@ -38,6 +38,7 @@ const Range point_count = {"a whole number from 2 to 1000", [](double x) {
 
 ImpactLaw read_law(StrictTable& table) {
   std::vector<std::string> names;
+  names.reserve(impact_laws.size());
   for (const ImpactLaw law : impact_laws) {
     names.emplace_back(to_string(law));
   }

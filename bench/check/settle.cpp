@@ -22,7 +22,11 @@ constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 std::string reason(const std::exception& error) {
   const bool shown = dynamic_cast<const RunStopped*>(&error) != nullptr ||
                      dynamic_cast<const NoMotion*>(&error) != nullptr;
-  return (shown ? "" : "the engine threw: ") + std::string(error.what());
+  const std::string said = error.what();
+  if (said.starts_with("unsupported: ")) {
+    return "the engine refuses the case of this claim: " + said;
+  }
+  return shown ? said : "the engine threw: " + said;
 }
 
 SettledClaim settle(const Claim& claim, const Subject& subject) {

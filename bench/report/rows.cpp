@@ -24,10 +24,13 @@ double first_taut(const Solution& solution) {
   return found != events.end() ? found->time : solution.end_time();
 }
 
+constexpr std::size_t longest_reason = 400;  // [bytes], with a line of what the engine printed
+constexpr std::size_t longest_escape = 4;    // [bytes], of a byte that cannot be shown
+
 /// How a run ended, and why if it did not finish.
 std::pair<Status, std::string> status(const ReferenceCase& reference, const RunReply& reply) {
   if (!reply.trajectory) {
-    return {Status::failed, printable(reply.failure)};
+    return {Status::failed, printable(reply.failure, longest_reason)};
   }
   const Trajectory& run = *reply.trajectory;
   if (run.diverged) {
@@ -101,8 +104,9 @@ RunRecord run_record(const ReferenceCase& reference, const EngineInfo& engine, c
     measure(reference, engine, *reply.trajectory, options, record);
     record.timing = timing_row(key, reply.cost);
   } else if (!reply.output_tail.empty()) {
-    record.row.output_tail = printable(reply.output_tail.substr(
-        reply.output_tail.size() - std::min(reply.output_tail.size(), quotable_length)));
+    const std::size_t size = std::min(reply.output_tail.size(), quotable_length);
+    record.row.output_tail = printable(reply.output_tail.substr(reply.output_tail.size() - size),
+                                       longest_escape * quotable_length);
   }
   return record;
 }

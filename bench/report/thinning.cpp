@@ -21,7 +21,7 @@ namespace {
 /// The impacts of all runs may take so many bytes, and one takes this many.
 constexpr std::size_t impact_budget = 800'000;
 constexpr std::size_t impact_size = 70;
-constexpr std::size_t least_impacts = 20;
+constexpr std::size_t least_impacts = 3;
 
 /// Digits of what is a rest, of which a chart shows the size [-].
 constexpr int rest_digits = 3;

@@ -8,7 +8,7 @@ namespace tautline::bench {
 [[nodiscard]] RunRow drawable(RunRow row, std::size_t impacts);
 [[nodiscard]] CaseRow drawable(CaseRow row);
 
-/// Impacts of one run of a report of `runs` runs, so that all of them have about 1 MB; at least 20.
+/// Impacts of one run of a report of `runs` runs, so that all of them have about 1 MB; at least 3.
 [[nodiscard]] std::size_t impacts_per_run(std::size_t runs);
 
 /// `value` with `digits` significant digits.

@@ -35,6 +35,7 @@ struct WorkerRequest {
 /// Why there is no answer, in one sentence.
 struct Failure {
   std::string sentence;
+  bool of_process = false;  // an engine's own process ended
 };
 
 /// A run that came to its end.

@@ -1,16 +1,11 @@
 #include "bench/run/worker.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
-#include <sstream>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <variant>
 
-#include "bench/base/text.hpp"
 #include "bench/cases/case_writer.hpp"
 #include "bench/check/claims.hpp"
 #include "bench/run/wire.hpp"
@@ -60,35 +55,6 @@ bool settle_determinism(const WorkerRequest& check, const WorkerLimits& limits,
   return !other.interrupted();
 }
 
-/// True for "TypeError: …" and "Error [ERR_MODULE_NOT_FOUND]: …", as Python and node begin the line
-/// that says what went wrong.
-bool names_an_error(std::string_view line) {
-  const auto of_a_name = [](unsigned char letter) {
-    return std::isalnum(letter) != 0 || letter == '.' || letter == '_';
-  };
-  const auto end = std::find_if_not(line.begin(), line.end(), of_a_name);
-  const std::string_view name = line.substr(0, static_cast<std::size_t>(end - line.begin()));
-  return name.ends_with("Error") && (end == line.end() || *end == ':' || *end == ' ');
-}
-
-constexpr std::size_t longest_quote = 200;  // [bytes] of a line; a longer one is code
-
-/// Of what an engine printed before it failed, the line that says most: the first that names an
-/// error, or the last. Empty if there is none.
-std::string telling_line(const std::string& output) {
-  std::istringstream lines(output);
-  std::string last;
-  for (std::string line; std::getline(lines, line);) {
-    if (names_an_error(line)) {
-      return line;
-    }
-    if (line.size() <= longest_quote && line.find_first_not_of(" \t\r") != std::string::npos) {
-      last = line;
-    }
-  }
-  return last;
-}
-
 }  // namespace
 
 RunReply run_in_worker(const RunRequest& request, Workplace& workplace) {
@@ -120,8 +86,6 @@ DescribeReply describe_in_worker(const std::filesystem::path& plugin, const Work
   reply.failure = other.failure;
   if (const auto* const info = answer_as<EngineInfo>(other.answer)) {
     reply.info = *info;
-  } else if (const std::string line = telling_line(other.end.output_tail); !line.empty()) {
-    reply.failure += "; it printed: " + printable(line, longest_quote);
   }
   return reply;
 }

@@ -23,6 +23,7 @@
 #include "bench/check/strike.hpp"
 #include "bench/run/cost.hpp"
 #include "bench/run/plugin.hpp"
+#include "bench/run/protocol/messages.hpp"
 #include "bench/run/record.hpp"
 #include "bench/run/wire.hpp"
 
@@ -115,6 +116,8 @@ WorkerAnswer answer_to_request(std::optional<Plugin>& plugin) {
     return obey(request, plugin);
   } catch (const std::bad_alloc&) {
     return Failure{"ran out of memory"};
+  } catch (const EngineEnded& error) {
+    return Failure{error.what(), true};
   } catch (const std::exception& error) {
     return Failure{error.what()};
   }

@@ -4,12 +4,17 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <variant>
 
+#include "bench/base/text.hpp"
 #include "bench/run/worker_process.hpp"
 
 namespace tautline::bench {
@@ -30,6 +35,41 @@ std::string failure_of(const ProcessEnd& end, double time_limit) {
   return fmt::format("ended by itself with exit code {} and no result", end.code);
 }
 
+/// True for "TypeError: …" and "Error [ERR_MODULE_NOT_FOUND]: …", as Python and node begin the line
+/// that says what went wrong.
+bool names_an_error(std::string_view line) {
+  const auto of_a_name = [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '.' || letter == '_';
+  };
+  const auto end = std::find_if_not(line.begin(), line.end(), of_a_name);
+  const std::string_view name = line.substr(0, static_cast<std::size_t>(end - line.begin()));
+  return name.ends_with("Error") && (end == line.end() || *end == ':' || *end == ' ');
+}
+
+constexpr std::size_t longest_quote = 200;  // [bytes] of a line; a longer one is code
+
+/// Of what an engine printed before it failed, the line that says most: the first that names an
+/// error, or the last. Empty if there is none.
+std::string telling_line(const std::string& output) {
+  std::istringstream lines(output);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (names_an_error(line)) {
+      return line;
+    }
+    if (line.size() <= longest_quote && line.find_first_not_of(" \t\r") != std::string::npos) {
+      last = line;
+    }
+  }
+  return last;
+}
+
+/// The failure of a process, and what that said before.
+std::string with_its_words(const std::string& failure, const ProcessEnd& end) {
+  const std::string line = telling_line(end.output_tail);
+  return line.empty() ? failure : failure + "; it printed: " + printable(line, longest_quote);
+}
+
 /// An engine may end its process with exit code 0 in the middle of a check.
 bool is_last(const WorkerAnswer& answer) {
   const auto* const check = std::get_if<CheckAnswer>(&answer);
@@ -45,10 +85,15 @@ Exchange exchange_of(ProcessEnd end, std::optional<WorkerAnswer> answer, double 
   if (!whole || !answer || !is_last(*answer)) {
     result.last_word = std::move(answer);
     result.failure = failure_of(result.end, time_limit);
+    if (result.end.kind == ProcessEnd::Kind::exited ||
+        result.end.kind == ProcessEnd::Kind::signalled) {
+      result.failure = with_its_words(result.failure, result.end);
+    }
     return result;
   }
   if (const auto* const failure = std::get_if<Failure>(&*answer)) {
-    result.failure = failure->sentence;
+    result.failure =
+        failure->of_process ? with_its_words(failure->sentence, result.end) : failure->sentence;
   }
   result.answer = std::move(answer);
   return result;

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/base/html.hpp"
@@ -14,6 +17,7 @@
 #include "bench/report/tables/columns.hpp"
 #include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
+#include "bench/report/thinning.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {
@@ -46,6 +50,24 @@ std::string table_html(const Report& report, const Table& table, const std::stri
                    "<details class=\"fold\" id=\"{}-fold\"><summary>All {} rows</summary>\n"
                    "{}</details>\n",
                    id, rows, html);
+}
+
+/// `table` with its numbers in five digits, or in as many as it shows: a page of thousands of runs
+/// would be a third larger with all of them, which stand in the report.
+Table in_five_digits(const Table& table) {
+  constexpr std::ptrdiff_t least = 5;
+  Table result(table.columns());
+  for (Row row : table.rows()) {
+    for (Cell& cell : row.cells) {
+      const auto shown = std::count_if(cell.text.begin(), cell.text.end(),
+                                       [](unsigned char one) { return std::isdigit(one) != 0; });
+      if (cell.number) {
+        cell.number = rounded(*cell.number, static_cast<int>(std::max(least, shown)));
+      }
+    }
+    result.add(std::move(row));
+  }
+  return result;
 }
 
 /// Where the files of each run lie: the names of the folders of cases, of engines and of their
@@ -117,7 +139,7 @@ std::string runs_section(const Report& report) {
       "cases", "Every run",
       paragraph("The button of a row leads on: to its replay, its settings, the causes of "
                 "its errors, its files, and the command that repeats it.") +
-          table_html(report, runs_table(report), "cases-table",
+          table_html(report, in_five_digits(runs_table(report)), "cases-table",
                      "By case, engine, model and step; the exact motion as a control "
                      "below. Cost: of one step, in closed-form flights. A case whose gravity is "
                      "one has units of its own.") +

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <utility>
 
@@ -23,11 +25,13 @@ constexpr std::size_t longest_message = 1000;
 
 [[noreturn]] void refuse_line(std::string_view line) {
   const bool bare = line.find("NaN") != line.npos || line.find("Infinity") != line.npos;
-  throw ProtocolError(fmt::format(
-      "the engine wrote on its standard output what is no message: {}; {}",
-      line.empty() ? "an empty line" : printable(line, excerpt_length),
-      bare && line.starts_with('{') ? "JSON has no NaN, say \"NaN\""
-                                    : "what a library prints must go to standard error"));
+  const char* const right = !line.starts_with('{')
+                                ? "what a library prints must go to standard error"
+                            : bare ? "JSON has no NaN, say \"NaN\""
+                                   : "a message is whole JSON, and its numbers are doubles";
+  throw ProtocolError(
+      fmt::format("the engine wrote on its standard output what is no message: {}; {}",
+                  line.empty() ? "an empty line" : printable(line, excerpt_length), right));
 }
 
 [[noreturn]] void refuse_error(const Json& error, std::string_view method) {
@@ -57,8 +61,10 @@ class Answer {
       message.at("jsonrpc").refuse("\"2.0\"");
     }
     const auto error = message_.find("error");
-    const bool of_none = error != message_.end() && message_.value("id", Json()).is_null();
-    if (!of_none && message_.value("id", Json()) != Json(id)) {  // it may not have read the id
+    const auto its_id = message_.find("id");
+    // it may not have read the id
+    const bool of_none = error != message_.end() && (its_id == message_.end() || its_id->is_null());
+    if (!of_none && (its_id == message_.end() || *its_id != id)) {
       message.at("id").refuse(fmt::format("{}, that of the request", id));
     }
     if (error != message_.end()) {
@@ -124,6 +130,13 @@ std::vector<Parameter> parameters_part(const Part& part) {
     result.push_back(std::move(one));
   }
   return result;
+}
+
+/// An impulse of a cable, which pulls and never pushes.
+void refuse_push(const Part& impulse, double value) {
+  if (!(value >= 0.0 && std::isfinite(value))) {
+    impulse.refuse("an impulse of at least 0");
+  }
 }
 
 ChildModel model_part(const Part& part) {
@@ -221,6 +234,13 @@ ChildSteps step_answer(std::string_view line, int id, std::size_t cables, std::s
   for (std::size_t index = 0; index < rows.size(); ++index) {
     rows[index].append_numbers(steps.values, steps.width,
                                "x, y, angle, vx, vy, spin, then the impulse of each cable");
+    const auto row = steps.values.end() - static_cast<std::ptrdiff_t>(steps.width);
+    const auto impulses = row + static_cast<std::ptrdiff_t>(state_width);
+    // a body that is nowhere has left its cables too
+    const bool somewhere = std::all_of(row, impulses, [](double x) { return std::isfinite(x); });
+    for (std::size_t cable = 0; cable < cables && somewhere; ++cable) {
+      refuse_push(rows[index][state_width + cable], impulses[static_cast<std::ptrdiff_t>(cable)]);
+    }
   }
   return steps;
 }
@@ -235,7 +255,11 @@ ChildSolve solve_answer(std::string_view line, int id, std::size_t cables) {
   const Answer answer(line, id, "solve");
   answer.result().has_only({"impulses", "state"});
   std::vector<double> impulses;
-  answer.result().at("impulses").append_numbers(impulses, cables, "one for each of the cables");
+  const Part given = answer.result().at("impulses");
+  given.append_numbers(impulses, cables, "one for each of the cables");
+  for (std::size_t cable = 0; cable < cables; ++cable) {
+    refuse_push(given[cable], impulses[cable]);
+  }
   return {Eigen::Map<const Eigen::VectorXd>(impulses.data(), static_cast<Eigen::Index>(cables)),
           state_part(answer.result().at("state"))};
 }

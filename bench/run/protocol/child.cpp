@@ -128,7 +128,7 @@ void Child::fail(std::string_view method) {
   const std::string half = text_.empty() ? ""
                                          : fmt::format(" in the middle of a line: {}",
                                                        printable(text_, written_excerpt));
-  throw ProtocolError(fmt::format("{} before it answered {}{}", how_it_ended(), method, half));
+  throw EngineEnded(fmt::format("{} before it answered {}{}", how_it_ended(), method, half));
 }
 
 KeeperReport Child::next_report(int milliseconds) {

@@ -21,7 +21,8 @@ class Child {
   ~Child();
 
   /// Sends a line and waits for the one that answers it; the text is good until the next call.
-  /// `method` is what is asked. Throws ProtocolError where no whole line comes.
+  /// `method` is what is asked. Throws EngineEnded where it ends before, ProtocolError where no
+  /// line ends.
   [[nodiscard]] std::string_view ask(std::string_view line, std::string_view method);
 
   [[nodiscard]] pid_t process() const { return process_; }  // 0 if it could not be started

@@ -37,6 +37,17 @@ std::optional<double> number_from(const Json& value) {
   return std::nullopt;
 }
 
+/// What stands there, for a sentence; of what holds more than plain values only its kind, since a
+/// child may nest them as deep as its line is long.
+std::string excerpt(const Json& value) {
+  const bool nested = std::any_of(value.begin(), value.end(),
+                                  [](const Json& inner) { return inner.is_structured(); });
+  if (value.is_structured() && nested) {
+    return value.is_object() ? "an object" : fmt::format("an array of {}", value.size());
+  }
+  return printable(value.dump(), excerpt_length);
+}
+
 }  // namespace
 
 Json json_of(double value) {
@@ -148,8 +159,7 @@ Part Part::operator[](std::size_t index) const {
 
 void Part::refuse(std::string_view right) const {
   throw ProtocolError(fmt::format("the engine's answer to {}: {} is {}, must be {}", method_,
-                                  place_.empty() ? "the result" : place_,
-                                  printable(value_->dump(), excerpt_length), right));
+                                  place_.empty() ? "the result" : place_, excerpt(*value_), right));
 }
 
 std::string Part::inside(std::string_view key) const {

@@ -22,6 +22,12 @@ class ProtocolError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The engine's own process ended, or closed its output: what it printed may say why.
+class EngineEnded : public ProtocolError {
+ public:
+  using ProtocolError::ProtocolError;
+};
+
 /// What an engine says of itself when it cannot do what it is asked.
 class EngineRefusal : public std::runtime_error {
  public:

@@ -1,6 +1,10 @@
 // An engine in a process of its own, in C99 and POSIX, with the library Jansson: `tautline_serve`
-// answers tautline's messages until standard input ends. The protocol is the README above.
+// answers tautline's messages until standard input ends. The protocol is the README above. To be
+// included first: POSIX wants to be asked for.
 #pragma once
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
 #include <stdio.h>
 #include <unistd.h>
 

@@ -35,7 +35,7 @@ struct EnsembleCommand {
   std::string spec;
   std::string command_line;
   std::optional<std::string> the_case;  // none: that of the spec
-  std::optional<std::size_t> count;     // none: that of the spec
+  std::optional<long long> count;       // none: that of the spec
   fs::path out = "ensemble";
   std::optional<unsigned> jobs;  // none: one per core
   bool resume = false;
@@ -61,7 +61,8 @@ std::vector<std::string> command_problems(const EnsembleCommand& command) {
   } else if (const auto problem = tree_problem(command.out)) {
     broken.push_back(*problem);
   }
-  if (command.count && (*command.count < 1 || *command.count > most_draws)) {
+  if (command.count &&
+      (*command.count < 1 || *command.count > static_cast<long long>(most_draws))) {
     broken.push_back(fmt::format("--count {}: must be from 1 to {}", *command.count, most_draws));
   }
   if (command.jobs && (*command.jobs < 1 || *command.jobs > most_jobs)) {
@@ -82,7 +83,7 @@ void read_engines_of(EnsembleReading& reading) {
   EngineChoice choice = choose_engines(spec.engines);
   add_problems(reading.problems, choice.problems);
   for (const RegisteredEngine& engine : choice.engines) {
-    if (!engine.info) {
+    if (!engine.info && choice.problems.empty()) {
       reading.problems.push_back(
           fmt::format("engine {}: {}", engine.name,
                       printable(engine.failure.empty() ? engine.missing : engine.failure)));
@@ -99,7 +100,7 @@ std::vector<std::uint64_t> programs_of(const EnsembleRequest& request) {
   SuiteOptions engines;
   engines.engines = request.engines;
   std::vector<std::uint64_t> hashes;
-  for (const Setup& setup : request.setups) {
+  for (const EnsembleSetup& setup : request.setups) {
     const std::uint64_t plugin = setup.engine ? plugin_hash(engines, *setup.engine) : 0;
     hashes.push_back(program_hash() ^ plugin);
   }
@@ -116,7 +117,9 @@ EnsembleReading read_ensemble(const EnsembleCommand& command) {
   }
   EnsembleRequest& request = reading.request;
   request.spec = std::move(*spec.spec);
-  request.spec.count = command.count.value_or(request.spec.count);
+  if (command.count) {
+    request.spec.count = static_cast<std::size_t>(*command.count);
+  }
   request.limits.time = command.time_limit;
   if (draw_count(request.spec) > most_draws) {
     reading.problems.push_back(fmt::format("--count: {} draws in all, must be at most {}",
@@ -135,20 +138,20 @@ EnsembleReading read_ensemble(const EnsembleCommand& command) {
 EnsembleResult solve_visibly(const EnsembleReading& reading) {
   const EnsembleRequest& request = reading.request;
   // an engine's run costs some hundred times an exact motion
-  const auto work_of = [&](const Setup& setup) { return setup.engine ? 100.0 : 1.0; };
+  const auto work_of = [&](const EnsembleSetup& setup) { return setup.engine ? 100.0 : 1.0; };
   const std::size_t draws = draw_count(request.spec);
   double work = 0.0;
-  for (const Setup& setup : request.setups) {
+  for (const EnsembleSetup& setup : request.setups) {
     work += work_of(setup) * static_cast<double>(draws);
   }
   Progress progress(work, draws * request.setups.size(), "draws");
   progress.show_rate();
-  EnsembleResult result = solve_ensemble(request, reading.options,
-                                         [&](const Setup& setup, std::size_t ended, bool kept) {
-                                           for (std::size_t draw = 0; draw < ended; ++draw) {
-                                             progress.ended(work_of(setup), kept);
-                                           }
-                                         });
+  EnsembleResult result = solve_ensemble(
+      request, reading.options, [&](const EnsembleSetup& setup, std::size_t ended, bool kept) {
+        for (std::size_t draw = 0; draw < ended; ++draw) {
+          progress.ended(work_of(setup), kept);
+        }
+      });
   progress.finish();
   return result;
 }
@@ -160,7 +163,7 @@ void write_pictures(const EnsembleReport& report, const fs::path& out) {
     return;
   }
   for (std::size_t cell = 0; cell < atlas->draws.size() && !interruption(); ++cell) {
-    const Setup& exact = report.request.setups.front();
+    const EnsembleSetup& exact = report.request.setups.front();
     const Case the_case = case_of(report.request.spec, exact, atlas->draws[cell]);
     if (problems(the_case).empty()) {
       write_file(out / picture_name(cell),

@@ -23,36 +23,28 @@ std::size_t permutations_for(std::size_t tests, std::size_t values) {
   return static_cast<std::size_t>(std::ceil(std::max(999.0, std::min(wanted, most))));
 }
 
-/// A pair of samples to be told apart.
-struct Pair {
-  const Sample* first;
-  const Sample* second;
-  Comparison found;
-};
-
-bool can_be_tested(const Sample& first, const Sample& second) {
-  return std::min(first.size(), second.size()) >= least_sample &&
-         std::max(first.values.size(), second.values.size()) >= least_sample;
+bool can_be_tested(const Summary& first, const Summary& second) {
+  return std::min(first.count + first.without, second.count + second.without) >= least_sample &&
+         std::max(first.count, second.count) >= least_sample;
 }
 
-bool has_energy(const Sample& first, const Sample& second) {
-  return std::min(first.values.size(), second.values.size()) >= least_sample;
+bool has_energy(const Summary& first, const Summary& second) {
+  return std::min(first.count, second.count) >= least_sample;
 }
 
-std::optional<double> median_change(const Sample& first, const Sample& second) {
-  const auto one = summary_of(first).quantiles[median_place].value;
-  const auto other = summary_of(second).quantiles[median_place].value;
+std::optional<double> median_change(const Summary& first, const Summary& second) {
+  const auto one = first.quantiles[median_place].value;
+  const auto other = second.quantiles[median_place].value;
   return one && other ? std::optional(*other - *one) : std::nullopt;
 }
 
-void test(Pair& pair, std::uint64_t seed, std::size_t tests) {
-  const Sample& first = *pair.first;
-  const Sample& second = *pair.second;
-  Comparison& found = pair.found;
+/// Both samples are made anew for each test: together they would take as much as all draws.
+void test(Comparison& found, const EnsembleResult& result, std::uint64_t seed, std::size_t tests) {
+  const EnsembleSample first = sample_of(result.draws.front(), found.statistic);
+  const EnsembleSample second = sample_of(result.draws[found.setup], found.statistic);
   found.kolmogorov.effect = kolmogorov_distance(first.with_none_last(), second.with_none_last());
   found.kolmogorov.probability =
       kolmogorov_probability(found.kolmogorov.effect, first.size(), second.size());
-  found.median_change = median_change(first, second);
   // Holm asks this of the first test that he refuses where he has refused none before
   found.visible =
       critical_distance(error_rate / static_cast<double>(tests), first.size(), second.size());
@@ -68,13 +60,13 @@ void test(Pair& pair, std::uint64_t seed, std::size_t tests) {
   }
 }
 
-/// Holm over the tests of all pairs.
-void adjust(std::vector<Pair>& pairs) {
+/// Holm over the tests of all comparisons.
+void adjust(std::vector<Comparison>& comparisons) {
   std::vector<Test*> tests;
-  for (Pair& pair : pairs) {
-    tests.push_back(&pair.found.kolmogorov);
-    if (pair.found.energy) {
-      tests.push_back(&*pair.found.energy);
+  for (Comparison& one : comparisons) {
+    tests.push_back(&one.kolmogorov);
+    if (one.energy) {
+      tests.push_back(&*one.energy);
     }
   }
   std::vector<double> probabilities;
@@ -88,41 +80,41 @@ void adjust(std::vector<Pair>& pairs) {
   }
 }
 
-std::vector<Pair> pairs_of(const std::vector<Setup>& setups,
-                           const std::vector<Statistic>& statistics,
-                           const std::vector<std::vector<Sample>>& samples) {
-  std::vector<Pair> pairs;
-  for (std::size_t setup = 1; setup < samples.size(); ++setup) {
+/// What is to be compared, not yet tested.
+std::vector<Comparison> planned_comparisons(const std::vector<EnsembleSetup>& setups,
+                                            const std::vector<Statistic>& statistics,
+                                            const std::vector<std::vector<Summary>>& summaries) {
+  std::vector<Comparison> comparisons;
+  for (std::size_t setup = 1; setup < summaries.size(); ++setup) {
     for (std::size_t place = 0; place < statistics.size(); ++place) {
-      const Sample& first = samples.front()[place];
-      const Sample& second = samples[setup][place];
+      const Summary& first = summaries.front()[place];
+      const Summary& second = summaries[setup][place];
       const bool known = !setups[setup].engine || statistics[place].of_engines;
       if (!known || !statistics[place].compared || !can_be_tested(first, second)) {
         continue;
       }
-      Pair& pair = pairs.emplace_back(Pair{&first, &second, {}});
-      pair.found.setup = setup;
-      pair.found.statistic = place;
+      Comparison& one = comparisons.emplace_back();
+      one.setup = setup;
+      one.statistic = place;
+      one.median_change = median_change(first, second);
       if (has_energy(first, second)) {
-        pair.found.energy = Test();
+        one.energy = Test();
       }
     }
   }
-  return pairs;
+  return comparisons;
 }
 
-/// Tests all pairs, `jobs` at a time.
-void test_all(std::vector<Pair>& pairs, std::uint64_t seed, unsigned jobs) {
-  std::size_t tests = 0;
-  for (const Pair& pair : pairs) {
-    tests += pair.found.energy ? 2U : 1U;
-  }
+/// Makes all comparisons, `jobs` at a time.
+void test_all(Findings& findings, const EnsembleResult& result, std::uint64_t seed, unsigned jobs) {
+  const std::size_t tests = findings.tests();
+  std::vector<Comparison>& all = findings.comparisons;
   std::atomic<std::size_t> next{0};
   std::vector<std::jthread> workers;
   for (unsigned job = 0; job < jobs; ++job) {
     workers.emplace_back([&] {
-      for (std::size_t index = next++; index < pairs.size(); index = next++) {
-        test(pairs[index], seed + index, tests);
+      for (std::size_t index = next++; index < all.size(); index = next++) {
+        test(all[index], result, seed + index, tests);
       }
     });
   }
@@ -157,27 +149,18 @@ std::vector<double> holm(const std::vector<double>& probabilities) {
 Findings findings_of(const EnsembleRequest& request, const EnsembleResult& result, unsigned jobs) {
   Findings findings;
   findings.statistics = statistics_of(request.spec);
-  std::vector<std::vector<Sample>> samples;
-  for (const std::vector<DrawResult>& draws : result.draws) {
-    std::vector<Sample>& of_setup = samples.emplace_back();
+  for (const DrawTable& draws : result.draws) {
     std::vector<Summary>& summaries = findings.summaries.emplace_back();
     for (std::size_t place = 0; place < findings.statistics.size(); ++place) {
-      of_setup.push_back(sample_of(draws, place));
-      summaries.push_back(summary_of(of_setup.back()));
+      summaries.push_back(summary_of(sample_of(draws, place)));
     }
-    const auto bad = [](const DrawResult& draw) { return !draw.problem.empty(); };
-    const auto first = std::find_if(draws.begin(), draws.end(), bad);
-    findings.problems.push_back(
-        static_cast<std::size_t>(std::count_if(draws.begin(), draws.end(), bad)));
-    findings.first_problems.push_back(first != draws.end() ? first->problem : "");
+    findings.problems.push_back(draws.problems());
+    findings.first_problems.push_back(draws.first_problem());
   }
-  std::vector<Pair> pairs = pairs_of(request.setups, findings.statistics, samples);
-  test_all(pairs, request.spec.seed, jobs);
-  adjust(pairs);
-  findings.comparisons.reserve(pairs.size());
-  for (const Pair& pair : pairs) {
-    findings.comparisons.push_back(pair.found);
-  }
+  findings.comparisons =
+      planned_comparisons(request.setups, findings.statistics, findings.summaries);
+  test_all(findings, result, request.spec.seed, jobs);
+  adjust(findings.comparisons);
   return findings;
 }
 

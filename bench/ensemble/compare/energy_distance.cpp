@@ -1,6 +1,5 @@
 #include "bench/ensemble/compare/energy_distance.hpp"
 
-#include <algorithm>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <utility>
 
@@ -16,19 +15,18 @@ constexpr std::size_t enough = 20;
 struct Pooled {
   Pooled(const std::vector<double>& one, const std::vector<double>& other)
       : first(one.size()), second(other.size()) {
-    std::vector<std::pair<double, bool>> all;  // a value, and whether it is the first's
-    all.reserve(first + second);
-    for (const double value : one) {
-      all.emplace_back(value, true);
+    widths.reserve(first + second);  // the values, for now
+    of_first.reserve(first + second);
+    for (auto next = one.begin(), rival = other.begin();
+         next != one.end() || rival != other.end();) {
+      const bool is_first = rival == other.end() || (next != one.end() && *next < *rival);
+      of_first.push_back(is_first ? 1 : 0);
+      widths.push_back(is_first ? *next++ : *rival++);
     }
-    for (const double value : other) {
-      all.emplace_back(value, false);
+    for (std::size_t place = 0; place + 1 < widths.size(); ++place) {
+      widths[place] = widths[place + 1] - widths[place];
     }
-    std::sort(all.begin(), all.end());
-    for (std::size_t place = 0; place < all.size(); ++place) {
-      of_first.push_back(all[place].second ? 1 : 0);
-      widths.push_back(place + 1 < all.size() ? all[place + 1].first - all[place].first : 0.0);
-    }
+    widths.back() = 0.0;
   }
 
   std::size_t first;

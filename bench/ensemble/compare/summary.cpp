@@ -10,7 +10,7 @@ namespace tautline::bench {
 namespace {
 
 /// The value of rank `rank`, from 1, if there is one.
-std::optional<double> ranked(const Sample& sample, double rank) {
+std::optional<double> ranked(const EnsembleSample& sample, double rank) {
   if (!(rank >= 1.0 && rank <= static_cast<double>(sample.values.size()))) {
     return std::nullopt;
   }
@@ -19,7 +19,7 @@ std::optional<double> ranked(const Sample& sample, double rank) {
 
 /// The quantile of the distribution is above the value of rank r unless fewer than r of the values
 /// are below it, whose number is binomial.
-Quantile quantile_of(const Sample& sample, double part) {
+Quantile quantile_of(const EnsembleSample& sample, double part) {
   const auto size = static_cast<double>(sample.size());
   const double outside = 0.5 * (1.0 - confidence);
   const boost::math::binomial below(size, part);
@@ -35,19 +35,20 @@ Quantile quantile_of(const Sample& sample, double part) {
 
 }  // namespace
 
-std::vector<double> Sample::with_none_last() const {
+std::vector<double> EnsembleSample::with_none_last() const {
   std::vector<double> all = values;
   all.insert(all.end(), without, std::numeric_limits<double>::infinity());
   return all;
 }
 
-Sample sample_of(const std::vector<DrawResult>& draws, std::size_t statistic) {
-  Sample sample;
-  for (const DrawResult& draw : draws) {
-    if (!draw.problem.empty()) {
+EnsembleSample sample_of(const DrawTable& draws, std::size_t statistic) {
+  EnsembleSample sample;
+  sample.values.reserve(draws.ended());
+  for (std::size_t draw = 0; draw < draws.size(); ++draw) {
+    if (!draws.solved(draw)) {
       continue;
     }
-    if (const std::optional<double>& value = draw.values[statistic]) {
+    if (const std::optional<double> value = draws.value(draw, statistic)) {
       sample.values.push_back(*value);
     } else {
       ++sample.without;
@@ -57,7 +58,7 @@ Sample sample_of(const std::vector<DrawResult>& draws, std::size_t statistic) {
   return sample;
 }
 
-Summary summary_of(const Sample& sample) {
+Summary summary_of(const EnsembleSample& sample) {
   Summary result;
   result.count = sample.values.size();
   result.without = sample.without;

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "bench/ensemble/solve/draw_solver.hpp"
+#include "bench/ensemble/solve/draw_table.hpp"
 
 namespace tautline::bench {
 
 /// The values of one statistic over the draws of one setup.
-struct Sample {
+struct EnsembleSample {
   std::vector<double> values;  // in rising order
   std::size_t without = 0;     // draws that have none of it
 
@@ -21,8 +21,8 @@ struct Sample {
   [[nodiscard]] std::vector<double> with_none_last() const;
 };
 
-/// Of the draws that have no problem.
-[[nodiscard]] Sample sample_of(const std::vector<DrawResult>& draws, std::size_t statistic);
+/// Of the draws that are solved.
+[[nodiscard]] EnsembleSample sample_of(const DrawTable& draws, std::size_t statistic);
 
 /// The parts of which quantiles are given.
 inline constexpr std::array quantile_parts = {0.05, 0.25, 0.5, 0.75, 0.95};
@@ -47,6 +47,6 @@ struct Summary {
   double deviation = 0.0;   // standard, of the values; 0 for fewer than two
   std::array<Quantile, quantile_parts.size()> quantiles;
 };
-[[nodiscard]] Summary summary_of(const Sample& sample);
+[[nodiscard]] Summary summary_of(const EnsembleSample& sample);
 
 }  // namespace tautline::bench

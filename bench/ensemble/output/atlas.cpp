@@ -123,10 +123,11 @@ std::optional<Atlas> atlas_of(const EnsembleReport& report) {
     const std::size_t place = place_of_statistic(report.findings.statistics, name);
     std::vector<double> sums(cells, 0.0);
     std::vector<double> counts(cells, 0.0);
-    for (const DrawResult& draw : report.result.draws.front()) {
-      if (draw.problem.empty() && draw.values[place]) {
-        const std::size_t cell = grid_point(spec, draw.draw) % cells;
-        sums[cell] += *draw.values[place];
+    const DrawTable& draws = report.result.draws.front();
+    for (std::size_t draw = 0; draw < draws.size(); ++draw) {
+      if (const std::optional<double> value = draws.value(draw, place)) {
+        const std::size_t cell = grid_point(spec, draw) % cells;
+        sums[cell] += *value;
         counts[cell] += 1.0;
       }
     }

@@ -45,15 +45,15 @@ struct Axis {
 };
 
 /// The value that has this part of the sample below it: a chart needs no more than the nearest.
-double value_at(const Sample& sample, double part) {
+double value_at(const EnsembleSample& sample, double part) {
   const auto last = static_cast<double>(sample.values.size() - 1);
   return sample.values[static_cast<std::size_t>(std::lround(part * last))];
 }
 
 /// From the least to the largest of all samples but for one in a hundred at each end.
-Axis axis_of(const std::vector<Sample>& samples) {
+Axis axis_of(const std::vector<EnsembleSample>& samples) {
   Axis axis{INFINITY, -INFINITY};
-  for (const Sample& sample : samples) {
+  for (const EnsembleSample& sample : samples) {
     if (!sample.values.empty()) {
       axis.low = std::min(axis.low, value_at(sample, 0.01));
       axis.high = std::max(axis.high, value_at(sample, 0.99));
@@ -90,7 +90,7 @@ std::string point(double x, double across, double up) {
 }
 
 /// The share of all draws that is below each value.
-std::string distribution_curve(const Sample& sample, const Axis& axis, std::size_t setup) {
+std::string distribution_curve(const EnsembleSample& sample, const Axis& axis, std::size_t setup) {
   const double with =
       static_cast<double>(sample.values.size()) / static_cast<double>(sample.size());
   std::string path;
@@ -102,8 +102,8 @@ std::string distribution_curve(const Sample& sample, const Axis& axis, std::size
   return fmt::format("<path d=\"{}\" {}/>\n", path, look(setup));
 }
 
-std::string quantile_curve(const Sample& first, const Sample& sample, const Axis& axis,
-                           std::size_t setup) {
+std::string quantile_curve(const EnsembleSample& first, const EnsembleSample& sample,
+                           const Axis& axis, std::size_t setup) {
   std::string path;
   for (int place = 1; place < 100; ++place) {
     const double part = place / 100.0;
@@ -114,7 +114,7 @@ std::string quantile_curve(const Sample& first, const Sample& sample, const Axis
   return fmt::format("<path d=\"{}\" {}/>\n", path, look(setup));
 }
 
-std::string legend_of(const std::vector<Setup>& setups) {
+std::string legend_of(const std::vector<EnsembleSetup>& setups) {
   std::string out;
   double y = top_edge + panel + under + line;
   for (std::size_t setup = 0; setup < setups.size(); ++setup) {
@@ -129,17 +129,17 @@ std::string legend_of(const std::vector<Setup>& setups) {
 }  // namespace
 
 std::string distribution_svg(const EnsembleReport& report, std::size_t statistic) {
-  const std::vector<Setup>& setups = report.request.setups;
+  const std::vector<EnsembleSetup>& setups = report.request.setups;
   const Statistic& shown = report.findings.statistics[statistic];
-  std::vector<Sample> samples;
+  std::vector<EnsembleSample> samples;
   samples.reserve(setups.size());
-  for (const std::vector<DrawResult>& draws : report.result.draws) {
+  for (const DrawTable& draws : report.result.draws) {
     samples.push_back(sample_of(draws, statistic));
   }
   const Axis axis = axis_of(samples);
   const double right = left_edge + panel + between;
   std::string curves =
-      fmt::format("<path class=\"grid\" d=\"M{}L{}\"/>\n", point(right, 0, 0), point(right, 1, 1));
+      fmt::format("<path class=\"frame\" d=\"M{}L{}\"/>\n", point(right, 0, 0), point(right, 1, 1));
   for (std::size_t setup = 0; setup < samples.size(); ++setup) {
     if (!samples[setup].values.empty()) {
       curves += distribution_curve(samples[setup], axis, setup);

@@ -80,13 +80,11 @@ std::string constant_words(const EnsembleReport& report) {
 
 bool is_constant(const EnsembleReport& report, std::size_t statistic) {
   std::optional<double> value;
-  for (const std::vector<DrawResult>& draws : report.result.draws) {
-    for (const DrawResult& draw : draws) {
-      if (!draw.problem.empty() || !draw.values[statistic]) {
-        continue;
-      }
-      value = value.value_or(*draw.values[statistic]);
-      if (*draw.values[statistic] != *value) {  // exactly: the same number
+  for (const DrawTable& draws : report.result.draws) {
+    for (std::size_t draw = 0; draw < draws.size(); ++draw) {
+      const std::optional<double> one = draws.value(draw, statistic);
+      value = value ? value : one;
+      if (one && *one != *value) {  // exactly: the same number
         return false;
       }
     }
@@ -108,7 +106,7 @@ std::string ensemble_title(const EnsembleReport& report) {
 
 std::vector<std::string> ensemble_sentences(const EnsembleReport& report) {
   std::vector<std::string> sentences;
-  const std::vector<Setup>& setups = report.request.setups;
+  const std::vector<EnsembleSetup>& setups = report.request.setups;
   for (std::size_t setup = 1; setup < setups.size(); ++setup) {
     sentences.push_back(verdict_on(report, setup));
   }
@@ -116,7 +114,7 @@ std::vector<std::string> ensemble_sentences(const EnsembleReport& report) {
     if (const std::size_t count = report.findings.problems[setup]; count > 0) {
       sentences.push_back(fmt::format("{}: {} of {} draws have no values, the first one as: {}.",
                                       printable(setups[setup].name), count,
-                                      report.result.draws[setup].size(),
+                                      report.result.draws[setup].ended(),
                                       printable(report.findings.first_problems[setup])));
     }
   }

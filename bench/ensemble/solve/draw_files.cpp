@@ -70,7 +70,7 @@ std::optional<DrawResult> draw_in(std::string_view line, std::size_t values) {
 
 }  // namespace
 
-std::uint64_t draws_fingerprint(const EnsembleSpec& spec, const Setup& setup,
+std::uint64_t draws_fingerprint(const EnsembleSpec& spec, const EnsembleSetup& setup,
                                 std::uint64_t program) {
   std::string text = write_case(spec.the_case);
   text += fmt::format("{:016x} {} {} {} {}\n", program, spec.seed, static_cast<int>(spec.sampling),
@@ -88,7 +88,7 @@ std::uint64_t draws_fingerprint(const EnsembleSpec& spec, const Setup& setup,
   return stable_hash(text);
 }
 
-std::filesystem::path chunk_file(const std::filesystem::path& out, const Setup& setup,
+std::filesystem::path chunk_file(const std::filesystem::path& out, const EnsembleSetup& setup,
                                  std::size_t first) {
   return out / "draws" / folder_name(setup.name) / fmt::format("{:08}.csv", first);
 }

@@ -14,12 +14,12 @@ namespace tautline::bench {
 /// A number that differs where the same draw of `setup` may have other values: another case,
 /// another distribution, another program or plug-in, which `program` stands for. The count has no
 /// part in it.
-[[nodiscard]] std::uint64_t draws_fingerprint(const EnsembleSpec& spec, const Setup& setup,
+[[nodiscard]] std::uint64_t draws_fingerprint(const EnsembleSpec& spec, const EnsembleSetup& setup,
                                               std::uint64_t program);
 
 /// Where a chunk of draws is kept, below the folder of an ensemble.
-[[nodiscard]] std::filesystem::path chunk_file(const std::filesystem::path& out, const Setup& setup,
-                                               std::size_t first);
+[[nodiscard]] std::filesystem::path chunk_file(const std::filesystem::path& out,
+                                               const EnsembleSetup& setup, std::size_t first);
 
 /// Draws as CSV with a heading, below a line with their fingerprint. Numbers read back as they are.
 [[nodiscard]] std::string chunk_csv(const EnsembleSpec& spec, std::uint64_t fingerprint,

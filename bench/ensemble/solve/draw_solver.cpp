@@ -25,7 +25,7 @@ std::string exact_problem(const Solution& solution) {
 
 /// The exact motion of a draw, or why there is none. The horizon of a draw is not asked for.
 std::pair<std::optional<ReferenceCase>, std::string> reference_of(const EnsembleSpec& spec,
-                                                                  const Setup& setup,
+                                                                  const EnsembleSetup& setup,
                                                                   std::size_t draw) {
   Case the_case = case_of(spec, setup, draw);
   const std::vector<std::string> broken = problems(the_case);
@@ -45,7 +45,7 @@ std::pair<std::optional<ReferenceCase>, std::string> reference_of(const Ensemble
 
 class ExactSolver final : public DrawSolver {
  public:
-  ExactSolver(const EnsembleRequest& request, const Setup& setup)
+  ExactSolver(const EnsembleRequest& request, const EnsembleSetup& setup)
       : request_(request), setup_(setup) {}
 
   std::vector<DrawResult> solve(std::size_t first, std::size_t end) override {
@@ -62,12 +62,12 @@ class ExactSolver final : public DrawSolver {
 
  private:
   const EnsembleRequest& request_;
-  const Setup& setup_;
+  const EnsembleSetup& setup_;
 };
 
 class EngineSolver final : public DrawSolver {
  public:
-  EngineSolver(const EnsembleRequest& request, const Setup& setup)
+  EngineSolver(const EnsembleRequest& request, const EnsembleSetup& setup)
       : request_(request), setup_(setup) {}
 
   std::vector<DrawResult> solve(std::size_t first, std::size_t end) override {
@@ -107,20 +107,21 @@ class EngineSolver final : public DrawSolver {
   }
 
   const EnsembleRequest& request_;
-  const Setup& setup_;
+  const EnsembleSetup& setup_;
   Workplace workplace_;
 };
 
 }  // namespace
 
-std::unique_ptr<DrawSolver> draw_solver(const EnsembleRequest& request, const Setup& setup) {
+std::unique_ptr<DrawSolver> draw_solver(const EnsembleRequest& request,
+                                        const EnsembleSetup& setup) {
   if (setup.engine) {
     return std::make_unique<EngineSolver>(request, setup);
   }
   return std::make_unique<ExactSolver>(request, setup);
 }
 
-std::size_t chunk_size(const Setup& setup) {
+std::size_t chunk_size(const EnsembleSetup& setup) {
   return setup.engine ? 20 : 200;  // an engine takes some 0.1 s for a run, the solver some 1 ms
 }
 

@@ -33,15 +33,15 @@ class DrawSolver {
 struct EnsembleRequest {
   EnsembleSpec spec;
   std::vector<RegisteredEngine> engines;
-  std::vector<Setup> setups;
+  std::vector<EnsembleSetup> setups;
   WorkerLimits limits;  // of an engine's run
 };
 
 /// The solver of one setup: exact motions one after another, or runs of an engine in workers.
 [[nodiscard]] std::unique_ptr<DrawSolver> draw_solver(const EnsembleRequest& request,
-                                                      const Setup& setup);
+                                                      const EnsembleSetup& setup);
 
 /// Draws that are solved in one go, and kept in one file: some seconds of work at most.
-[[nodiscard]] std::size_t chunk_size(const Setup& setup);
+[[nodiscard]] std::size_t chunk_size(const EnsembleSetup& setup);
 
 }  // namespace tautline::bench

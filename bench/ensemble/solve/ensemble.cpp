@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -20,7 +19,6 @@ struct Chunk {
   std::size_t setup;
   std::size_t first;
   std::size_t end;
-  std::vector<DrawResult> results = {};
 };
 
 std::vector<Chunk> chunks_of(const EnsembleRequest& request) {
@@ -37,34 +35,38 @@ std::vector<Chunk> chunks_of(const EnsembleRequest& request) {
   return chunks;
 }
 
+struct Solved {
+  std::vector<DrawResult> results;
+  bool kept;  // they had been done before
+};
+
 /// One thread's part of the work: its solvers, and the files that keep what they find.
 class Solving {
  public:
   Solving(const EnsembleRequest& request, const EnsembleOptions& options)
       : request_(request), options_(options) {}
 
-  /// Fills the results of `chunk`; true where they had been done before.
-  bool fill(Chunk& chunk) {
-    const Setup& setup = request_.setups[chunk.setup];
+  /// The draws of `chunk`; fewer if the program was interrupted.
+  Solved solve(const Chunk& chunk) {
+    const EnsembleSetup& setup = request_.setups[chunk.setup];
     const std::uint64_t mark = draws_fingerprint(
         request_.spec, setup, options_.programs.empty() ? 0 : options_.programs[chunk.setup]);
     const auto file = chunk_file(options_.out, setup, chunk.first);
     if (options_.resume) {
       if (auto kept = read_chunk(file, request_.spec, mark, chunk.first, chunk.end)) {
-        chunk.results = std::move(*kept);
-        return true;
+        return {std::move(*kept), true};
       }
     }
     auto& solver = solvers_[chunk.setup];
     if (!solver) {
       solver = draw_solver(request_, setup);
     }
-    chunk.results = solver->solve(chunk.first, chunk.end);
-    const bool whole = chunk.results.size() == chunk.end - chunk.first;
+    std::vector<DrawResult> results = solver->solve(chunk.first, chunk.end);
+    const bool whole = results.size() == chunk.end - chunk.first;
     if (whole && !options_.out.empty()) {
-      write_file(file, chunk_csv(request_.spec, mark, chunk.results));
+      write_file(file, chunk_csv(request_.spec, mark, results));
     }
-    return false;
+    return {std::move(results), false};
   }
 
  private:
@@ -77,18 +79,24 @@ class Solving {
 
 EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOptions& options,
                               const DrawProgress& progress) {
-  std::vector<Chunk> chunks = chunks_of(request);
+  const std::vector<Chunk> chunks = chunks_of(request);
+  EnsembleResult result;
+  result.draws.assign(request.setups.size(),
+                      DrawTable(statistics_of(request.spec).size(), draw_count(request.spec)));
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
-  std::mutex guard;  // of `failure` and `progress`
+  std::mutex guard;  // of `result`, `failure` and `progress`
   const auto work = [&] {
     Solving solving(request, options);
     for (std::size_t index = next++; index < chunks.size() && !interruption(); index = next++) {
       try {
-        Chunk& chunk = chunks[index];
-        const bool kept = solving.fill(chunk);
+        const Chunk& chunk = chunks[index];
+        const Solved solved = solving.solve(chunk);
         const std::scoped_lock lock(guard);
-        progress(request.setups[chunk.setup], chunk.results.size(), kept);
+        for (const DrawResult& one : solved.results) {
+          result.draws[chunk.setup].put(one);
+        }
+        progress(request.setups[chunk.setup], solved.results.size(), solved.kept);
       } catch (...) {
         const std::scoped_lock lock(guard);
         failure = std::current_exception();
@@ -106,13 +114,7 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
   if (failure) {
     std::rethrow_exception(failure);
   }
-  EnsembleResult result;
-  result.draws.resize(request.setups.size());
   result.interrupted = interruption();
-  for (Chunk& chunk : chunks) {  // those of a setup in rising order
-    std::move(chunk.results.begin(), chunk.results.end(),
-              std::back_inserter(result.draws[chunk.setup]));
-  }
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "bench/ensemble/solve/draw_solver.hpp"
+#include "bench/ensemble/solve/draw_table.hpp"
 
 namespace tautline::bench {
 
@@ -19,13 +19,13 @@ struct EnsembleOptions {
 };
 
 struct EnsembleResult {
-  std::vector<std::vector<DrawResult>> draws;  // of each setup, in rising order
+  std::vector<DrawTable> draws;  // of each setup
   bool interrupted = false;
 };
 
 /// Told of so many draws that ended, from one thread at a time; `kept` if they had been done
 /// before.
-using DrawProgress = std::function<void(const Setup& setup, std::size_t draws, bool kept)>;
+using DrawProgress = std::function<void(const EnsembleSetup& setup, std::size_t draws, bool kept)>;
 
 /// Solves every draw for every setup, the setups side by side: what is there after an interruption
 /// can be compared. Throws FileError if a result cannot be written.

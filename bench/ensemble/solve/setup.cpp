@@ -8,10 +8,10 @@
 
 namespace tautline::bench {
 
-std::vector<Setup> setups_of(const EnsembleSpec& spec,
-                             const std::vector<RegisteredEngine>& engines) {
+std::vector<EnsembleSetup> setups_of(const EnsembleSpec& spec,
+                                     const std::vector<RegisteredEngine>& engines) {
   const ExactVariant first{"exact", spec.law, std::nullopt, "", 1.0};
-  std::vector<Setup> result = {{first.name, first, std::nullopt, "", 0.0}};
+  std::vector<EnsembleSetup> result = {{first.name, first, std::nullopt, "", 0.0}};
   for (const ExactVariant& variant : spec.exact) {
     result.push_back({variant.name, variant, std::nullopt, "", 0.0});
   }
@@ -30,7 +30,7 @@ std::vector<Setup> setups_of(const EnsembleSpec& spec,
   return result;
 }
 
-Case case_of(const EnsembleSpec& spec, const Setup& setup, std::size_t index) {
+Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {
   Case the_case = case_of(spec, drawn_values(spec, setup.exact.seed.value_or(spec.seed), index));
   if (!setup.exact.quantity.empty()) {
     scale_quantity(the_case, setup.exact.quantity, setup.exact.factor);

@@ -12,7 +12,7 @@
 namespace tautline::bench {
 
 /// Who solves all draws of an ensemble, and how.
-struct Setup {
+struct EnsembleSetup {
   std::string name;                   // "exact", "sequential", "ode event 0.001"
   ExactVariant exact;                 // of an engine the motion that it is to follow
   std::optional<std::size_t> engine;  // index into the engines; none: the exact solver
@@ -22,10 +22,10 @@ struct Setup {
 
 /// The exact motion first, its variants, then each engine with each model and step. Requires
 /// engines that have answered what they are.
-[[nodiscard]] std::vector<Setup> setups_of(const EnsembleSpec& spec,
-                                           const std::vector<RegisteredEngine>& engines);
+[[nodiscard]] std::vector<EnsembleSetup> setups_of(const EnsembleSpec& spec,
+                                                   const std::vector<RegisteredEngine>& engines);
 
 /// The case that `setup` solves for draw `index`.
-[[nodiscard]] Case case_of(const EnsembleSpec& spec, const Setup& setup, std::size_t index);
+[[nodiscard]] Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index);
 
 }  // namespace tautline::bench

@@ -60,7 +60,7 @@ std::string from_folder_of(const std::filesystem::path& source, const std::strin
 
 /// The case that a spec means: a file beside it, or a shipped one.
 std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source,
-                              const std::optional<std::string>& other_case) {
+                              const std::optional<std::string>& other_case, FileProblems& wrong) {
   std::string name = root.text("case");
   if (name.ends_with(".toml")) {  // a shipped one has a '/', too
     name = from_folder_of(source, name);
@@ -70,11 +70,12 @@ std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& so
     return std::nullopt;
   }
   CaseSelection selection = select_cases({&name, 1});
-  for (const std::string& sentence : selection.problems) {
-    root.refuse_value("case", sentence);
-  }
   if (selection.cases.size() > 1) {
-    root.refuse_value("case", fmt::format("means {} cases, must mean one", selection.cases.size()));
+    selection.problems.push_back(
+        fmt::format("means {} cases, must mean one", selection.cases.size()));
+  }
+  for (const std::string& sentence : selection.problems) {
+    other_case ? wrong.add(0, "--case: " + sentence) : root.refuse_value("case", sentence);
   }
   return selection.cases.size() == 1 ? std::optional(std::move(selection.cases.front()))
                                      : std::nullopt;
@@ -212,7 +213,7 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
   EnsembleSpec spec;
   Case any_case;  // stands for one that cannot be read: with every cable that is asked for
   any_case.cables.resize(max_cables);
-  spec.the_case = read_case(root, source, other_case).value_or(any_case);
+  spec.the_case = read_case(root, source, other_case, wrong).value_or(any_case);
   spec.the_case.duration =
       root.optional_number("until", above_zero, "[s]").value_or(spec.the_case.duration);
   spec.count =

@@ -19,7 +19,6 @@ struct SpecReading {
 
 /// Reads the file of `tautline ensemble` (docs/ensembles.md), as strictly as a case file. A path in
 /// it counts from the folder that it is in. `other_case` stands for the case that it names.
-/// `other_case` stands for the case that it names.
 [[nodiscard]] SpecReading read_spec_file(const std::filesystem::path& path,
                                          const std::optional<std::string>& other_case = {});
 

@@ -145,7 +145,7 @@ TEST(Holm, AsksTheMostOfTheLikeliest) {
 
 // the median of 100 values lies between those of rank 40 and 61, in any table of order statistics
 TEST(Quantiles, HaveTheIntervalsOfTheTables) {
-  Sample sample;
+  EnsembleSample sample;
   for (int rank = 1; rank <= 100; ++rank) {
     sample.values.push_back(rank);
   }
@@ -159,7 +159,7 @@ TEST(Quantiles, HaveTheIntervalsOfTheTables) {
 }
 
 TEST(Quantiles, CountDrawsWithoutAValueAsTheLargest) {
-  Sample sample;
+  EnsembleSample sample;
   sample.values = {1, 2, 3, 4};
   sample.without = 6;
   EXPECT_FALSE(summary_of(sample).quantiles[median_place].value);

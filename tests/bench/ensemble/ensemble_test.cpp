@@ -35,8 +35,15 @@ EnsembleResult solved(const EnsembleRequest& request, unsigned jobs = 2) {
 /// All draws as text: the same bits, the same text.
 std::string text_of(const EnsembleRequest& request, const EnsembleResult& result) {
   std::string text;
-  for (const std::vector<DrawResult>& draws : result.draws) {
-    text += chunk_csv(request.spec, 0, draws);
+  for (const DrawTable& draws : result.draws) {
+    std::vector<DrawResult> rows;
+    for (std::size_t draw = 0; draw < draws.size(); ++draw) {
+      rows.push_back({draw, draws.solved(draw) ? "" : "not solved", {}});
+      for (std::size_t place = 0; place < statistics_of(request.spec).size(); ++place) {
+        rows.back().values.push_back(draws.value(draw, place));
+      }
+    }
+    text += chunk_csv(request.spec, 0, rows);
   }
   return text;
 }
@@ -48,8 +55,31 @@ std::string perturbed(const std::string& name, int count) {
          "\"spin\"]\nnormal = 1e-3\n";
 }
 
-double value_of(const EnsembleRequest& request, const DrawResult& draw, const std::string& name) {
-  return draw.values.at(place_of_statistic(statistics_of(request.spec), name)).value();
+double value_of(const EnsembleRequest& request, const EnsembleResult& result, std::size_t draw,
+                const std::string& name) {
+  const std::size_t place = place_of_statistic(statistics_of(request.spec), name);
+  return result.draws.front().value(draw, place).value();
+}
+
+// threads put draws in as they end
+TEST(Ensemble, ATableOfDrawsIsTheSameInWhateverOrderTheyEnd) {
+  const std::vector<DrawResult> results = {
+      {0, "", {1.0, std::nullopt}}, {1, "early", {}}, {3, "late", {}}, {4, "", {3.0, 4.0}}};
+  for (const std::vector<std::size_t>& order :
+       {std::vector<std::size_t>{0, 1, 2, 3}, std::vector<std::size_t>{2, 3, 1, 0}}) {
+    DrawTable table(2, 5);
+    for (const std::size_t place : order) {
+      table.put(results[place]);
+    }
+    EXPECT_EQ(table.ended(), 4U) << "draw 2 has not";
+    EXPECT_EQ(table.problems(), 2U);
+    EXPECT_EQ(table.first_problem(), "early");
+    const EnsembleSample second = sample_of(table, 1);
+    EXPECT_EQ(second.values, std::vector<double>({4.0}));
+    EXPECT_EQ(second.without, 1U) << "draw 0 has none; what is not solved does not count";
+    EXPECT_EQ(sample_of(table, 0).values, std::vector<double>({1.0, 3.0}));
+    EXPECT_FALSE(table.value(2, 0));
+  }
 }
 
 TEST(Ensemble, DoesNotDependOnTheNumberOfThreads) {
@@ -62,24 +92,26 @@ TEST(Ensemble, DoesNotDependOnTheNumberOfThreads) {
 TEST(Ensemble, StatisticsOfADrawAreThoseOfItsMotion) {
   const EnsembleRequest request = request_of(perturbed("1910121100", 3));
   const EnsembleResult result = solved(request);
-  for (const DrawResult& draw : result.draws.front()) {
-    const Case the_case = case_of(request.spec, request.setups.front(), draw.draw);
+  for (std::size_t draw = 0; draw < 3; ++draw) {
+    const Case the_case = case_of(request.spec, request.setups.front(), draw);
     const Solution solution = solve(the_case);
     const Settling settled = settling(the_case, solution);
     ASSERT_TRUE(settled.lock && settled.lock->swing);
-    EXPECT_EQ(value_of(request, draw, "settled_fast"), settled.last_impacts[0].time);
-    EXPECT_EQ(value_of(request, draw, "settled_slow"), settled.last_impacts[1].time);
-    EXPECT_EQ(value_of(request, draw, "lock"), settled.lock->time);
-    EXPECT_EQ(value_of(request, draw, "swing_energy"), settled.lock->swing->energy);
-    EXPECT_EQ(value_of(request, draw, "swing_amplitude"), settled.lock->swing->amplitude);
-    EXPECT_EQ(value_of(request, draw, "captured"), 1.0);
-    EXPECT_NEAR(value_of(request, draw, "loss_0") + value_of(request, draw, "loss_1"), 1.0, 1e-12);
+    EXPECT_EQ(value_of(request, result, draw, "settled_fast"), settled.last_impacts[0].time);
+    EXPECT_EQ(value_of(request, result, draw, "settled_slow"), settled.last_impacts[1].time);
+    EXPECT_EQ(value_of(request, result, draw, "lock"), settled.lock->time);
+    EXPECT_EQ(value_of(request, result, draw, "swing_energy"), settled.lock->swing->energy);
+    EXPECT_EQ(value_of(request, result, draw, "swing_amplitude"), settled.lock->swing->amplitude);
+    EXPECT_EQ(value_of(request, result, draw, "captured"), 1.0);
+    EXPECT_NEAR(
+        value_of(request, result, draw, "loss_0") + value_of(request, result, draw, "loss_1"), 1.0,
+        1e-12);
     double sampled = 0.0;
     for (int sample = 0; sample <= 20'000; ++sample) {
       const double time = solution.end_time() * sample / 20'000;
       sampled = std::max(sampled, std::abs(solution.at(time).angle));
     }
-    const double largest = value_of(request, draw, "largest_angle");
+    const double largest = value_of(request, result, draw, "largest_angle");
     EXPECT_GE(largest, sampled - 1e-12);
     EXPECT_LE(largest, sampled + 5e-3) << "a spin of some 5 rad/s for a millisecond";
   }
@@ -89,8 +121,7 @@ TEST(Ensemble, WhatImpactsOfASingleCableLoseIsTheWholeLoss) {
   const EnsembleRequest request = request_of(
       "case = \"bouncing-ball\"\ncount = 1\n[[vary]]\nquantities = [\"spin\"]\n"
       "list = [0]\n");
-  const DrawResult draw = solved(request).draws.front().front();
-  EXPECT_EQ(value_of(request, draw, "loss_0"), 1.0);
+  EXPECT_EQ(value_of(request, solved(request), 0, "loss_0"), 1.0);
 }
 
 TEST(Ensemble, ADrawThatIsNoCaseIsNamedAndLeftOut) {

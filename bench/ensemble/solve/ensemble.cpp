@@ -81,8 +81,10 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
                               const DrawProgress& progress) {
   const std::vector<Chunk> chunks = chunks_of(request);
   EnsembleResult result;
-  result.draws.assign(request.setups.size(),
-                      DrawTable(statistics_of(request.spec).size(), draw_count(request.spec)));
+  result.draws.reserve(request.setups.size());  // copies would take as much room again
+  for (std::size_t setup = 0; setup < request.setups.size(); ++setup) {
+    result.draws.emplace_back(statistics_of(request.spec).size(), draw_count(request.spec));
+  }
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex guard;  // of `result`, `failure` and `progress`

@@ -139,7 +139,7 @@ TEST(EnsembleSpec, NamesEveryMistakeWithItsLine) {
 }
 
 TEST(EnsembleSpec, ThoseToStartFromAreSound) {
-  for (const char* name : {"atlas.toml", "engines.toml", "laws.toml"}) {
+  for (const char* name : {"atlas.toml", "engines.toml", "laws.toml", "native.toml"}) {
     const SpecReading reading = read_spec_file(std::filesystem::path(TAUTLINE_SPECS) / name);
     EXPECT_TRUE(reading.spec) << reading.problems.front();
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -137,6 +138,13 @@ TEST(EnsembleProgram, NamesWhatIsWrongBeforeItStarts) {
   const Outcome outcome = ensembles.run({"--jobs", "0"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.errors.find("--jobs 0"), std::string::npos) << outcome.errors;
+  for (const auto& [option, value, sentence] :
+       {std::array{"--count", "-3", "--count -3: must be from 1 to"},
+        std::array{"--case", "nothing", "--case: unknown case \"nothing\""}}) {
+    const Outcome wrong = ensembles.run({option, value});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.errors.find(sentence), std::string::npos) << wrong.errors;
+  }
   const Outcome engine = ensembles.run();
   EXPECT_EQ(engine.code, 2);
   EXPECT_NE(engine.errors.find("bulet64"), std::string::npos) << engine.errors;

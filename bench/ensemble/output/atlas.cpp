@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -117,6 +118,7 @@ std::optional<Atlas> atlas_of(const EnsembleReport& report) {
   Atlas atlas{{spec.varied[axes[0]], spec.varied[axes[1]]}, {}, {}, {}};
   const std::size_t cells =
       atlas.axes[0].distribution.numbers.size() * atlas.axes[1].distribution.numbers.size();
+  assert(cells > 0 && "a grid has two points at least");
   atlas.draws.resize(cells);
   std::iota(atlas.draws.begin(), atlas.draws.end(), std::size_t{0});  // two grids go fastest
   for (const char* name : {"impacts", "settled_fast", "swing_energy", "captured", "first_cable"}) {

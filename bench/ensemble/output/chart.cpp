@@ -31,10 +31,12 @@ constexpr std::array setup_dashes = {"none", "8 3", "2 3", "10 3 2 3", "5 5"};
 
 /// How the line of a setup looks, as attributes.
 std::string look(std::size_t setup) {
+  // grey is the exact motion's alone
+  const std::size_t colour = setup == 0 ? 0 : 1 + (setup - 1) % (setup_colours.size() - 1);
   return fmt::format(
       "stroke=\"{}\" stroke-dasharray=\"{}\" stroke-width=\"1.8\" "
       "style=\"fill:none\"",
-      setup_colours[setup % setup_colours.size()], setup_dashes[setup % setup_dashes.size()]);
+      setup_colours[colour], setup_dashes[setup % setup_dashes.size()]);
 }
 
 /// The numbers that a panel shows, and where they lie.

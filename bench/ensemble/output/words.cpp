@@ -55,6 +55,7 @@ std::string verdict_on(const EnsembleReport& report, std::size_t setup) {
                      return one->kolmogorov.effect > other->kolmogorov.effect;
                    });
   std::vector<std::string> words;
+  words.reserve(different.size());
   for (const Comparison* one : different) {
     words.push_back(fmt::format("{} (D = {:.2f})", findings.statistics[one->statistic].heading,
                                 one->kolmogorov.effect));

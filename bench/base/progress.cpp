@@ -62,6 +62,7 @@ Progress::Progress(double work, std::size_t count, std::string what, ProgressScr
 void Progress::ended(double work, bool kept) {
   done_ += work;
   kept_ += kept ? work : 0.0;
+  kept_count_ += kept ? 1U : 0U;
   ++ended_;
   const double now = screen_.clock();
   const bool last = ended_ == count_;
@@ -77,19 +78,21 @@ void Progress::finish() {
   }
 }
 
-std::string Progress::time_left(double now) const {
+std::string Progress::pace(double now) const {
   const double elapsed = now - started_;
   const double paced = done_ - kept_;  // the work that took `elapsed`
   if (elapsed < before_estimate || paced <= 0.0 || ended_ == count_) {
     return "";
   }
-  return ", about " + rough_duration((work_ - done_) / paced * elapsed) + " left";
+  const auto pieces = static_cast<double>(ended_ - kept_count_);
+  return (rate_ ? fmt::format(", {:.3g} a second", pieces / elapsed) : "") + ", about " +
+         rough_duration((work_ - done_) / paced * elapsed) + " left";
 }
 
 std::string Progress::terminal_line(double now) const {
   const double share = work_ > 0.0 ? std::min(1.0, done_ / work_) : 1.0;
   const std::string text = fmt::format("{:3.0f} %, {} of {} {}{}", std::floor(100 * share), ended_,
-                                       count_, what_, time_left(now));
+                                       count_, what_, pace(now));
   constexpr std::size_t around = 4;  // [columns], the brackets, a blank, and the last one
   const std::size_t room = screen_.width - std::min(screen_.width, text.size() + around);
   if (room < least_bar) {
@@ -105,7 +108,7 @@ void Progress::show(double now) {
   if (screen_.terminal) {
     screen_.write("\r" + terminal_line(now) + "\033[K");
   } else {
-    screen_.write(fmt::format("{} of {} {}{}\n", ended_, count_, what_, time_left(now)));
+    screen_.write(fmt::format("{} of {} {}{}\n", ended_, count_, what_, pace(now)));
   }
 }
 

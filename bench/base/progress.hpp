@@ -26,6 +26,9 @@ class Progress {
   Progress(double work, std::size_t count, std::string what,
            ProgressScreen screen = error_screen());
 
+  /// Says from now on how many pieces end in a second, too: for work in which they are many.
+  void show_rate() { rate_ = true; }
+
   /// One piece, of so much work, has ended. A `kept` one was done before, and says nothing of how
   /// long the others take.
   void ended(double work, bool kept = false);
@@ -35,7 +38,7 @@ class Progress {
 
  private:
   void show(double now);
-  [[nodiscard]] std::string time_left(double now) const;
+  [[nodiscard]] std::string pace(double now) const;
   [[nodiscard]] std::string terminal_line(double now) const;
 
   double work_;
@@ -47,6 +50,8 @@ class Progress {
   double done_ = 0.0;  // of `work_`
   double kept_ = 0.0;  // of `done_`
   std::size_t ended_ = 0;
+  std::size_t kept_count_ = 0;  // of `ended_`
+  bool rate_ = false;
 };
 
 /// "40 s", "12 min", "3 h 20 min": as exact as an estimate is.

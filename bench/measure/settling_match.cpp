@@ -40,12 +40,21 @@ std::vector<LastImpactMatch> match_last_impacts(const Settling& settling, const 
   return result;
 }
 
-std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,
-                                      const Settling& settling, const Trajectory& run) {
-  if (run.diverged || !settling.lock || !settling.lock->permanent || !settling.lock->swing) {
+std::optional<Swing> measured_swing(const Solution& solution, const Settling& settling) {
+  if (!settling.lock || !settling.lock->permanent || !settling.lock->swing ||
+      solution.end_time() - settling.lock->swing->period < settling.lock->time) {
     return std::nullopt;
   }
-  const Swing& exact = *settling.lock->swing;
+  return settling.lock->swing;
+}
+
+std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,
+                                      const Settling& settling, const Trajectory& run) {
+  const std::optional<Swing> measured = measured_swing(solution, settling);
+  if (run.diverged || !measured) {
+    return std::nullopt;
+  }
+  const Swing& exact = *measured;
   const double until = std::min(run.points.back().time, solution.end_time());
   const double from = until - exact.period;
   if (from < settling.lock->time) {

@@ -15,6 +15,10 @@ namespace tautline::bench {
 [[nodiscard]] std::vector<LastImpactMatch> match_last_impacts(const Settling& settling,
                                                               const Trajectory& run, double end);
 
+/// The swing that `solution` ends in, if it has one and lasts for a period of it.
+[[nodiscard]] std::optional<Swing> measured_swing(const Solution& solution,
+                                                  const Settling& settling);
+
 /// The swing of `run` next to the one that `settling` of `solution` ends in.
 [[nodiscard]] std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,
                                                     const Settling& settling,

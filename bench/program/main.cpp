@@ -23,8 +23,7 @@ using namespace tautline::bench;
 
 constexpr const char* first_steps =
     "tautline solve bouncing-ball           an exact motion, solved now\n"
-    "tautline bench                         hold them against the exact motion\n"
-    "tautline bench --engine ./mine.so      and your own";
+    "tautline bench --engine ./mine.so      hold engines against it, yours too";
 
 /// A word in single quotes, for a shell.
 std::string quoted(const std::string& word) {
@@ -62,6 +61,7 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
   add_merge(app, code, command_line);
   add_compare(app, code);
   add_trend(app, code, command_line);
+  add_ensemble(app, code, command_line);
   add_check(app, code);
   add_calibrate(app, code);
   add_reproduce(app, code);

@@ -35,8 +35,10 @@ Descriptor open_tree(const fs::path& out, bool clear) {
   if (clear) {
     fs::remove_all(out / "runs", error);
     fs::remove_all(out / "motions", error);
-    for (const char* file :
-         {"suite.json", "report.json", "report.md", "index.html", "summary.md"}) {
+    fs::remove_all(out / "draws", error);  // of an ensemble, and its pictures
+    fs::remove_all(out / "cells", error);
+    for (const char* file : {"suite.json", "report.json", "report.md", "index.html", "summary.md",
+                             "ensemble.json", "ensemble.md"}) {
       fs::remove(out / file, error);
     }
     for (const fs::directory_entry& file : fs::directory_iterator(out, error)) {

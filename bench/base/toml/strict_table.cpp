@@ -105,6 +105,20 @@ std::optional<double> StrictTable::optional_number(std::string_view key, const R
                          : std::nullopt;
 }
 
+std::vector<double> StrictTable::numbers(std::string_view key, std::string_view unit) {
+  std::vector<double> result;
+  const toml::node* node = find(key);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node != nullptr && (array == nullptr || array->empty())) {
+    refuse(*node, full_name(key), with_unit("an array of at least one number", unit));
+  }
+  for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
+    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    result.push_back(checked(*array->get(index), name, any_number, unit));
+  }
+  return result;
+}
+
 Vec2 StrictTable::pair(std::string_view key, std::string_view unit) {
   const toml::node* node = find_required(key, with_unit("two numbers [x, y]", unit));
   return node != nullptr ? checked_pair(*node, full_name(key), "[x, y]", unit) : Vec2(Vec2::Zero());

@@ -43,9 +43,12 @@ class StrictTable {
   [[nodiscard]] double number(std::string_view key, const Range& range, std::string_view unit);
   [[nodiscard]] std::optional<double> optional_number(std::string_view key, const Range& range,
                                                       std::string_view unit);
+  /// An array of finite numbers; empty where the key is missing.
+  [[nodiscard]] std::vector<double> numbers(std::string_view key, std::string_view unit);
   [[nodiscard]] Vec2 pair(std::string_view key, std::string_view unit);
   [[nodiscard]] std::optional<Vec2> optional_pair(std::string_view key, std::string_view unit);
   [[nodiscard]] StrictTable table(std::string_view key);
+  [[nodiscard]] bool has(std::string_view key) { return find(key) != nullptr; }
 
   /// An array of pairs, such as [[0.0, 0.9], [1.0, 0.5]]; empty where the key is missing. `form`
   /// tells what the two numbers are.

@@ -9,14 +9,14 @@ namespace tautline::bench {
 namespace {
 
 /// What stands for the value of an option, in all commands; a shell completes by it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 20> value_names = {{
-    {"--json", "FILE"},     {"--plot", "FILE"},        {"--gate", "LIMITS"},
-    {"--out", "FOLDER"},    {"--write", "FOLDER"},     {"--engines", "ENGINES"},
-    {"--engine", "ENGINE"}, {"--model", "MODEL"},      {"--models", "MODELS"},
-    {"--suite", "SUITE"},   {"--shard", "K/N"},        {"--step", "SECONDS"},
-    {"--steps", "SECONDS"}, {"--until", "SECONDS"},    {"--time-limit", "SECONDS"},
-    {"--at", "SECONDS"},    {"--speeds", "FROM..TO"},  {"--fix", "NAME=VALUE"},
-    {"--law", "LAW"},       {"--completion", "SHELL"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 21> value_names = {{
+    {"--json", "FILE"},          {"--plot", "FILE"},     {"--gate", "LIMITS"},
+    {"--case", "CASE"},          {"--out", "FOLDER"},    {"--write", "FOLDER"},
+    {"--engines", "ENGINES"},    {"--engine", "ENGINE"}, {"--model", "MODEL"},
+    {"--models", "MODELS"},      {"--suite", "SUITE"},   {"--shard", "K/N"},
+    {"--step", "SECONDS"},       {"--steps", "SECONDS"}, {"--until", "SECONDS"},
+    {"--time-limit", "SECONDS"}, {"--at", "SECONDS"},    {"--speeds", "FROM..TO"},
+    {"--fix", "NAME=VALUE"},     {"--law", "LAW"},       {"--completion", "SHELL"},
 }};
 
 std::string value_of(const CLI::Option& option) {

@@ -43,6 +43,23 @@ TEST(Progress, TimeLeftGoesByTheWorkAndNotByTheCount) {
       << fake.written.back();
 }
 
+TEST(Progress, SaysHowManyEndInASecondWithoutThoseThatWereKept) {
+  Fake fake;
+  Progress progress(100.0, 100, "draws", fake.screen(true));
+  progress.show_rate();
+  for (int draw = 0; draw < 20; ++draw) {
+    progress.ended(1.0, true);
+  }
+  fake.now += 4.0;
+  for (int draw = 0; draw < 30; ++draw) {
+    progress.ended(1.0);
+    fake.now += 0.2;
+  }
+  EXPECT_NE(fake.written.back().find("50 of 100 draws, 3.06 a second, about 17 s left"),
+            std::string::npos)
+      << fake.written.back();
+}
+
 TEST(Progress, WhatWasKeptDoesNotMakeTheRestLookFast) {
   Fake fake;
   Progress progress(1000.0, 10, "runs", fake.screen(true));

@@ -1,0 +1,129 @@
+#include <utility>
+
+#include "bench/base/text.hpp"
+#include "bench/ensemble/output/atlas.hpp"
+#include "bench/ensemble/output/text.hpp"
+#include "bench/report/json/writer.hpp"
+
+namespace tautline::bench {
+namespace {
+
+constexpr int ensemble_schema = 1;
+
+Json summary_json(const Summary& summary) {
+  const bool some = summary.count > 0;
+  Json quantiles = Json::array();
+  for (std::size_t place = 0; place < quantile_parts.size(); ++place) {
+    const Quantile& one = summary.quantiles[place];
+    quantiles.push_back({{"part", quantile_parts[place]},
+                         {"value", json_of(one.value)},
+                         {"low", json_of(one.low)},
+                         {"high", json_of(one.high)}});
+  }
+  return {{"count", summary.count},
+          {"without", summary.without},
+          {"mean", some ? Json(summary.mean) : Json(nullptr)},
+          {"deviation", some ? Json(summary.deviation) : Json(nullptr)},
+          {"quantiles", std::move(quantiles)}};
+}
+
+Json setup_json(const EnsembleReport& report, std::size_t place) {
+  const EnsembleSetup& setup = report.request.setups[place];
+  const Findings& findings = report.findings;
+  Json summaries = Json::object();
+  for (std::size_t index = 0; index < findings.statistics.size(); ++index) {
+    const Statistic& statistic = findings.statistics[index];
+    if (setup.engine ? statistic.of_engines : statistic.of_exact) {
+      summaries[statistic.name] = summary_json(findings.summaries[place][index]);
+    }
+  }
+  Json engine = nullptr;
+  if (setup.engine) {
+    const RegisteredEngine& one = report.request.engines[*setup.engine];
+    engine = {{"name", one.name},
+              {"version", printable(one.info->version)},
+              {"model", setup.model},
+              {"step", setup.step}};
+  }
+  return {{"name", printable(setup.name)},
+          {"law", to_string(setup.exact.law)},
+          {"engine", std::move(engine)},
+          {"draws", report.result.draws[place].ended()},
+          {"problems", findings.problems[place]},
+          {"first_problem", printable(findings.first_problems[place])},
+          {"statistics", std::move(summaries)}};
+}
+
+Json test_json(const Test& test) {
+  return {{"effect", test.effect}, {"probability", test.probability}, {"adjusted", test.adjusted}};
+}
+
+Json comparison_json(const EnsembleReport& report, const Comparison& one) {
+  return {{"setup", printable(report.request.setups[one.setup].name)},
+          {"statistic", report.findings.statistics[one.statistic].name},
+          {"differs", one.differs()},
+          {"kolmogorov", test_json(one.kolmogorov)},
+          {"energy", one.energy ? test_json(*one.energy) : Json(nullptr)},
+          {"median_change", json_of(one.median_change)},
+          {"visible", one.visible},
+          {"visible_shift", json_of(one.visible_shift)}};
+}
+
+Json atlas_json(const EnsembleReport& report) {
+  const std::optional<Atlas> atlas = atlas_of(report);
+  if (!atlas) {
+    return nullptr;
+  }
+  Json axes = Json::array();
+  for (const Varied& axis : atlas->axes) {
+    axes.push_back({{"quantity", axis.quantity}, {"values", axis.distribution.numbers}});
+  }
+  Json means = Json::object();
+  for (std::size_t index = 0; index < atlas->statistics.size(); ++index) {
+    Json cells = Json::array();
+    for (const std::optional<double>& mean : atlas->means[index]) {
+      cells.push_back(json_of(mean));
+    }
+    means[report.findings.statistics[atlas->statistics[index]].name] = std::move(cells);
+  }
+  return {{"axes", std::move(axes)}, {"means", std::move(means)}};
+}
+
+}  // namespace
+
+std::string ensemble_json(const EnsembleReport& report) {
+  const EnsembleSpec& spec = report.request.spec;
+  Json statistics = Json::array();
+  for (const Statistic& one : report.findings.statistics) {
+    statistics.push_back({{"name", one.name},
+                          {"heading", one.heading},
+                          {"unit", one.unit},
+                          {"meaning", one.meaning}});
+  }
+  Json setups = Json::array();
+  for (std::size_t place = 0; place < report.request.setups.size(); ++place) {
+    setups.push_back(setup_json(report, place));
+  }
+  Json comparisons = Json::array();
+  for (const Comparison& one : report.findings.comparisons) {
+    comparisons.push_back(comparison_json(report, one));
+  }
+  const Json json = {{"schema", ensemble_schema},
+                     {"case", printable(spec.the_case.name)},
+                     {"until", spec.the_case.duration},
+                     {"draws", draw_count(spec)},
+                     {"seed", spec.seed},
+                     {"sampling", spec.sampling == Sampling::sobol ? "sobol" : "random"},
+                     {"speeds", spec.speeds},
+                     {"interrupted", report.result.interrupted},
+                     {"confidence", confidence},
+                     {"error_rate", error_rate},
+                     {"tests", report.findings.tests()},
+                     {"statistics", std::move(statistics)},
+                     {"setups", std::move(setups)},
+                     {"comparisons", std::move(comparisons)},
+                     {"atlas", atlas_json(report)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,93 @@
+#include "bench/ensemble/output/page.hpp"
+
+#include <fmt/format.h>
+
+#include "bench/base/html.hpp"
+#include "bench/base/table.hpp"
+#include "bench/ensemble/output/atlas.hpp"
+#include "bench/ensemble/output/chart.hpp"
+#include "bench/ensemble/output/tables.hpp"
+#include "bench/ensemble/output/text.hpp"
+#include "bench/page/document.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A sentence may name every statistic [bytes].
+constexpr std::size_t longest_answer = 2000;
+
+/// A chart in a box that scrolls: its words stay legible on a narrow page.
+std::string figure(const std::string& svg, const std::string& label) {
+  return fmt::format(
+      "<figure style=\"overflow-x:auto\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"{}\">\n{}</figure>\n",
+      html_text(label), svg);
+}
+
+std::string answers(const EnsembleReport& report) {
+  std::string out;
+  for (const std::string& sentence : ensemble_sentences(report)) {
+    out += fmt::format("<p class=\"answer\">{}</p>\n", html_text(sentence, longest_answer));
+  }
+  return out;
+}
+
+std::string comparisons(const EnsembleReport& report) {
+  const Table table = comparison_table(report);
+  return table.empty()
+             ? ""
+             : "<section id=\"comparisons\">\n<h2>Held against exact</h2>\n" +
+                   html_table(table, "comparison-table", "") +
+                   fmt::format("<p class=\"note\">{}</p>\n</section>\n", how_to_read_comparisons);
+}
+
+std::string distributions(const EnsembleReport& report) {
+  std::string out = "<section id=\"distributions\">\n<h2>Distributions</h2>\n";
+  for (std::size_t place = 0; place < report.findings.statistics.size(); ++place) {
+    const Statistic& statistic = report.findings.statistics[place];
+    if (statistic.compared) {
+      out += figure(distribution_svg(report, place), "Distribution of " + statistic.heading) +
+             fmt::format("<p class=\"note\">{}: {}.</p>\n", html_text(statistic.heading),
+                         html_text(statistic.meaning));
+    }
+  }
+  return out + html_table(summary_table(report), "summary-table", "") +
+         fmt::format("<p class=\"note\">{}</p>\n</section>\n", how_to_read_summaries);
+}
+
+std::string atlas(const EnsembleReport& report) {
+  const std::optional<Atlas> made = atlas_of(report);
+  if (!made) {
+    return "";
+  }
+  std::string out =
+      "<section id=\"atlas\">\n<h2>Atlas</h2>\n<p class=\"note\">Of the exact motion the mean over "
+      "the draws of each cell; grey: none has the number. A cell of a grid of up to " +
+      std::to_string(most_pictures) + " leads to a picture of its first motion.</p>\n";
+  for (std::size_t index = 0; index < made->statistics.size(); ++index) {
+    const Statistic& statistic = report.findings.statistics[made->statistics[index]];
+    out += figure(atlas_svg(*made, index, statistic), "Atlas of " + statistic.heading);
+  }
+  return out + "</section>\n";
+}
+
+}  // namespace
+
+std::string ensemble_html(const EnsembleReport& report, const std::string& command,
+                          const PageAssets& assets) {
+  const std::string title = "Ensemble of " + ensemble_title(report);
+  PageAssets style_alone;
+  style_alone.style = assets.style;
+  return html_document(
+      {.title = title,
+       .content = fmt::format("<header>\n<h1>{}</h1>\n</header>\n<main>\n", html_text(title)) +
+                  answers(report) + comparisons(report) + atlas(report) + distributions(report) +
+                  "</main>\n",
+       .command = command,
+       .data_id = "ensemble-data",
+       .data = html_json(ensemble_json(report)),
+       .scripts = ""},
+      style_alone);
+}
+
+}  // namespace tautline::bench

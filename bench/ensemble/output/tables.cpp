@@ -1,0 +1,113 @@
+#include "bench/ensemble/output/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "bench/base/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+Column words(const std::string& heading) {
+  Column column;
+  column.heading = heading;
+  column.numbers = false;
+  return column;
+}
+
+/// A column of numbers; of those with a rank above 0 the highest goes first where room is short.
+Column numbers(const std::string& heading, int rank = 0) {
+  Column column;
+  column.heading = heading;
+  column.rank = rank;
+  return column;
+}
+
+/// As many digits for a spread or a shift as for the values themselves.
+Digits digits_between(const Statistic& statistic) {
+  return statistic.digits.kind == Digits::Kind::shortest ? fixed(1) : statistic.digits;
+}
+
+Cell share_cell(double value) { return number_cell(value, fixed(3)); }
+
+/// "0.05", or "< 0.0001" where so few digits would show 0.
+Cell probability_cell(double value) {
+  constexpr double least = 1e-4;
+  Cell cell = number_cell(value, fixed(4));
+  if (value < least) {
+    cell.text = "< 0.0001";
+  }
+  return cell;
+}
+
+double smallest_probability(const Comparison& one) {
+  return one.energy ? std::min(one.kolmogorov.adjusted, one.energy->adjusted)
+                    : one.kolmogorov.adjusted;
+}
+
+}  // namespace
+
+Table summary_table(const EnsembleReport& report) {
+  Table table({words("statistic"), words("setup"), numbers("n"), numbers("none", 3),
+               numbers("median"), numbers("low"), numbers("high"), numbers("5 %", 2),
+               numbers("95 %", 2), numbers("mean", 1), numbers("deviation", 1)});
+  const Findings& findings = report.findings;
+  for (std::size_t place = 0; place < findings.statistics.size(); ++place) {
+    const Statistic& statistic = findings.statistics[place];
+    if (is_constant(report, place)) {
+      continue;  // a sentence says so
+    }
+    bool is_first = true;
+    for (std::size_t setup = 0; setup < report.request.setups.size(); ++setup) {
+      const bool of_engine = report.request.setups[setup].engine.has_value();
+      if (of_engine ? !statistic.of_engines : !statistic.of_exact) {
+        continue;
+      }
+      const Summary& summary = findings.summaries[setup][place];
+      const auto some = [&](double value) {
+        return number_cell(summary.count > 0 ? std::optional(value) : std::nullopt,
+                           digits_between(statistic));
+      };
+      const Quantile& median = summary.quantiles[median_place];
+      table.add({is_first ? Cell(statistic_title(statistic)) : Cell(""),
+                 printable(report.request.setups[setup].name),
+                 number_cell(static_cast<double>(summary.count), as_count),
+                 number_cell(static_cast<double>(summary.without), as_count),
+                 number_cell(median.value, statistic.digits),
+                 number_cell(median.low, statistic.digits),
+                 number_cell(median.high, statistic.digits),
+                 number_cell(summary.quantiles.front().value, statistic.digits),
+                 number_cell(summary.quantiles.back().value, statistic.digits), some(summary.mean),
+                 some(summary.deviation)});
+      is_first = false;
+    }
+  }
+  return table;
+}
+
+Table comparison_table(const EnsembleReport& report) {
+  Table table({words("setup"), words("statistic"), numbers("D"), numbers("E"), numbers("p"),
+               numbers("median change", 1), numbers("visible", 2), numbers("shift", 3),
+               words("verdict")});
+  const Findings& findings = report.findings;
+  std::size_t last = 0;
+  for (const Comparison& one : findings.comparisons) {
+    const Statistic& statistic = findings.statistics[one.statistic];
+    Cell verdict(one.differs() ? "differs" : "not told apart");
+    verdict.kind = one.differs() ? "verdict fail" : "verdict pass";
+    verdict.colour = one.differs() ? Colour::red : Colour::plain;
+    table.add(
+        {one.setup != last ? Cell(printable(report.request.setups[one.setup].name)) : Cell(""),
+         statistic_title(statistic), share_cell(one.kolmogorov.effect),
+         number_cell(one.energy ? std::optional(one.energy->effect) : std::nullopt, fixed(3)),
+         probability_cell(smallest_probability(one)),
+         number_cell(one.median_change, digits_between(statistic)), share_cell(one.visible),
+         number_cell(one.visible_shift, digits_between(statistic)), verdict});
+    last = one.setup;
+  }
+  return table;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/ensemble/compare/comparison.hpp"
+#include "bench/ensemble/solve/ensemble.hpp"
+
+namespace tautline::bench {
+
+/// An ensemble that has been solved, and what it says. All must outlive it.
+struct EnsembleReport {
+  const EnsembleRequest& request;
+  const EnsembleResult& result;
+  const Findings& findings;
+};
+
+/// "breakwater/1910121100 to 12 s, 1000 draws, seed 1".
+[[nodiscard]] std::string ensemble_title(const EnsembleReport& report);
+
+/// A sentence for each setup but the first, or one that there is no other: which statistics differ,
+/// or that none can be told apart and how small a difference would have been seen; and a sentence
+/// for each with draws that have no values.
+[[nodiscard]] std::vector<std::string> ensemble_sentences(const EnsembleReport& report);
+
+/// True where every draw of every setup has the same value of a statistic, or none has one.
+[[nodiscard]] bool is_constant(const EnsembleReport& report, std::size_t statistic);
+
+/// "last impact > 0.01 m/s [s]".
+[[nodiscard]] std::string statistic_title(const Statistic& statistic);
+
+/// How to read the tables.
+inline constexpr const char* how_to_read_summaries =
+    "The median lies between low and high with 95 % confidence, whatever the distribution. Where "
+    "draws have no value (none) they count as the largest.";
+inline constexpr const char* how_to_read_comparisons =
+    "D is the largest distance between the distribution functions (Kolmogorov and Smirnov), E the "
+    "energy distance as a share of the largest it could be: both 0 for the same, 1 for samples "
+    "apart. p is the smaller of the two probabilities of such a distance by chance, corrected for "
+    "all tests together (Holm). Visible is the smallest D that would be called a difference, and "
+    "the shift that would make it.";
+
+}  // namespace tautline::bench

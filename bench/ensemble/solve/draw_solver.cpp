@@ -1,0 +1,128 @@
+#include "bench/ensemble/solve/draw_solver.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "bench/base/process.hpp"
+#include "bench/run/workplace.hpp"
+#include "tautline/settling.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Why the exact motion of a draw says nothing, or empty.
+std::string exact_problem(const Solution& solution) {
+  switch (solution.ending()) {
+    case Ending::singular:
+    case Ending::event_limit:
+    case Ending::overflow:
+      return "the exact motion ends early: " + std::string(to_string(solution.ending()));
+    default:
+      return "";
+  }
+}
+
+/// The exact motion of a draw, or why there is none. The horizon of a draw is not asked for.
+std::pair<std::optional<ReferenceCase>, std::string> reference_of(const EnsembleSpec& spec,
+                                                                  const EnsembleSetup& setup,
+                                                                  std::size_t draw) {
+  Case the_case = case_of(spec, setup, draw);
+  const std::vector<std::string> broken = problems(the_case);
+  if (!broken.empty()) {
+    return {std::nullopt, "no such case: " + broken.front()};
+  }
+  const ImpactLaw law = setup.exact.law;
+  Solution solution = solve(the_case, {.law = law});
+  std::string problem = exact_problem(solution);
+  if (!problem.empty()) {
+    return {std::nullopt, std::move(problem)};
+  }
+  Settling settled = settling(the_case, solution);
+  return {ReferenceCase{std::move(the_case), std::move(solution), std::move(settled), 0.0, law},
+          ""};
+}
+
+class ExactSolver final : public DrawSolver {
+ public:
+  ExactSolver(const EnsembleRequest& request, const EnsembleSetup& setup)
+      : request_(request), setup_(setup) {}
+
+  std::vector<DrawResult> solve(std::size_t first, std::size_t end) override {
+    std::vector<DrawResult> results;
+    for (std::size_t draw = first; draw < end && !interruption(); ++draw) {
+      auto [reference, problem] = reference_of(request_.spec, setup_, draw);
+      results.push_back({draw, std::move(problem), {}});
+      if (reference) {
+        results.back().values = exact_statistics(request_.spec, *reference);
+      }
+    }
+    return results;
+  }
+
+ private:
+  const EnsembleRequest& request_;
+  const EnsembleSetup& setup_;
+};
+
+class EngineSolver final : public DrawSolver {
+ public:
+  EngineSolver(const EnsembleRequest& request, const EnsembleSetup& setup)
+      : request_(request), setup_(setup) {}
+
+  std::vector<DrawResult> solve(std::size_t first, std::size_t end) override {
+    std::vector<DrawResult> results;
+    for (std::size_t draw = first; draw < end && !interruption(); ++draw) {
+      if (auto result = run(draw)) {
+        results.push_back(std::move(*result));
+      }
+    }
+    return results;
+  }
+
+ private:
+  /// None if the program was interrupted.
+  std::optional<DrawResult> run(std::size_t draw) {
+    auto [reference, problem] = reference_of(request_.spec, setup_, draw);
+    if (!reference) {
+      return DrawResult{draw, std::move(problem), {}};
+    }
+    RunReply reply = run_in_worker({request_.engines[*setup_.engine].plugin,
+                                    reference->the_case,
+                                    setup_.model,
+                                    {setup_.step, setup_.exact.law},
+                                    request_.limits},
+                                   workplace_);
+    if (reply.interrupted) {
+      return std::nullopt;
+    }
+    if (!reply.trajectory) {
+      return DrawResult{draw, std::move(reply.failure), {}};
+    }
+    if (reply.trajectory->diverged) {
+      return DrawResult{draw, "diverged", {}};
+    }
+    // a run that stopped, as some do where impacts accumulate, has its impacts up to there
+    return DrawResult{draw, "", run_statistics(request_.spec, *reference, *reply.trajectory)};
+  }
+
+  const EnsembleRequest& request_;
+  const EnsembleSetup& setup_;
+  Workplace workplace_;
+};
+
+}  // namespace
+
+std::unique_ptr<DrawSolver> draw_solver(const EnsembleRequest& request,
+                                        const EnsembleSetup& setup) {
+  if (setup.engine) {
+    return std::make_unique<EngineSolver>(request, setup);
+  }
+  return std::make_unique<ExactSolver>(request, setup);
+}
+
+std::size_t chunk_size(const EnsembleSetup& setup) {
+  return setup.engine ? 20 : 200;  // an engine takes some 0.1 s for a run, the solver some 1 ms
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,37 @@
+#include "bench/ensemble/solve/draw_table.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tautline::bench {
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+DrawTable::DrawTable(std::size_t statistics, std::size_t draws)
+    : columns_(statistics, std::vector<double>(draws, no_value)), solved_(draws, false) {}
+
+void DrawTable::put(const DrawResult& result) {
+  ++ended_;
+  if (!result.problem.empty()) {
+    if (problems_ == 0 || result.draw < first_with_problem_) {
+      first_with_problem_ = result.draw;
+      first_problem_ = result.problem;
+    }
+    ++problems_;
+    return;
+  }
+  solved_[result.draw] = true;
+  for (std::size_t statistic = 0; statistic < columns_.size(); ++statistic) {
+    columns_[statistic][result.draw] = result.values[statistic].value_or(no_value);
+  }
+}
+
+std::optional<double> DrawTable::value(std::size_t draw, std::size_t statistic) const {
+  const double value = columns_[statistic][draw];
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+}  // namespace tautline::bench

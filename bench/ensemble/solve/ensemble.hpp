@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "bench/ensemble/solve/draw_table.hpp"
+
+namespace tautline::bench {
+
+/// How an ensemble is solved. None of it has a part in the results.
+struct EnsembleOptions {
+  std::filesystem::path out;            // the folder that keeps the draws; empty: none does
+  unsigned jobs = 1;                    // threads
+  bool resume = false;                  // keep the draws that `out` already has
+  std::vector<std::uint64_t> programs;  // of each setup, a hash of the programs it depends on
+};
+
+struct EnsembleResult {
+  std::vector<DrawTable> draws;  // of each setup
+  bool interrupted = false;
+};
+
+/// Told of so many draws that ended, from one thread at a time; `kept` if they had been done
+/// before.
+using DrawProgress = std::function<void(const EnsembleSetup& setup, std::size_t draws, bool kept)>;
+
+/// Solves every draw for every setup, the setups side by side: what is there after an interruption
+/// can be compared. Throws FileError if a result cannot be written.
+[[nodiscard]] EnsembleResult solve_ensemble(const EnsembleRequest& request,
+                                            const EnsembleOptions& options,
+                                            const DrawProgress& progress);
+
+}  // namespace tautline::bench

@@ -1,0 +1,41 @@
+#include "bench/ensemble/solve/setup.hpp"
+
+#include <algorithm>
+
+#include "bench/base/text.hpp"
+#include "bench/ensemble/draw/draw.hpp"
+#include "bench/ensemble/spec/quantity.hpp"
+
+namespace tautline::bench {
+
+std::vector<EnsembleSetup> setups_of(const EnsembleSpec& spec,
+                                     const std::vector<RegisteredEngine>& engines) {
+  const ExactVariant first{"exact", spec.law, std::nullopt, "", 1.0};
+  std::vector<EnsembleSetup> result = {{first.name, first, std::nullopt, "", 0.0}};
+  for (const ExactVariant& variant : spec.exact) {
+    result.push_back({variant.name, variant, std::nullopt, "", 0.0});
+  }
+  for (std::size_t place = 0; place < engines.size(); ++place) {
+    for (const Model& model : engines[place].info->models) {
+      const auto& wanted = spec.models;
+      if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), model.name) == wanted.end()) {
+        continue;
+      }
+      for (const double step : spec.steps) {
+        result.push_back({engines[place].name + " " + model.name + " " + shortest(step), first,
+                          place, model.name, step});
+      }
+    }
+  }
+  return result;
+}
+
+Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {
+  Case the_case = case_of(spec, drawn_values(spec, setup.exact.seed.value_or(spec.seed), index));
+  if (!setup.exact.quantity.empty()) {
+    scale_quantity(the_case, setup.exact.quantity, setup.exact.factor);
+  }
+  return the_case;
+}
+
+}  // namespace tautline::bench

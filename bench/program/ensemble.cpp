@@ -1,0 +1,244 @@
+// `tautline ensemble`: many draws of a case, exact and by engines, compared as distributions.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "bench/base/atomic_file.hpp"
+#include "bench/base/process.hpp"
+#include "bench/base/progress.hpp"
+#include "bench/base/terminal.hpp"
+#include "bench/base/text.hpp"
+#include "bench/ensemble/output/atlas.hpp"
+#include "bench/ensemble/output/page.hpp"
+#include "bench/ensemble/output/text.hpp"
+#include "bench/ensemble/spec/spec_file.hpp"
+#include "bench/program/commands.hpp"
+#include "bench/program/common.hpp"
+#include "bench/program/options.hpp"
+#include "bench/solution/plot_svg.hpp"
+#include "bench/suite/run_files.hpp"
+#include "bench/suite/tree.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What `tautline ensemble` was asked.
+struct EnsembleCommand {
+  std::string spec;
+  std::string command_line;
+  std::optional<std::string> the_case;  // none: that of the spec
+  std::optional<long long> count;       // none: that of the spec
+  fs::path out = "ensemble";
+  std::optional<unsigned> jobs;  // none: one per core
+  bool resume = false;
+  double time_limit = 60.0;  // [s]
+  std::string json;
+};
+
+/// An ensemble that can be solved, or what is wrong with it.
+struct EnsembleReading {
+  EnsembleRequest request;
+  EnsembleOptions options;
+  std::vector<std::string> problems;
+};
+
+void add_problems(std::vector<std::string>& problems, const std::vector<std::string>& more) {
+  problems.insert(problems.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> command_problems(const EnsembleCommand& command) {
+  std::vector<std::string> broken = missing_folder("--json", command.json, command.out);
+  if (command.out.empty()) {
+    broken.emplace_back("--out: is empty; give a folder to write the results to");
+  } else if (const auto problem = tree_problem(command.out)) {
+    broken.push_back(*problem);
+  }
+  if (command.count &&
+      (*command.count < 1 || *command.count > static_cast<long long>(most_draws))) {
+    broken.push_back(fmt::format("--count {}: must be from 1 to {}", *command.count, most_draws));
+  }
+  if (command.jobs && (*command.jobs < 1 || *command.jobs > most_jobs)) {
+    broken.push_back(fmt::format("--jobs {}: must be from 1 to {}", *command.jobs, most_jobs));
+  }
+  if (!(command.time_limit > 0.0)) {
+    broken.push_back(fmt::format("--time-limit {:g}: must be above 0 [s]", command.time_limit));
+  }
+  return broken;
+}
+
+/// The engines that the spec names, all of which must be there.
+void read_engines_of(EnsembleReading& reading) {
+  const EnsembleSpec& spec = reading.request.spec;
+  if (spec.engines.empty()) {
+    return;
+  }
+  EngineChoice choice = choose_engines(spec.engines);
+  add_problems(reading.problems, choice.problems);
+  for (const RegisteredEngine& engine : choice.engines) {
+    if (!engine.info && choice.problems.empty()) {
+      reading.problems.push_back(
+          fmt::format("engine {}: {}", engine.name,
+                      printable(engine.failure.empty() ? engine.missing : engine.failure)));
+    }
+  }
+  if (reading.problems.empty()) {
+    add_problems(reading.problems, unknown_models(choice.engines, spec.models));
+  }
+  reading.request.engines = std::move(choice.engines);
+}
+
+/// A hash of the programs that each setup depends on.
+std::vector<std::uint64_t> programs_of(const EnsembleRequest& request) {
+  SuiteOptions engines;
+  engines.engines = request.engines;
+  std::vector<std::uint64_t> hashes;
+  for (const EnsembleSetup& setup : request.setups) {
+    const std::uint64_t plugin = setup.engine ? plugin_hash(engines, *setup.engine) : 0;
+    hashes.push_back(program_hash() ^ plugin);
+  }
+  return hashes;
+}
+
+EnsembleReading read_ensemble(const EnsembleCommand& command) {
+  EnsembleReading reading;
+  reading.problems = command_problems(command);
+  SpecReading spec = read_spec_file(command.spec, command.the_case);
+  add_problems(reading.problems, spec.problems);
+  if (!reading.problems.empty()) {
+    return reading;
+  }
+  EnsembleRequest& request = reading.request;
+  request.spec = std::move(*spec.spec);
+  if (command.count) {
+    request.spec.count = static_cast<std::size_t>(*command.count);
+  }
+  request.limits.time = command.time_limit;
+  if (draw_count(request.spec) > most_draws) {
+    reading.problems.push_back(fmt::format("--count: {} draws in all, must be at most {}",
+                                           draw_count(request.spec), most_draws));
+  }
+  read_engines_of(reading);
+  if (reading.problems.empty()) {
+    request.setups = setups_of(request.spec, request.engines);
+    reading.options = {command.out,
+                       command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
+                       command.resume, programs_of(request)};
+  }
+  return reading;
+}
+
+EnsembleResult solve_visibly(const EnsembleReading& reading) {
+  const EnsembleRequest& request = reading.request;
+  // an engine's run costs some hundred times an exact motion
+  const auto work_of = [&](const EnsembleSetup& setup) { return setup.engine ? 100.0 : 1.0; };
+  const std::size_t draws = draw_count(request.spec);
+  double work = 0.0;
+  for (const EnsembleSetup& setup : request.setups) {
+    work += work_of(setup) * static_cast<double>(draws);
+  }
+  Progress progress(work, draws * request.setups.size(), "draws");
+  progress.show_rate();
+  EnsembleResult result = solve_ensemble(
+      request, reading.options, [&](const EnsembleSetup& setup, std::size_t ended, bool kept) {
+        for (std::size_t draw = 0; draw < ended; ++draw) {
+          progress.ended(work_of(setup), kept);
+        }
+      });
+  progress.finish();
+  return result;
+}
+
+/// A picture of the first motion of each cell of the atlas.
+void write_pictures(const EnsembleReport& report, const fs::path& out) {
+  const std::optional<Atlas> atlas = atlas_of(report);
+  if (!atlas || atlas->draws.size() > most_pictures) {
+    return;
+  }
+  for (std::size_t cell = 0; cell < atlas->draws.size() && !interruption(); ++cell) {
+    const EnsembleSetup& exact = report.request.setups.front();
+    const Case the_case = case_of(report.request.spec, exact, atlas->draws[cell]);
+    if (problems(the_case).empty()) {
+      write_file(out / picture_name(cell),
+                 plot_svg(the_case, solve(the_case, {.law = exact.exact.law})));
+    }
+  }
+}
+
+/// Writes the page, Markdown and JSON, and prints what differs.
+void give(const EnsembleCommand& command, const EnsembleReport& report) {
+  const std::string json = ensemble_json(report);
+  write_pictures(report, command.out);
+  write_file(command.out / "ensemble.json", json);
+  write_file(command.out / "ensemble.md", ensemble_markdown(report));
+  write_file(command.out / "index.html",
+             ensemble_html(report, command.command_line, page_assets()));
+  if (command.json != "-") {
+    fmt::print("{}\nensemble: {}, with ensemble.md, ensemble.json and draws/ beside it\n",
+               ensemble_text(report, output_style()), (command.out / "index.html").string());
+  }
+  if (!command.json.empty()) {
+    write_output(command.json, json);
+  }
+}
+
+int ensemble_command(const EnsembleCommand& command) {
+  const EnsembleReading reading = read_ensemble(command);
+  if (!reading.problems.empty()) {
+    complain(reading.problems);
+    return exit_usage;
+  }
+  catch_interruption();
+  const Descriptor tree = open_tree(command.out, !command.resume);
+  const EnsembleResult result = solve_visibly(reading);
+  const Findings findings = findings_of(reading.request, result, reading.options.jobs);
+  give(command, {reading.request, result, findings});
+  if (result.interrupted) {
+    complain({"interrupted: the same command with --resume does the rest"});
+    return exit_failed;
+  }
+  // draws that are no case are none of an engine's doing; what it fails at, is
+  for (std::size_t setup = 1; setup < reading.request.setups.size(); ++setup) {
+    if (findings.problems[setup] > findings.problems[0]) {
+      return exit_failed;
+    }
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_ensemble(CLI::App& app, int& code, const std::string& command_line) {
+  CLI::App* const command =
+      app.add_subcommand("ensemble", "Many draws of a case, by engines too, as distributions");
+  const auto asked = std::make_shared<EnsembleCommand>();
+  asked->command_line = command_line;
+  command
+      ->add_option(
+          "SPEC", asked->spec,
+          "a file (TOML) that names the case, what varies, how many draws, and the engines")
+      ->required();
+  command->add_option("--case", asked->the_case, "this case instead, a file or a shipped one");
+  command->add_option("--count", asked->count, "so many draws, or at each point of a grid");
+  command->add_option("--out", asked->out, "folder for the page and the draws")
+      ->capture_default_str();
+  command->add_option("--jobs", asked->jobs, "draws at a time (default: one per core)");
+  command->add_flag("--resume", asked->resume, "keep the draws that --out already has");
+  command->add_option("--time-limit", asked->time_limit, "end an engine's run after this long [s]")
+      ->capture_default_str();
+  command
+      ->add_option("--json", asked->json,
+                   "also write the result as JSON to this file, or to stdout: -")
+      ->check(named_file);
+  command->footer("tautline ensemble standard.toml --count 200");
+  command->callback([asked, &code] { code = ensemble_command(*asked); });
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,172 @@
+// Draws: the same on any machine, in any order, whatever the count.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bench/ensemble/draw/draw.hpp"
+#include "bench/ensemble/draw/random.hpp"
+#include "bench/ensemble/spec/quantity.hpp"
+#include "bench/ensemble/spec/spec_file.hpp"
+
+namespace tautline::bench {
+namespace {
+
+EnsembleSpec spec_of(const std::string& text) {
+  const SpecReading reading = read_spec_text(text, "test.toml");
+  EXPECT_TRUE(reading.problems.empty()) << reading.problems.front();
+  return reading.spec.value();
+}
+
+const std::string standard = "case = \"breakwater/1910121100\"\n";
+
+// Random123 1.14, kat_vectors: philox4x64 10, counter and key 0, and the first digits of pi
+TEST(Draws, AreThePhiloxOfItsAuthors) {
+  EXPECT_EQ(random_bits(0, Purpose(0), 0, 0), 0x16554d9eca36314cULL);
+}
+
+TEST(Draws, FollowFromSeedAndIndexAlone) {
+  EnsembleSpec spec = spec_of(standard + "[[vary]]\nquantities = [\"x\", \"spin\"]\nnormal = 0.1");
+  const DrawnValues seventh = drawn_values(spec, 1, 7);
+  spec.count = 8;
+  EXPECT_EQ(drawn_values(spec, 1, 7), seventh) << "whatever the count";
+  EXPECT_NE(drawn_values(spec, 2, 7), seventh);
+  EXPECT_NE(drawn_values(spec, 1, 8), seventh);
+  EXPECT_NE(seventh[0], seventh[1]);
+  spec.varied.pop_back();
+  EXPECT_EQ(drawn_values(spec, 1, 7).front(), seventh.front()) << "whatever varies after it";
+}
+
+TEST(Draws, HaveTheMeanAndDeviationAskedFor) {
+  const EnsembleSpec spec = spec_of(standard + "[[vary]]\nquantities = [\"x\"]\nnormal = 0.25");
+  const double centre = spec.the_case.initial.position.x();
+  const int count = 4000;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int index = 0; index < count; ++index) {
+    const double off = drawn_values(spec, 3, static_cast<std::size_t>(index))[0] - centre;
+    sum += off;
+    squares += off * off;
+  }
+  const double error = 4.0 / std::sqrt(count);  // four standard errors, of a fixed seed
+  EXPECT_NEAR(sum / count, 0.0, error * 0.25);
+  EXPECT_NEAR(squares / count, 0.0625, error * 0.0625 * std::sqrt(2.0));
+}
+
+TEST(Draws, OfSobolFillTheSquareEvenly) {
+  const EnsembleSpec spec = spec_of(standard +
+                                    "sampling = \"sobol\"\n[[vary]]\n"
+                                    "quantities = [\"x\", \"y\"]\nuniform = [0, 1]");
+  // 256 points, 16 x 16 cells: a net has one in each; a turn moves some to the next
+  std::set<std::pair<int, int>> cells;
+  for (std::size_t index = 0; index < 256; ++index) {
+    const DrawnValues at = drawn_values(spec, 1, index);
+    cells.emplace(static_cast<int>(at[0] * 16.0), static_cast<int>(at[1] * 16.0));
+  }
+  EXPECT_GE(cells.size(), 200U) << "256 random points would meet 162 of 256 cells";
+}
+
+TEST(Draws, GoOverEveryPointOfAGridAsOftenAsCounted) {
+  const EnsembleSpec spec = spec_of(standard + "count = 3\n" +
+                                    "[[vary]]\nquantities = [\"x\"]\ngrid = [0, 1]\npoints = 3\n"
+                                    "[[vary]]\nquantities = [\"spin\"]\nnormal = 1\n"
+                                    "[[vary]]\nquantities = [\"y\"]\ngrid = [0, 1]\npoints = 2");
+  ASSERT_EQ(draw_count(spec), 18U);
+  std::multiset<std::pair<double, double>> points;
+  std::set<double> spins;
+  for (std::size_t index = 0; index < draw_count(spec); ++index) {
+    const DrawnValues at = drawn_values(spec, 1, index);
+    points.emplace(at[0], at[2]);
+    spins.insert(at[1]);
+  }
+  EXPECT_EQ(spins.size(), 18U);
+  for (const double x : {0.0, 0.5, 1.0}) {
+    for (const double y : {0.0, 1.0}) {
+      EXPECT_EQ(points.count({x, y}), 3U) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Draws, SetTheQuantityOfAllCablesOrOfOne) {
+  EnsembleSpec spec = spec_of(standard +
+                              "[[vary]]\nquantities = [\"restitution\"]\nlist = [0.5]\n"
+                              "[[vary]]\nquantities = [\"length_1\"]\nlist = [1.25]");
+  const Case the_case = case_of(spec, drawn_values(spec, 1, 0));
+  EXPECT_EQ(the_case.cables[0].restitution, 0.5);
+  EXPECT_EQ(the_case.cables[1].restitution, 0.5);
+  EXPECT_EQ(the_case.cables[0].length, spec.the_case.cables[0].length);
+  EXPECT_EQ(the_case.cables[1].length, 1.25);
+  for (const std::string& name : quantities_of(the_case)) {
+    Case changed = the_case;
+    set_quantity(changed, name, 0.75);
+    EXPECT_EQ(quantity(changed, name), 0.75) << name;
+  }
+}
+
+TEST(EnsembleSpec, NamesEveryMistakeWithItsLine) {
+  const SpecReading reading = read_spec_text(
+      "case = \"breakwater/1910121100\"\n"
+      "count = 2.5\n"
+      "speeds = [0.001, 0.01]\n"
+      "sampling = \"sobel\"\n"
+      "[[vary]]\n"
+      "quantities = [\"spinn\"]\n"
+      "normal = 1\n"
+      "[[vary]]\n"
+      "quantities = [\"x\"]\n"
+      "normal = 1\n"
+      "uniform = [0, 1]\n"
+      "[[vary]]\n"
+      "quantities = [\"y\"]\n"
+      "grid = [0, 1]\n"
+      "colour = 3\n",
+      "test.toml");
+  EXPECT_FALSE(reading.spec);
+  std::string all;
+  for (const std::string& sentence : reading.problems) {
+    all += sentence + "\n";
+  }
+  for (const char* part :
+       {"test.toml:2: count = 2.5: must be a whole number", "test.toml:3: speeds",
+        "test.toml:4: sampling", "did you mean sobol?", "test.toml:6: vary[0].quantities",
+        "spinn is none of this case; did you mean spin?", "test.toml:9: vary[1].quantities",
+        "several are given", "vary[2].points: is missing",
+        "test.toml:15: vary[2].colour = 3: unknown key"}) {
+    EXPECT_NE(all.find(part), std::string::npos) << part << "\nis not in:\n" << all;
+  }
+}
+
+TEST(EnsembleSpec, ThoseToStartFromAreSound) {
+  for (const char* name : {"atlas.toml", "engines.toml", "laws.toml", "native.toml"}) {
+    const SpecReading reading = read_spec_file(std::filesystem::path(TAUTLINE_SPECS) / name);
+    EXPECT_TRUE(reading.spec) << reading.problems.front();
+  }
+}
+
+TEST(EnsembleSpec, PathsCountFromItsFolder) {
+  const std::string engines =
+      "[engines]\nnames = [\"ode\", \"./mine.so\", \"js/engine.toml\", \"/there/a.so\"]\n";
+  const std::string vary = "[[vary]]\nquantities = [\"x\"]\nnormal = 1\n";
+  const SpecReading reading = read_spec_text(standard + vary + engines, "some/spec.toml");
+  ASSERT_TRUE(reading.spec);
+  EXPECT_EQ(
+      reading.spec->engines,
+      (std::vector<std::string>{"ode", "some/./mine.so", "some/js/engine.toml", "/there/a.so"}));
+  const SpecReading missing =
+      read_spec_text("case = \"mine.toml\"\n[[vary]]\nquantities = [\"length_1\"]\nnormal = 1\n",
+                     "some/spec.toml");
+  ASSERT_EQ(missing.problems.size(), 1U);
+  EXPECT_NE(missing.problems[0].find("some/mine.toml"), std::string::npos) << missing.problems[0];
+}
+
+TEST(EnsembleSpec, RefusesWhatIsVariedTwice) {
+  const SpecReading reading =
+      read_spec_text(standard + "[[vary]]\nquantities = [\"x\", \"x\"]\nnormal = 1\n", "test.toml");
+  ASSERT_EQ(reading.problems.size(), 1U);
+  EXPECT_NE(reading.problems[0].find("x is varied twice"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tautline::bench

@@ -1,0 +1,218 @@
+// Ensembles of exact motions: their statistics, resuming, and what can be told apart.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bench/ensemble/compare/comparison.hpp"
+#include "bench/ensemble/compare/kolmogorov.hpp"
+#include "bench/ensemble/solve/draw_files.hpp"
+#include "bench/ensemble/solve/ensemble.hpp"
+#include "bench/ensemble/spec/spec_file.hpp"
+#include "tautline/ledger.hpp"
+#include "tautline/settling.hpp"
+#include "tautline/solve.hpp"
+#include "tests/bench/support.hpp"
+
+namespace tautline::bench {
+namespace {
+
+EnsembleRequest request_of(const std::string& text) {
+  const SpecReading reading = read_spec_text(text, "test.toml");
+  EXPECT_TRUE(reading.problems.empty()) << reading.problems.front();
+  EnsembleRequest request{reading.spec.value(), {}, {}, {}};
+  request.setups = setups_of(request.spec, {});
+  return request;
+}
+
+EnsembleResult solved(const EnsembleRequest& request, unsigned jobs = 2) {
+  return solve_ensemble(request, {.out = {}, .jobs = jobs, .resume = false, .programs = {}},
+                        [](const auto&, std::size_t, bool) {});
+}
+
+/// All draws as text: the same bits, the same text.
+std::string text_of(const EnsembleRequest& request, const EnsembleResult& result) {
+  std::string text;
+  for (const DrawTable& draws : result.draws) {
+    std::vector<DrawResult> rows;
+    for (std::size_t draw = 0; draw < draws.size(); ++draw) {
+      rows.push_back({draw, draws.solved(draw) ? "" : "not solved", {}});
+      for (std::size_t place = 0; place < statistics_of(request.spec).size(); ++place) {
+        rows.back().values.push_back(draws.value(draw, place));
+      }
+    }
+    text += chunk_csv(request.spec, 0, rows);
+  }
+  return text;
+}
+
+/// A case of the chapter, its start off by a thousandth in all six numbers.
+std::string perturbed(const std::string& name, int count) {
+  return "case = \"breakwater/" + name + "\"\ncount = " + std::to_string(count) +
+         "\n[[vary]]\nquantities = [\"x\", \"y\", \"angle\", \"velocity_x\", \"velocity_y\", "
+         "\"spin\"]\nnormal = 1e-3\n";
+}
+
+double value_of(const EnsembleRequest& request, const EnsembleResult& result, std::size_t draw,
+                const std::string& name) {
+  const std::size_t place = place_of_statistic(statistics_of(request.spec), name);
+  return result.draws.front().value(draw, place).value();
+}
+
+// threads put draws in as they end
+TEST(Ensemble, ATableOfDrawsIsTheSameInWhateverOrderTheyEnd) {
+  const std::vector<DrawResult> results = {
+      {0, "", {1.0, std::nullopt}}, {1, "early", {}}, {3, "late", {}}, {4, "", {3.0, 4.0}}};
+  for (const std::vector<std::size_t>& order :
+       {std::vector<std::size_t>{0, 1, 2, 3}, std::vector<std::size_t>{2, 3, 1, 0}}) {
+    DrawTable table(2, 5);
+    for (const std::size_t place : order) {
+      table.put(results[place]);
+    }
+    EXPECT_EQ(table.ended(), 4U) << "draw 2 has not";
+    EXPECT_EQ(table.problems(), 2U);
+    EXPECT_EQ(table.first_problem(), "early");
+    const EnsembleSample second = sample_of(table, 1);
+    EXPECT_EQ(second.values, std::vector<double>({4.0}));
+    EXPECT_EQ(second.without, 1U) << "draw 0 has none; what is not solved does not count";
+    EXPECT_EQ(sample_of(table, 0).values, std::vector<double>({1.0, 3.0}));
+    EXPECT_FALSE(table.value(2, 0));
+  }
+}
+
+TEST(Ensemble, DoesNotDependOnTheNumberOfThreads) {
+  const EnsembleRequest request = request_of("until = 2\n" + perturbed("1510121100", 250));
+  const std::string one = text_of(request, solved(request, 1));
+  EXPECT_EQ(text_of(request, solved(request, 3)), one);
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 252);
+}
+
+TEST(Ensemble, StatisticsOfADrawAreThoseOfItsMotion) {
+  const EnsembleRequest request = request_of(perturbed("1910121100", 3));
+  const EnsembleResult result = solved(request);
+  for (std::size_t draw = 0; draw < 3; ++draw) {
+    const Case the_case = case_of(request.spec, request.setups.front(), draw);
+    const Solution solution = solve(the_case);
+    const Settling settled = settling(the_case, solution);
+    ASSERT_TRUE(settled.lock && settled.lock->swing);
+    EXPECT_EQ(value_of(request, result, draw, "settled_fast"), settled.last_impacts[0].time);
+    EXPECT_EQ(value_of(request, result, draw, "settled_slow"), settled.last_impacts[1].time);
+    EXPECT_EQ(value_of(request, result, draw, "lock"), settled.lock->time);
+    EXPECT_EQ(value_of(request, result, draw, "swing_energy"), settled.lock->swing->energy);
+    EXPECT_EQ(value_of(request, result, draw, "swing_amplitude"), settled.lock->swing->amplitude);
+    EXPECT_EQ(value_of(request, result, draw, "captured"), 1.0);
+    EXPECT_NEAR(
+        value_of(request, result, draw, "loss_0") + value_of(request, result, draw, "loss_1"), 1.0,
+        1e-12);
+    double sampled = 0.0;
+    for (int sample = 0; sample <= 20'000; ++sample) {
+      const double time = solution.end_time() * sample / 20'000;
+      sampled = std::max(sampled, std::abs(solution.at(time).angle));
+    }
+    const double largest = value_of(request, result, draw, "largest_angle");
+    EXPECT_GE(largest, sampled - 1e-12);
+    EXPECT_LE(largest, sampled + 5e-3) << "a spin of some 5 rad/s for a millisecond";
+  }
+}
+
+TEST(Ensemble, WhatImpactsOfASingleCableLoseIsTheWholeLoss) {
+  const EnsembleRequest request = request_of(
+      "case = \"bouncing-ball\"\ncount = 1\n[[vary]]\nquantities = [\"spin\"]\n"
+      "list = [0]\n");
+  EXPECT_EQ(value_of(request, solved(request), 0, "loss_0"), 1.0);
+}
+
+TEST(Ensemble, ADrawThatIsNoCaseIsNamedAndLeftOut) {
+  const EnsembleRequest request = request_of(
+      "case = \"breakwater/1510121100\"\ncount = 20\n[[vary]]\nquantities = [\"mass\"]\n"
+      "list = [-1, 0.5]\n");
+  const EnsembleResult result = solved(request);
+  const Findings findings = findings_of(request, result, 1);
+  EXPECT_GT(findings.problems[0], 0U);
+  EXPECT_LT(findings.problems[0], 20U);
+  EXPECT_NE(findings.first_problems[0].find("mass"), std::string::npos)
+      << findings.first_problems[0];
+  const Summary& impacts =
+      findings.summaries[0][place_of_statistic(findings.statistics, "impacts")];
+  EXPECT_EQ(impacts.count, 20U - findings.problems[0]);
+}
+
+TEST(Ensemble, ResumesFromWhatItsFolderHas) {
+  const test::TemporaryFolder folder;
+  EnsembleRequest request = request_of("until = 1\n" + perturbed("1510121100", 500));
+  EnsembleOptions options{.out = folder.path(), .jobs = 2, .resume = true, .programs = {}};
+  std::size_t kept = 0;
+  const auto count_kept = [&](const auto&, std::size_t draws, bool was_kept) {
+    kept += was_kept ? draws : 0;
+  };
+  const std::string all = text_of(request, solve_ensemble(request, options, count_kept));
+  EXPECT_EQ(kept, 0U);
+  std::filesystem::remove(chunk_file(folder.path(), request.setups[0], 200));
+  EXPECT_EQ(text_of(request, solve_ensemble(request, options, count_kept)), all);
+  EXPECT_EQ(kept, 300U) << "of three files, one is gone";
+  kept = 0;
+  request.spec.count = 600;  // the last file was cut off at 500
+  EXPECT_TRUE(text_of(request, solve_ensemble(request, options, count_kept)).starts_with(all));
+  EXPECT_EQ(kept, 400U);
+  kept = 0;
+  request.spec.seed = 2;
+  EXPECT_NE(text_of(request, solve_ensemble(request, options, count_kept)), all);
+  EXPECT_EQ(kept, 0U) << "other draws";
+}
+
+// The tables of how the two laws differ, measured by another solver in 60 digits: means and
+// standard deviations of the settling time, n = 1000. Here n = 300: four standard errors of both.
+TEST(Ensemble, LawsDifferAsAnotherSolverSays) {
+  const EnsembleRequest request = request_of(
+      perturbed("1510121100", 300) + "[[exact]]\nname = \"sequential\"\nlaw = \"sequential\"\n");
+  const Findings findings = findings_of(request, solved(request), 2);
+  const std::size_t settled = place_of_statistic(findings.statistics, "settled_fast");
+  const std::size_t energy = place_of_statistic(findings.statistics, "swing_energy");
+  const Summary& simultaneous = findings.summaries[0][settled];
+  const Summary& sequential = findings.summaries[1][settled];
+  const double error = 4.0 * std::sqrt(1.0 / 300.0 + 1.0 / 1000.0);
+  EXPECT_NEAR(sequential.mean, 1.4419, 0.0044 * error);
+  EXPECT_NEAR(sequential.deviation, 0.0044, 0.0044 * error);
+  EXPECT_NEAR(simultaneous.mean, 1.5065, 0.0065 * error);
+  EXPECT_NEAR(simultaneous.deviation, 0.0065, 0.0065 * error);
+  for (const Comparison& one : findings.comparisons) {
+    if (one.statistic == settled) {
+      EXPECT_GT(one.kolmogorov.effect, 0.99);
+      EXPECT_TRUE(one.differs());
+    }
+    if (one.statistic == energy) {
+      EXPECT_NEAR(one.kolmogorov.effect, 0.133, 0.1) << "the noise of a distance at n = 300";
+    }
+  }
+}
+
+TEST(Ensemble, LawsAreTheSameWhereOneCableHitsAtATime) {
+  const EnsembleRequest request = request_of(
+      perturbed("1911121100", 60) + "[[exact]]\nname = \"sequential\"\nlaw = \"sequential\"\n");
+  const EnsembleResult result = solved(request);
+  const Findings findings = findings_of(request, result, 2);
+  ASSERT_FALSE(findings.comparisons.empty());
+  for (const Comparison& one : findings.comparisons) {
+    EXPECT_FALSE(one.differs()) << findings.statistics[one.statistic].name;
+  }
+}
+
+// the exact motions lock at some 2.5 s; no swing has lasted for a period of 3.3 s by the end
+TEST(Ensemble, ABiasOfTwoPercentInRestitutionIsFoundAndAnotherSeedIsNone) {
+  const EnsembleRequest request = request_of("until = 3\n" + perturbed("1710121100", 1000) +
+                                             "[[exact]]\nname = \"another seed\"\nseed = 2\n"
+                                             "[[exact]]\nname = \"biased\"\n"
+                                             "quantity = \"restitution\"\nfactor = 0.98\n");
+  const Findings findings = findings_of(request, solved(request), 2);
+  ASSERT_EQ(findings.comparisons.size(), 14U);
+  for (const Comparison& one : findings.comparisons) {
+    EXPECT_EQ(one.differs(), one.setup == 2U)
+        << findings.statistics[one.statistic].name << " of " << request.setups[one.setup].name
+        << ": D = " << one.kolmogorov.effect << ", seen from " << one.visible << " on";
+  }
+}
+
+}  // namespace
+}  // namespace tautline::bench

@@ -1,0 +1,155 @@
+// `tautline ensemble` from outside.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/bench/program.hpp"
+#include "tests/bench/schema.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string quick =
+    "case = \"breakwater/1510121100\"\nuntil = 5\ncount = 60\n"
+    "[[vary]]\nquantities = [\"x\", \"y\", \"spin\"]\nnormal = 1e-3\n";
+
+/// A spec in a folder of its own, beside the results.
+class Ensembles {
+ public:
+  explicit Ensembles(const std::string& spec) : file_(folder_.file("spec.toml", spec)) {}
+  [[nodiscard]] std::vector<std::string> words(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all = {"ensemble", file_.string(), "--out", out().string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  [[nodiscard]] Outcome run(const std::vector<std::string>& more = {}) const {
+    return program(words(more));
+  }
+  [[nodiscard]] std::filesystem::path out() const { return folder_.path() / "out"; }
+  [[nodiscard]] json result() const { return json::parse(content_of(out() / "ensemble.json")); }
+
+ private:
+  TemporaryFolder folder_;
+  std::filesystem::path file_;
+};
+
+TEST(EnsembleProgram, WritesWhatItsSchemaSaysAndTextOfEightyColumns) {
+  const Ensembles ensembles(quick + "[[exact]]\nname = \"sequential\"\nlaw = \"sequential\"\n");
+  const Outcome outcome = ensembles.run();
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(keeps_the_schema(ensembles.result(), TAUTLINE_ENSEMBLE_SCHEMA));
+  EXPECT_NE(outcome.output.find("sequential differs from exact in"), std::string::npos);
+  EXPECT_NE(outcome.output.find("The same in all draws: captured (1)"), std::string::npos);
+  const std::string page = content_of(ensembles.out() / "index.html");
+  EXPECT_NE(page.find("quantiles over those of exact"), std::string::npos);
+  EXPECT_EQ(page.find("http://www.w3.org/2000/svg") == std::string::npos, false);
+  EXPECT_NE(content_of(ensembles.out() / "ensemble.md").find("## Distributions"),
+            std::string::npos);
+  const Outcome narrow = program(ensembles.words(), "COLUMNS=80");
+  std::istringstream lines(narrow.output);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), line.find("ensemble: ") == 0 ? 400U : 80U) << line;
+  }
+}
+
+TEST(EnsembleProgram, IsTheSameInAnyNumberOfThreads) {
+  const Ensembles ensembles(quick);
+  const Outcome one = ensembles.run({"--jobs", "1", "--json", "-"});
+  const Outcome three = ensembles.run({"--jobs", "3", "--json", "-"});
+  EXPECT_EQ(one.code, 0) << one.errors;
+  EXPECT_EQ(one.output, three.output);
+}
+
+TEST(EnsembleProgram, ComparesAnEngineOnTheSameDraws) {
+  const Ensembles ensembles(quick +
+                            "[engines]\nnames = [\"exact\"]\nmodels = [\"event\"]\nsteps = [0.01]");
+  const Outcome outcome = ensembles.run({"--count", "20"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("exact event 0.01 cannot be told apart from exact"),
+            std::string::npos)
+      << outcome.output;
+  // the same motions: all that steps of 0.01 s can change is the extremes of the swing
+  for (const json& one : ensembles.result()["comparisons"]) {
+    if (one["statistic"] == "impacts" || one["statistic"] == "settled_fast") {
+      EXPECT_LE(one["kolmogorov"]["effect"], 0.05) << one["statistic"];
+    }
+  }
+  EXPECT_FALSE(ensembles.result()["setups"][1]["statistics"].contains("lock"));
+}
+
+TEST(EnsembleProgram, AnEngineThatFailsIsNamed) {
+  const Ensembles ensembles(quick + "[engines]\nnames = [\"" + bad_engine("segfault") +
+                            "\"]\nsteps = [0.01]");
+  const Outcome outcome = ensembles.run({"--count", "3"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.output.find("3 of 3 draws have no values"), std::string::npos)
+      << outcome.output;
+  EXPECT_NE(outcome.output.find("SIGSEGV"), std::string::npos);
+}
+
+TEST(EnsembleProgram, MakesAnAtlasOfAGridWithAPictureForEachCell) {
+  const Ensembles ensembles(
+      "case = \"breakwater/1510121100\"\nuntil = 5\ncount = 1\n"
+      "[[vary]]\nquantities = [\"restitution\"]\ngrid = [0.3, 0.6]\npoints = 3\n"
+      "[[vary]]\nquantities = [\"spin\"]\ngrid = [-1, 1]\npoints = 2\n");
+  EXPECT_EQ(ensembles.run().code, 0);
+  const json atlas = ensembles.result()["atlas"];
+  EXPECT_EQ(atlas["axes"][0]["quantity"], "restitution");
+  EXPECT_EQ(atlas["means"]["impacts"].size(), 6U);
+  EXPECT_GT(atlas["means"]["impacts"][2], atlas["means"]["impacts"][0])
+      << "the more, the more elastic";
+  EXPECT_TRUE(std::filesystem::exists(ensembles.out() / "cells/0005.svg"));
+  EXPECT_NE(content_of(ensembles.out() / "index.html").find("href=\"cells/0005.svg\""),
+            std::string::npos);
+}
+
+TEST(EnsembleProgram, AnInterruptionKeepsWhatIsDoneAndResumeDoesTheRest) {
+  const Ensembles ensembles(quick);
+  const std::vector<std::string> many = {"--count", "20000", "--jobs", "2"};
+  const int process = start_program(ensembles.words(many));
+  const auto first = ensembles.out() / "draws/exact/00000000.csv";
+  for (int tries = 0; tries < 1000 && !std::filesystem::exists(first); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ::kill(process, SIGINT);
+  EXPECT_EQ(wait_for(process), 1);
+  const json part = ensembles.result();
+  EXPECT_EQ(part["interrupted"], true);
+  EXPECT_LT(part["setups"][0]["draws"], 20'000);
+  const std::string kept = content_of(first);
+  EXPECT_EQ(ensembles.run({"--count", "400", "--resume"}).code, 0);
+  const json resumed = ensembles.result();
+  EXPECT_EQ(content_of(first), kept);
+  EXPECT_EQ(ensembles.run({"--count", "400"}).code, 0);
+  EXPECT_EQ(ensembles.result(), resumed) << "as without an interruption";
+}
+
+TEST(EnsembleProgram, NamesWhatIsWrongBeforeItStarts) {
+  const Ensembles ensembles(quick + "[engines]\nnames = [\"bulet64\"]\n");
+  const Outcome outcome = ensembles.run({"--jobs", "0"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("--jobs 0"), std::string::npos) << outcome.errors;
+  for (const auto& [option, value, sentence] :
+       {std::array{"--count", "-3", "--count -3: must be from 1 to"},
+        std::array{"--case", "nothing", "--case: unknown case \"nothing\""}}) {
+    const Outcome wrong = ensembles.run({option, value});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.errors.find(sentence), std::string::npos) << wrong.errors;
+  }
+  const Outcome engine = ensembles.run();
+  EXPECT_EQ(engine.code, 2);
+  EXPECT_NE(engine.errors.find("bulet64"), std::string::npos) << engine.errors;
+  EXPECT_FALSE(std::filesystem::exists(ensembles.out()));
+}
+
+}  // namespace
+}  // namespace tautline::test

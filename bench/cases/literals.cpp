@@ -1,5 +1,6 @@
 #include "bench/cases/literals.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 #include <algorithm>
 #include <filesystem>
@@ -28,12 +29,11 @@ class NumberSearch {
   void visit(const toml::node& node, const std::string& name) {
     if (const toml::table* const table = node.as_table()) {
       for (const auto& [key, value] : *table) {
-        const std::string inner(key.str());
-        visit(value, name.empty() ? inner : name + "." + inner);
+        visit(value, name.empty() ? std::string(key.str()) : fmt::format("{}.{}", name, key.str()));
       }
     } else if (const toml::array* const array = node.as_array()) {
       for (std::size_t index = 0; index < array->size(); ++index) {
-        visit((*array)[index], name + "[" + std::to_string(index) + "]");
+        visit((*array)[index], fmt::format("{}[{}]", name, index));
       }
     } else if (as_number(node)) {
       add(node.source().begin, name);

@@ -83,15 +83,17 @@ std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& so
 
 /// Values of a grid from one end to the other.
 std::vector<double> evenly(const Vec2& ends, double points) {
+  const auto count = static_cast<std::size_t>(points);
   std::vector<double> values;
-  for (double index = 0.0; index < points; ++index) {
-    values.push_back(ends.x() + (ends.y() - ends.x()) * index / (points - 1.0));
+  for (std::size_t index = 0; index < count; ++index) {
+    values.push_back(ends.x() +
+                     (ends.y() - ends.x()) * static_cast<double>(index) / (points - 1.0));
   }
   return values;
 }
 
 Vec2 rising_pair(StrictTable& table, std::string_view key) {
-  const Vec2 ends = table.optional_pair(key, "").value_or(Vec2(0.0, 1.0));
+  Vec2 ends = table.optional_pair(key, "").value_or(Vec2(0.0, 1.0));
   if (!(ends.x() < ends.y())) {
     table.refuse_value(key, "must be two numbers [low, high] with low below high");
   }

@@ -17,7 +17,7 @@ namespace tautline::bench {
 // round to them.
 
 /// "-0.00" and its like without the sign.
-[[nodiscard]] inline std::string without_signed_zero(std::string text) {
+[[nodiscard]] inline std::string without_signed_zero(const std::string& text) {
   const bool zero = text.find_first_of("123456789") == std::string::npos;
   return zero && text.starts_with('-') ? text.substr(1) : text;
 }

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <mpfr.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ios>
+#include <new>
 #include <string>
 
 #include "bench/base/table.hpp"
@@ -22,12 +23,24 @@ namespace tautline::bench {
   return zero && text.starts_with('-') ? text.substr(1) : text;
 }
 
+/// `value` by one of MPFR's formats. Boost's own takes no digits for all of them, and for numbers
+/// smaller than the last digit too.
+[[nodiscard]] inline std::string formatted(const char* format, int digits, const Multi& value) {
+  char* text = nullptr;
+  if (mpfr_asprintf(&text, format, digits, value.backend().data()) < 0) {
+    throw std::bad_alloc();
+  }
+  std::string result(text);
+  mpfr_free_str(text);
+  return without_signed_zero(result);
+}
+
 /// `value` with so many digits after the point.
 [[nodiscard]] inline std::string fixed_digits(double value, int digits) {
   return fixed_text(value, digits);
 }
 [[nodiscard]] inline std::string fixed_digits(const Multi& value, int digits) {
-  return without_signed_zero(value.str(digits, std::ios::fixed));
+  return formatted("%.*RNf", digits, value);
 }
 
 /// `value` with so many digits after the first.
@@ -35,7 +48,7 @@ namespace tautline::bench {
   return without_signed_zero(fmt::format("{:.{}e}", value, digits));
 }
 [[nodiscard]] inline std::string scientific_digits(const Multi& value, int digits) {
-  return without_signed_zero(value.str(digits, std::ios::scientific));
+  return formatted("%.*RNe", digits, value);
 }
 
 /// `value`, which is off by at most `error`, with as many right digits after the point as there

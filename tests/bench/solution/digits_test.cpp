@@ -194,6 +194,14 @@ TEST(Digits, WhatIsPrintedIsWhatBothEndsOfTheErrorRoundTo) {
   EXPECT_EQ(right_general(0.125, 1e-17, 6), "0.125");
 }
 
+TEST(Digits, ManyDigitsAreRoundedAsDoublesAre) {
+  EXPECT_EQ(fixed_digits(Multi("0.0488"), 0), "0");
+  EXPECT_EQ(fixed_digits(Multi("-0.6"), 0), "-1");
+  EXPECT_EQ(fixed_digits(Multi("-0.00967"), 1), "0.0");
+  EXPECT_EQ(fixed_digits(Multi("5.3e-15"), 12), "0.000000000000");
+  EXPECT_EQ(scientific_digits(Multi("5.36e-15"), 0), "5e-15");
+}
+
 TEST(Digits, AnImpactOnMirroredCablesIsSureAndAnAlmostMirroredOneIsOpen) {
   const std::vector<Case> cases = shipped_cases();
   Case beam = *std::find_if(cases.begin(), cases.end(),

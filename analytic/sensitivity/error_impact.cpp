@@ -63,18 +63,6 @@ std::optional<StateRow> delay_of_images(const Case& the_case, const State& state
   return StateRow((*one + *other) / 2.0);
 }
 
-/// Those of `event`'s cables that pull.
-CableSet pulling(const Event& event) {
-  CableSet result;
-  Eigen::Index row = 0;
-  for (const std::size_t index : event.cables) {
-    if (event.impulses[row++] > 0.0) {
-      result.insert(index);
-    }
-  }
-  return result;
-}
-
 /// The derivatives of the impulses of `active` cables, whose restitution is constant, under
 /// Newton's law, in closed form: with G L = -(1 + E) rate,
 ///   G dL = -(1 + E) d rate - dJ M^-1 J^T L - J M^-1 dJ^T L,
@@ -189,7 +177,7 @@ bool ErrorTracker::order_is_sure(const Event& event) const {
 
 /// What the impact's results gain per unit of the state before: in closed form under Newton's law.
 ErrorTracker::Kick ErrorTracker::kick_of(const Event& event) const {
-  const CableSet active = pulling(event);
+  const CableSet active = pulled(event);
   bool speeds = false;
   for (const std::size_t index : active) {
     speeds = speeds || depends_on_speed(case_.cables[index]);

@@ -24,19 +24,6 @@ BasicStateMatrix<Real> slopes(const BasicState<Dual<Real>>& state) {
   return result;
 }
 
-/// Those of `cables` that pull in `impact`.
-template <class Real>
-CableSet pulled(const BasicEvent<Real>& impact) {
-  CableSet result;
-  Eigen::Index row = 0;
-  for (const std::size_t index : impact.cables) {
-    if (impact.impulses[row++] > 0) {
-      result.insert(index);
-    }
-  }
-  return result;
-}
-
 /// The impulses that turn the rates of `cables`, as Newton's law says, and the state after them.
 template <class Real>
 BasicImpact<Real> rebound(const BasicCase<Real>& the_case, const BasicState<Real>& state,

@@ -10,6 +10,19 @@
 
 namespace tautline {
 
+/// The cables that pull in `impact`.
+template <class Real>
+[[nodiscard]] CableSet pulled(const BasicEvent<Real>& impact) {
+  CableSet result;
+  Eigen::Index row = 0;
+  for (const std::size_t index : impact.cables) {
+    if (impact.impulses[row++] > 0) {
+      result.insert(index);
+    }
+  }
+  return result;
+}
+
 // Derivatives of the maps that a motion is made of. Equation numbers are those of
 // analytic/README.md.
 

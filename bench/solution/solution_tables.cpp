@@ -15,9 +15,6 @@
 namespace tautline::bench {
 namespace {
 
-/// Events that anyone reads below the summary.
-constexpr std::size_t most_events = 20;
-
 /// Digits after the point of a time, and of the numbers of a state.
 constexpr int time_digits = 12;
 constexpr int state_digits = 6;
@@ -106,18 +103,12 @@ std::string events_text(const Case& the_case, const Solution& solution,
   if (shown == 0) {
     return "";
   }
-  const auto column = [](const char* heading, int rank) {
-    Column result;
-    result.heading = heading;
-    result.rank = rank;
-    return result;
-  };
   constexpr int velocity = 2;
   constexpr int pose = 1;
-  Table table({column("event at", 0), column("kind", 0), column("cables", 0),
-               column("closing rate", 0), column("impulse", 0), column("x", pose),
-               column("y", pose), column("angle", pose), column("vx", velocity),
-               column("vy", velocity), column("spin", velocity)});
+  Table table({ranked("event at", 0), ranked("kind", 0), ranked("cables", 0),
+               ranked("closing rate", 0), ranked("impulse", 0), ranked("x", pose),
+               ranked("y", pose), ranked("angle", pose), ranked("vx", velocity),
+               ranked("vy", velocity), ranked("spin", velocity)});
   for (std::size_t index = 0; index < shown; ++index) {
     const auto& errors = uncertainty.events()[index];
     if (errors) {

@@ -3,12 +3,25 @@
 #include <string>
 #include <vector>
 
+#include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
 #include "tautline/case.hpp"
 #include "tautline/solution.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
+
+/// Events below a summary, unless all are asked for.
+inline constexpr std::size_t most_events = 20;
+
+/// A column of a table of events; where there is no room for all, the highest `rank`
+/// goes first, 0 never.
+[[nodiscard]] inline Column ranked(const char* heading, int rank) {
+  Column result;
+  result.heading = heading;
+  result.rank = rank;
+  return result;
+}
 
 /// The first events, or all, after an empty line; "" without one. Each number has right digits
 /// alone; what is beyond the horizon is one row. An accumulation stands at its limit. Where there

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <iostream>
 
+#include "hard/stopwatch.hpp"
 #include "support.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
@@ -158,8 +159,7 @@ TEST_P(RandomSystems, EndTruthfullyInTimeWithoutOverstretch) {
     ASSERT_TRUE(problems(the_case).empty()) << problems(the_case).front();
     const std::clock_t begin = std::clock();
     const Solution solution = solve(the_case, options);
-    const auto taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    tally.slowest = std::max(tally.slowest, taken);
+    tally.slowest = std::max(tally.slowest, seconds_since(begin));
     measure_samples(the_case, solution, tally);
     measure_taut_arcs(the_case, solution, tally);
     measure_energy(the_case, solution, tally);

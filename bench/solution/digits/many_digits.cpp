@@ -12,14 +12,12 @@
 #include "bench/solution/digits/in_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/digits/summary.hpp"
+#include "bench/solution/solution_tables.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
 namespace {
-
-/// Events below the summary, as of a solution in doubles.
-constexpr std::size_t most_events = 20;
 
 /// Decimal digits of the first solution beside those asked for, and of the motion after the lock,
 /// which loses a few.
@@ -260,15 +258,9 @@ std::string events_of(const Run& few, const Run& many, const ManyDigits& asked,
   if (events.empty()) {
     return "";
   }
-  const auto column = [](const char* heading, int rank) {
-    Column result;
-    result.heading = heading;
-    result.rank = rank;
-    return result;
-  };
-  Table table({column("event at", 0), column("kind", 0), column("cables", 0), column("impulse", 1),
-               column("x", 2), column("y", 2), column("angle", 2), column("vx", 3), column("vy", 3),
-               column("spin", 3)});
+  Table table({ranked("event at", 0), ranked("kind", 0), ranked("cables", 0), ranked("impulse", 1),
+               ranked("x", 2), ranked("y", 2), ranked("angle", 2), ranked("vx", 3), ranked("vy", 3),
+               ranked("spin", 3)});
   const std::size_t most = asked.all_events ? events.size() : std::min(events.size(), most_events);
   std::size_t shown = 0;
   for (; shown < std::min(most, few.solution.events().size()); ++shown) {

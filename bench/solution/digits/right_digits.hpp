@@ -51,14 +51,15 @@ namespace tautline::bench {
   return formatted("%.*RNe", digits, value);
 }
 
-/// `value`, which is off by at most `error`, with as many right digits after the point as there
-/// are, at most `most`; a dash where none is right.
-template <class Real>
-[[nodiscard]] std::string right_fixed(const Real& value, const Real& error, int most) {
+/// `value`, which is off by at most `error`, by `text_of` with as many right digits as there are,
+/// at most `most`; a dash where none is right.
+template <class Real, class TextOf>
+[[nodiscard]] std::string right_digits(const Real& value, const Real& error, int most,
+                                       const TextOf& text_of) {
   if (error >= 0) {
     for (int digits = most; digits >= 0; --digits) {
-      std::string low = fixed_digits(Real(value - error), digits);
-      if (low == fixed_digits(Real(value + error), digits)) {
+      std::string low = text_of(Real(value - error), digits);
+      if (low == text_of(Real(value + error), digits)) {
         return low;
       }
     }
@@ -66,18 +67,18 @@ template <class Real>
   return dash;
 }
 
+/// The same with at most `most` digits after the point.
+template <class Real>
+[[nodiscard]] std::string right_fixed(const Real& value, const Real& error, int most) {
+  return right_digits(value, error, most,
+                      [](const Real& end, int digits) { return fixed_digits(end, digits); });
+}
+
 /// The same in powers of ten, with at most `most` digits after the first.
 template <class Real>
 [[nodiscard]] std::string right_scientific(const Real& value, const Real& error, int most) {
-  if (error >= 0) {
-    for (int digits = most; digits >= 0; --digits) {
-      std::string low = scientific_digits(Real(value - error), digits);
-      if (low == scientific_digits(Real(value + error), digits)) {
-        return low;
-      }
-    }
-  }
-  return dash;
+  return right_digits(value, error, most,
+                      [](const Real& end, int digits) { return scientific_digits(end, digits); });
 }
 
 /// The same with at most `most` significant digits and no zeros behind them.

@@ -1,4 +1,4 @@
-// The tests that need no quiet machine, in one process: they share one browser, and most one page.
+// The tests of all parts of the page but the replay, in one process: they share one browser, and most one page.
 import './opens.test.mjs';
 import './tables.test.mjs';
 import './charts.test.mjs';

@@ -5,23 +5,8 @@ import { dirname, join } from 'node:path';
 import test from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { benchPage, drawAll, reportOf, withPage } from './browser.mjs';
+import { replay, settled } from './replay.mjs';
 
-/// The motions of the runs have come, or it is said why not.
-async function settled(page) {
-  await page.locator('#replay-app').scrollIntoViewIfNeeded();
-  await page.locator('.replay-status:not(:empty)').waitFor();
-  await page.locator('.replay-note:not(:empty)').waitFor();
-  await page.waitForFunction(() => !/being loaded/.test(document.querySelector('.replay-note').textContent));
-}
-
-/// Opens the page at its replay; `time` reads the time shown [s].
-const replay = (action, context) => withPage(benchPage(), async ({ page, said }) => {
-  await settled(page);
-  const slider = page.locator('#replay-app input[type=range]');
-  const time = async () => Number(await slider.inputValue());
-  await action({ page, slider, time });
-  assert.deepEqual(said, []);
-}, context);
 /// No run over the exact path.
 async function exactAlone(page) {
   for (let i = 1; i <= 3; ++i) {
@@ -41,24 +26,6 @@ test('play moves the body, pause stops it', () => replay(async ({ page, time }) 
   const stopped = await time();
   await page.waitForTimeout(200);
   assert.equal(await time(), stopped);
-}));
-
-test('the speed is obeyed', () => replay(async ({ page, time }) => {
-  const advance = async (speed) => {
-    await page.getByLabel('Speed').selectOption(speed);
-    await page.focus('.replay-canvas + input');
-    await page.keyboard.press('Home');
-    const start = Date.now();
-    await page.click('#replay-play');
-    await page.waitForTimeout(700);
-    const reached = await time();
-    const rate = reached / ((Date.now() - start) / 1000);
-    await page.click('#replay-play');
-    return rate;
-  };
-  const [slow, fast] = [await advance('0.25'), await advance('4')];
-  // sixteen times on a quiet machine; a busy one is late by a frame or two at either end
-  assert.ok(fast / slow > 8 && fast / slow < 32, `${slow} and ${fast} s/s`);
 }));
 
 test('dragging the slider shows that instant, and the cursor of the plots follows', () => replay(async ({ page, slider }) => {

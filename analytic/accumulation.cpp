@@ -152,20 +152,26 @@ void refine(Bouncing<Real>& bounces, const BasicCase<Real>& the_case, const Basi
   bounces.uncertainty = abs(second) + 4 * epsilon<Real>() * first;
 }
 
-/// The cables outside `cables` that could close within `remaining` [s].
+/// The cables outside `cables` that could close before the bounces on `cables` are over.
 template <class Real>
 CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                      CableSet cables, const Real& remaining, const Scales<Real>& scale) {
+                      CableSet cables, const Bouncing<Real>& bounces, const Scales<Real>& scale) {
+  const Real remaining = bounces.remaining + bounces.uncertainty;
+  const Real change = scale.margin * scale.acceleration * remaining;  // [m/s], of a rate
+  const Real weakest = delassus(the_case, state, cables).diagonal().minCoeff();
   CableSet result;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     if (cables.contains(index)) {
       continue;
     }
     const BasicCable<Real>& cable = the_case.cables[index];
-    const Real closing = max(Real(0), Real(-gap_rate(cable, state)));
-    const Real reach =
-        closing * remaining + scale.margin * scale.acceleration * remaining * remaining;
-    if (gap(cable, state) <= reach) {
+    const Real rate = gap_rate(cable, state);
+    const Real own = delassus(the_case, state, CableSet::of(index))(0, 0);
+    // what the impulses of the bounces change its rate by, of which each turns one of them round
+    const Real shaken = 2 * bounces.speed * sqrt(Real(own / weakest));
+    const bool opens = rate > shaken + change;  // all the time
+    const Real reach = (max(Real(0), Real(-rate)) + change) * remaining;
+    if (!opens && gap(cable, state) <= reach) {
       result.insert(index);
     }
   }
@@ -238,6 +244,21 @@ CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state,
   return result;
 }
 
+/// `after` without what rounding has added to the energy of `before`: the end of bounces gains
+/// none.
+template <class Real>
+BasicState<Real> without_energy_gained(const BasicCase<Real>& the_case,
+                                       const BasicState<Real>& before, BasicState<Real> after) {
+  const Real gained = energy(the_case, after) - energy(the_case, before);
+  const Real kinetic = kinetic_energy(the_case.body, after);
+  if (gained > few_roundings * rounding_of_energy(the_case, before) && gained < kinetic) {
+    const Real part = sqrt(Real(1 - gained / kinetic));
+    after.velocity *= part;
+    after.spin *= part;
+  }
+  return after;
+}
+
 /// True where `state` stretches a cable outside `cables`.
 template <class Real>
 bool overstretches(const BasicCase<Real>& the_case, const BasicState<Real>& state,
@@ -293,8 +314,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
         (limits.speed ? bounces->speed > *limits.speed : !(bounces->error <= limits.error))) {
       return std::nullopt;
     }
-    const Real latest = bounces->remaining + bounces->uncertainty;
-    CableSet near = within_reach(the_case, state, cables, latest, scale);
+    CableSet near = within_reach(the_case, state, cables, *bounces, scale);
     const BasicState<Real> after = projected(the_case, state, cables);
     // redundant: where the others end taut, so do these
     const CableSet carried = at_zero(the_case, after, touching, near);
@@ -309,8 +329,9 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
       if (cables.size() == 1 && bounces->ends) {
         refine(*bounces, the_case, state, after, *cables.begin());
       }
-      return BasicCompletion<Real>{cables | carried,     bounces->ends,  bounces->remaining,
-                                   bounces->uncertainty, bounces->error, after};
+      return BasicCompletion<Real>{
+          cables | carried,     bounces->ends,  bounces->remaining,
+          bounces->uncertainty, bounces->error, without_energy_gained(the_case, state, after)};
     }
     cables = cables | near;
   }

@@ -18,8 +18,8 @@ constexpr double least_restitution = 1e-4;
 }  // namespace
 
 template <class Real>
-BasicCableVector<Real> energetic_impulses(const BasicCase<Real>& the_case,
-                                          const BasicState<Real>& before, CableSet cables) {
+SpringImpulses<Real> energetic_impulses(const BasicCase<Real>& the_case,
+                                        const BasicState<Real>& before, CableSet cables) {
   const auto count = static_cast<Eigen::Index>(cables.size());
   const Vector3<Real> weight = inverse_mass(the_case.body).cwiseSqrt();
   std::vector<energetic::Spring<Real>> springs;
@@ -39,17 +39,17 @@ BasicCableVector<Real> energetic_impulses(const BasicCase<Real>& the_case,
   const Real row_scale = rows.rowwise().norm().maxCoeff();
   const Real speed_scale = velocity.norm();
   if (!(speed_scale > 0)) {
-    return BasicCableVector<Real>::Zero(count);
+    return {BasicCableVector<Real>::Zero(count)};
   }
   for (energetic::Spring<Real>& spring : springs) {
     spring.row /= row_scale;
   }
-  const BasicCableVector<Real> impulses =
-      energetic::SpringImpact<Real>(std::move(springs), velocity / speed_scale).impulses();
-  return impulses * (speed_scale / row_scale);
+  energetic::SpringImpact<Real> impact(std::move(springs), velocity / speed_scale);
+  const int steps = impact.run();
+  return {impact.impulses() * (speed_scale / row_scale), steps};
 }
 
-template BasicCableVector<Instance> energetic_impulses(const BasicCase<Instance>&,
-                                                       const BasicState<Instance>&, CableSet);
+template SpringImpulses<Instance> energetic_impulses(const BasicCase<Instance>&,
+                                                     const BasicState<Instance>&, CableSet);
 
 }  // namespace tautline

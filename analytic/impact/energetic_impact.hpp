@@ -4,6 +4,13 @@
 
 namespace tautline {
 
+/// The impulses of springs, and what they cost.
+template <class Real>
+struct SpringImpulses {
+  BasicCableVector<Real> impulses;  // [N s], one per cable
+  int steps = 0;                    // from one change of a spring to the next, or a radian [-]
+};
+
 /// The impulses [N s] of Stronge's law, one per cable of `cables`, each at zero gap and closing or
 /// resting (analytic/README.md section 4). Every cable is a linear spring, equally stiff:
 ///
@@ -16,8 +23,8 @@ namespace tautline {
 /// is a Taylor series there, and the next such instant its first root. It ends when no cable pulls
 /// or closes. NaN where numbers overflow.
 template <class Real>
-[[nodiscard]] BasicCableVector<Real> energetic_impulses(const BasicCase<Real>& the_case,
-                                                        const BasicState<Real>& before,
-                                                        CableSet cables);
+[[nodiscard]] SpringImpulses<Real> energetic_impulses(const BasicCase<Real>& the_case,
+                                                      const BasicState<Real>& before,
+                                                      CableSet cables);
 
 }  // namespace tautline

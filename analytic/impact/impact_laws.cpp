@@ -127,8 +127,12 @@ BasicImpact<Real> impact_on_several(ImpactLaw law, const BasicCase<Real>& the_ca
       return poisson_impact(the_case, before, cables);
     case ImpactLaw::sequential:
       return completed(the_case, before, cables, sequential_impulses(the_case, before, cables));
-    case ImpactLaw::energetic:
-      return completed(the_case, before, cables, energetic_impulses(the_case, before, cables));
+    case ImpactLaw::energetic: {
+      SpringImpulses<Real> springs = energetic_impulses(the_case, before, cables);
+      auto impact = completed(the_case, before, cables, std::move(springs.impulses));
+      impact.steps = springs.steps;
+      return impact;
+    }
     case ImpactLaw::simultaneous:
       break;
   }

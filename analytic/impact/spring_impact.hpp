@@ -35,18 +35,23 @@ class SpringImpact {
         velocity_(std::move(velocity)),
         motion_(enough_terms<Real>()) {}
 
-  /// The impulses until no spring pulls and no cable closes; fewer after `most_steps`.
-  BasicCableVector<Real> impulses() {
+  /// Goes on until no spring pulls and no cable closes, at most `most_steps`; returns the steps.
+  int run() {
     for (int step = 0; step < most_steps; ++step) {
       read_rates();
       if (changed_) {
         choose_held();
       }
       if (is_over()) {
-        break;
+        return step;
       }
       advance();
     }
+    return most_steps;
+  }
+
+  /// Those so far, one per spring.
+  [[nodiscard]] BasicCableVector<Real> impulses() const {
     BasicCableVector<Real> result(static_cast<Eigen::Index>(springs_.size()));
     Eigen::Index row = 0;
     for (const Spring<Real>& spring : springs_) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rounding.hpp"
+#include "arc_rounding.hpp"
 #include "spread.hpp"
 #include "tautline/solution.hpp"
 

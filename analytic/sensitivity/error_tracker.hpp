@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "arc_rounding.hpp"
 #include "cable_view.hpp"
 #include "linearised.hpp"
-#include "rounding.hpp"
 #include "spread.hpp"
 #include "tautline/accumulation.hpp"
 #include "tautline/uncertainty.hpp"

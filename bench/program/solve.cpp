@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -31,6 +33,8 @@ struct SolveCommand {
   std::optional<double> angle_limit;  // [rad], instead of the case's
   std::optional<double> ceiling;      // [m], instead of the case's
   ImpactLaw law = ImpactLaw::simultaneous;
+  std::int64_t max_events = static_cast<std::int64_t>(SolveOptions().max_events);
+  std::int64_t max_steps = static_cast<std::int64_t>(SolveOptions().max_steps);
   bool certify = false;       // also solve with more digits, and compare
   std::optional<int> digits;  // of that, `default_digits` if not given; else right ones to print
   bool decimal = false;       // of the decimals that the case is written in
@@ -123,6 +127,12 @@ std::vector<std::string> usage_problems(const SolveCommand& command) {
   for (const std::string& sentence : missing_folder("--plot", command.plot)) {
     broken.push_back(sentence);
   }
+  for (const auto& [option, most] : {std::pair("--max-events", command.max_events),
+                                     std::pair("--max-steps", command.max_steps)}) {
+    if (most < 1) {
+      broken.push_back(fmt::format("{} {}: must be at least 1", option, most));
+    }
+  }
   for (const auto& sentence : {digits_usage_problem(command), output_problem(command)}) {
     if (sentence) {
       broken.push_back(*sentence);
@@ -130,6 +140,20 @@ std::vector<std::string> usage_problems(const SolveCommand& command) {
   }
   return broken;
 }
+
+/// Says on standard error with how many digits the motion is solved next, where it takes long.
+class PatienceNote {
+ public:
+  void operator()(int digits) const {
+    constexpr std::chrono::seconds long_enough{1};
+    if (std::chrono::steady_clock::now() - begin_ >= long_enough) {
+      fmt::print(stderr, "tautline: going on with numbers of {} digits\n", digits);
+    }
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
 
 /// A motion that was given up is a failure, though what is told of it is right.
 int exit_code(Ending ending) {
@@ -149,6 +173,8 @@ int solve_command(const SolveCommand& command) {
   }
   SolveOptions options;
   options.law = command.law;
+  options.max_events = static_cast<std::size_t>(command.max_events);
+  options.max_steps = static_cast<std::size_t>(command.max_steps);
   const Solution solution = solve(*the_case, options);
   const std::vector<std::string> broken = sample_problems(solution, command.at);
   if (!broken.empty()) {
@@ -158,7 +184,7 @@ int solve_command(const SolveCommand& command) {
   if (command.digits && !command.certify) {
     fmt::print("{}", many_digits_text(*the_case, options, solution,
                                       {*command.digits, command.decimal, command.events,
-                                       literals_of(command.the_case)},
+                                       literals_of(command.the_case), PatienceNote()},
                                       output_style()));
     return exit_code(solution.ending());
   }
@@ -210,6 +236,12 @@ void add_solve(CLI::App& app, int& code) {
       ->add_option("--plot", asked->plot,
                    "write a picture of the motion (SVG) to this file, or to stdout: -")
       ->check(named_file);
+  command->add_option("--max-events", asked->max_events,
+                      fmt::format("give up after so many events (default: {})", asked->max_events));
+  command->add_option("--max-steps", asked->max_steps,
+                      fmt::format("give up after so many steps of taut motion, and of springs "
+                                  "within impacts (default: {})",
+                                  asked->max_steps));
   command->add_flag("--events", asked->events, "print all events, not the first 20");
   command->footer(
       "tautline solve breakwater/1910121100 --digits 12     twelve right digits\n"

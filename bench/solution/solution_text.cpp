@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "bench/solution/digits/summary.hpp"
@@ -91,29 +92,44 @@ std::pair<std::string, std::string> told_apart(double from, double until) {
   return {shortest(from), shortest(until)};
 }
 
+/// Stretches after which all motions are alike again, the first of them in full.
+std::string meetings_text(std::span<const Unsure> stretches) {
+  constexpr std::size_t most_in_full = 3;
+  std::string result;
+  for (const Unsure& stretch : stretches.first(std::min(stretches.size(), most_in_full))) {
+    const auto [from, until] = told_apart(stretch.from, stretch.until);
+    result += fmt::format(
+        "Between t = {} and {} the order of impacts is beyond the horizon: one of many motions, "
+        "which all come to the same taut cables.\n",
+        from, until);
+  }
+  if (stretches.size() > most_in_full) {
+    const std::size_t more = stretches.size() - most_in_full;
+    const auto [from, until] = told_apart(stretches.back().from, stretches.back().until);
+    result += more == 1 ? fmt::format("So it is between t = {} and {}.\n", from, until)
+                        : fmt::format("So it is in {} more stretches up to t = {}.\n", more, until);
+  }
+  return result;
+}
+
 /// Where the solution is one of many, and what is sure there all the same.
 std::string horizon_text(const Case& the_case, const Solution& solution,
                          const Uncertainty& uncertainty) {
-  std::string result;
-  for (const Unsure& stretch : uncertainty.unsure()) {
-    if (stretch.until <= solution.end_time()) {
-      const auto [from, until] = told_apart(stretch.from, stretch.until);
-      result += fmt::format(
-          "Between t = {} and {} the order of impacts is beyond the horizon: one of many motions, "
-          "which all come to the same taut cables.\n",
-          from, until);
-    } else {
-      const double before = std::max(0.0, std::nextafter(stretch.from, 0.0));
-      const double error = uncertainty.energy(before).value_or(-1.0);
-      const std::string left =
-          error < 0.0 ? ""
-                      : fmt::format(", {} there,",
-                                    right_general(energy(the_case, solution.at(before)), error, 6));
-      result += fmt::format(
-          "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "
-          "energy{} does not grow. --digits N computes this one, which may take long.\n",
-          stretch.from, left);
-    }
+  const std::vector<Unsure>& all = uncertainty.unsure();
+  const bool lost = !all.empty() && !(all.back().until <= solution.end_time());  // to the end
+  std::string result = meetings_text(std::span(all).first(all.size() - (lost ? 1U : 0U)));
+  if (lost) {
+    const double since = all.back().from;
+    const double before = std::max(0.0, std::nextafter(since, 0.0));
+    const double error = uncertainty.energy(before).value_or(-1.0);
+    const std::string left =
+        error < 0.0 ? ""
+                    : fmt::format(", {} there,",
+                                  right_general(energy(the_case, solution.at(before)), error, 6));
+    result += fmt::format(
+        "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "
+        "energy{} does not grow. --digits N computes this one, which may take long.\n",
+        since, left);
   }
   return result;
 }

@@ -37,6 +37,7 @@ template <class Real>
 struct BasicImpact {
   BasicCableVector<Real> impulses;  // [N s], >= 0, one per cable of the set, rising index order
   BasicState<Real> after;           // the same pose, the velocities after the impact
+  int steps = 0;                    // of the springs within it, under the energetic law [-]
 };
 using Impact = BasicImpact<double>;
 

@@ -56,7 +56,7 @@ enum class Ending {
   ceiling,           // an attachment reached the case's ceiling
   singular,          // touching cables came into one line: no tension or impulse can be told there
   event_limit,       // as many events as SolveOptions allows
-  step_limit,        // as many steps of taut motion without an event as SolveOptions allows
+  step_limit,        // as many steps of taut motion and of springs as SolveOptions allows
   no_progress,       // event follows event and time does not advance
   overflow,          // the numbers of the motion no longer fit a double
 };

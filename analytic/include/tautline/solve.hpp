@@ -18,10 +18,11 @@ struct SolveOptions {
   CompletionLimits completion = {};
 
   /// The run ends with Ending::event_limit once it has this many events: about a second.
-  std::size_t max_events = 500'000;
+  std::size_t max_events = 200'000;
 
-  /// The run ends with Ending::step_limit after this many steps of taut motion: about a second. A
-  /// swing takes some twenty, and a turn of the body about its cables three.
+  /// The run ends with Ending::step_limit after this many steps of taut motion, and of springs
+  /// within impacts under the energetic law: about a second. A swing takes some twenty, a turn of
+  /// the body about its cables three, and an impact some twenty.
   std::size_t max_steps = 200'000;
 };
 

@@ -133,6 +133,9 @@ class Solver {
 
   /// With numbers of `digits`.
   [[nodiscard]] Run run(int digits) const {
+    if (asked_.on_attempt) {
+      asked_.on_attempt(digits);
+    }
     const tautline::Digits precision(static_cast<unsigned>(digits));
     BasicCase<Multi> the_case =
         asked_.decimal ? in_decimals(case_, asked_.written) : in_digits(case_);

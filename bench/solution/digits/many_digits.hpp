@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct ManyDigits {
   bool decimal = false;     // of the decimals that the case is written in, not of their doubles
   bool all_events = false;  // not the first 20
   Literals written = {};    // the numbers of the case's file, if it has one
+  std::function<void(int)> on_attempt = {};  // told the digits of each solution before it
 };
 
 /// What `tautline solve` prints of `the_case`, with `asked.digits` right digits of each number:

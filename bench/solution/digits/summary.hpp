@@ -122,12 +122,14 @@ class Summary {
         return fmt::format("An attachment reached the ceiling {} at t = {}.",
                            shortest(static_cast<double>(*case_.ceiling)), end);
       case Ending::event_limit:
-        return fmt::format("Stopped at t = {}: the limit of {} events is reached.", end,
-                           solution_.events().size());
+        return fmt::format(
+            "Stopped at t = {}: the limit of {} events is reached; --max-events "
+            "raises it.",
+            end, solution_.events().size());
       case Ending::step_limit:
         return fmt::format(
-            "Stopped at t = {}: the limit of steps of taut motion is reached; the body turns or "
-            "swings too often until t = {}.",
+            "Stopped at t = {}: the limit of steps of taut motion, and of springs within impacts, "
+            "is reached before t = {}; --max-steps raises it.",
             end, shortest(static_cast<double>(case_.duration)));
       case Ending::no_progress:
         return fmt::format(

@@ -37,6 +37,20 @@ inline Case elastic_beside_inelastic(double e) {
   return mix;
 }
 
+/// A point mass between an elastic cable and one almost opposed, which stop it within an instant;
+/// it slides off along the elastic one, on bounces far below rounding.
+inline Case sliding_off_a_wedge() {
+  Case wedge;
+  wedge.name = "wedge";
+  wedge.duration = 10.0;
+  wedge.gravity = Vec2(-0.045, 0.956);
+  wedge.body = {0.876, 0.0};
+  wedge.cables = {{Vec2(-1.85, 0.385), Vec2(0.0, 0.0), 1.996, 0.035},
+                  {Vec2(1.176, -0.646), Vec2(0.0, 0.0), 1.2142, 1.0}};
+  wedge.initial = {Vec2(0.077, -0.13), 0.0, Vec2(0.24, -0.84), 0.0};
+  return wedge;
+}
+
 /// A body that comes to rest on three cables, at `away` from the origin.
 inline Case resting_at(const Vec2& away) {
   Case far;

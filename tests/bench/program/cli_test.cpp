@@ -82,6 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadUsage{"NoDigits",
                  {"solve", "bouncing-ball", "--digits", "0"},
                  "--digits 0: must be 1 to 100"},
+        BadUsage{"NoEvents",
+                 {"solve", "bouncing-ball", "--max-events", "0"},
+                 "--max-events 0: must be at least 1"},
         BadUsage{"PatternWhereOneIsMeant",
                  {"solve", "breakwater/*"},
                  "means 21 cases; this command takes one"},
@@ -193,6 +196,16 @@ TEST(Solve, BeginsItsTextWithWhatBecameOfTheMotion) {
   }
   const std::string ball = program({"solve", "bouncing-ball", "--until", "2.7"}).output;
   EXPECT_NE(ball.find("At the end no cable is taut."), std::string::npos) << ball;
+}
+
+TEST(Solve, EndsAtTheLimitsThatAreAskedForAndFails) {
+  const Outcome by_events = program({"solve", "breakwater/1910121100", "--max-events", "5"});
+  EXPECT_EQ(by_events.code, 1);
+  EXPECT_NE(by_events.output.find("the limit of 5 events is reached"), std::string::npos)
+      << by_events.output;
+  const Outcome by_steps = program({"solve", "breakwater/1910121100", "--max-steps", "5"});
+  EXPECT_EQ(by_steps.code, 1);
+  EXPECT_NE(by_steps.output.find("--max-steps raises it."), std::string::npos) << by_steps.output;
 }
 
 TEST(Solve, CertifiesInTextAndJson) {

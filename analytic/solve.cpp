@@ -90,7 +90,7 @@ class Motion {
     if (events_.size() >= options_.max_events) {
       return Ending::event_limit;
     }
-    if (steps_ >= options_.max_steps) {
+    if (steps_ + spring_steps_ / springs_per_step >= options_.max_steps) {
       return Ending::step_limit;
     }
     const auto chattering = progress_.stands_still(time_);
@@ -317,7 +317,7 @@ class Motion {
                          gap_rates(case_, state_, cables).allFinite();
       return given && impact.impulses.hasNaN() ? Ending::singular : Ending::overflow;
     }
-    steps_ += static_cast<std::size_t>(impact.steps);
+    spring_steps_ += static_cast<std::size_t>(impact.steps);
     record(EventKind::impact, cables, std::move(impact.impulses), impact.after);
     progress_.note_hit(closing);
     return std::nullopt;
@@ -363,7 +363,8 @@ class Motion {
   Real time_ = Real(0);
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
-  std::size_t steps_ = 0;  // of taut motion, and of springs within impacts
+  std::size_t steps_ = 0;         // without an event
+  std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight

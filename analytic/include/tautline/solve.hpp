@@ -9,6 +9,9 @@
 
 namespace tautline {
 
+/// So many steps of springs within impacts take as long as one of taut motion [-].
+inline constexpr std::size_t springs_per_step = 5;
+
 /// How exactly a case is solved, and under which impact law.
 struct SolveOptions {
   /// How impacts that involve several cables are resolved. One cable alone: all laws agree.
@@ -20,9 +23,9 @@ struct SolveOptions {
   /// The run ends with Ending::event_limit once it has this many events: about a second.
   std::size_t max_events = 200'000;
 
-  /// The run ends with Ending::step_limit after this many steps of taut motion, and of springs
-  /// within impacts under the energetic law: about a second. A swing takes some twenty, a turn of
-  /// the body about its cables three, and an impact some twenty.
+  /// The run ends with Ending::step_limit after this many steps of taut motion: about a second. A
+  /// swing takes some twenty, and a turn of the body about its cables three. The steps of springs
+  /// within impacts under the energetic law cost less: `springs_per_step` of them count as one.
   std::size_t max_steps = 200'000;
 };
 

@@ -9,8 +9,12 @@ import { pathToFileURL } from 'node:url';
 
 const program = process.env.TAUTLINE_CHROMIUM || '/usr/bin/chromium';
 
+/// How long anything is waited for [ms]: a busy machine is no defect of the page, and what never comes
+/// fails as well after two minutes as after Playwright's thirty seconds.
+const patience = 120_000;
+
 /// Root may not use Chromium's sandbox, and a container's /dev/shm is too small for it.
-const options = { executablePath: program,
+const options = { executablePath: program, timeout: patience,
   args: ['--disable-dev-shm-usage', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])] };
 
 /// The page that `tautline bench` wrote for these tests.
@@ -38,6 +42,7 @@ after(closeBrowser);
 /// to `action`; the last two are what opening took by the clock and on the page's processor [ms]; `context` is Playwright's options of a context.
 export async function withPage(file, action, { width = 1280, height = 900, ...context } = {}) {
   const view = await (await theBrowser()).newContext({ viewport: { width, height }, ...context });
+  view.setDefaultTimeout(patience);
   try {
     const page = await view.newPage();
     const [said, asked, dialogs] = [[], [], []];
@@ -80,6 +85,7 @@ export async function onSharedPage(action) {
 }
 async function openShared() {
   const view = await (await theBrowser()).newContext({ viewport: { width: 1280, height: 900 } });
+  view.setDefaultTimeout(patience);
   const page = await view.newPage();
   const said = [];
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && said.push(message.text()));

@@ -84,14 +84,23 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
 }
 
 /// Where bounces are still too large for a certificate: neighbours are followed until all are on
-/// the same taut cables.
+/// the same taut cables, which most are soon after the solution is.
 std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_meeting(std::size_t arc) const {
   const auto set = final_set(solution_);
-  const double from = solution_.arcs()[arc].start;
-  if (!set || set->time <= from) {
+  if (!set || set->time <= solution_.arcs()[arc].start) {
     return std::nullopt;
   }
-  const double until = std::min(2.0 * set->time - from + 0.01 * set->time, case_.duration);
+  const auto found = sampled_until(arc, 0.1);
+  return found ? found : sampled_until(arc, 1.0);
+}
+
+/// The same with neighbours followed for `more` of the time that the solution takes to its lock
+/// after it.
+std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_until(std::size_t arc,
+                                                                 double more) const {
+  const double from = solution_.arcs()[arc].start;
+  const double lock = final_set(solution_)->time;
+  const double until = std::min(lock + more * (lock - from) + 0.01 * lock, case_.duration);
   const auto others =
       neighbours(case_, solution_, options_, {arc, result_.starts_[arc], until - from});
   const State end = solution_.at(until);

@@ -60,6 +60,7 @@ class ErrorTracker {
   [[nodiscard]] std::optional<Meeting> meeting() const;
   [[nodiscard]] std::optional<Meeting> meeting_from(std::size_t arc) const;
   [[nodiscard]] std::optional<Meeting> sampled_meeting(std::size_t arc) const;
+  [[nodiscard]] std::optional<Meeting> sampled_until(std::size_t arc, double more) const;
   void meet(const Event& event);
 
   const Case& case_;

@@ -57,9 +57,11 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(std::size_t arc)
   return std::nullopt;
 }
 
-/// From those of the last places after an impact that leave the smallest errors.
+/// From those of the last places after an impact that leave the smallest errors. Further back the
+/// errors are smaller and the certificate is worse: where that no longer pays, it is not tried on.
 std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
   constexpr std::size_t most_places = 32;
+  constexpr std::size_t most_in_vain = 8;  // bounces on several cables in turn: errors come in fives
   std::optional<Meeting> best;
   std::optional<std::size_t> last;
   const double inertia = case_.body.inertia / case_.body.mass;
@@ -67,17 +69,21 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
     return spread(3, 3) + spread(4, 4) + inertia * spread(5, 5);
   };
   std::size_t places = 0;
-  for (std::size_t arc = arrived_.size(); arc-- > first_place_ && places < most_places;) {
+  std::size_t in_vain = 0;
+  for (std::size_t arc = arrived_.size();
+       arc-- > first_place_ && places < most_places && in_vain < most_in_vain;) {
     const std::size_t next = arrived_[arc];
     if (next == 0 || solution_.events()[next - 1].kind != EventKind::impact ||
         (arc > 0 && arrived_[arc - 1] == next)) {
       continue;
     }
     ++places;
+    ++in_vain;
     last = last.value_or(arc);
     const auto found = meeting_from(arc);
     if (found && (!best || size(found->spread) < size(best->spread))) {
       best = found;
+      in_vain = 0;
     }
   }
   return best || !last ? best : sampled_meeting(*last);

@@ -41,6 +41,27 @@ struct Sizes {
   bool turns;       // false: a point mass
 };
 
+/// What first order and the series of derivatives leave open of an error [-]: where one number of
+/// a state passes a zero of its first order, this part of the others' may be in it.
+inline constexpr double open_part = 1e-3;
+
+/// The bounds of the six numbers of `state`.
+inline State bounds(const StateMatrix& squares, const Sizes& sizes, const State& state) {
+  const StateVector own = squares.diagonal().cwiseMax(0.0);
+  const double place = own[0] + own[1] + sizes.radius * sizes.radius * own[2];
+  const double speed = own[3] + own[4] + sizes.radius * sizes.radius * own[5];
+  const double rate =  // [1/s], at which taut cables turn one into the other
+      sizes.speed(state) / sizes.shortest + std::sqrt(sizes.gravity / sizes.shortest);
+  const double open = open_part * open_part;
+  const double off = open * (place + (rate > 0.0 ? speed / (rate * rate) : 0.0));
+  const double fast = open * (speed + rate * rate * place);
+  const double turned = sizes.turned * sizes.turned;
+  return {{bound(own[0] + off), bound(own[1] + off)},
+          bound(own[2] + turned * off),
+          {bound(own[3] + fast), bound(own[4] + fast)},
+          bound(own[5] + turned * fast)};
+}
+
 /// Of the state at the end of an arc of length `dt`.
 inline StateVector arc_rounding(const Sizes& sizes, const State& start, const State& end,
                                 double dt) {

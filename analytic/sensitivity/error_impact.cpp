@@ -7,6 +7,7 @@
 
 #include "error_flow.hpp"
 #include "error_tracker.hpp"
+#include "simultaneous.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline {
@@ -29,38 +30,6 @@ double least_gap(double g0, double r0, double g1, double r1, double dt) {
     }
   }
   return least;
-}
-
-/// True where a + b is `sum` and nothing was rounded: Knuth's sum without error.
-bool add_up_to(double a, double b, double sum) {
-  const double of_b = sum - a;
-  return a + b == sum && (a - (sum - of_b)) + (b - of_b) == 0.0;
-}
-
-/// True where the body and `a` stand to a vertical axis as the body and `b` do, to the last bit.
-bool mirrored(const Case& the_case, const State& state, const Cable& a, const Cable& b) {
-  return the_case.gravity.x() == 0.0 && state.angle == 0.0 && state.velocity.x() == 0.0 &&
-         state.spin == 0.0 && a.length == b.length && a.attachment.x() == -b.attachment.x() &&
-         a.attachment.y() == b.attachment.y() && a.anchor.y() == b.anchor.y() &&
-         add_up_to(a.anchor.x(), b.anchor.x(), 2.0 * state.position.x());
-}
-
-/// The delay of both cables of `hit` where symmetry makes them taut at one instant: an error that
-/// the symmetry has not delays one as much as it hastens the other.
-std::optional<StateRow> delay_of_images(const Case& the_case, const State& state, CableSet hit) {
-  const std::vector<std::size_t> pair = hit.indices();
-  if (pair.size() != 2) {
-    return std::nullopt;
-  }
-  const Cable& a = the_case.cables[pair[0]];
-  const Cable& b = the_case.cables[pair[1]];
-  const auto one = delay_derivative(the_case, state, CableSet::of(pair[0]));
-  const auto other = delay_derivative(the_case, state, CableSet::of(pair[1]));
-  if (!one || !other || !mirrored(the_case, the_case.initial, a, b) ||
-      !mirrored(the_case, state, a, b)) {
-    return std::nullopt;
-  }
-  return StateRow((*one + *other) / 2.0);
 }
 
 /// The derivatives of the impulses of `active` cables, whose restitution is constant, under
@@ -118,18 +87,14 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   start_views_ = views_;
   look_at(event.before);
   double place = 0.0;
-  for (const std::size_t index : hit) {  // what their gaps are off zero, and rounding of the gaps
-    place = std::max(place, std::abs(views_[index].gap()) +
-                                4 * one_rounding * gap_scale(case_, index, event.before));
+  for (const std::size_t index : hit) {
+    place = std::max(place, gap_error(index, event.before));
   }
   now_.diagonal().head<2>().array() += place * place;
   if (!order_is_sure(event)) {
     return false;
   }
-  auto delay = delay_derivative(case_, event.before, hit);
-  if (!delay) {
-    delay = delay_of_images(case_, event.before, hit);
-  }
+  const auto delay = delay_of(case_, event.before, hit);
   if (!delay) {  // which of them is first is open; what is before them is not
     sure_to_ = std::max(sure_to_, event.time - earlier(event, hit));
     return false;
@@ -222,8 +187,11 @@ ErrorTracker::Kick ErrorTracker::kick_of(const Event& event) const {
 EventErrors ErrorTracker::take_impact(const Event& event) {
   look_at(event.before);
   const StateMatrix squares = now_.topLeftCorner<6, 6>();
-  EventErrors errors{
-      bound(now_(6, 6)), 0.0, CableVector(event.impulses.size()), bounds(squares), {}};
+  EventErrors errors{bound(now_(6, 6)),
+                     0.0,
+                     CableVector(event.impulses.size()),
+                     bounds(squares, sizes_, event.before),
+                     {}};
   const double unit = 2 * one_rounding * std::max(fastest_, sizes_.speed(event.before));
   const Eigen::Vector3d weight = inverse_mass(case_.body);
   const Kick kick = kick_of(event);
@@ -249,7 +217,7 @@ EventErrors ErrorTracker::take_impact(const Event& event) {
   }
   now_ = kicked(now_, kick.velocity);
   add_errors(now_, rounding);
-  errors.after = bounds(now_.topLeftCorner<6, 6>());
+  errors.after = bounds(now_.topLeftCorner<6, 6>(), sizes_, event.after);
   return errors;
 }
 

@@ -4,6 +4,7 @@
 
 #include "error_tracker.hpp"
 #include "neighbours.hpp"
+#include "simultaneous.hpp"
 #include "tangent.hpp"
 #include "tautline/rounding.hpp"
 
@@ -39,9 +40,7 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(std::size_t arc)
     if (!(later.time <= until)) {
       return std::nullopt;
     }
-    taut = later.kind == EventKind::taut    ? taut | later.cables
-           : later.kind == EventKind::slack ? taut - later.cables
-                                            : taut;
+    taut = taut_after(later, taut);
     if (later.kind == EventKind::taut && taut == all) {
       const Tangent onto = tangent(case_, done->after, basis(case_, done->after, all));
       Meeting result{index, projected(result_.starts_[arc], onto), until,
@@ -61,7 +60,7 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting_from(std::size_t arc)
 /// errors are smaller and the certificate is worse: where that no longer pays, it is not tried on.
 std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
   constexpr std::size_t most_places = 32;
-  constexpr std::size_t most_in_vain = 8;  // bounces on several cables in turn: errors come in fives
+  constexpr std::size_t most_in_vain = 8;  // errors of several cables come in fives
   std::optional<Meeting> best;
   std::optional<std::size_t> last;
   const double inertia = case_.body.inertia / case_.body.mass;
@@ -93,7 +92,7 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
 /// the same taut cables, which most are soon after the solution is.
 std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_meeting(std::size_t arc) const {
   const auto set = final_set(solution_);
-  if (!set || set->time <= solution_.arcs()[arc].start) {
+  if (!set || set->time <= solution_.arcs()[arc].start || merges_after(case_, solution_, arc)) {
     return std::nullopt;
   }
   const auto found = sampled_until(arc, 0.1);
@@ -132,7 +131,7 @@ void ErrorTracker::meet(const Event& event) {
   lost_ = false;
   now_ = meeting_->spread;
   result_.unsure_.back().until = std::max(event.time, meeting_->until);
-  const State errors = bounds(now_.topLeftCorner<6, 6>());
+  const State errors = bounds(now_.topLeftCorner<6, 6>(), sizes_, event.after);
   result_.events_[next_] =
       EventErrors{meeting_->late, 0.0, CableVector::Zero(event.impulses.size()), errors, errors};
   first_place_ = arrived_.size();

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "error_flow.hpp"
+#include "simultaneous.hpp"
 #include "tangent.hpp"
 #include "tautline/geometry.hpp"
 
@@ -54,10 +55,11 @@ void ErrorTracker::take(const Event& event, bool arrives) {
       !(hit.empty() ? event.kind != EventKind::slack || release(event) : arrive(event, hit))) {
     lose();
   }
+  if (next_ == 0 && before_ == nullptr && event.kind == EventKind::impact && !start(event)) {
+    lose();
+  }
   if (lost_) {
-    taut_ = event.kind == EventKind::taut    ? taut_ | event.cables
-            : event.kind == EventKind::slack ? taut_ - event.cables
-                                             : taut_;
+    taut_ = taut_after(event, taut_);
     if (meeting_ && meeting_->event == next_) {
       meet(event);
     }
@@ -85,8 +87,9 @@ EventErrors ErrorTracker::take_taut(const Event& event) {
   EventErrors errors{bound(now_(6, 6)),
                      0.0,
                      CableVector::Zero(event.impulses.size()),
-                     bounds(now_.topLeftCorner<6, 6>()),
+                     bounds(now_.topLeftCorner<6, 6>(), sizes_, event.before),
                      {}};
+  close(event, event.cables);
   taut_ = taut_ | event.cables;
   now_ = projected(now_, tangent(case_, event.after, basis(case_, event.after, taut_)));
   if (const Accumulation* const accumulation = completed_by(event)) {
@@ -100,7 +103,7 @@ EventErrors ErrorTracker::take_taut(const Event& event) {
   const double completed = options_.completion.error * sizes_.speed(event.after);
   rounding.tail<3>().array() += completed;
   add_errors(now_, rounding);
-  errors.after = bounds(now_.topLeftCorner<6, 6>());
+  errors.after = bounds(now_.topLeftCorner<6, 6>(), sizes_, event.after);
   return errors;
 }
 
@@ -117,7 +120,7 @@ const Accumulation* ErrorTracker::completed_by(const Event& event) {
 
 EventErrors ErrorTracker::take_slack(const Event& event) {
   taut_ = taut_ - event.cables;
-  const State same = bounds(now_.topLeftCorner<6, 6>());
+  const State same = bounds(now_.topLeftCorner<6, 6>(), sizes_, event.after);
   return {bound(now_(6, 6)), 0.0, CableVector::Zero(event.impulses.size()), same, same};
 }
 

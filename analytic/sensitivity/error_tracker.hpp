@@ -51,6 +51,9 @@ class ErrorTracker {
   [[nodiscard]] Kick kick_of(const Event& event) const;
   [[nodiscard]] const Accumulation* completed_by(const Event& event);
   [[nodiscard]] double earlier(const Event& event, CableSet hit) const;
+  [[nodiscard]] double gap_error(std::size_t index, const State& state) const;
+  void close(const Event& event, CableSet more);
+  [[nodiscard]] bool start(const Event& event);
   [[nodiscard]] bool arrive(const Event& event, CableSet hit);
   [[nodiscard]] bool release(const Event& event);
   [[nodiscard]] bool order_is_sure(const Event& event) const;

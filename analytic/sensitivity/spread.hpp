@@ -72,14 +72,6 @@ inline double bound(const StateRow& row, const StateMatrix& squares,
   return bound(std::max(square, 0.0) + cancels * largest);
 }
 
-/// The bounds of the six numbers.
-inline State bounds(const StateMatrix& squares) {
-  return {{bound(squares(0, 0)), bound(squares(1, 1))},
-          bound(squares(2, 2)),
-          {bound(squares(3, 3)), bound(squares(4, 4))},
-          bound(squares(5, 5))};
-}
-
 /// Adds the squares of independent errors of the six numbers.
 inline void add_errors(Spread& spread, const StateVector& errors) {
   spread.diagonal().head<6>() += errors.cwiseAbs2();

@@ -113,6 +113,24 @@ Tangent tangent(const Case& the_case, const State& state, CableSet taut) {
   return result;
 }
 
+Eigen::Vector3d closing_errors(const Case& the_case, const State& state, CableSet taut,
+                               const std::array<double, 3>& gaps) {
+  const Eigen::Vector3d root = root_of_metric(the_case.body);
+  const CableViews views = cable_views(the_case, state);
+  std::array<Vector3<double>, 3> rows{Vector3<double>::Zero(), Vector3<double>::Zero(),
+                                      Vector3<double>::Zero()};
+  std::size_t count = 0;
+  for (const std::size_t index : taut) {
+    rows[count++] = views[index].gradient().cwiseQuotient(root);
+  }
+  const RowSpace<double> space(rows, count);
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for (std::size_t row = 0; row < count; ++row) {
+    result += gaps[row] * space.dual(row).cwiseQuotient(root).cwiseAbs();
+  }
+  return result;
+}
+
 Spread projected(const Spread& spread, const Tangent& onto) {
   return mapped_from(spread, onto, onto.directions);
 }

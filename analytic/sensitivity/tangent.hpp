@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "spread.hpp"
 #include "tautline/case.hpp"
@@ -22,6 +23,12 @@ struct Tangent {
 
 /// With the independent cables `taut`, at least one, at zero gap and rate.
 [[nodiscard]] Tangent tangent(const Case& the_case, const State& state, CableSet taut);
+
+/// The errors of the pose [m, m, rad] where the gaps of the independent cables `taut`, up to three,
+/// are closed and each may be off by that of `gaps` [m], in rising order. Nearly dependent cables
+/// multiply them.
+[[nodiscard]] Eigen::Vector3d closing_errors(const Case& the_case, const State& state,
+                                             CableSet taut, const std::array<double, 3>& gaps);
 
 /// `spread` after the state is projected onto the cables.
 [[nodiscard]] Spread projected(const Spread& spread, const Tangent& onto);

@@ -7,6 +7,7 @@
 #include "error_flow.hpp"
 #include "error_tracker.hpp"
 #include "neighbours.hpp"
+#include "simultaneous.hpp"
 
 namespace tautline {
 Uncertainty::Uncertainty(const Case& the_case, const Solution& solution,
@@ -63,7 +64,7 @@ std::optional<State> Uncertainty::at(double time) const {
   if (!squares) {
     return std::nullopt;
   }
-  State result = bounds(squares->topLeftCorner<6, 6>());
+  State result = bounds(squares->topLeftCorner<6, 6>(), Sizes(*case_), solution_->at(time));
   add_jumps_near(time, result);
   return result;
 }
@@ -93,6 +94,9 @@ std::optional<double> Uncertainty::lock() const {
   const auto next = std::upper_bound(arcs.begin(), arcs.end(), from,
                                      [](double t, const Arc& arc) { return t < arc.start; });
   const auto arc = static_cast<std::size_t>(std::distance(arcs.begin(), next)) - 1;
+  if (merges_after(*case_, *solution_, arc)) {
+    return std::nullopt;
+  }
   const double until = std::min(3.0 * unsure_.back().until - 2.0 * from, case_->duration);
   return spread_of_locks(
       *solution_, from,

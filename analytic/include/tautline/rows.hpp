@@ -92,6 +92,18 @@ class RowSpace {
   /// The vector k of the space with k · row(i) = 1 and k · row(j) = 0 for the others.
   [[nodiscard]] const Vector3<Real>& dual(std::size_t i) const { return dual_[i]; }
 
+  /// The part of `v` across the space, in each number of which its rounding is small against the
+  /// products that it is made of: what the rows leave of a force.
+  [[nodiscard]] Vector3<Real> across(const Vector3<Real>& v) const {
+    if (size_ == 1) {
+      return dual_[0].cross(v.cross(dual_[0])) / dual_[0].squaredNorm();
+    }
+    if (size_ == 2) {
+      return normal_ * (normal_.dot(v) / normal_.squaredNorm());
+    }
+    return size_ == 3 ? Vector3<Real>(Vector3<Real>::Zero()) : v;
+  }
+
   /// The part of `v` in the space. Its error is rounding of `v`, however near to dependence.
   [[nodiscard]] Vector3<Real> part(const Vector3<Real>& v) const {
     if (size_ == 1) {

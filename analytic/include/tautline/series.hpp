@@ -127,7 +127,7 @@ class TautSeries {
   std::vector<Real> store_;
   Channel x_, y_, angle_, sine_, cosine_;
   std::array<CableSeries, max_cables> cables_;
-  Vector3<Real> root_of_mass_;
+  Vector3<Real> weight_;    // M^-1/2
   RowSpace<Real> coupled_;  // of the rows L a of the taut cables (Eq. 23)
 };
 

@@ -131,15 +131,14 @@ void TautSeries<Real>::start_channels(const BasicState<Real>& start) {
 /// The rows whose products are the matrix K_0 of Eq. 23.
 template <class Real>
 void TautSeries<Real>::couple() {
-  root_of_mass_ = root_of_mass(case_->body);
-  const Vector3<Real> weight = root_of_inverse_mass(case_->body);
+  weight_ = root_of_inverse_mass(case_->body);
   std::array<Vector3<Real>, 3> rows;
   std::size_t count = 0;
   for (const std::size_t index : taut_) {
     CableSeries& cable = cables_[index];
     cable.lever[0] = cable.arm_x[0] * cable.from_y[0] - cable.arm_y[0] * cable.from_x[0];
-    rows[count++] = {cable.from_x[0] * weight[0], cable.from_y[0] * weight[1],
-                     cable.lever[0] * weight[2]};
+    rows[count++] = {cable.from_x[0] * weight_[0], cable.from_y[0] * weight_[1],
+                     cable.lever[0] * weight_[2]};
   }
   coupled_ = RowSpace<Real>(rows, count);
 }
@@ -177,11 +176,10 @@ void TautSeries<Real>::expand_cable(std::size_t index, std::size_t k) {
 template <class Real>
 void TautSeries<Real>::expand_motion(std::size_t k) {
   const double per_second = static_cast<double>((k + 1) * (k + 2));
-  const Vector3<Real> weight = inverse_mass(case_->body);
-  // coefficient k, without the unknown tensions
-  Vector3<Real> acceleration = Vector3<Real>::Zero();
+  // coefficient k of the force over the root of the mass, without the unknown tensions
+  Vector3<Real> known = Vector3<Real>::Zero();
   if (k == 0) {
-    acceleration.template head<2>() = case_->gravity;
+    known.template head<2>() = case_->gravity * sqrt(case_->body.mass);
   } else {
     for (const std::size_t index : taut_) {
       CableSeries& cable = cables_[index];
@@ -189,28 +187,26 @@ void TautSeries<Real>::expand_motion(std::size_t k) {
           series::cross_product<Real>(cable.arm_x, cable.from_y, cable.arm_y, cable.from_x, k);
       const auto [along_x, along_y, turning] =
           series::known_products<Real>(cable.pull, cable.from_x, cable.from_y, cable.lever, k);
-      acceleration -= Vector3<Real>(along_x, along_y, turning).cwiseProduct(weight);
+      known -= Vector3<Real>(along_x, along_y, turning).cwiseProduct(weight_);
     }
   }
   // sine and cosine of order k + 2 but for the angle's coefficient k + 2, which is still zero
   expand_trigonometry(k + 2);
   // by the cables, to keep their lengths
-  Vector3<Real> needed = acceleration.cwiseProduct(root_of_mass_);
+  Vector3<Real> kept = Vector3<Real>::Zero();
   std::size_t row = 0;
   for (const std::size_t index : taut_) {
     expand_cable(index, k + 2);  // the arm's known part only: x and y are still zero, too
     const CableSeries& cable = cables_[index];
     const Real stretch = series::half_square<Real>(cable.from_x, cable.from_y, k + 2);
-    needed += Real(per_second * stretch) * coupled_.dual(row++);
+    kept += Real(per_second * stretch) * coupled_.dual(row++);
   }
   row = 0;
   for (const std::size_t index : taut_) {
-    CableSeries& cable = cables_[index];
-    const Real pull = coupled_.dual(row++).dot(needed);
-    cable.pull[k] = pull;
-    acceleration -=
-        pull * Vector3<Real>(cable.from_x[0], cable.from_y[0], cable.lever[0]).cwiseProduct(weight);
+    cables_[index].pull[k] = coupled_.dual(row++).dot(known + kept);
   }
+  // not the known force less the tensions: of a light body both are large, and cancel
+  const Vector3<Real> acceleration = (coupled_.across(known) - kept).cwiseProduct(weight_);
   x_[k + 2] = acceleration[0] / per_second;
   y_[k + 2] = acceleration[1] / per_second;
   angle_[k + 2] = acceleration[2] / per_second;

@@ -1,5 +1,6 @@
 // What a start on cables at zero gap leaves open: doubles hold few poses at which a gap is zero.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -27,14 +28,27 @@ double ErrorTracker::gap_error(std::size_t index, const State& state) const {
   return std::abs(views_[index].gap()) + 4 * one_rounding * gap_scale(case_, index, state);
 }
 
-/// Begins with an impact. False where several cables pull and rounding decides which of them is the
+/// Takes an impact at the start, which comes as much later as its cable's gap is open. False where
+/// several cables pull, at once or after each other, and rounding decides which of them is the
 /// first: where they are neither at zero gap to the last bit nor alike.
 bool ErrorTracker::start(const Event& event) {
+  started_ = started_ | pulled(event);
+  if (next_ > 0) {
+    return started_.size() <= 1 || are_exactly_taut(case_, event.before, started_);
+  }
   close(event, event.cables);
   add_errors(now_, arc_rounding(sizes_, event.before, event.after, 0.0));
-  const CableSet hit = pulled(event);
-  return hit.size() <= 1 || are_exactly_taut(case_, event.before, hit) ||
-         delay_of(case_, event.before, hit);
+  double late = 0.0;
+  for (const std::size_t index : started_) {
+    const double rate = -views_[index].rate(event.before);
+    late = std::max(late, rate > 0.0 ? gap_error(index, event.before) / rate : 0.0);
+  }
+  StateVector rate;
+  rate << event.before.velocity, event.before.spin, case_.gravity, 0.0;
+  add_errors(now_, late * rate);
+  now_(6, 6) += late * late;
+  return started_.size() <= 1 || are_exactly_taut(case_, event.before, started_) ||
+         delay_of(case_, event.before, started_);
 }
 
 }  // namespace tautline

@@ -55,7 +55,7 @@ void ErrorTracker::take(const Event& event, bool arrives) {
       !(hit.empty() ? event.kind != EventKind::slack || release(event) : arrive(event, hit))) {
     lose();
   }
-  if (next_ == 0 && before_ == nullptr && event.kind == EventKind::impact && !start(event)) {
+  if (!lost_ && !(event.time > 0.0) && event.kind == EventKind::impact && !start(event)) {
     lose();
   }
   if (lost_) {

@@ -80,6 +80,7 @@ class ErrorTracker {
   CableViews start_views_;  // at the start of the arc before
   double fastest_ = 0.0;    // [m/s]
   CableSet taut_;
+  CableSet started_;                    // that pulled at the start
   CableSet basis_;                      // independent ones of the arc before's taut cables
   std::size_t next_ = 0;                // event
   std::size_t accumulation_ = 0;        // not before that event

@@ -105,7 +105,8 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_until(std::size_t arc
                                                                  double more) const {
   const double from = solution_.arcs()[arc].start;
   const double lock = final_set(solution_)->time;
-  const double until = std::min(lock + more * (lock - from) + 0.01 * lock, case_.duration);
+  const double until = std::min(lock + more * (lock - from) + 0.01 * lock,
+                                solution_.end_time());  // a limit may end it
   const auto others =
       neighbours(case_, solution_, options_, {arc, result_.starts_[arc], until - from});
   const State end = solution_.at(until);

@@ -21,9 +21,6 @@ Spread along(const Spread& spread, const Case& the_case, const Sizes& sizes, con
   if (arc.series.rows() == 0) {  // Eq. 40, from both sides
     result.topRows<3>() += dt * spread.middleRows<3>(3);
     result.leftCols<3>() += (dt * result.middleCols<3>(3)).eval();
-    StateVector terms = spread.diagonal().head<6>();
-    terms.head<3>() += dt * dt * terms.tail<3>();
-    settle(result, terms);
   } else if (is_rest(arc)) {
     if (arc.initial.spin != 0.0) {  // exactly
       result.row(2) += dt * spread.row(5);
@@ -32,6 +29,7 @@ Spread along(const Spread& spread, const Case& the_case, const Sizes& sizes, con
   } else {
     result = carried(spread, the_case, arc.initial, basis, dt);
   }
+  settle(result);
   add_errors(result, arc_rounding(sizes, arc.initial, last, dt));
   return result;
 }

@@ -103,8 +103,10 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   if (!(bound(*delay, squares) <= trusted_part * (event.time - before_->start))) {
     return false;
   }
-  now_ = delayed(now_, *delay,
-                 rate_at(*before_, before_->end - before_->start, event.before, case_.gravity));
+  const double dt = before_->end - before_->start;
+  const StateVector rate_then = rate_at(*before_, dt, event.before, case_.gravity);
+  now_ = delayed(now_, *delay, rate_then);
+  add_errors(now_, one_rounding * dt * rate_then);  // the instant is a double, and the gap closed
   for (const std::size_t index : hit) {
     const Cable& cable = case_.cables[index];
     const double rate = views_[index].rate(event.before);

@@ -123,6 +123,8 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_until(std::size_t arc
     return std::nullopt;
   }
   Meeting result{solution_.events().size() - 1, Spread::Zero(), until, *late};
+  const double completed = neighbour_completion * sizes_.speed(end);
+  errors.tail<3>() += completed * StateVector::Ones().tail<3>();
   add_errors(result.spread, neighbour_margin * errors);
   return result;
 }

@@ -56,6 +56,7 @@ std::vector<Solution> neighbours(const Case& the_case, const Solution& solution,
   const StateVector largest = bound(split.eigenvalues()[5]) * split.eigenvectors().col(5);
   constexpr std::size_t few = 1'000;  // [-]
   SolveOptions patient = options;     // with what does as the solution does, not with more
+  patient.completion.error = std::max(options.completion.error, neighbour_completion);
   patient.max_events = std::min(options.max_events, few + 2 * solution.events().size());
   patient.max_steps = std::min(options.max_steps, few + 2 * solution.arcs().size());
   Case neighbour = the_case;

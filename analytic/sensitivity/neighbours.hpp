@@ -20,6 +20,10 @@ inline constexpr double neighbour_margin = 6.0;
 /// The same of the instant at which they lock [-]: up to 1.6 was seen there.
 inline constexpr double lock_margin = 3.0;
 
+/// Neighbours are completed with this error of their velocities [-]: they are told apart by far
+/// more, and bounce half as often.
+inline constexpr double neighbour_completion = 1e-9;
+
 /// The event that makes the set of taut cables on which a solution ends; none if that changes.
 [[nodiscard]] const Event* final_set(const Solution& solution);
 

@@ -27,14 +27,10 @@ inline constexpr double bound_margin = 4.0;
 /// Squares are right to rounding of the largest that they are made of: what cancels is not [-].
 inline constexpr double square_rounding = 1e-14;
 
-/// Squares and products that a map has made of terms as large as `terms`, for each number of the
-/// state: symmetric again, and with the rounding that is left where terms cancel. Without it they
-/// would not stay those of real errors.
-template <class Squares>
-void settle(Spread& spread, const Squares& terms) {
+/// Makes `spread` symmetric again: the sums of (u, v) and of (v, u) are rounded in another order,
+/// and what the maps of many events make of the difference is no spread of any errors.
+inline void settle(Spread& spread) {
   spread.triangularView<Eigen::StrictlyUpper>() = spread.transpose();
-  spread.diagonal().template head<6>() += square_rounding * terms;
-  spread(6, 6) *= 1.0 + square_rounding;
 }
 
 /// The spread after the velocities have changed by `kick` times the error of the state.
@@ -45,9 +41,7 @@ inline Spread kicked(const Spread& spread, const Eigen::Matrix<double, 3, 6>& ki
   result.middleRows<3>(3) += change;
   result.middleCols<3>(3) += change.transpose();
   result.block<3, 3>(3, 3) += square;
-  StateVector terms = spread.diagonal().head<6>();
-  terms.tail<3>() += kick.cwiseAbs2() * spread.diagonal().head<6>();
-  settle(result, terms);
+  settle(result);
   return result;
 }
 
@@ -60,9 +54,7 @@ inline Spread delayed(const Spread& spread, const StateRow& delay, const StateVe
   const double square = cross.head<6>().dot(delay);
   Spread result = spread + change * cross + cross.transpose() * change.transpose() +
                   square * change * change.transpose();
-  const double terms = delay.cwiseAbs2().dot(spread.diagonal().head<6>());
-  settle(result, spread.diagonal().head<6>() + terms * rate.cwiseAbs2());
-  result(6, 6) += square_rounding * (spread(6, 6) + terms);
+  settle(result);
   return result;
 }
 

@@ -70,8 +70,7 @@ Spread mapped_from(const Spread& spread, const Tangent& from, const Map& map) {
   result.topLeftCorner<6, 6>() = map * inner * map.transpose();
   result.topRightCorner<6, 1>() = map * (from.coordinates * spread.topRightCorner<6, 1>());
   result.bottomLeftCorner<1, 6>() = result.topRightCorner<6, 1>().transpose();
-  const auto terms = (from.coordinates.cwiseAbs2() * spread.diagonal().template head<6>()).eval();
-  settle(result, map.cwiseAbs2() * terms);
+  settle(result);
   return result;
 }
 

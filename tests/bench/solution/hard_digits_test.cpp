@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -94,8 +95,7 @@ void compare(const test::HardSystem& system, Bounds& bounds) {
                      solution.ending() != Ending::step_limit &&
                      truth.ending() != Ending::event_limit && truth.ending() != Ending::step_limit;
   if (whole && uncertainty.unsure().empty()) {
-    EXPECT_STREQ(std::string(to_string(solution.ending())).c_str(),
-                 std::string(to_string(truth.ending())).c_str());
+    EXPECT_EQ(to_string(solution.ending()), to_string(truth.ending()));
   }
 }
 

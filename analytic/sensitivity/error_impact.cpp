@@ -106,7 +106,11 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   const double dt = before_->end - before_->start;
   const StateVector rate_then = rate_at(*before_, dt, event.before, case_.gravity);
   now_ = delayed(now_, *delay, rate_then);
-  add_errors(now_, one_rounding * dt * rate_then);  // the instant is a double, and the gap closed
+  StateVector moved = rate_then.cwiseAbs();  // the instant is a double, and the gap closed there
+  for (const std::size_t index : hit) {
+    moved.head<2>().array() += std::abs(views_[index].rate(event.before));
+  }
+  add_errors(now_, one_rounding * dt * moved);
   for (const std::size_t index : hit) {
     const Cable& cable = case_.cables[index];
     const double rate = views_[index].rate(event.before);

@@ -83,7 +83,7 @@ std::optional<Ending> equilibrium(const BasicCase<Real>& the_case, const BasicSt
   }
   const auto& motion = held.motion;
   const Real acceleration =  // [m/s^2], half of it
-      abs(motion.x()[2]) + abs(motion.y()[2]) + radius * abs(motion.angle()[2]);
+      motion.position(2).cwiseAbs().sum() + radius * abs(motion.angle()[2]);
   // of gravity, and of its moment, which turns a light body fast
   const Real lightness =
       turns ? Real(the_case.body.mass * radius * radius / the_case.body.inertia) : Real(0);

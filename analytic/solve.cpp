@@ -59,10 +59,13 @@ class Motion {
       if (const auto ending = limit_reached()) {
         return finish(*ending);
       }
-      Stop<Real> stop{Real(0), std::nullopt, contacts().closing};  // left by an impact: at once
+      auto [closing, resting] = contacts();
+      Stop<Real> stop{Real(0), std::nullopt, closing};  // left by an impact: at once
       if (stop.cables.empty()) {
-        complete_accumulation();
-        if (!held_ && !hold_resting()) {
+        if (complete_accumulation()) {
+          resting = contacts().resting;
+        }
+        if (!held_ && !hold_resting(resting)) {
           return finish(Ending::singular);
         }
         if (const auto ending = rest()) {
@@ -130,14 +133,14 @@ class Motion {
     return result;
   }
 
-  /// Where the bounces of the touching cables accumulate, their end.
-  void complete_accumulation() {
+  /// Where the bounces of the touching cables accumulate, their end. False where they do not.
+  bool complete_accumulation() {
     if (touching_.cables == taut_) {
-      return;  // nothing bounces
+      return false;  // nothing bounces
     }
     const auto done = completion(case_, state_, touching_, options_.completion);
     if (!done) {
-      return;
+      return false;
     }
     record(EventKind::taut, done->cables,
            -multipliers<Real>(case_, state_, done->cables, gap_rates(case_, state_, done->cables)),
@@ -148,12 +151,13 @@ class Motion {
     }
     touching_.cables = touching_.cables | done->cables;
     taut_ = taut_ | done->cables;
+    return true;
   }
 
-  /// Finds out which of the cables at zero gap and rate stay taut, and records what has changed.
-  /// False where the motion has no continuation.
-  [[nodiscard]] bool hold_resting() {
-    if (const CableSet resting = contacts().resting; !resting.empty()) {
+  /// Finds out which of the cables `resting` at zero gap and rate stay taut, and records what has
+  /// changed. False where the motion has no continuation.
+  [[nodiscard]] bool hold_resting(CableSet resting) {
+    if (!resting.empty()) {
       held_ = hold(case_, state_, touching_, resting);
       if (!held_ && is_caught()) {
         state_.velocity.setZero();
@@ -245,13 +249,7 @@ class Motion {
         stop.ending == Ending::reached_duration ? case_.duration : Real(time_ + stop.dt);
     BasicArc<Real> arc{time_, end, state_, held_ ? taut_ : CableSet{}, {}};
     if (held_ && !held_->pulling.empty()) {  // else the closed form of flight
-      const auto terms = static_cast<Eigen::Index>(held_->motion.x().size());
-      arc.series.resize(terms, 3);
-      Eigen::Index axis = 0;
-      for (const auto channel : {held_->motion.x(), held_->motion.y(), held_->motion.angle()}) {
-        arc.series.col(axis++) =
-            Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, 1>>(channel.data(), terms);
-      }
+      arc.series = held_->motion.pose();
     }
     return arc;
   }

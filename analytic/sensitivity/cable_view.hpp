@@ -22,12 +22,17 @@ class CableView {
     gap_ = cable.length - distance_;
   }
 
-  [[nodiscard]] double gap() const { return gap_; }  // [m]
+  [[nodiscard]] double gap() const { return gap_; }                   // [m]
+  [[nodiscard]] const Vec2& arm() const { return arm_; }              // to the attachment [m]
+  [[nodiscard]] Vec2 from() const { return distance_ * direction_; }  // anchor to attachment [m]
+
+  /// Of the attachment [m/s].
+  [[nodiscard]] Vec2 velocity(const State& state) const {
+    return state.velocity + state.spin * perpendicular(arm_);
+  }
 
   /// d gap / dt [m/s].
-  [[nodiscard]] double rate(const State& state) const {
-    return -direction_.dot(state.velocity + state.spin * perpendicular(arm_));
-  }
+  [[nodiscard]] double rate(const State& state) const { return -direction_.dot(velocity(state)); }
 
   /// d gap / d(x, y, angle).
   [[nodiscard]] Eigen::Vector3d gradient() const {

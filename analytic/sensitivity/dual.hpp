@@ -1,8 +1,7 @@
 #pragma once
 
-// Numbers that carry their derivatives along, with respect to the six numbers of a state or to
-// fewer coordinates of it: what is computed from them has its exact derivative. Only what
-// geometry.hpp and series.hpp need.
+// Numbers that carry their derivatives along, with respect to the six numbers of a state: what is
+// computed from them has its exact derivative. Only what geometry.hpp and series.hpp need.
 
 #include <Eigen/Core>
 #include <concepts>
@@ -12,11 +11,10 @@
 
 namespace tautline {
 
-/// A number and its derivatives: of six, with respect to x, y, angle, x velocity, y velocity and
-/// spin.
-template <class Real, int Count = 6>
+/// A number and its derivatives with respect to x, y, angle, x velocity, y velocity and spin.
+template <class Real>
 struct Dual {
-  using Slopes = Eigen::Matrix<Real, Count, 1>;
+  using Slopes = Eigen::Matrix<Real, 6, 1>;
 
   Dual() : value(0), slopes(Slopes::Zero()) {}
   template <class Number>
@@ -134,13 +132,13 @@ template <class Real>
 
 namespace Eigen {
 
-template <class Real, int Count>
-struct NumTraits<tautline::Dual<Real, Count>> : GenericNumTraits<tautline::Dual<Real, Count>> {
+template <class Real>
+struct NumTraits<tautline::Dual<Real>> : GenericNumTraits<tautline::Dual<Real>> {
   enum {
     RequireInitialization = 1,
-    ReadCost = (Count + 1) * static_cast<int>(NumTraits<Real>::ReadCost),
-    AddCost = (Count + 1) * static_cast<int>(NumTraits<Real>::AddCost),
-    MulCost = (2 * Count + 1) * static_cast<int>(NumTraits<Real>::MulCost),
+    ReadCost = 7 * static_cast<int>(NumTraits<Real>::ReadCost),
+    AddCost = 7 * static_cast<int>(NumTraits<Real>::AddCost),
+    MulCost = 13 * static_cast<int>(NumTraits<Real>::MulCost),
   };
 };
 

@@ -27,7 +27,8 @@ Spread along(const Spread& spread, const Case& the_case, const Sizes& sizes, con
       result.col(2) += (dt * result.col(5)).eval();
     }
   } else {
-    result = carried(spread, the_case, arc.initial, basis, dt);
+    const State middle = arc.after(dt / 2.0, the_case.gravity);
+    result = carried(spread, the_case, {basis, dt, arc.initial, middle, last});
   }
   settle(result);
   add_errors(result, arc_rounding(sizes, arc.initial, last, dt));

@@ -171,8 +171,8 @@ std::vector<Eigen::Matrix<Real, 3, 6>> flow_derivative(const BasicCase<Real>& th
   const TautSeries<Number> motion(dual_case, variables(start), pulling, order);
   std::vector<Eigen::Matrix<Real, 3, 6>> result(order + 1);
   for (std::size_t k = 0; k <= order; ++k) {
-    result[k].row(0) = motion.x()[k].slopes.transpose();
-    result[k].row(1) = motion.y()[k].slopes.transpose();
+    result[k].row(0) = motion.position(k).x().slopes.transpose();
+    result[k].row(1) = motion.position(k).y().slopes.transpose();
     result[k].row(2) = motion.angle()[k].slopes.transpose();
   }
   return result;

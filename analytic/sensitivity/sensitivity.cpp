@@ -159,7 +159,7 @@ void BasicSensitivity<Real>::follow(const BasicCase<Real>& the_case, const Basic
   const bool rests = is_rest(arc);
   for (Real start = arc.start; start == arc.start || start < arc.end;) {
     auto series = flow_derivative(the_case, arc.after(start - arc.start, gravity), held->pulling,
-                                  held->motion.x().size() - 1);
+                                  held->motion.angle().size() - 1);
     const Real length = reach(series);
     const Real end = rests ? arc.end : Real(min(arc.end, Real(start + length)));
     if (!(end > start) && arc.end > start) {  // no step is small enough

@@ -33,8 +33,14 @@ struct Tangent {
 /// `spread` after the state is projected onto the cables.
 [[nodiscard]] Spread projected(const Spread& spread, const Tangent& onto);
 
-/// `spread` after motion on the independent cables `taut` for `dt` [s], from `start`.
-[[nodiscard]] Spread carried(const Spread& spread, const Case& the_case, const State& start,
-                             CableSet taut, double dt);
+/// Motion on the independent cables `taut` for `dt` [s].
+struct TautArc {
+  CableSet taut;
+  double dt;
+  State start, middle, end;
+};
+
+/// `spread` after that.
+[[nodiscard]] Spread carried(const Spread& spread, const Case& the_case, const TautArc& arc);
 
 }  // namespace tautline

@@ -117,7 +117,8 @@ class RowSpace {
 
  private:
   std::size_t size_ = 0;
-  std::array<Vector3<Real>, 3> dual_;
+  std::array<Vector3<Real>, 3> dual_{Vector3<Real>::Zero(), Vector3<Real>::Zero(),
+                                     Vector3<Real>::Zero()};
   Vector3<Real> normal_;  // of the plane of two rows
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -56,6 +55,20 @@ class Polynomial {
   std::span<const Real> coefficients_;
 };
 
+/// Points of the plane one after the other among numbers that another owns.
+template <class Real>
+class Points {
+ public:
+  using Point = Eigen::Map<BasicVec2<Real>, Eigen::Aligned16>;
+
+  Points() = default;
+  explicit Points(Real* first) : first_(first) {}
+  [[nodiscard]] Point operator[](std::size_t k) const { return Point(first_ + 2 * k); }
+
+ private:
+  Real* first_ = nullptr;
+};
+
 /// The motion from `start` with the cables of `taut` held at zero gap, as Taylor series in the time
 /// since then (analytic/README.md section 6). The rows of `taut` are independent, their gaps and
 /// gap rates zero. With an empty set it is free flight. The library has the definitions for double;
@@ -75,9 +88,10 @@ class TautSeries {
   [[nodiscard]] CableSet taut() const { return taut_; }
 
   /// Coefficients 0 to order.
-  [[nodiscard]] std::span<const Real> x() const { return x_; }
-  [[nodiscard]] std::span<const Real> y() const { return y_; }
+  [[nodiscard]] BasicVec2<Real> position(std::size_t k) const { return position_[k]; }
   [[nodiscard]] std::span<const Real> angle() const { return angle_; }
+  /// Of both, one row a coefficient.
+  [[nodiscard]] Eigen::Matrix<Real, Eigen::Dynamic, 3> pose() const;
 
   /// Coefficients 0 to order of (length^2 - distance^2) / (2 length) [m], Eq. 11.
   [[nodiscard]] std::span<const Real> gap(std::size_t index) const { return cables_[index].gap; }
@@ -97,26 +111,30 @@ class TautSeries {
 
   /// True while every coefficient is finite.
   [[nodiscard]] bool fits() const {
-    return std::all_of(store_.begin(), store_.end(), [](const Real& c) { return isfinite(c); });
+    const Eigen::Map<const Eigen::Array<Real, Eigen::Dynamic, 1>> numbers(
+        store_.data(), static_cast<Eigen::Index>(store_.size()));
+    return (numbers - numbers).sum() == Real(0);  // a number that is not finite leaves NaN
   }
 
   /// How long [s] the series keep their last terms below `error` [-] of lengths and tensions.
   [[nodiscard]] Real reach(const Real& error) const;
 
  private:
+  using Point = BasicVec2<Real>;
   using Channel = std::span<Real>;  // of coefficients, in store_
   struct CableSeries {
-    Channel arm_x, arm_y;    // centre of mass to attachment [m]
-    Channel from_x, from_y;  // anchor to attachment [m]
-    Channel lever;           // arm x from-anchor [m^2]
-    Channel pull;            // tension / length [N/m]
+    Points<Real> arm;   // centre of mass to attachment [m]
+    Points<Real> from;  // anchor to attachment [m]
+    Channel lever;      // arm x from-anchor [m^2]
+    Channel pull;       // tension / length [N/m]
     Channel gap, tension;
   };
 
   void start_channels(const BasicState<Real>& start);
   void couple();
 
-  void expand_trigonometry(std::size_t k);
+  void set_angle(std::size_t k, const Real& value);
+  void expand_heading(std::size_t k);
   void expand_cable(std::size_t index, std::size_t k);
   void expand_motion(std::size_t k);
   void expand_gap(std::size_t index);
@@ -125,7 +143,10 @@ class TautSeries {
   CableSet taut_;
   std::size_t order_;
   std::vector<Real> store_;
-  Channel x_, y_, angle_, sine_, cosine_;
+  Points<Real> position_;
+  Points<Real> heading_;  // cosine and sine of the angle
+  Channel angle_;
+  Channel turn_;  // k times the angle's coefficient k
   std::array<CableSeries, max_cables> cables_;
   Vector3<Real> weight_;    // M^-1/2
   RowSpace<Real> coupled_;  // of the rows L a of the taut cables (Eq. 23)

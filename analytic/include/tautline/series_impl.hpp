@@ -8,42 +8,40 @@
 namespace tautline {
 namespace series {
 
-// Several sums share a loop: a processor adds them side by side.
+// The two numbers of a point are summed side by side, as a processor does it; even and odd terms
+// apart, as it need not wait for itself.
 
-/// Coefficient k of a b - c d.
+/// Coefficient k of a x b.
 template <class Real>
-[[nodiscard]] Real cross_product(std::span<const Real> a, std::span<const Real> b,
-                                 std::span<const Real> c, std::span<const Real> d, std::size_t k) {
-  std::array<Real, 2> even{Real(0), Real(0)};
-  std::array<Real, 2> odd = even;
-  const auto add = [&](std::array<Real, 2>& sums, std::size_t j) {
-    sums[0] += a[j] * b[k - j];
-    sums[1] += c[j] * d[k - j];
-  };
+[[nodiscard]] Real cross_product(const Points<Real>& a, const Points<Real>& b, std::size_t k) {
+  using Point = BasicVec2<Real>;
+  Point even = Point::Zero();
+  Point odd = Point::Zero();
   std::size_t j = 0;
   for (; j < k; j += 2) {
-    add(even, j);
-    add(odd, j + 1);
+    even += a[j].cwiseProduct(b[k - j].reverse());
+    odd += a[j + 1].cwiseProduct(b[k - j - 1].reverse());
   }
   if (j == k) {
-    add(even, j);
+    even += a[j].cwiseProduct(b[0].reverse());
   }
   return even[0] + odd[0] - even[1] - odd[1];
 }
 
-/// Coefficients k of p a, p b and p c, without the terms of p[k]; k >= 1.
+/// Coefficients k of p a, whose values are points, and of p b, without the terms of p[k]; k >= 1.
 template <class Real>
-[[nodiscard]] std::array<Real, 3> known_products(std::span<const Real> p, std::span<const Real> a,
-                                                 std::span<const Real> b, std::span<const Real> c,
-                                                 std::size_t k) {
-  using Sums = std::array<Real, 3>;
-  const auto add = [&](Sums& sums, std::size_t j) {
-    sums[0] += p[j] * a[k - j];
-    sums[1] += p[j] * b[k - j];
-    sums[2] += p[j] * c[k - j];
+[[nodiscard]] Vector3<Real> known_products(std::span<const Real> p, const Points<Real>& a,
+                                           std::span<const Real> b, std::size_t k) {
+  struct Sums {
+    BasicVec2<Real> of_a = BasicVec2<Real>::Zero();
+    Real of_b = Real(0);
   };
-  Sums even{Real(0), Real(0), Real(0)};
-  Sums odd = even;
+  const auto add = [&](Sums& sums, std::size_t j) {
+    sums.of_a += p[j] * a[k - j];
+    sums.of_b += p[j] * b[k - j];
+  };
+  Sums even;
+  Sums odd;
   std::size_t j = 0;
   for (; j + 1 < k; j += 2) {
     add(even, j);
@@ -52,21 +50,18 @@ template <class Real>
   if (j < k) {
     add(even, j);
   }
-  return {even[0] + odd[0], even[1] + odd[1], even[2] + odd[2]};
+  even.of_a += odd.of_a;
+  return {even.of_a.x(), even.of_a.y(), even.of_b + odd.of_b};
 }
 
-/// Half of coefficient k of a^2 + b^2; k >= 1.
+/// Half of coefficient k of a^2; k >= 1.
 template <class Real>
-[[nodiscard]] Real half_square(std::span<const Real> a, std::span<const Real> b, std::size_t k) {
-  Real of_a = a[0] * a[k];
-  Real of_b = b[0] * b[k];
+[[nodiscard]] Real half_square(const Points<Real>& a, std::size_t k) {
+  BasicVec2<Real> pairs = a[0].cwiseProduct(a[k]);
   for (std::size_t j = 1; 2 * j < k; ++j) {
-    of_a += a[j] * a[k - j];
-    of_b += b[j] * b[k - j];
+    pairs += a[j].cwiseProduct(a[k - j]);
   }
-  const std::size_t middle = k / 2;
-  return k % 2 == 0 ? Real(of_a + of_b + (a[middle] * a[middle] + b[middle] * b[middle]) / 2)
-                    : Real(of_a + of_b);
+  return k % 2 == 0 ? Real(pairs.sum() + a[k / 2].squaredNorm() / 2) : Real(pairs.sum());
 }
 
 }  // namespace series
@@ -89,33 +84,35 @@ TautSeries<Real>::TautSeries(const BasicCase<Real>& the_case, const BasicState<R
 template <class Real>
 void TautSeries<Real>::start_channels(const BasicState<Real>& start) {
   const std::size_t terms = order_ + 1;
-  constexpr std::size_t of_a_slack_cable = 5;
-  constexpr std::size_t more_of_a_taut_one = 2;
-  store_.assign(
-      terms * (5 + of_a_slack_cable * case_->cables.size() + more_of_a_taut_one * taut_.size()),
-      Real(0));
+  const std::size_t cables = case_->cables.size();
+  constexpr std::size_t more_of_a_taut_cable = 2;
+  constexpr std::size_t of_a_cable = 5;  // arm and from are two each
+  store_.assign(terms * (6 + of_a_cable * cables + more_of_a_taut_cable * taut_.size()), Real(0));
   Real* next = store_.data();
+  const auto make_points = [&](Points<Real>& points) {  // first of all: they are aligned
+    points = Points<Real>(next);
+    next += 2 * terms;
+  };
   const auto make = [&](Channel& channel, std::size_t size) {
     channel = Channel(next, size);
     next += terms;
   };
-  for (Channel* channel : {&x_, &y_, &angle_, &sine_, &cosine_}) {
-    make(*channel, terms);
+  make_points(position_);
+  make_points(heading_);
+  for (std::size_t index = 0; index < cables; ++index) {
+    make_points(cables_[index].arm);
+    make_points(cables_[index].from);
   }
-  x_[0] = start.position.x();
-  y_[0] = start.position.y();
+  make(angle_, terms);
+  make(turn_, terms);
+  position_[0] = start.position;
+  position_[1] = start.velocity;
+  heading_[0] = Point(cos(start.angle), sin(start.angle));
   angle_[0] = start.angle;
-  x_[1] = start.velocity.x();
-  y_[1] = start.velocity.y();
-  angle_[1] = start.spin;
-  sine_[0] = sin(start.angle);
-  cosine_[0] = cos(start.angle);
-  expand_trigonometry(1);
-  for (std::size_t index = 0; index < case_->cables.size(); ++index) {
+  set_angle(1, start.spin);
+  expand_heading(1);
+  for (std::size_t index = 0; index < cables; ++index) {
     CableSeries& cable = cables_[index];
-    for (Channel* channel : {&cable.arm_x, &cable.arm_y, &cable.from_x, &cable.from_y}) {
-      make(*channel, terms);
-    }
     if (taut_.contains(index)) {
       for (Channel* channel : {&cable.lever, &cable.pull, &cable.tension}) {
         make(*channel, order_ - 1);
@@ -136,39 +133,38 @@ void TautSeries<Real>::couple() {
   std::size_t count = 0;
   for (const std::size_t index : taut_) {
     CableSeries& cable = cables_[index];
-    cable.lever[0] = cable.arm_x[0] * cable.from_y[0] - cable.arm_y[0] * cable.from_x[0];
-    rows[count++] = {cable.from_x[0] * weight_[0], cable.from_y[0] * weight_[1],
+    cable.lever[0] = cross<Real>(cable.arm[0], cable.from[0]);
+    rows[count++] = {cable.from[0].x() * weight_[0], cable.from[0].y() * weight_[1],
                      cable.lever[0] * weight_[2]};
   }
   coupled_ = RowSpace<Real>(rows, count);
 }
 
-/// sin' = angle' cos, cos' = -angle' sin. Coefficient k needs the angle's up to k.
 template <class Real>
-void TautSeries<Real>::expand_trigonometry(std::size_t k) {
-  Real sine(0);
-  Real cosine(0);
+void TautSeries<Real>::set_angle(std::size_t k, const Real& value) {
+  angle_[k] = value;
+  turn_[k] = value * static_cast<double>(k);
+}
+
+/// heading' = angle' heading turned by 90 degrees. Coefficient k needs the angle's up to k.
+template <class Real>
+void TautSeries<Real>::expand_heading(std::size_t k) {
+  Point sum = Point::Zero();
   for (std::size_t j = 1; j <= k; ++j) {
-    const Real turn = angle_[j] * static_cast<double>(j);
-    sine += turn * cosine_[k - j];
-    cosine -= turn * sine_[k - j];
+    sum += turn_[j] * heading_[k - j];
   }
-  sine_[k] = sine / static_cast<double>(k);
-  cosine_[k] = cosine / static_cast<double>(k);
+  heading_[k] = perpendicular<Real>(sum) / static_cast<double>(k);
 }
 
 template <class Real>
 void TautSeries<Real>::expand_cable(std::size_t index, std::size_t k) {
   const BasicCable<Real>& cable = case_->cables[index];
   CableSeries& series = cables_[index];
-  const auto& p = cable.attachment;
-  series.arm_x[k] = p.x() * cosine_[k] - p.y() * sine_[k];
-  series.arm_y[k] = p.x() * sine_[k] + p.y() * cosine_[k];
-  series.from_x[k] = x_[k] + series.arm_x[k];
-  series.from_y[k] = y_[k] + series.arm_y[k];
+  const Point& at = cable.attachment;
+  series.arm[k] = at.x() * heading_[k] + at.y() * perpendicular<Real>(heading_[k]);
+  series.from[k] = position_[k] + series.arm[k];
   if (k == 0) {
-    series.from_x[0] -= cable.anchor.x();
-    series.from_y[0] -= cable.anchor.y();
+    series.from[0] -= cable.anchor;
   }
 }
 
@@ -183,22 +179,19 @@ void TautSeries<Real>::expand_motion(std::size_t k) {
   } else {
     for (const std::size_t index : taut_) {
       CableSeries& cable = cables_[index];
-      cable.lever[k] =
-          series::cross_product<Real>(cable.arm_x, cable.from_y, cable.arm_y, cable.from_x, k);
-      const auto [along_x, along_y, turning] =
-          series::known_products<Real>(cable.pull, cable.from_x, cable.from_y, cable.lever, k);
-      known -= Vector3<Real>(along_x, along_y, turning).cwiseProduct(weight_);
+      cable.lever[k] = series::cross_product<Real>(cable.arm, cable.from, k);
+      known -= series::known_products<Real>(cable.pull, cable.from, cable.lever, k)
+                   .cwiseProduct(weight_);
     }
   }
-  // sine and cosine of order k + 2 but for the angle's coefficient k + 2, which is still zero
-  expand_trigonometry(k + 2);
+  // the heading's coefficient k + 2 but for the angle's, which is still zero
+  expand_heading(k + 2);
   // by the cables, to keep their lengths
   Vector3<Real> kept = Vector3<Real>::Zero();
   std::size_t row = 0;
   for (const std::size_t index : taut_) {
-    expand_cable(index, k + 2);  // the arm's known part only: x and y are still zero, too
-    const CableSeries& cable = cables_[index];
-    const Real stretch = series::half_square<Real>(cable.from_x, cable.from_y, k + 2);
+    expand_cable(index, k + 2);  // the arm's known part only: the position is still zero, too
+    const Real stretch = series::half_square<Real>(cables_[index].from, k + 2);
     kept += Real(per_second * stretch) * coupled_.dual(row++);
   }
   row = 0;
@@ -207,11 +200,9 @@ void TautSeries<Real>::expand_motion(std::size_t k) {
   }
   // not the known force less the tensions: of a light body both are large, and cancel
   const Vector3<Real> acceleration = (coupled_.across(known) - kept).cwiseProduct(weight_);
-  x_[k + 2] = acceleration[0] / per_second;
-  y_[k + 2] = acceleration[1] / per_second;
-  angle_[k + 2] = acceleration[2] / per_second;
-  sine_[k + 2] += cosine_[0] * angle_[k + 2];
-  cosine_[k + 2] -= sine_[0] * angle_[k + 2];
+  position_[k + 2] = acceleration.template head<2>() / per_second;
+  set_angle(k + 2, acceleration[2] / per_second);
+  heading_[k + 2] += angle_[k + 2] * perpendicular<Real>(heading_[0]);
   for (std::size_t index = 0; index < case_->cables.size(); ++index) {
     expand_cable(index, k + 2);
   }
@@ -228,17 +219,28 @@ void TautSeries<Real>::expand_gap(std::size_t index) {
     return;
   }
   for (std::size_t k = 1; k <= order_; ++k) {
-    cable.gap[k] = -series::half_square<Real>(cable.from_x, cable.from_y, k) / length;
+    cable.gap[k] = -series::half_square<Real>(cable.from, k) / length;
   }
-  cable.gap[0] =
-      (length * length - cable.from_x[0] * cable.from_x[0] - cable.from_y[0] * cable.from_y[0]) /
-      (2 * length);
+  const Point from = cable.from[0];
+  cable.gap[0] = (length * length - from.x() * from.x() - from.y() * from.y()) / (2 * length);
+}
+
+template <class Real>
+Eigen::Matrix<Real, Eigen::Dynamic, 3> TautSeries<Real>::pose() const {
+  Eigen::Matrix<Real, Eigen::Dynamic, 3> result(static_cast<Eigen::Index>(order_ + 1), 3);
+  for (std::size_t k = 0; k <= order_; ++k) {
+    result.row(static_cast<Eigen::Index>(k)) << position_[k].transpose(), angle_[k];
+  }
+  return result;
 }
 
 template <class Real>
 std::vector<Real> TautSeries<Real>::height(std::size_t index) const {
-  const Channel from_y = cables_[index].from_y;
-  std::vector<Real> result(from_y.begin(), from_y.end());
+  std::vector<Real> result;
+  result.reserve(order_ + 1);
+  for (std::size_t k = 0; k <= order_; ++k) {
+    result.push_back(cables_[index].from[k].y());
+  }
   result[0] += case_->cables[index].anchor.y();
   return result;
 }
@@ -255,8 +257,7 @@ Real TautSeries<Real>::reach(const Real& error) const {
     Real pose = abs(angle_[k]);  // against a radian and the shortest cable
     for (std::size_t index = 0; index < case_->cables.size(); ++index) {
       const Real& length = case_->cables[index].length;
-      const CableSeries& cable = cables_[index];
-      pose = max(pose, Real(max(abs(cable.from_x[k]), abs(cable.from_y[k])) / length));
+      pose = max(pose, Real(cables_[index].from[k].cwiseAbs().maxCoeff() / length));
     }
     limit(pose, Real(1), k);
     Real pull(0);

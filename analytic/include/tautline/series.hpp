@@ -113,7 +113,7 @@ class TautSeries {
   [[nodiscard]] bool fits() const {
     const Eigen::Map<const Eigen::Array<Real, Eigen::Dynamic, 1>> numbers(
         store_.data(), static_cast<Eigen::Index>(store_.size()));
-    return (numbers - numbers).sum() == Real(0);  // a number that is not finite leaves NaN
+    return (numbers * Real(0)).sum() == Real(0);  // NaN, where one is not finite
   }
 
   /// How long [s] the series keep their last terms below `error` [-] of lengths and tensions.

@@ -7,9 +7,13 @@
 #include <limits>
 #include <string>
 
+#include "sensitivity/tangent.hpp"
+#include "sensitivity/taut_slopes.hpp"
 #include "support.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/impact.hpp"
 #include "tautline/scenarios.hpp"
+#include "tautline/series.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::test {
@@ -141,6 +145,53 @@ TEST(Sensitivity, OfCablesSideBySideIsThatOfOne) {
   const StateMatrix expected = Sensitivity(one, solve(one)).at(2.0);
   const StateMatrix reached = Sensitivity(two, solve(two)).at(2.0);
   expect_within("difference", (reached - expected).norm() / expected.norm(), 1e-12);
+}
+
+/// The acceleration of taut motion from `start`, `by` along a change of it.
+Eigen::Vector3d acceleration_near(const Case& the_case, State start, CableSet taut,
+                                  const Eigen::Matrix<double, 6, 1>& by) {
+  start.position += by.head<2>();
+  start.angle += by[2];
+  start.velocity += by.segment<2>(3);
+  start.spin += by[5];
+  const TautSeries<double> motion(the_case, start, taut, 3);
+  Eigen::Vector3d result;
+  result << 2.0 * motion.position(2), 2.0 * motion.angle()[2];
+  return result;
+}
+
+TEST(Sensitivity, AccelerationsOfTautMotionChangeAsTheSeriesDo) {
+  constexpr double step = 1e-5;       // [-], of a change in metres, radians and their rates
+  constexpr double tolerance = 1e-7;  // [-], of differences over it: cubes of 1e-5, rounding / 1e-5
+  constexpr std::size_t most_arcs = 20;
+  std::size_t of_one = 0;
+  std::size_t of_more = 0;
+  for (const Case& the_case : shipped_cases()) {
+    const Solution solution = solve(the_case);
+    std::size_t arcs = 0;
+    for (const Arc& arc : solution.arcs()) {
+      if (arc.series.rows() < 3 || !independent(the_case, arc.initial, arc.taut) ||
+          ++arcs > most_arcs) {
+        continue;
+      }
+      const auto slopes = taut_slopes(the_case, arc.initial, arc.taut);
+      const Tangent along = tangent(the_case, arc.initial, arc.taut);
+      for (Eigen::Index axis = 0; axis < along.directions.cols(); ++axis) {
+        const Eigen::Matrix<double, 6, 1> change = along.directions.col(axis).normalized();
+        const auto near = [&](double by) {
+          return acceleration_near(the_case, arc.initial, arc.taut, by * change);
+        };
+        const Eigen::Vector3d difference = (near(step) - near(-step)) / (2.0 * step);
+        const Eigen::Vector3d expected = slopes * change;
+        EXPECT_LE((difference - expected).norm(),
+                  tolerance * (expected.norm() + acceleration_scale(the_case, arc.initial)))
+            << the_case.name << " at " << arc.start;
+      }
+      ++(arc.taut.size() == 1 ? of_one : of_more);
+    }
+  }
+  EXPECT_GT(of_one, 100U);
+  EXPECT_GT(of_more, 100U);
 }
 
 TEST(Sensitivity, HorizonIsTheFirstPassage) {

@@ -190,7 +190,7 @@ TEST(Solve, BeginsItsTextWithWhatBecameOfTheMotion) {
   std::replace(summary.begin(), summary.end(), '\n', ' ');  // wherever a line is broken
   for (const char* part :
        {"The run reached its duration, t = 20. ",
-        "From t = 8.130 (+- 4e-03) on cables 0+1 are taut, for good", "amplitude 0.65 rad",
+        "From t = 8.130 (+- 5e-03) on cables 0+1 are taut, for good", "amplitude 0.65 rad",
         "Of the initial energy 0.125 above the equilibrium 0.0197 is left"}) {
     EXPECT_NE(summary.find(part), std::string::npos) << part << "\nis not in\n" << summary;
   }

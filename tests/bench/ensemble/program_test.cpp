@@ -117,7 +117,9 @@ TEST(EnsembleProgram, AnInterruptionKeepsWhatIsDoneAndResumeDoesTheRest) {
   const std::vector<std::string> many = {"--count", "20000", "--jobs", "2"};
   const int process = start_program(ensembles.words(many));
   const auto first = ensembles.out() / "draws/exact/00000000.csv";
-  for (int tries = 0; tries < 1000 && !std::filesystem::exists(first); ++tries) {
+  // Sanitized, beside other tests, the first 200 draws take some ten seconds.
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(5);
+  while (!std::filesystem::exists(first) && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   ::kill(process, SIGINT);
@@ -125,6 +127,7 @@ TEST(EnsembleProgram, AnInterruptionKeepsWhatIsDoneAndResumeDoesTheRest) {
   const json part = ensembles.result();
   EXPECT_EQ(part["interrupted"], true);
   EXPECT_LT(part["setups"][0]["draws"], 20'000);
+  ASSERT_GT(part["setups"][0]["draws"], 0) << "nothing was done to be kept";
   const std::string kept = content_of(first);
   EXPECT_EQ(ensembles.run({"--count", "400", "--resume"}).code, 0);
   const json resumed = ensembles.result();

@@ -15,6 +15,7 @@
 #include "bench/solution/solution_tables.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
+#include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -25,6 +26,27 @@ constexpr int spare_digits = 15;
 
 /// Where no more digits are tried: a solution of so many takes minutes.
 constexpr int enough_digits = 800;
+
+/// Those of the first solution for errors that grow from impact to impact: the doubles of `solution`
+/// last up to its horizon. Counted are impacts of another cable than the one before: while a body
+/// bounces on one, errors hardly grow. A motion beyond the horizon has other impacts, so it may be
+/// too few.
+int growing_digits(const Case& the_case, const SolveOptions& options, const Solution& solution) {
+  constexpr double of_doubles = 16.0;
+  constexpr double most = 200.0;
+  const double horizon =
+      Uncertainty(the_case, solution, options).horizon().value_or(solution.end_time());
+  double sure = 1.0;
+  double all = 1.0;
+  CableSet before;
+  for (const Event& event : solution.events()) {
+    const bool other = event.cables != before;
+    all += other ? 1.0 : 0.0;
+    sure += other && event.time < horizon ? 1.0 : 0.0;
+    before = event.cables;
+  }
+  return static_cast<int>(std::min(most, of_doubles * all / sure));
+}
 
 /// The decimals that the doubles of a case are read from.
 class Decimals {
@@ -140,8 +162,12 @@ class Solver {
     BasicCase<Multi> the_case =
         asked_.decimal ? in_decimals(case_, asked_.written) : in_digits(case_);
     const Multi duration = the_case.duration;
-    if (locked_by_ && Multi(*locked_by_) < duration) {
-      the_case.duration = Multi(*locked_by_);
+    // motions that start alike lock about then, or later: a swing takes longer than the impacts
+    for (const double longer : {1.0, 1.2, 1.5}) {
+      if (!locked_by_ || Multi(longer * *locked_by_) >= duration) {
+        break;
+      }
+      the_case.duration = Multi(longer * *locked_by_);
       BasicSolution<Multi> solution = solve(the_case, options_);
       BasicSettling<Multi> settled = settled_at(the_case, solution);
       the_case.duration = duration;
@@ -302,10 +328,13 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
                              const Solution& solution, const ManyDigits& asked,
                              const TerminalStyle& style) {
   const Solver solver(the_case, options, solution, asked);
-  int digits = 2 * asked.digits + 2 * spare_digits;
+  int digits = asked.digits + 2 * spare_digits +
+               std::max(asked.digits, growing_digits(the_case, options, solution));
   Run few = solver.run(digits);
+  int more = std::max(digits / 8, spare_digits);  // enough to tell the errors of the fewer
   while (true) {
-    digits += digits / 2;
+    digits += more;
+    more = digits / 2;
     Run many = solver.run(digits);
     const tautline::Digits precision(static_cast<unsigned>(digits));
     const Multi rounding = pow(Multi(10), -(asked.digits + spare_digits - 3));

@@ -26,7 +26,8 @@ struct ManyDigits {
 };
 
 /// What `tautline solve` prints of `the_case`, with `asked.digits` right digits of each number:
-/// computed with as many as it takes, half as many again until two solutions agree. `solution`
+/// computed with as many as the doubles tell it takes, then with an eighth more, and with half as
+/// many again until two solutions agree. `solution`
 /// solves it in doubles with `options`. Numbers that do not come to agree keep those digits that
 /// do. Not for several threads: see `Digits`.
 [[nodiscard]] std::string many_digits_text(const Case& the_case, const SolveOptions& options,

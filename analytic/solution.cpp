@@ -78,6 +78,8 @@ std::string_view to_string(Ending ending) {
       return "rest";
     case Ending::unstable_rest:
       return "unstable_rest";
+    case Ending::locked:
+      return "locked";
     case Ending::angle_limit:
       return "angle_limit";
     case Ending::ceiling:

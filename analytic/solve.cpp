@@ -7,6 +7,7 @@
 #include "instantiate.hpp"
 #include "local_origin.hpp"
 #include "progress.hpp"
+#include "swinging.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
@@ -33,14 +34,6 @@ struct Stop {
   CableSet cables;               // that become taut
   bool is_step = false;          // where a series ends, and nothing happens
 };
-
-/// True while the state, its energy and the squares of its numbers fit a Real.
-template <class Real>
-bool fits(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
-  return isfinite(energy(the_case, state)) && isfinite(state.angle) &&
-         isfinite(state.position.squaredNorm()) && isfinite(state.velocity.squaredNorm()) &&
-         isfinite(Real(state.spin * state.spin));
-}
 
 /// The motion so far: where it is now, and what has been recorded.
 template <class Real>
@@ -78,6 +71,9 @@ class Motion {
       }
       if (stop.ending) {
         return finish(*stop.ending);
+      }
+      if (options_.until_locked && swinging_.follow(case_, arcs_.back(), events_.size())) {
+        return solution(Ending::locked);
       }
       if (!stop.cables.empty()) {
         if (const auto ending = hit()) {
@@ -364,6 +360,7 @@ class Motion {
   std::size_t steps_ = 0;         // without an event
   std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;
+  Swinging<Real> swinging_;
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
   std::vector<BasicArc<Real>> arcs_;

@@ -4,6 +4,7 @@
 #   tautline             the program with its exact engine
 #   tautline-dev         headers, libraries, cables, CMake package, examples
 #   tautline-engine-...  the plug-ins of an engine, in either precision; they bring the engine
+#   tautline-mpi         ensembles in several processes
 set(CPACK_GENERATOR TGZ DEB)
 set(CPACK_PACKAGE_VENDOR "tautline")
 set(CPACK_PACKAGE_FILE_NAME "tautline-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
@@ -86,6 +87,14 @@ if(TARGET tautline)
     "this motion exactly, and holds physics engines against the solution:"
     "positions, impacts, settling, energy and restitution, with the cause of each"
     "error. Engines are plug-ins, in packages of their own.")
+  if(TARGET tautline-mpi)
+    tautline_debian_package(mpi tautline-mpi "ensembles of tautline under mpirun"
+      "With it the processes that mpirun or srun starts share the draws of"
+      "\`tautline ensemble\`, on one machine or a cluster. The results are those of"
+      "one process.")
+    set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "tautline ${same_version}")
+    list(APPEND suggested tautline-mpi)
+  endif()
   list(JOIN recommended ", " CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS)
   list(JOIN suggested ", " CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS)
 endif()

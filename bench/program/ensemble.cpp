@@ -135,8 +135,7 @@ EnsembleReading read_ensemble(const EnsembleCommand& command) {
   return reading;
 }
 
-EnsembleResult solve_visibly(const EnsembleReading& reading) {
-  const EnsembleRequest& request = reading.request;
+EnsembleResult solve_visibly(const EnsembleRequest& request, const EnsembleOptions& options) {
   // an engine's run costs some hundred times an exact motion
   const auto work_of = [&](const EnsembleSetup& setup) { return setup.engine ? 100.0 : 1.0; };
   const std::size_t draws = draw_count(request.spec);
@@ -147,7 +146,7 @@ EnsembleResult solve_visibly(const EnsembleReading& reading) {
   Progress progress(work, draws * request.setups.size(), "draws");
   progress.show_rate();
   EnsembleResult result = solve_ensemble(
-      request, reading.options, [&](const EnsembleSetup& setup, std::size_t ended, bool kept) {
+      request, options, [&](const EnsembleSetup& setup, std::size_t ended, bool kept) {
         for (std::size_t draw = 0; draw < ended; ++draw) {
           progress.ended(work_of(setup), kept);
         }
@@ -189,17 +188,41 @@ void give(const EnsembleCommand& command, const EnsembleReport& report) {
   }
 }
 
-int ensemble_command(const EnsembleCommand& command) {
-  const EnsembleReading reading = read_ensemble(command);
-  if (!reading.problems.empty()) {
-    complain(reading.problems);
-    return exit_usage;
+/// With others, all of whom leave their draws in the folder, where the leader then reads them.
+EnsembleResult solve_with(const EnsembleReading& reading, Team& team) {
+  if (team.size() == 1) {
+    return solve_visibly(reading.request, reading.options);
   }
-  catch_interruption();
-  const Descriptor tree = open_tree(command.out, !command.resume);
-  const EnsembleResult result = solve_visibly(reading);
-  const Findings findings = findings_of(reading.request, result, reading.options.jobs);
-  give(command, {reading.request, result, findings});
+  EnsembleOptions options = reading.options;
+  options.team = &team;
+  EnsembleResult result = solve_ensemble(reading.request, options, [](auto&&...) {});
+  result.interrupted = !team.all(!result.interrupted);
+  if (result.interrupted || !team.leads()) {
+    return result;
+  }
+  options.team = nullptr;
+  options.resume = true;
+  return solve_visibly(reading.request, options);
+}
+
+/// True where no process of `team` has `problems`. The leader says them, or who has some alone.
+bool none_has(const std::vector<std::string>& problems, Team& team) {
+  const bool leader_has_none = team.all(problems.empty() || !team.leads());
+  if (!problems.empty() && (team.leads() || leader_has_none)) {
+    complain(problems);
+  }
+  return team.all(problems.empty());
+}
+
+/// What the leader has to say at the end.
+int conclude(const EnsembleCommand& command, const EnsembleReading& reading,
+             const EnsembleResult& result, const Team& team) {
+  const bool has_all = team.size() == 1 || !result.interrupted;  // of what is done
+  const Findings findings =
+      has_all ? findings_of(reading.request, result, reading.options.jobs) : Findings{};
+  if (has_all) {
+    give(command, {reading.request, result, findings});
+  }
   if (result.interrupted) {
     complain({"interrupted: the same command with --resume does the rest"});
     return exit_failed;
@@ -211,6 +234,34 @@ int ensemble_command(const EnsembleCommand& command) {
     }
   }
   return exit_done;
+}
+
+int ensemble_command(const EnsembleCommand& command) {
+  Team team;
+  const EnsembleReading reading = read_ensemble(command);
+  if (!none_has(reading.problems, team)) {
+    return exit_usage;
+  }
+  catch_interruption();
+  try {
+    std::optional<Descriptor> tree;
+    if (team.leads()) {
+      tree = open_tree(command.out, !command.resume);
+    }
+    static_cast<void>(team.all(true));  // before that nobody may write to it
+    const EnsembleResult result = solve_with(reading, team);
+    if (!team.leads()) {
+      return result.interrupted ? exit_failed : exit_done;
+    }
+    return conclude(command, reading, result, team);
+  } catch (const std::exception& error) {
+    if (team.size() == 1) {
+      throw;
+    }
+    complain({error.what()});
+    team.abandon(exit_failed);
+    return exit_failed;
+  }
 }
 
 }  // namespace

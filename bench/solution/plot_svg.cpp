@@ -48,6 +48,8 @@ std::string ending_words(const Solution& solution) {
       return "at rest";
     case Ending::unstable_rest:
       return "at an unstable equilibrium";
+    case Ending::locked:
+      return "locked";
     case Ending::angle_limit:
       return "at the angle limit";
     case Ending::ceiling:

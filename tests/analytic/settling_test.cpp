@@ -11,6 +11,7 @@
 #include "swing_table.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/ledger.hpp"
+#include "tautline/projection.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 
@@ -194,6 +195,75 @@ TEST(Swing, MeasuresItsAmplitudeAndEnergy) {
     EXPECT_NEAR(found->largest, angle, rounding);
     EXPECT_NEAR(found->energy, energy(the_case, start), 1e-15);  // the equilibrium is the origin
   }
+}
+
+/// Without the impacts that rounding alone brings, where a swing turns just as another cable
+/// closes.
+std::size_t events_to_tell(const Case& the_case, const Solution& solution) {
+  constexpr double told = 1e-6;  // [m/s], of closing
+  return static_cast<std::size_t>(
+      std::count_if(solution.events().begin(), solution.events().end(), [&](const Event& event) {
+        return event.kind != EventKind::impact ||
+               gap_rates(the_case, event.before, event.cables).minCoeff() < -told;
+      }));
+}
+
+/// Whether `the_case`, solved until its lock, is found to lock; it then says what the whole motion
+/// says.
+bool locks_alike(const Case& the_case) {
+  SolveOptions options;
+  options.until_locked = true;
+  const Solution part = solve(the_case, options);
+  const Solution whole = solve(the_case);
+  EXPECT_EQ(events_to_tell(the_case, part), events_to_tell(the_case, whole))
+      << "an event after a lock for good";
+  if (part.ending() != Ending::locked) {
+    EXPECT_EQ(part.ending(), whole.ending());
+    EXPECT_EQ(part.end_time(), whole.end_time());
+    return false;
+  }
+  const auto found = settling(the_case, part);
+  const auto known = settling(the_case, whole);
+  EXPECT_LE(part.end_time(), whole.end_time());
+  EXPECT_EQ(found.last_impacts.front().time, known.last_impacts.front().time);
+  EXPECT_EQ(found.last_impacts.back().time, known.last_impacts.back().time);
+  if (part.events().size() != whole.events().size()) {
+    return false;
+  }
+  if (!found.lock || !known.lock || !found.lock->swing || !known.lock->swing) {
+    ADD_FAILURE() << "no lock where there is one";
+    return false;
+  }
+  EXPECT_EQ(found.lock->time, known.lock->time);
+  EXPECT_EQ(found.lock->cables, known.lock->cables);
+  constexpr double rounding = 1e-12;  // of some hundred steps, of lengths and times near one
+  EXPECT_NEAR(found.lock->swing->energy, known.lock->swing->energy, rounding);
+  EXPECT_NEAR(found.lock->swing->period, known.lock->swing->period, 1e3 * rounding);
+  EXPECT_NEAR(found.lock->swing->amplitude, known.lock->swing->amplitude, rounding);
+  return true;
+}
+
+TEST(UntilLocked, SaysOfEveryShippedCaseWhatTheWholeMotionSays) {
+  int locked = 0;
+  for (Case the_case : shipped_cases()) {
+    the_case.duration = std::max(the_case.duration, 40.0);
+    SCOPED_TRACE(the_case.name);
+    locked += locks_alike(the_case) ? 1 : 0;
+  }
+  EXPECT_GE(locked, 19) << "all of Table 5.1 but the elastic case and the point mass";
+}
+
+TEST(UntilLocked, SaysOfRandomSystemsWhatTheWholeMotionSays) {
+  Random random(20261123);
+  int locked = 0;
+  for (int sample = 0; sample < 300; ++sample) {
+    Case the_case = random_case(random, {1 + static_cast<std::size_t>(sample % 3), 0.0, 0.5});
+    the_case.duration = 60.0;
+    SCOPED_TRACE(sample);
+    locked += locks_alike(the_case) ? 1 : 0;
+  }
+  std::cout << "  " << locked << " of 300 systems lock\n";
+  EXPECT_GE(locked, 30);
 }
 
 TEST(CriticalSwing, HasTheKnownAngleAndEnergy) {

@@ -3,7 +3,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 #include "tautline/case.hpp"
 
@@ -23,12 +26,34 @@ template <class Real>
   return {-v.y(), v.x()};
 }
 
+/// The direction of the body's own first axis in the world.
+template <class Real>
+struct Heading {
+  Real cosine;
+  Real sine;
+};
+
+/// At `angle` [rad]. Every cable asks, for every question about a pose: the last answer is kept.
+template <class Real>
+[[nodiscard]] Heading<Real> heading(const Real& angle) {
+  if constexpr (std::is_same_v<Real, double>) {
+    static thread_local constinit double last = 0.0;
+    static thread_local constinit Heading<double> kept{1.0, 0.0};
+    if (std::bit_cast<std::uint64_t>(angle) != std::bit_cast<std::uint64_t>(last)) {
+      kept = {cos(angle), sin(angle)};
+      last = angle;
+    }
+    return kept;
+  } else {
+    return {cos(angle), sin(angle)};
+  }
+}
+
 /// The attachment relative to the centre of mass, in world axes [m].
 template <class Real>
 [[nodiscard]] BasicVec2<Real> attachment_arm(const BasicState<Real>& state,
                                              const BasicCable<Real>& cable) {
-  const Real c = cos(state.angle);
-  const Real s = sin(state.angle);
+  const auto [c, s] = heading(state.angle);
   return {c * cable.attachment.x() - s * cable.attachment.y(),
           s * cable.attachment.x() + c * cable.attachment.y()};
 }
@@ -150,6 +175,14 @@ template <class Real>
 [[nodiscard]] Real energy(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
   return kinetic_energy(the_case.body, state) -
          the_case.body.mass * the_case.gravity.dot(state.position);
+}
+
+/// True while the state, its energy and the squares of its numbers fit a Real.
+template <class Real>
+[[nodiscard]] bool fits(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+  return isfinite(energy(the_case, state)) && isfinite(state.angle) &&
+         isfinite(state.position.squaredNorm()) && isfinite(state.velocity.squaredNorm()) &&
+         isfinite(Real(state.spin * state.spin));
 }
 
 /// Linear momentum [N s].

@@ -5,6 +5,7 @@
 
 #include "tautline/case.hpp"
 #include "tautline/solution.hpp"
+#include "tautline/swing.hpp"
 
 namespace tautline {
 
@@ -15,17 +16,6 @@ struct BasicLastImpact {
   std::optional<Real> time;  // [s]; none: no impact is that fast
 };
 using LastImpact = BasicLastImpact<double>;
-
-/// The periodic motion of a body whose taut cables leave it one degree of freedom.
-template <class Real>
-struct BasicSwing {
-  Real energy;     // [J], above the equilibrium it swings about
-  Real period;     // [s]
-  Real least;      // [rad], smallest angle
-  Real largest;    // [rad]
-  Real amplitude;  // [rad], half the difference
-};
-using Swing = BasicSwing<double>;
 
 /// The final set of taut cables.
 template <class Real>

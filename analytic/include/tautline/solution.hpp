@@ -52,6 +52,8 @@ enum class Ending {
   rest,              // the body has come to rest for good, or to a steady spin about the centre it
                      // hangs at; the last arc lasts to the duration
   unstable_rest,     // the same, at an equilibrium that the smallest push ends
+  locked,            // the body has swung through a period on its last cables, as it will for ever;
+                     // where SolveOptions::until_locked asks for it
   angle_limit,       // |angle| reached the case's limit
   ceiling,           // an attachment reached the case's ceiling
   singular,          // touching cables came into one line: no tension or impulse can be told there

@@ -27,6 +27,10 @@ struct SolveOptions {
   /// swing takes some twenty, and a turn of the body about its cables three. The steps of springs
   /// within impacts under the energetic law cost less: `springs_per_step` of them count as one.
   std::size_t max_steps = 200'000;
+
+  /// The run ends with Ending::locked where nothing else can happen: its taut cables leave one
+  /// degree of freedom, and a whole period has passed without an event.
+  bool until_locked = false;
 };
 
 /// The exact motion of `the_case` from time 0. Never throws on a case without `problems`; a case

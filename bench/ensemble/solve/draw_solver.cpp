@@ -33,7 +33,7 @@ std::pair<std::optional<ReferenceCase>, std::string> reference_of(const Ensemble
     return {std::nullopt, "no such case: " + broken.front()};
   }
   const ImpactLaw law = setup.exact.law;
-  Solution solution = solve(the_case, {.law = law});
+  Solution solution = solve(the_case, {.law = law, .until_locked = !setup.engine.has_value()});
   std::string problem = exact_problem(solution);
   if (!problem.empty()) {
     return {std::nullopt, std::move(problem)};

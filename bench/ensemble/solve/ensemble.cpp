@@ -85,12 +85,15 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
   for (std::size_t setup = 0; setup < request.setups.size(); ++setup) {
     result.draws.emplace_back(statistics_of(request.spec).size(), draw_count(request.spec));
   }
-  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> own{0};
+  const auto next = [&] { return options.team != nullptr ? options.team->next() : own++; };
   std::exception_ptr failure;
+  std::atomic<bool> failed{false};
   std::mutex guard;  // of `result`, `failure` and `progress`
   const auto work = [&] {
     Solving solving(request, options);
-    for (std::size_t index = next++; index < chunks.size() && !interruption(); index = next++) {
+    for (std::size_t index = next(); index < chunks.size() && !interruption() && !failed;
+         index = next()) {
       try {
         const Chunk& chunk = chunks[index];
         const Solved solved = solving.solve(chunk);
@@ -102,7 +105,7 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
       } catch (...) {
         const std::scoped_lock lock(guard);
         failure = std::current_exception();
-        next = chunks.size();
+        failed = true;
         return;
       }
     }

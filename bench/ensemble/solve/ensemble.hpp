@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/ensemble/solve/draw_table.hpp"
+#include "bench/ensemble/team/team.hpp"
 
 namespace tautline::bench {
 
@@ -16,6 +17,7 @@ struct EnsembleOptions {
   unsigned jobs = 1;                    // threads
   bool resume = false;                  // keep the draws that `out` already has
   std::vector<std::uint64_t> programs;  // of each setup, a hash of the programs it depends on
+  Team* team = nullptr;  // that shares the draws; its other processes put theirs into `out` alone
 };
 
 struct EnsembleResult {

@@ -27,10 +27,10 @@ constexpr int spare_digits = 15;
 /// Where no more digits are tried: a solution of so many takes minutes.
 constexpr int enough_digits = 800;
 
-/// Those of the first solution for errors that grow from impact to impact: the doubles of `solution`
-/// last up to its horizon. Counted are impacts of another cable than the one before: while a body
-/// bounces on one, errors hardly grow. A motion beyond the horizon has other impacts, so it may be
-/// too few.
+/// Those of the first solution for errors that grow from impact to impact: the doubles of
+/// `solution` last up to its horizon. Counted are impacts of another cable than the one before:
+/// while a body bounces on one, errors hardly grow. A motion beyond the horizon has other impacts,
+/// so it may be too few.
 int growing_digits(const Case& the_case, const SolveOptions& options, const Solution& solution) {
   constexpr double of_doubles = 16.0;
   constexpr double most = 200.0;

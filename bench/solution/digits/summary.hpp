@@ -110,6 +110,8 @@ class Summary {
             "The body stands still from {} on, to its duration, t = {}, at an unstable "
             "equilibrium: the smallest push would end it.",
             since_when(), shortest(static_cast<double>(case_.duration)));
+      case Ending::locked:
+        return fmt::format("The run ended at t = {}, after a whole period of its swing.", end);
       case Ending::singular:
         return fmt::format(
             "Stopped at t = {}: the touching cables come so near to one line there that their "

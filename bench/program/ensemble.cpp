@@ -236,28 +236,33 @@ int conclude(const EnsembleCommand& command, const EnsembleReading& reading,
   return exit_done;
 }
 
-int ensemble_command(const EnsembleCommand& command) {
-  Team team;
+/// The part of one process of `team`.
+int take_part(const EnsembleCommand& command, Team& team) {
   const EnsembleReading reading = read_ensemble(command);
   if (!none_has(reading.problems, team)) {
     return exit_usage;
   }
   catch_interruption();
+  std::optional<Descriptor> tree;
+  if (team.leads()) {
+    tree = open_tree(command.out, !command.resume);
+  }
+  static_cast<void>(team.all(true));  // before that nobody may write to it
+  const EnsembleResult result = solve_with(reading, team);
+  if (!team.leads()) {
+    return result.interrupted ? exit_failed : exit_done;
+  }
+  return conclude(command, reading, result, team);
+}
+
+int ensemble_command(const EnsembleCommand& command) {
+  Team team;
+  if (team.size() == 1) {
+    return take_part(command, team);
+  }
   try {
-    std::optional<Descriptor> tree;
-    if (team.leads()) {
-      tree = open_tree(command.out, !command.resume);
-    }
-    static_cast<void>(team.all(true));  // before that nobody may write to it
-    const EnsembleResult result = solve_with(reading, team);
-    if (!team.leads()) {
-      return result.interrupted ? exit_failed : exit_done;
-    }
-    return conclude(command, reading, result, team);
+    return take_part(command, team);
   } catch (const std::exception& error) {
-    if (team.size() == 1) {
-      throw;
-    }
     complain({error.what()});
     team.abandon(exit_failed);
     return exit_failed;

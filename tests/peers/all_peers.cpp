@@ -11,6 +11,12 @@ std::vector<std::unique_ptr<Peer>> all_peers() {
 #ifdef TAUTLINE_PEER_ODEINT
   result.push_back(odeint_peer());
 #endif
+#ifdef TAUTLINE_PEER_SICONOS
+  result.push_back(siconos_peer());
+#endif
+#ifdef TAUTLINE_PEER_SIMBODY
+  result.push_back(simbody_peer());
+#endif
   return result;
 }
 

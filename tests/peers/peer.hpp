@@ -47,9 +47,11 @@ class Peer {
                                                      const Effort& effort) = 0;
 };
 
-[[nodiscard]] std::unique_ptr<Peer> exact_peer();   // the solver of tautline
-[[nodiscard]] std::unique_ptr<Peer> cvode_peer();   // SUNDIALS CVODE
-[[nodiscard]] std::unique_ptr<Peer> odeint_peer();  // Boost.Odeint
+[[nodiscard]] std::unique_ptr<Peer> exact_peer();    // the solver of tautline
+[[nodiscard]] std::unique_ptr<Peer> cvode_peer();    // SUNDIALS CVODE
+[[nodiscard]] std::unique_ptr<Peer> odeint_peer();   // Boost.Odeint
+[[nodiscard]] std::unique_ptr<Peer> siconos_peer();  // Siconos' EventDriven
+[[nodiscard]] std::unique_ptr<Peer> simbody_peer();  // Simbody
 
 /// The exact solver first, then every peer that was here when this was built.
 [[nodiscard]] std::vector<std::unique_ptr<Peer>> all_peers();

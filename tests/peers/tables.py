@@ -114,8 +114,10 @@ Written by `scripts/bench-peers --arcs {arcs} --rounds {rounds} --write`. Every 
 
 {versions}
 
-All are compiled by the same compiler with the release flags, and given the analytic rate of the state. What an impact
-does is the same function for all of them: detection and integration are compared. "Longest step" is the bound that each library offers for this purpose.
+All are given the analytic rate of the state and Newton's law for impacts: detection and integration are compared. Those
+in C and C++ are compiled by the same compiler with the release flags, and what an impact does is the same function for
+them. SciPy's times include those of Python, which says what the step, the gaps and the impact are; its ratio is to
+tautline's median. "Longest step" is the bound that each library offers for this purpose.
 
 ## Error and cost
 
@@ -134,8 +136,8 @@ cheap. What a long step costs is in the next table.
 
 ## Impacts that are missed
 
-{arcs} flights (seed {seed}) whose one cable is overrun by 1e-12 to 1e-2 of its length, once, and opens again. Each
-has an impact: the gap is positive at the start, and at a known instant negative, by the depth in the table's head. It
+{arcs} flights (seed {seed}; SciPy flies the first 1000) whose one cable is overrun by 1e-12 to 1e-2 of its length, once,
+and opens again. Each has an impact: the gap is positive at the start, and at a known instant negative, by the depth in the table's head. It
 is missed if nothing is located nearer to that instant than the time that the gap is below zero. An integrator looks for a change of
 sign between its steps, so it misses what begins and ends within one; a bound on the step moves that limit, at
 its price, and no bound removes it. tautline's search steps by a bound of the gap's third derivative and cannot pass

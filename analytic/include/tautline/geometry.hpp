@@ -29,8 +29,8 @@ template <class Real>
 /// The direction of the body's own first axis in the world.
 template <class Real>
 struct Heading {
-  Real cosine;
-  Real sine;
+  Real cosine;  // of the body's angle: the direction's x
+  Real sine;    // and its y
 };
 
 /// At `angle` [rad]. Every cable asks, for every question about a pose: the last answer is kept.

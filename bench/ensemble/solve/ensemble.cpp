@@ -82,8 +82,10 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
   const std::vector<Chunk> chunks = chunks_of(request);
   EnsembleResult result;
   result.draws.reserve(request.setups.size());  // copies would take as much room again
+  const bool collects = options.team == nullptr;
   for (std::size_t setup = 0; setup < request.setups.size(); ++setup) {
-    result.draws.emplace_back(statistics_of(request.spec).size(), draw_count(request.spec));
+    result.draws.emplace_back(statistics_of(request.spec).size(),
+                              collects ? draw_count(request.spec) : 0);
   }
   std::atomic<std::size_t> own{0};
   const auto next = [&] { return options.team != nullptr ? options.team->next() : own++; };
@@ -97,6 +99,9 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
       try {
         const Chunk& chunk = chunks[index];
         const Solved solved = solving.solve(chunk);
+        if (!collects) {
+          continue;
+        }
         const std::scoped_lock lock(guard);
         for (const DrawResult& one : solved.results) {
           result.draws[chunk.setup].put(one);

@@ -17,7 +17,8 @@ struct EnsembleOptions {
   unsigned jobs = 1;                    // threads
   bool resume = false;                  // keep the draws that `out` already has
   std::vector<std::uint64_t> programs;  // of each setup, a hash of the programs it depends on
-  Team* team = nullptr;  // that shares the draws; its other processes put theirs into `out` alone
+  Team* team = nullptr;  // that shares the draws: each of its processes puts its own into `out`
+                         // alone, and has none of them in its result
 };
 
 struct EnsembleResult {

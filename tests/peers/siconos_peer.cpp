@@ -1,0 +1,89 @@
+// Siconos' event-driven scheme: LSODAR integrates from event to event and locates the zeros of the
+// gaps by itself. The impacts are Siconos' own, by Newton's law as a linear complementarity problem.
+
+#include "engines/siconos/system.hpp"  // before Siconos' own: see storage_in_cpp20.hpp
+
+#include <stdexcept>
+
+#include <EventDriven.hpp>
+#include <EventsManager.hpp>
+#include <LCP.hpp>
+#include <LsodarOSI.hpp>
+#include <SiconosConfig.h>
+#include <TimeDiscretisation.hpp>
+
+#include "peer.hpp"
+
+namespace tautline::peers {
+namespace {
+
+/// Below this a gap, its rate and its acceleration are zero [m, s]. The default of 2.2e-12 is less
+/// than what rounding overstretches.
+constexpr double event_tolerance = 1e-9;
+
+/// A longest step is an event of its own; a run has no more events than these and its impacts.
+constexpr std::size_t most_events = 100'000;
+
+class SiconosPeer final : public Peer {
+ public:
+  std::string name() const override { return "Siconos"; }
+  std::string version() const override { return SICONOS_VERSION; }
+  std::string method() const override { return "EventDriven with LsodarOSI and its own impacts"; }
+
+  std::vector<Located> impacts(const Case& the_case, const Stop& stop,
+                               const Effort& effort) override {
+    siconos_engine::System system(the_case, the_case.initial);
+    const double step = effort.longest_step > 0.0 ? effort.longest_step : stop.horizon;
+    const auto run = simulation(system, step, effort.tolerance);
+    std::vector<Located> result;
+    try {
+      for (std::size_t event = 0; event < most_events; ++event) {
+        if (run->startingTime() >= stop.horizon || result.size() >= stop.most) {
+          return result;
+        }
+        run->advanceToEvent();
+        system.set_restitutions();
+        run->processEvents();
+        if (const CableSet struck = struck_in(system, the_case.cables.size()); !struck.empty()) {
+          result.push_back({run->startingTime(), struck});
+        }
+      }
+    } catch (const std::exception& error) {
+      throw std::runtime_error("Siconos: " + siconos_engine::reason(error));
+    }
+    throw std::runtime_error("Siconos: the events of a run do not end");
+  }
+
+ private:
+  static std::shared_ptr<EventDriven> simulation(const siconos_engine::System& system, double step,
+                                                 double tolerance) {
+    auto result = std::make_shared<EventDriven>(system.dynamics(),
+                                                std::make_shared<TimeDiscretisation>(0.0, step));
+    constexpr int one_for_all = 1;  // tolerances are numbers, not vectors
+    const auto integrator = std::make_shared<LsodarOSI>();
+    integrator->setTol(one_for_all, tolerance, tolerance);
+    result->insertIntegrator(integrator);
+    result->insertNonSmoothProblem(std::make_shared<LCP>(), SICONOS_OSNSP_ED_IMPACT);
+    result->insertNonSmoothProblem(std::make_shared<LCP>(), SICONOS_OSNSP_ED_SMOOTH_ACC);
+    result->setToleranceED(event_tolerance);
+    result->initialize();
+    return result;
+  }
+
+  static CableSet struck_in(const siconos_engine::System& system, std::size_t cables) {
+    constexpr unsigned impulses = 1;
+    CableSet result;
+    for (std::size_t index = 0; index < cables; ++index) {
+      if (system.multiplier(index, impulses) > 0.0) {
+        result.insert(index);
+      }
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Peer> siconos_peer() { return std::make_unique<SiconosPeer>(); }
+
+}  // namespace tautline::peers

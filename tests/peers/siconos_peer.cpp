@@ -1,15 +1,16 @@
 // Siconos' event-driven scheme: LSODAR integrates from event to event and locates the zeros of the
-// gaps by itself. The impacts are Siconos' own, by Newton's law as a linear complementarity problem.
+// gaps by itself. The impacts are Siconos' own, by Newton's law as a linear complementarity
+// problem.
 
 #include "engines/siconos/system.hpp"  // before Siconos' own: see storage_in_cpp20.hpp
 
 #include <stdexcept>
 
+#include <SiconosConfig.h>
 #include <EventDriven.hpp>
 #include <EventsManager.hpp>
 #include <LCP.hpp>
 #include <LsodarOSI.hpp>
-#include <SiconosConfig.h>
 #include <TimeDiscretisation.hpp>
 
 #include "peer.hpp"
@@ -27,7 +28,7 @@ constexpr std::size_t most_events = 100'000;
 class SiconosPeer final : public Peer {
  public:
   std::string name() const override { return "Siconos"; }
-  std::string version() const override { return SICONOS_VERSION; }
+  std::string version() const override { return TAUTLINE_SICONOS_LIBRARY; }
   std::string method() const override { return "EventDriven with LsodarOSI and its own impacts"; }
 
   std::vector<Located> impacts(const Case& the_case, const Stop& stop,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <span>
 
 namespace tautline::peers {
 namespace {
@@ -59,7 +60,7 @@ double cost(Peer& peer, const std::vector<KnownMotion>& motions, const Effort& e
 
 Missed missed(Peer& peer, const std::vector<Graze>& arcs, const Effort& effort) {
   Missed result;
-  for (const Graze& arc : arcs) {
+  for (const Graze& arc : std::span(arcs).first(std::min(arcs.size(), peer.most_arcs()))) {
     const auto band =
         static_cast<std::size_t>(std::find_if(depth_bands.begin(), depth_bands.end(),
                                               [&](double least) { return arc.depth >= least; }) -

@@ -32,6 +32,7 @@ struct Missed {
   std::array<std::size_t, depth_bands.size()> of{};
 };
 
+/// Of as many of `arcs` as the peer flies.
 [[nodiscard]] Missed missed(Peer& peer, const std::vector<Graze>& arcs, const Effort& effort);
 
 }  // namespace tautline::peers

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ struct Effort {
   double longest_step;  // [s]; 0: the peer's own choice
 };
 
+/// Arcs of a peer that takes about a millisecond for one.
+inline constexpr std::size_t arcs_of_slow_peers = 10'000;
+
 /// A library that integrates a flight with error control and locates the zeros of the gaps.
 class Peer {
  public:
@@ -40,6 +44,11 @@ class Peer {
   [[nodiscard]] virtual std::string method() const = 0;   // what it is asked to do, in a phrase
   /// False where the peer has one way to do it, whatever the effort.
   [[nodiscard]] virtual bool has_effort() const { return true; }
+
+  /// How many grazing arcs it flies, the first of all: fewer where one takes about a millisecond.
+  [[nodiscard]] virtual std::size_t most_arcs() const {
+    return std::numeric_limits<std::size_t>::max();
+  }
 
   /// The impacts of `the_case` in the order of time. Impulses are those of Newton's law, all cables
   /// at once. The case's cables start slack. Throws std::runtime_error where the library gives up.

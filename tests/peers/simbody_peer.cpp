@@ -100,6 +100,8 @@ class SimbodyPeer final : public Peer {
     return "RungeKuttaMersonIntegrator, TriggeredEventHandler on the gaps, falling only";
   }
 
+  std::size_t most_arcs() const override { return arcs_of_slow_peers; }
+
   std::vector<Located> impacts(const Case& the_case, const Stop& stop,
                                const Effort& effort) override {
     Flier flier(the_case);

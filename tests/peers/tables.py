@@ -136,7 +136,7 @@ cheap. What a long step costs is in the next table.
 
 ## Impacts that are missed
 
-{arcs} flights (seed {seed}; SciPy flies the first 1000) whose one cable is overrun by 1e-12 to 1e-2 of its length, once,
+{arcs} flights (seed {seed}; Siconos and Simbody fly the first 10000, SciPy 1000) whose one cable is overrun by 1e-12 to 1e-2 of its length, once,
 and opens again. Each has an impact: the gap is positive at the start, and at a known instant negative, by the depth in the table's head. It
 is missed if nothing is located nearer to that instant than the time that the gap is below zero. An integrator looks for a change of
 sign between its steps, so it misses what begins and ends within one; a bound on the step moves that limit, at

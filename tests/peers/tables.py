@@ -114,10 +114,11 @@ Written by `scripts/bench-peers --arcs {arcs} --rounds {rounds} --write`. Every 
 
 {versions}
 
-All are given the analytic rate of the state and Newton's law for impacts: detection and integration are compared. Those
-in C and C++ are compiled by the same compiler with the release flags, and what an impact does is the same function for
-them. SciPy's times include those of Python, which says what the step, the gaps and the impact are; its ratio is to
-tautline's median. "Longest step" is the bound that each library offers for this purpose.
+All have the same motion and Newton's law for impacts: detection and integration are compared. CVODE, Odeint and SciPy
+are given the analytic rate of the state; Siconos and Simbody find it from mass and force, as they do for a system of many
+bodies. What an impact does is the same function for CVODE, Odeint and Simbody. What is in C and C++ is compiled by the
+same compiler with the release flags. SciPy's times include those of Python, in which rate, gaps and impact are written;
+its ratio is to tautline's median. "Longest step" is the bound that each library offers for this purpose.
 
 ## Error and cost
 
@@ -136,9 +137,9 @@ cheap. What a long step costs is in the next table.
 
 ## Impacts that are missed
 
-{arcs} flights (seed {seed}; Siconos and Simbody fly the first 10000, SciPy 1000) whose one cable is overrun by 1e-12 to 1e-2 of its length, once,
-and opens again. Each has an impact: the gap is positive at the start, and at a known instant negative, by the depth in the table's head. It
-is missed if nothing is located nearer to that instant than the time that the gap is below zero. An integrator looks for a change of
+{arcs} flights (seed {seed}; Siconos and Simbody fly the first 10000, SciPy 1000) whose one cable is overrun by
+1e-12 to 1e-2 of its length, once, and opens again. Each has an impact: the gap is positive at the start, and at a known
+instant negative, by the depth in the table's head. It is missed if nothing is located nearer to that instant than the time that the gap is below zero. An integrator looks for a change of
 sign between its steps, so it misses what begins and ends within one; a bound on the step moves that limit, at
 its price, and no bound removes it. tautline's search steps by a bound of the gap's third derivative and cannot pass
 a root (`analytic/README.md`, section 3).

@@ -94,7 +94,7 @@ class Swinging {
     // Illinois' method: the bracket always holds, and no derivative is needed
     constexpr int enough = 200;  // some 10 are for a double, 20 for 60 digits
     for (int step = 0; step < enough; ++step) {
-      const Real middle = (low * at_high - high * at_low) / (at_high - at_low);
+      Real middle = (low * at_high - high * at_low) / (at_high - at_low);
       const Real value = power(body, arc, middle);
       if (value == 0 || abs(high - low) <= 4 * epsilon<Real>() * (arc.end - arc.start) ||
           middle == high) {

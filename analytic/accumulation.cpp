@@ -214,6 +214,20 @@ CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& 
   return slow;
 }
 
+/// True where all of `cables` are as slow as candidates are. Those that are not have to bounce more,
+/// or to leave, before anything can be said of them.
+template <class Real>
+bool are_slow(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables,
+              const CompletionLimits& limits, const Scales<Real>& scale) {
+  for (const std::size_t index : cables) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    if (!is_slow(cable, state, Real(abs(gap_rate(cable, state))), limits, scale)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Those of `cables` that `held` pulls at. They are independent; the others leave, or are
 /// redundant.
 template <class Real>
@@ -315,6 +329,9 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
       return std::nullopt;
     }
     CableSet near = within_reach(the_case, state, cables, *bounces, scale);
+    if (!are_slow(the_case, state, near, limits, scale)) {
+      return std::nullopt;
+    }
     const BasicState<Real> after = projected(the_case, state, cables);
     // redundant: where the others end taut, so do these
     const CableSet carried = at_zero(the_case, after, touching, near);

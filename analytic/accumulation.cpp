@@ -214,8 +214,8 @@ CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& 
   return slow;
 }
 
-/// True where all of `cables` are as slow as candidates are. Those that are not have to bounce more,
-/// or to leave, before anything can be said of them.
+/// True where all of `cables` are as slow as candidates are. Those that are not have to bounce
+/// more, or to leave, before anything can be said of them.
 template <class Real>
 bool are_slow(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables,
               const CompletionLimits& limits, const Scales<Real>& scale) {

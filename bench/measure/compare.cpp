@@ -92,7 +92,7 @@ Metrics compare(const Case& the_case, const Solution& solution, const Settling& 
     metrics.deviation[window] = deviation(solution, run, ends[window]);
     metrics.impacts[window] = impacts_until(ends[window], exact, found, pairs);
   }
-  metrics.last_impacts = match_last_impacts(settling, run, end);
+  metrics.last_impacts = match_last_impacts(settling, horizon, run, end);
   metrics.swing = match_swing(the_case, solution, settling, run);
   metrics.overstretch = run.overstretch;
   metrics.energy_gain = run.largest_energy - energy(the_case, run.points.front().state);

@@ -114,10 +114,12 @@ constexpr std::array list = {
     Metric{"missed_impacts", "missed", "impacts to the horizon", "", "1",
            "Share of the exact impacts up to the horizon that the run has no match for.",
            missed_share, as_error, Aggregate::none, NoiseKind::share, Shown::nowhere},
-    Metric{"last_impact_error", "off by", "last impact", "", "s",
-           "How far the last impact faster than the first threshold of settling is off in time.",
-           last_impact_error, as_error, Aggregate::typical, NoiseKind::any,
-           Shown::by_run_and_over_cases},
+    Metric{
+        "last_impact_error", "off by", "last impact", "", "s",
+        "How far the last impact faster than the first threshold of settling is off in time, where "
+        "the exact motion locks before its horizon.",
+        last_impact_error, as_error, Aggregate::typical, NoiseKind::any,
+        Shown::by_run_and_over_cases},
     Metric{"later_impacts", "later impacts", "", "", "1",
            "Counted impacts of the run after the exact lock.", always<&Metrics::later_impacts>,
            as_count, Aggregate::none, NoiseKind::any, Shown::by_run},

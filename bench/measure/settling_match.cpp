@@ -24,12 +24,12 @@ std::optional<double> last_impact(const Trajectory& run, double speed, double en
 
 }  // namespace
 
-std::vector<LastImpactMatch> match_last_impacts(const Settling& settling, const Trajectory& run,
-                                                double end) {
+std::vector<LastImpactMatch> match_last_impacts(const Settling& settling, double horizon,
+                                                const Trajectory& run, double end) {
   std::vector<LastImpactMatch> result;
   for (const LastImpact& exact : settling.last_impacts) {
     LastImpactMatch match{exact.speed, {}, {}};
-    if (settling.lock) {
+    if (settling.lock && settling.lock->time <= horizon) {
       match.exact = exact.time;
       if (reaches(run, exact.time.value_or(0.0))) {
         match.found = last_impact(run, exact.speed, end);

@@ -11,9 +11,12 @@
 
 namespace tautline::bench {
 
-/// The last fast impacts of `run` next to those of `settling`, up to `end` [s].
+/// The last fast impacts of `run` next to those of `settling`, up to `end` [s]. Neither where the
+/// exact motion locks beyond its `horizon` [s]: both are one draw of many, and their distributions
+/// are to be compared.
 [[nodiscard]] std::vector<LastImpactMatch> match_last_impacts(const Settling& settling,
-                                                              const Trajectory& run, double end);
+                                                              double horizon, const Trajectory& run,
+                                                              double end);
 
 /// The swing that `solution` ends in, if it has one and lasts for a period of it.
 [[nodiscard]] std::optional<Swing> measured_swing(const Solution& solution,

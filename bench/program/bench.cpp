@@ -41,10 +41,11 @@ int bench_command(const BenchCommand& command) {
   write_results(target, report);
   print_results(target, report, what_was_done(request, result, report.context));
   if (result.interrupted) {
+    const char* left = result.runs.size() == result.due ? ", the draws are not" : "";
     complain(
-        {fmt::format("interrupted: {} of {} runs are finished and in the report; the same "
+        {fmt::format("interrupted: {} of {} runs are finished and in the report{}; the same "
                      "command with --resume does the rest",
-                     result.runs.size(), result.due)});
+                     result.runs.size(), result.due, left)});
     return exit_failed;
   }
   manifest.shard.elapsed = report.context.elapsed;

@@ -8,22 +8,18 @@
 #include <optional>
 #include <thread>
 
-#include "bench/base/atomic_file.hpp"
 #include "bench/base/process.hpp"
-#include "bench/base/progress.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
-#include "bench/ensemble/output/atlas.hpp"
-#include "bench/ensemble/output/page.hpp"
+#include "bench/ensemble/output/files.hpp"
 #include "bench/ensemble/output/text.hpp"
+#include "bench/ensemble/solve/visibly.hpp"
 #include "bench/ensemble/spec/spec_file.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/options.hpp"
-#include "bench/solution/plot_svg.hpp"
-#include "bench/suite/run_files.hpp"
+#include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/tree.hpp"
-#include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -95,18 +91,6 @@ void read_engines_of(EnsembleReading& reading) {
   reading.request.engines = std::move(choice.engines);
 }
 
-/// A hash of the programs that each setup depends on.
-std::vector<std::uint64_t> programs_of(const EnsembleRequest& request) {
-  SuiteOptions engines;
-  engines.engines = request.engines;
-  std::vector<std::uint64_t> hashes;
-  for (const EnsembleSetup& setup : request.setups) {
-    const std::uint64_t plugin = setup.engine ? plugin_hash(engines, *setup.engine) : 0;
-    hashes.push_back(program_hash() ^ plugin);
-  }
-  return hashes;
-}
-
 EnsembleReading read_ensemble(const EnsembleCommand& command) {
   EnsembleReading reading;
   reading.problems = command_problems(command);
@@ -135,56 +119,15 @@ EnsembleReading read_ensemble(const EnsembleCommand& command) {
   return reading;
 }
 
-EnsembleResult solve_visibly(const EnsembleRequest& request, const EnsembleOptions& options) {
-  // an engine's run costs some hundred times an exact motion
-  const auto work_of = [&](const EnsembleSetup& setup) { return setup.engine ? 100.0 : 1.0; };
-  const std::size_t draws = draw_count(request.spec);
-  double work = 0.0;
-  for (const EnsembleSetup& setup : request.setups) {
-    work += work_of(setup) * static_cast<double>(draws);
-  }
-  Progress progress(work, draws * request.setups.size(), "draws");
-  progress.show_rate();
-  EnsembleResult result = solve_ensemble(
-      request, options, [&](const EnsembleSetup& setup, std::size_t ended, bool kept) {
-        for (std::size_t draw = 0; draw < ended; ++draw) {
-          progress.ended(work_of(setup), kept);
-        }
-      });
-  progress.finish();
-  return result;
-}
-
-/// A picture of the first motion of each cell of the atlas.
-void write_pictures(const EnsembleReport& report, const fs::path& out) {
-  const std::optional<Atlas> atlas = atlas_of(report);
-  if (!atlas || atlas->draws.size() > most_pictures) {
-    return;
-  }
-  for (std::size_t cell = 0; cell < atlas->draws.size() && !interruption(); ++cell) {
-    const EnsembleSetup& exact = report.request.setups.front();
-    const Case the_case = case_of(report.request.spec, exact, atlas->draws[cell]);
-    if (problems(the_case).empty()) {
-      write_file(out / picture_name(cell),
-                 plot_svg(the_case, solve(the_case, {.law = exact.exact.law})));
-    }
-  }
-}
-
 /// Writes the page, Markdown and JSON, and prints what differs.
 void give(const EnsembleCommand& command, const EnsembleReport& report) {
-  const std::string json = ensemble_json(report);
-  write_pictures(report, command.out);
-  write_file(command.out / "ensemble.json", json);
-  write_file(command.out / "ensemble.md", ensemble_markdown(report));
-  write_file(command.out / "index.html",
-             ensemble_html(report, command.command_line, page_assets()));
+  write_ensemble(command.out, report, command.command_line);
   if (command.json != "-") {
     fmt::print("{}\nensemble: {}, with ensemble.md, ensemble.json and draws/ beside it\n",
                ensemble_text(report, output_style()), (command.out / "index.html").string());
   }
   if (!command.json.empty()) {
-    write_output(command.json, json);
+    write_output(command.json, ensemble_json(report));
   }
 }
 

@@ -64,6 +64,7 @@ void run_version(const TrendCommand& command, const std::string& engine, const f
   runs.engines = {copy.string()};
   runs.out /= fs::path(engine) / version.version;
   runs.json.clear();
+  runs.draws = 0;  // versions are held against each other run by run
   const Request request = read_request(runs);
   // first why it does not start: an engine that does not has no models to ask for either
   const auto& asked = request.options.engines;

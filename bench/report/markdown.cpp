@@ -5,6 +5,7 @@
 #include "bench/base/text.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"
 #include "bench/report/tables/answers_table.hpp"
+#include "bench/report/tables/distributions_table.hpp"
 #include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/words.hpp"
@@ -49,6 +50,15 @@ std::string causes_markdown(const Report& report) {
     out += fmt::format("- *{}*: {}.\n", words.heading, words.meaning);
   }
   return out;
+}
+
+std::string distributions_markdown(const Report& report) {
+  if (!report.distributions) {
+    return "";
+  }
+  return "\n## Settling, as distributions\n\n" + distributions_paragraph(report) + "\n\n" +
+         how_to_read_distributions + "\n\n" + distributions_table(report).markdown() +
+         fmt::format("\n[All distributions over each other]({})\n", report.distributions->page);
 }
 
 std::string failures_section(const Report& report) {
@@ -123,7 +133,7 @@ std::string report_markdown(const Report& report) {
                   counted(report.cases.size(), "case"), counted(report.runs.size(), "run"),
                   report.complete ? "" : fmt::format(" of {} (INCOMPLETE)", report.planned_runs));
   out += engines_markdown(report) + answers_markdown(report) + convergence_section(report) +
-         causes_markdown(report);
+         distributions_markdown(report) + causes_markdown(report);
   out += failures_section(report) + audit_markdown(report);
   out += "\n## The exact solutions\n\n" + cases_table(report).markdown();
   if (const Table certified = certified_table(report); !certified.empty()) {

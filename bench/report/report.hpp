@@ -276,6 +276,42 @@ struct ReportOptions {
   bool certify = false;       // each case, in many digits
 };
 
+/// A statistic of many draws of a case, by one engine, model and step: how far its distribution is
+/// from that of the exact motions.
+struct DistributionRow {
+  std::string statistic;         // by its name
+  std::optional<double> median;  // none where fewer than half of the draws have a value
+  double distance = 0.0;         // [-], Kolmogorov's and Smirnov's D: 0 for the same, 1 for apart
+  double probability = 1.0;      // of one as large by chance, of this or the energy distance,
+                                 // corrected for all tests together
+  double visible = 1.0;          // [-], the smallest D that would be called a difference
+  bool differs = false;          // by D or by the energy distance
+};
+
+/// The draws of one engine, model and step.
+struct DistributionsRow {
+  SetupKey key;
+  std::size_t failed = 0;                   // draws without values
+  std::vector<DistributionRow> statistics;  // fewer than `Distributions` has where some are unknown
+};
+
+/// What many draws of one case say of the engines, where a single run says nothing: beyond its
+/// horizon.
+struct Distributions {
+  struct Statistic {
+    std::string name;
+    std::string heading;
+    std::string unit;              // or empty
+    std::optional<double> median;  // of the exact motions
+  };
+  std::string the_case;
+  std::size_t draws = 0;
+  double deviation = 0.0;  // [m], [rad], [m/s], [rad/s]: of each number of the start
+  std::string page;        // beside the report
+  std::vector<Statistic> statistics;
+  std::vector<DistributionsRow> setups;
+};
+
 /// What the verdicts hold the runs against.
 struct LimitsSource {
   std::string file;
@@ -324,7 +360,8 @@ struct Report {
   std::vector<Finding> findings;
   std::vector<CausesRow> causes;
   std::vector<RunRow> runs;
-  std::optional<LimitsSource> limits;  // none without verdicts
+  std::optional<LimitsSource> limits;          // none without verdicts
+  std::optional<Distributions> distributions;  // none where no draws were asked for
   Context context;
 };
 

@@ -115,6 +115,9 @@ std::string sentences_of(const RunDetails& details, bool all, std::size_t width)
                   "matched, {} found.",
                   horizon.until, horizon.matched, horizon.exact, horizon.found)};
   for (const LastImpactMatch& last : details.last_impacts) {
+    if (!last.exact && !last.found) {
+      continue;  // the exact motion does not lock, or beyond its horizon
+    }
     sentences.push_back(fmt::format("Last impact faster than {:g} m/s: {}.", last.speed,
                                     found_and_exact(last.found, last.exact, "s", 4)));
   }

@@ -8,6 +8,7 @@
 #include "bench/base/text.hpp"
 #include "bench/report/tables/answers_table.hpp"
 #include "bench/report/tables/columns.hpp"
+#include "bench/report/tables/distributions_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/words.hpp"
 
@@ -44,6 +45,11 @@ std::string report_summary(const Report& report, const TerminalStyle& style) {
   std::string out = answers_table(report).plain(style) + "\n" + legend(report, style.text);
   if (const std::string stopped = stopped_sentence(report); !stopped.empty()) {
     out += wrapped(stopped, style.text);
+  }
+  if (report.distributions) {
+    out += "\n" + distributions_table(report).plain(style) + "\n" +
+           wrapped(distributions_paragraph(report), style.text) +
+           wrapped(how_to_read_distributions, style.text);
   }
   const Table failures = failures_table(report);
   return failures.empty() ? out : out + "\n" + failures.plain(style);

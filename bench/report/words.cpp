@@ -28,8 +28,9 @@ constexpr const char* about_horizon =
 
 constexpr const char* about_settling =
     "**Settling** has three definitions. *Last impact > v* is the instant of the last impact that "
-    "closes faster than v. There is none where the exact motion does not lock, and a run has none "
-    "if it stopped before. The *lock* is the instant at which the final set of cables becomes taut "
+    "closes faster than v. There is none where the exact motion does not lock before its horizon: "
+    "beyond it one motion is a draw of many. A run has none if it stopped before. The *lock* is "
+    "the instant at which the final set of cables becomes taut "
     "in the exact motion; *later impacts* are those of the run after it. The *swing* is the motion "
     "that is left. Its energy counts from the equilibrium; that of a run is a mean over the last "
     "period. Its amplitude is half the range of the angle; that of a run is read from its samples. "

@@ -38,7 +38,8 @@ struct SuiteOptions {
   std::size_t samples = 500;  // rows of a trajectory.csv, next to those at impacts
   WorkerLimits limits;
   CompareOptions compare;
-  bool certify = false;  // hold the exact solution of each case against many digits
+  std::size_t draws = 0;  // of the standard case, compared as distributions
+  bool certify = false;   // hold the exact solution of each case against many digits
   /// A hash of each engine's plug-in, where the files are not here; empty: where they are.
   std::vector<std::uint64_t> plugins;
 };

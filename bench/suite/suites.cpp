@@ -6,6 +6,12 @@
 #include <algorithm>
 
 namespace tautline::bench {
+namespace {
+
+/// See every difference of 0.2 between two distribution functions.
+constexpr std::size_t usual_draws = 200;
+
+}  // namespace
 
 const std::vector<double>& usual_steps() {
   static const std::vector<double> steps = {1e-2, 1e-3, 1e-4};
@@ -26,11 +32,13 @@ std::span<const Suite> suites() {
       {"chapter",
        "the cases of the source chapter",
        usual_steps(),
-       {{"breakwater/*", "e from 0.5 to 1; rings, boxes and a point mass"}}},
+       {{"breakwater/*", "e from 0.5 to 1; rings, boxes and a point mass"}},
+       usual_draws},
       {"all",
        "every shipped case",
        usual_steps(),
-       {{"*", "those of both, a load, a buoy, a plate: 1 to 4 cables"}}},
+       {{"*", "those of both, a load, a buoy, a plate: 1 to 4 cables"}},
+       usual_draws},
   };
   return all;
 }
@@ -52,8 +60,9 @@ std::vector<std::string> cases_of(const Suite& suite) {
 std::string suites_text() {
   std::string out;
   for (const Suite& suite : suites()) {
-    out += fmt::format("{}: {}; steps {} s\n", suite.name, suite.sentence,
-                       fmt::join(suite.steps, ", "));
+    out += fmt::format("{}: {}; steps {} s{}\n", suite.name, suite.sentence,
+                       fmt::join(suite.steps, ", "),
+                       suite.draws > 0 ? fmt::format(", {} draws", suite.draws) : "");
     for (const SuiteCases& entry : suite.entries) {
       out += fmt::format("  {:<23}{}\n", entry.cases, entry.shows);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ struct Suite {
   std::string_view sentence;  // what it is for
   std::vector<double> steps;  // [s]
   std::vector<SuiteCases> entries;
+  std::size_t draws = 0;  // of the standard case, unasked: see `compare_draws`
 };
 
 /// The suites that `tautline bench` has, the one that it runs unasked first.

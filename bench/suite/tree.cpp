@@ -37,6 +37,7 @@ Descriptor open_tree(const fs::path& out, bool clear) {
     fs::remove_all(out / "motions", error);
     fs::remove_all(out / "draws", error);  // of an ensemble, and its pictures
     fs::remove_all(out / "cells", error);
+    fs::remove_all(out / "ensemble", error);  // of a suite, with its draws
     for (const char* file : {"suite.json", "report.json", "report.md", "index.html", "summary.md",
                              "ensemble.json", "ensemble.md"}) {
       fs::remove(out / file, error);

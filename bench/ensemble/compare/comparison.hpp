@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,9 +37,11 @@ struct Comparison {
   std::optional<double>
       visible_shift;  // that makes it; none where more draws than that share a value
 
-  [[nodiscard]] bool differs() const {
-    return kolmogorov.adjusted <= error_rate || (energy && energy->adjusted <= error_rate);
+  /// The smaller of those of its tests, adjusted.
+  [[nodiscard]] double probability() const {
+    return energy ? std::min(kolmogorov.adjusted, energy->adjusted) : kolmogorov.adjusted;
   }
+  [[nodiscard]] bool differs() const { return probability() <= error_rate; }
 };
 
 /// What an ensemble says: a summary of each setup and statistic, and every comparison.

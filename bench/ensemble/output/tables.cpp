@@ -42,11 +42,6 @@ Cell probability_cell(double value) {
   return cell;
 }
 
-double smallest_probability(const Comparison& one) {
-  return one.energy ? std::min(one.kolmogorov.adjusted, one.energy->adjusted)
-                    : one.kolmogorov.adjusted;
-}
-
 }  // namespace
 
 Table summary_table(const EnsembleReport& report) {
@@ -96,13 +91,13 @@ Table comparison_table(const EnsembleReport& report) {
   for (const Comparison& one : findings.comparisons) {
     const Statistic& statistic = findings.statistics[one.statistic];
     Cell verdict(one.differs() ? "differs" : "not told apart");
-    verdict.kind = one.differs() ? "verdict fail" : "verdict pass";
+    verdict.kind = one.differs() ? "verdict differs" : "verdict pass";
     verdict.colour = one.differs() ? Colour::red : Colour::plain;
     table.add(
         {one.setup != last ? Cell(printable(report.request.setups[one.setup].name)) : Cell(""),
          statistic_title(statistic), share_cell(one.kolmogorov.effect),
          number_cell(one.energy ? std::optional(one.energy->effect) : std::nullopt, fixed(3)),
-         probability_cell(smallest_probability(one)),
+         probability_cell(one.probability()),
          number_cell(one.median_change, digits_between(statistic)), share_cell(one.visible),
          number_cell(one.visible_shift, digits_between(statistic)), verdict});
     last = one.setup;

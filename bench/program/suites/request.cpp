@@ -9,10 +9,12 @@
 
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
+#include "bench/ensemble/compare/comparison.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/limit_names.hpp"
 #include "bench/program/options.hpp"
 #include "bench/report/json/json.hpp"
+#include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/shard.hpp"
 
 namespace tautline::bench {
@@ -76,6 +78,35 @@ Shard shard_of(const BenchCommand& command, std::vector<std::string>& problems) 
   return shard.value_or(Shard());
 }
 
+/// The draws that are meant, of a case that must be among `cases`.
+std::size_t draws_of(const BenchCommand& command, const Request& request,
+                     std::vector<std::string>& problems) {
+  if (!command.draws) {  // those of a shard would be a part of nothing
+    const bool whole = request.options.shard.of == 1;
+    return whole && request.suite != nullptr ? request.suite->draws : 0;
+  }
+  const long long draws = *command.draws;
+  const std::vector<Case>& cases = request.options.cases;
+  constexpr auto most = static_cast<long long>(most_draws_of_suite);
+  if (draws != 0 && (draws < static_cast<long long>(least_sample) || draws > most)) {
+    problems.push_back(
+        fmt::format("--draws {}: must be 0, or from {} to {}; `tautline ensemble` "
+                    "solves more",
+                    draws, least_sample, most));
+  } else if (draws != 0 && request.options.shard.of > 1) {
+    problems.push_back(fmt::format(
+        "--draws {}: a shard has none; give them to a `tautline ensemble` of their own", draws));
+  } else if (draws != 0 && !cases.empty() &&
+             std::none_of(cases.begin(), cases.end(),
+                          [](const Case& one) { return one.name == drawn_case; })) {
+    problems.push_back(
+        fmt::format("--draws {}: are of {}, which is not among the cases; name it too, or give "
+                    "your own case to `tautline ensemble`",
+                    draws, drawn_case));
+  }
+  return static_cast<std::size_t>(std::clamp(draws, 0LL, most));
+}
+
 void print_schema() {
   fmt::print("{}", report_schema_json());
   throw CLI::Success();  // as --help ends
@@ -109,6 +140,7 @@ Request read_runs(const BenchCommand& command) {
   options.out = command.out;
   options.shard = shard_of(command, request.problems);
   options.resume = command.resume;
+  options.draws = draws_of(command, request, request.problems);
   options.certify = command.certify.value_or(request.suite != nullptr);
   options.limits.time = command.time_limit;
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
@@ -167,6 +199,10 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
       "seconds a case (default: of a --suite)");
   command.add_flag_callback(
       "--no-certify", [&asked] { asked.certify = false; }, "do not");
+  command.add_option("--draws", asked.draws,
+                     "after the runs, so many draws of breakwater/1910121100 by every model, whose "
+                     "settling times and other statistics are compared as distributions (default: "
+                     "those of the suite; of CASES 0)");
   command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
       ->capture_default_str();
   command

@@ -28,6 +28,7 @@ struct BenchCommand {
   std::optional<unsigned> jobs;      // one per core if not given
   std::optional<std::string> shard;  // "3/16"
   bool resume = false;
+  std::optional<long long> draws;   // those of the suite, or 0, if not given
   std::optional<bool> certify;      // yes of a suite, no of cases, if not given
   double time_limit = 60.0;         // [s]
   std::optional<std::string> gate;  // limits file; breaking it makes the exit code 1

@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <numeric>
+#include <utility>
 
 #include "bench/base/process.hpp"
 #include "bench/base/progress.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/measure/certification.hpp"
 #include "bench/program/suites/results.hpp"
+#include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/manifest.hpp"
 #include "bench/suite/report_of.hpp"
 #include "bench/suite/shard.hpp"
@@ -54,9 +56,15 @@ RunSuite run_request(const Request& request, const std::string& command_line) {
   Certification certification(references, options.certify && options.shard.of == 1);
   SuiteResult result = run_visibly(options, references);
   const auto digits = certification.digits();
+  std::optional<Distributions> distributions;
+  if (options.draws > 0 && !result.interrupted) {
+    distributions = compare_draws(options, command_line);
+    result.interrupted = interruption();
+  }
   context.elapsed = seconds_since(start);
   context.program_memory = peak_memory();
   Report report = report_of(options, references, digits, result, std::move(context));
+  report.distributions = std::move(distributions);
   add_verdicts(report, request.limits);
   return {std::move(tree), std::move(manifest), std::move(result), std::move(report)};
 }

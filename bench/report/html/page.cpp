@@ -18,19 +18,21 @@ namespace {
 
 constexpr std::string_view title = "Physics engines on slack cables, against the exact solution";
 
-std::string contents() {
+std::string contents(const Report& report) {
   struct Link {
     std::string_view id;
     std::string_view name;
   };
   constexpr Link links[] = {
-      {"engines", "Engines"}, {"trust", "Trust"},       {"error", "Error and cost"},
-      {"replay", "Replay"},   {"audit", "Restitution"}, {"attribution", "Causes"},
-      {"answers", "Numbers"}, {"cases", "Every run"},   {"models", "Models"},
-      {"reading", "Reading"}, {"context", "Context"}};
+      {"engines", "Engines"},    {"trust", "Trust"},       {"error", "Error and cost"},
+      {"replay", "Replay"},      {"audit", "Restitution"}, {"distributions", "Settling"},
+      {"attribution", "Causes"}, {"answers", "Numbers"},   {"cases", "Every run"},
+      {"models", "Models"},      {"reading", "Reading"},   {"context", "Context"}};
   std::string out = "<nav aria-label=\"Sections\">\n";
   for (const auto& [id, name] : links) {
-    out += fmt::format("<a href=\"#{}\">{}</a>\n", id, name);
+    if (id != "distributions" || report.distributions) {
+      out += fmt::format("<a href=\"#{}\">{}</a>\n", id, name);
+    }
   }
   return out + "</nav>\n";
 }
@@ -64,9 +66,10 @@ std::string report_html(const Report& report, const PageAssets& assets) {
         "<p class=\"note\">Charts are not in this build of tautline: it was made without "
         "Plotly.</p>\n";
   }
-  out +=
-      "</header>\n" + contents() + "<main>\n" + scorecards_section(report) + trust_section(report);
-  out += error_section(report) + replay_section() + audit_section(report) + causes_section(report);
+  out += "</header>\n" + contents(report) + "<main>\n" + scorecards_section(report) +
+         trust_section(report);
+  out += error_section(report) + replay_section() + audit_section(report);
+  out += distributions_section(report) + causes_section(report);
   out += answers_section(report) + runs_section(report);
   out += models_section(report);
   out += reading_section(report) + context_section(report) + "</main>\n";

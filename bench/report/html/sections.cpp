@@ -15,6 +15,7 @@
 #include "bench/report/scorecard/scorecard.hpp"
 #include "bench/report/tables/answers_table.hpp"
 #include "bench/report/tables/columns.hpp"
+#include "bench/report/tables/distributions_table.hpp"
 #include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/thinning.hpp"
@@ -191,6 +192,20 @@ std::string causes_section(const Report& report) {
                      "What deviations come from, by engine, model and step.") +
           chart_place("chart-attribution", "Shares of the causes, by engine, model and step.") +
           "<dl>\n" + meanings + "</dl>\n");
+}
+
+std::string distributions_section(const Report& report) {
+  if (!report.distributions) {
+    return "";
+  }
+  return section("distributions", "Settling, as distributions",
+                 paragraph(html_prose(distributions_paragraph(report))) +
+                     paragraph(html_prose(how_to_read_distributions)) +
+                     table_html(report, distributions_table(report), "distributions-table",
+                                "D of each statistic, by engine, model and step.") +
+                     note(fmt::format("<a href=\"{}\">All distributions over each other</a>, with "
+                                      "quantiles over quantiles.",
+                                      html_text(report.distributions->page))));
 }
 
 std::string models_section(const Report& report) {

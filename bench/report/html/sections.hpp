@@ -18,6 +18,7 @@ namespace tautline::bench {
 [[nodiscard]] std::string error_section(const Report& report);
 
 /// What was found of thresholds, sleeping and restitution.
+[[nodiscard]] std::string distributions_section(const Report& report);  // "" without draws
 [[nodiscard]] std::string audit_section(const Report& report);
 
 /// The causes of the errors and their shares.

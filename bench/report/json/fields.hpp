@@ -223,6 +223,41 @@ void fields(Visitor& visit, LimitsSource& limits) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, DistributionRow& row) {
+  visit("name", row.statistic);
+  visit("median", row.median);
+  visit("distance", row.distance);
+  visit("probability", row.probability);
+  visit("visible", row.visible);
+  visit("differs", row.differs);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, DistributionsRow& row) {
+  fields(visit, row.key);
+  visit("failed", row.failed);
+  visit("statistics", row.statistics);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Distributions::Statistic& statistic) {
+  visit("name", statistic.name);
+  visit("heading", statistic.heading);
+  visit("unit", statistic.unit);
+  visit("median", statistic.median);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Distributions& distributions) {
+  visit("case", distributions.the_case);
+  visit("draws", distributions.draws);
+  visit("deviation", distributions.deviation);
+  visit("page", distributions.page);
+  visit("statistics", distributions.statistics);
+  visit("setups", distributions.setups);
+}
+
+template <class Visitor>
 void fields(Visitor& visit, ShardRow& shard) {
   visit("number", shard.number);
   visit("of", shard.of);
@@ -266,6 +301,9 @@ void fields(Visitor& visit, Report& report) {
   visit("causes", report.causes);
   visit("runs", report.runs);
   visit("limits", report.limits);
+  visit.unless_missing(
+      "distributions", report.distributions,
+      [](auto& inside, Distributions& distributions) { inside("distributions", distributions); });
   visit("context", report.context);
 }
 

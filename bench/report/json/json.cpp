@@ -173,6 +173,7 @@ Json for_charts(Json report, const Report& of) {
     }
   }
   report.at("context").erase("timing");
+  report.erase("distributions");  // which have a page of their own
   for (Json& row : report.at("summary")) {
     keep(row.at("metrics"), {"early_position_error", "horizon_position_error"});
   }

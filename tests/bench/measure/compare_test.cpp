@@ -133,7 +133,7 @@ TEST_F(StandardCase, ImpactsAfterTheEndAndOfSeveralStepsAreCountedApart) {
   RecordedImpact late = run.impacts[0];
   late.time = 15.0;
   run.impacts.push_back(late);
-  const Metrics metrics = compare(the_case, solution, settled, 6.0, run);
+  const Metrics metrics = compare(the_case, solution, settled, solution.end_time(), run);
   EXPECT_EQ(metrics.long_impacts, 1U);
   EXPECT_EQ(metrics.later_impacts, 1U);
   ASSERT_TRUE(metrics.restitution);
@@ -143,18 +143,31 @@ TEST_F(StandardCase, ImpactsAfterTheEndAndOfSeveralStepsAreCountedApart) {
 }
 
 TEST_F(StandardCase, LastFastImpactsAreThoseOfTheRun) {
-  const Metrics same = compare(the_case, solution, settled, 6.0, as_run(the_case, solution, 0, 0));
+  const Metrics same =
+      compare(the_case, solution, settled, solution.end_time(), as_run(the_case, solution, 0, 0));
   // computed with 60 digits, where two digits of the first are lost to rounding
   ASSERT_EQ(same.last_impacts.size(), 2U);
   EXPECT_EQ(same.last_impacts[0].speed, 1e-2);
   EXPECT_NEAR(same.last_impacts[1].exact.value(), 8.114010, 1e-5);
   constexpr double delay = 1e-3;
-  const Metrics late =
-      compare(the_case, solution, settled, 6.0, as_run(the_case, solution, delay, 0.0));
+  const Metrics late = compare(the_case, solution, settled, solution.end_time(),
+                               as_run(the_case, solution, delay, 0.0));
   for (std::size_t index = 0; index < 2; ++index) {
     EXPECT_EQ(same.last_impacts[index].found, same.last_impacts[index].exact);
     EXPECT_NEAR(late.last_impacts[index].found.value(), *late.last_impacts[index].exact + delay,
                 1e-12);
+  }
+}
+
+TEST_F(StandardCase, LastImpactsBeyondTheHorizonAreNotHeldAgainstEachOther) {
+  const Trajectory run = as_run(the_case, solution, 0, 0);
+  const double lock = settled.lock->time;
+  for (const auto& [horizon, told] : {std::pair(lock, true), std::pair(lock - 1e-9, false)}) {
+    for (const LastImpactMatch& last :
+         compare(the_case, solution, settled, horizon, run).last_impacts) {
+      EXPECT_EQ(last.exact.has_value(), told) << horizon;
+      EXPECT_EQ(last.found.has_value(), told) << horizon;
+    }
   }
 }
 
@@ -164,7 +177,7 @@ TEST_F(StandardCase, ARunThatStoppedBeforeHasNoSettlingTime) {
     std::erase_if(run.points, [=](const Point& point) { return point.time > time; });
     std::erase_if(run.impacts, [=](const RecordedImpact& impact) { return impact.time > time; });
     run.stop = Simulation::Stop{time, "impacts accumulate"};
-    return compare(the_case, solution, settled, 6.0, run);
+    return compare(the_case, solution, settled, solution.end_time(), run);
   };
   const Metrics at_the_lock = cut(8.129);
   EXPECT_EQ(at_the_lock.last_impacts[1].found, at_the_lock.last_impacts[1].exact);

@@ -1,0 +1,42 @@
+#include "bench/ensemble/output/files.hpp"
+
+#include <optional>
+
+#include "bench/base/atomic_file.hpp"
+#include "bench/base/process.hpp"
+#include "bench/ensemble/output/atlas.hpp"
+#include "bench/ensemble/output/page.hpp"
+#include "bench/ensemble/output/text.hpp"
+#include "bench/solution/plot_svg.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A picture of the first motion of each cell of the atlas.
+void write_pictures(const std::filesystem::path& out, const EnsembleReport& report) {
+  const std::optional<Atlas> atlas = atlas_of(report);
+  if (!atlas || atlas->draws.size() > most_pictures) {
+    return;
+  }
+  for (std::size_t cell = 0; cell < atlas->draws.size() && !interruption(); ++cell) {
+    const EnsembleSetup& exact = report.request.setups.front();
+    const Case the_case = case_of(report.request.spec, exact, atlas->draws[cell]);
+    if (problems(the_case).empty()) {
+      write_file(out / picture_name(cell),
+                 plot_svg(the_case, solve(the_case, {.law = exact.exact.law})));
+    }
+  }
+}
+
+}  // namespace
+
+void write_ensemble(const std::filesystem::path& out, const EnsembleReport& report,
+                    const std::string& command) {
+  write_pictures(out, report);
+  write_file(out / "ensemble.json", ensemble_json(report));
+  write_file(out / "ensemble.md", ensemble_markdown(report));
+  write_file(out / "index.html", ensemble_html(report, command, page_assets()));
+}
+
+}  // namespace tautline::bench

@@ -213,13 +213,15 @@ struct SummaryRow {
   std::vector<std::optional<MedianAndWorst>> metrics;  // of the list; none without a value
 };
 
-/// How fast errors shrink with the step: the slope of log error over log step.
+/// Of log error over log step.
+struct Slope {
+  double smallest = 0.0;
+  double median = 0.0;
+  double largest = 0.0;
+};
+
+/// How fast errors shrink with the step.
 struct ConvergenceRow {
-  struct Slope {
-    double smallest = 0.0;
-    double median = 0.0;
-    double largest = 0.0;
-  };
   std::string engine;
   std::string model;
   std::size_t cases = 0;              // with a slope

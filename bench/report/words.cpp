@@ -191,6 +191,7 @@ std::string stopped_sentence(const Report& report) {
     return "";
   }
   std::vector<std::string> models;
+  models.reserve(reasons.size());
   for (const auto& [model, reason] : reasons) {
     models.push_back(fmt::format("{} ({})", model, reason));
   }

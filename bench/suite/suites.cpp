@@ -30,7 +30,7 @@ std::span<const Suite> suites() {
         {"spinning-rod", "an arm 5 times the radius of gyration: spin-up"},
         {"breakwater/1910121100", "79 impacts, ever slower, into a swing without losses"}}},
       {"chapter",
-       "the cases of the source chapter",
+       "the source chapter's cases",
        usual_steps(),
        {{"breakwater/*", "e from 0.5 to 1; rings, boxes and a point mass"}},
        usual_draws},

@@ -150,7 +150,7 @@ void fields(Visitor& visit, SummaryRow& row) {
 }
 
 template <class Visitor>
-void fields(Visitor& visit, ConvergenceRow::Slope& slope) {
+void fields(Visitor& visit, Slope& slope) {
   visit("smallest", slope.smallest);
   visit("median", slope.median);
   visit("largest", slope.largest);

@@ -141,7 +141,6 @@ Table certified_table(const Report& report) {
 }
 
 Table convergence_table(const Report& report) {
-  using Slope = ConvergenceRow::Slope;
   std::vector<Row> rows;
   for (const ConvergenceRow& row : report.convergence) {
     rows.push_back({{word_cell(row.engine), word_cell(row.model),

@@ -23,12 +23,18 @@ std::size_t permutations_for(std::size_t tests, std::size_t values) {
   return static_cast<std::size_t>(std::ceil(std::max(999.0, std::min(wanted, most))));
 }
 
-bool can_be_tested(const Summary& first, const Summary& second) {
+/// How many values of a statistic are held.
+struct Held {
+  std::size_t count;
+  std::size_t without;
+};
+
+bool can_be_tested(const Held& first, const Held& second) {
   return std::min(first.count + first.without, second.count + second.without) >= least_sample &&
          std::max(first.count, second.count) >= least_sample;
 }
 
-bool has_energy(const Summary& first, const Summary& second) {
+bool has_energy(const Held& first, const Held& second) {
   return std::min(first.count, second.count) >= least_sample;
 }
 
@@ -80,23 +86,26 @@ void adjust(std::vector<Comparison>& comparisons) {
   }
 }
 
-/// What is to be compared, not yet tested.
+/// What is to be compared, not yet tested. `held`: by setup, by statistic.
 std::vector<Comparison> planned_comparisons(const std::vector<EnsembleSetup>& setups,
-                                            const std::vector<Statistic>& statistics,
-                                            const std::vector<std::vector<Summary>>& summaries) {
+                                            const Findings& findings,
+                                            const std::vector<std::vector<Held>>& held) {
   std::vector<Comparison> comparisons;
-  for (std::size_t setup = 1; setup < summaries.size(); ++setup) {
-    for (std::size_t place = 0; place < statistics.size(); ++place) {
-      const Summary& first = summaries.front()[place];
-      const Summary& second = summaries[setup][place];
-      const bool known = !setups[setup].engine || statistics[place].of_engines;
-      if (!known || !statistics[place].compared || !can_be_tested(first, second)) {
+  for (std::size_t setup = 1; setup < held.size(); ++setup) {
+    for (std::size_t place = 0; place < findings.statistics.size(); ++place) {
+      const Statistic& statistic = findings.statistics[place];
+      const Held& first = held.front()[place];
+      const Held& second = held[setup][place];
+      const bool known = !setups[setup].engine || statistic.of_engines;
+      if (!known || !statistic.compared || !can_be_tested(first, second)) {
         continue;
       }
       Comparison& one = comparisons.emplace_back();
       one.setup = setup;
       one.statistic = place;
-      one.median_change = median_change(first, second);
+      one.draws = second.count + second.without;
+      one.median_change =
+          median_change(findings.summaries.front()[place], findings.summaries[setup][place]);
       if (has_energy(first, second)) {
         one.energy = Test();
       }
@@ -149,16 +158,19 @@ std::vector<double> holm(const std::vector<double>& probabilities) {
 Findings findings_of(const EnsembleRequest& request, const EnsembleResult& result, unsigned jobs) {
   Findings findings;
   findings.statistics = statistics_of(request.spec);
+  std::vector<std::vector<Held>> held;
   for (const DrawTable& draws : result.draws) {
     std::vector<Summary>& summaries = findings.summaries.emplace_back();
+    std::vector<Held>& counts = held.emplace_back();
     for (std::size_t place = 0; place < findings.statistics.size(); ++place) {
-      summaries.push_back(summary_of(sample_of(draws, place)));
+      const EnsembleSample sample = sample_of(draws, place);
+      counts.push_back({sample.values.size(), sample.without});
+      summaries.push_back(draws.holds_all() ? summary_of(sample) : summary_of(draws.counts(place)));
     }
     findings.problems.push_back(draws.problems());
     findings.first_problems.push_back(draws.first_problem());
   }
-  findings.comparisons =
-      planned_comparisons(request.setups, findings.statistics, findings.summaries);
+  findings.comparisons = planned_comparisons(request.setups, findings, held);
   test_all(findings, result, request.spec.seed, jobs);
   adjust(findings.comparisons);
   return findings;

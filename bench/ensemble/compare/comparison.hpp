@@ -25,10 +25,11 @@ struct Test {
   double adjusted = 1.0;     // the same for all tests together, by Holm
 };
 
-/// A statistic of a setup held against that of the first one.
+/// A statistic of a setup held against that of the first one, both of the draws that are held.
 struct Comparison {
   std::size_t setup = 0;                // index into the setups, from 1
   std::size_t statistic = 0;            // index into statistics_of
+  std::size_t draws = 0;                // of the setup
   Test kolmogorov;                      // draws without a value are larger than all that have one
   std::optional<Test> energy;           // of the draws with a value; none where they are few
   std::optional<double> median_change;  // in the statistic's unit; none without both medians
@@ -47,7 +48,7 @@ struct Comparison {
 /// What an ensemble says: a summary of each setup and statistic, and every comparison.
 struct Findings {
   std::vector<Statistic> statistics;
-  std::vector<std::vector<Summary>> summaries;  // by setup, by statistic
+  std::vector<std::vector<Summary>> summaries;  // by setup, by statistic; of all draws
   std::vector<Comparison> comparisons;          // by setup, by statistic
   std::vector<std::size_t> problems;            // of each setup, its draws without values
   std::vector<std::string> first_problems;      // of each setup, a draw's, or empty

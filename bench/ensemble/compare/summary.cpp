@@ -4,32 +4,38 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace tautline::bench {
 namespace {
 
-/// The value of rank `rank`, from 1, if there is one.
-std::optional<double> ranked(const EnsembleSample& sample, double rank) {
-  if (!(rank >= 1.0 && rank <= static_cast<double>(sample.values.size()))) {
-    return std::nullopt;
-  }
-  return sample.values[static_cast<std::size_t>(rank) - 1];
-}
+/// The value of a rank, from 1, if there is one.
+using Ranked = std::function<std::optional<double>(double rank)>;
 
 /// The quantile of the distribution is above the value of rank r unless fewer than r of the values
 /// are below it, whose number is binomial.
-Quantile quantile_of(const EnsembleSample& sample, double part) {
-  const auto size = static_cast<double>(sample.size());
+Quantile quantile_of(const Ranked& ranked, double size, double part) {
   const double outside = 0.5 * (1.0 - confidence);
   const boost::math::binomial below(size, part);
-  Quantile result{ranked(sample, std::max(1.0, std::ceil(part * size))), {}, {}};
+  Quantile result{ranked(std::max(1.0, std::ceil(part * size))), {}, {}};
   const double low = boost::math::quantile(below, outside);  // rounded down
   if (boost::math::cdf(below, low) <= outside) {
-    result.low = ranked(sample, low + 1.0);
+    result.low = ranked(low + 1.0);
   }
   const double high = boost::math::quantile(boost::math::complement(below, outside));  // up
-  result.high = ranked(sample, high + 1.0);
+  result.high = ranked(high + 1.0);
+  return result;
+}
+
+/// The numbers, and the quantiles of `count` values and of `without` larger ones.
+Summary summary_of(std::size_t count, std::size_t without, double mean, double deviation,
+                   const Ranked& ranked) {
+  Summary result{count, without, mean, deviation, {}};
+  for (std::size_t place = 0; count > 0 && place < quantile_parts.size(); ++place) {
+    result.quantiles[place] =
+        quantile_of(ranked, static_cast<double>(count + without), quantile_parts[place]);
+  }
   return result;
 }
 
@@ -59,20 +65,41 @@ EnsembleSample sample_of(const DrawTable& draws, std::size_t statistic) {
 }
 
 Summary summary_of(const EnsembleSample& sample) {
-  Summary result;
-  result.count = sample.values.size();
-  result.without = sample.without;
-  if (sample.values.empty()) {
-    return result;
+  const std::vector<double>& values = sample.values;
+  const double mean = values.empty() ? 0.0 : boost::math::statistics::mean(values);
+  const double deviation =
+      values.size() > 1 ? std::sqrt(boost::math::statistics::sample_variance(values)) : 0.0;
+  return summary_of(values.size(), sample.without, mean, deviation,
+                    [&](double rank) -> std::optional<double> {
+                      return rank >= 1.0 && rank <= static_cast<double>(values.size())
+                                 ? std::optional(values[static_cast<std::size_t>(rank) - 1])
+                                 : std::nullopt;
+                    });
+}
+
+Summary summary_of(const ValueCounts& counts) {
+  const auto count = static_cast<double>(counts.count());
+  double sum = 0.0;
+  for (const auto& [value, times] : counts.values()) {
+    sum += value * static_cast<double>(times);
   }
-  result.mean = boost::math::statistics::mean(sample.values);
-  if (sample.values.size() > 1) {
-    result.deviation = std::sqrt(boost::math::statistics::sample_variance(sample.values));
+  const double mean = counts.count() > 0 ? sum / count : 0.0;
+  double squares = 0.0;
+  for (const auto& [value, times] : counts.values()) {
+    squares += (value - mean) * (value - mean) * static_cast<double>(times);
   }
-  for (std::size_t place = 0; place < quantile_parts.size(); ++place) {
-    result.quantiles[place] = quantile_of(sample, quantile_parts[place]);
-  }
-  return result;
+  const double deviation = counts.count() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
+  return summary_of(counts.count(), counts.without(), mean, deviation,
+                    [&](double rank) -> std::optional<double> {
+                      std::size_t below = 0;
+                      for (const auto& [value, times] : counts.values()) {
+                        below += times;
+                        if (rank >= 1.0 && rank <= static_cast<double>(below)) {
+                          return value;
+                        }
+                      }
+                      return std::nullopt;
+                    });
 }
 
 }  // namespace tautline::bench

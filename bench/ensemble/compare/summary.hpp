@@ -21,7 +21,7 @@ struct EnsembleSample {
   [[nodiscard]] std::vector<double> with_none_last() const;
 };
 
-/// Of the draws that are solved.
+/// Of the draws that are held and solved.
 [[nodiscard]] EnsembleSample sample_of(const DrawTable& draws, std::size_t statistic);
 
 /// The parts of which quantiles are given.
@@ -48,5 +48,6 @@ struct Summary {
   std::array<Quantile, quantile_parts.size()> quantiles;
 };
 [[nodiscard]] Summary summary_of(const EnsembleSample& sample);
+[[nodiscard]] Summary summary_of(const ValueCounts& counts);
 
 }  // namespace tautline::bench

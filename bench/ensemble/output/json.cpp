@@ -61,6 +61,7 @@ Json test_json(const Test& test) {
 Json comparison_json(const EnsembleReport& report, const Comparison& one) {
   return {{"setup", printable(report.request.setups[one.setup].name)},
           {"statistic", report.findings.statistics[one.statistic].name},
+          {"draws", one.draws},
           {"differs", one.differs()},
           {"kolmogorov", test_json(one.kolmogorov)},
           {"energy", one.energy ? test_json(*one.energy) : Json(nullptr)},

@@ -43,12 +43,10 @@ std::string verdict_on(const EnsembleReport& report, std::size_t setup) {
   if (different.empty()) {
     const Comparison& first = *all.front();
     const Statistic& statistic = findings.statistics[first.statistic];
-    const Summary& summary = findings.summaries[setup][first.statistic];
     return fmt::format(
         "{} cannot be told apart from exact in any of {} statistics at n = {}. The smallest "
         "difference that could be seen is D = {}, in {}.",
-        name, all.size(), summary.count + summary.without, visible_words(first, statistic),
-        statistic.heading);
+        name, all.size(), first.draws, visible_words(first, statistic), statistic.heading);
   }
   std::stable_sort(different.begin(), different.end(),
                    [](const Comparison* one, const Comparison* other) {
@@ -82,6 +80,9 @@ std::string constant_words(const EnsembleReport& report) {
 bool is_constant(const EnsembleReport& report, std::size_t statistic) {
   std::optional<double> value;
   for (const DrawTable& draws : report.result.draws) {
+    if (!draws.holds_all() && draws.counts(statistic).values().size() > 1) {
+      return false;
+    }
     for (std::size_t draw = 0; draw < draws.size(); ++draw) {
       const std::optional<double> one = draws.value(draw, statistic);
       value = value ? value : one;
@@ -121,6 +122,12 @@ std::vector<std::string> ensemble_sentences(const EnsembleReport& report) {
   }
   if (std::string constant = constant_words(report); !constant.empty()) {
     sentences.push_back(std::move(constant));
+  }
+  if (const DrawTable& draws = report.result.draws.front(); !draws.holds_all()) {
+    sentences.push_back(
+        fmt::format("Tests and curves are of the first {} draws, the numbers of each distribution "
+                    "of all, rounded to {} binary digits.",
+                    draws.size(), counted_digits));
   }
   if (report.result.interrupted) {
     sentences.emplace_back("Interrupted: these are the draws that are finished.");

@@ -10,8 +10,10 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-DrawTable::DrawTable(std::size_t statistics, std::size_t draws)
-    : columns_(statistics, std::vector<double>(draws, no_value)), solved_(draws, false) {}
+DrawTable::DrawTable(std::size_t statistics, std::size_t draws, std::size_t held)
+    : columns_(statistics, std::vector<double>(held, no_value)),
+      solved_(held, false),
+      counts_(held < draws ? statistics : 0) {}
 
 void DrawTable::put(const DrawResult& result) {
   ++ended_;
@@ -21,6 +23,12 @@ void DrawTable::put(const DrawResult& result) {
       first_problem_ = result.problem;
     }
     ++problems_;
+    return;
+  }
+  for (std::size_t statistic = 0; statistic < counts_.size(); ++statistic) {
+    counts_[statistic].add(result.values[statistic]);
+  }
+  if (result.draw >= size()) {
     return;
   }
   solved_[result.draw] = true;

@@ -6,32 +6,43 @@
 #include <vector>
 
 #include "bench/ensemble/solve/draw_solver.hpp"
+#include "bench/ensemble/solve/value_counts.hpp"
 
 namespace tautline::bench {
 
-/// What became of the draws of one setup, statistic by statistic: 8 bytes each and a bit a draw,
-/// all of them from the start. Millions of draws fit where a `DrawResult` of each would not.
+/// Of this many draws, the first ones, every value is held: tests on them see a D of 0.004.
+inline constexpr std::size_t most_held = std::size_t{1} << 19U;
+
+/// What became of the draws of one setup, statistic by statistic. The first ones are held as they
+/// are, 8 bytes each and a bit a draw, all of them from the start; where there are more than are
+/// held, the values of all are counted.
 class DrawTable {
  public:
-  DrawTable(std::size_t statistics, std::size_t draws);
+  DrawTable(std::size_t statistics, std::size_t draws, std::size_t held);
 
   /// Each draw at most once.
   void put(const DrawResult& result);
 
-  [[nodiscard]] std::size_t size() const { return solved_.size(); }
+  [[nodiscard]] std::size_t size() const { return solved_.size(); }  // draws that are held
+  [[nodiscard]] bool holds_all() const { return counts_.empty(); }
   [[nodiscard]] std::size_t ended() const { return ended_; }        // draws that were put in
   [[nodiscard]] std::size_t problems() const { return problems_; }  // those without values
   /// That of the first draw with one, or empty.
   [[nodiscard]] const std::string& first_problem() const { return first_problem_; }
 
-  /// Whether the draw has ended without a problem.
+  /// Whether the draw, one that is held, has ended without a problem.
   [[nodiscard]] bool solved(std::size_t draw) const { return solved_[draw]; }
   /// None where the motion has none of it, or the draw is not solved.
   [[nodiscard]] std::optional<double> value(std::size_t draw, std::size_t statistic) const;
+  /// Of all draws that are solved, where not all are held.
+  [[nodiscard]] const ValueCounts& counts(std::size_t statistic) const {
+    return counts_[statistic];
+  }
 
  private:
   std::vector<std::vector<double>> columns_;  // by statistic, by draw; NaN: none
   std::vector<bool> solved_;                  // by draw
+  std::vector<ValueCounts> counts_;           // by statistic; empty where all are held
   std::size_t ended_ = 0;
   std::size_t problems_ = 0;
   std::size_t first_with_problem_ = 0;

@@ -83,9 +83,12 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
   EnsembleResult result;
   result.draws.reserve(request.setups.size());  // copies would take as much room again
   const bool collects = options.team == nullptr;
+  const std::size_t count = collects ? draw_count(request.spec) : 0;
+  // an atlas is of every draw
+  const bool maps = grid_axes(request.spec).size() > 1;
   for (std::size_t setup = 0; setup < request.setups.size(); ++setup) {
-    result.draws.emplace_back(statistics_of(request.spec).size(),
-                              collects ? draw_count(request.spec) : 0);
+    result.draws.emplace_back(statistics_of(request.spec).size(), count,
+                              maps ? count : std::min(count, most_held));
   }
   std::atomic<std::size_t> own{0};
   const auto next = [&] { return options.team != nullptr ? options.team->next() : own++; };

@@ -66,7 +66,7 @@ struct EnsembleSpec {
 /// The varied quantities that go over a grid: their places in `spec.varied`.
 [[nodiscard]] std::vector<std::size_t> grid_axes(const EnsembleSpec& spec);
 
-/// More draws than this are refused: their statistics are held in memory.
+/// More draws than this are refused: an atlas holds them in memory, and a chunk of them is a file.
 inline constexpr std::size_t most_draws = 10'000'000;
 
 }  // namespace tautline::bench

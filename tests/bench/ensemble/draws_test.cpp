@@ -139,7 +139,8 @@ TEST(EnsembleSpec, NamesEveryMistakeWithItsLine) {
 }
 
 TEST(EnsembleSpec, ThoseToStartFromAreSound) {
-  for (const char* name : {"atlas.toml", "engines.toml", "laws.toml", "native.toml"}) {
+  for (const char* name :
+       {"atlas.toml", "engines.toml", "laws.toml", "million.toml", "native.toml"}) {
     const SpecReading reading = read_spec_file(std::filesystem::path(TAUTLINE_SPECS) / name);
     EXPECT_TRUE(reading.spec) << reading.problems.front();
   }

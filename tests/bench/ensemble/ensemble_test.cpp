@@ -8,6 +8,7 @@
 
 #include "bench/ensemble/compare/comparison.hpp"
 #include "bench/ensemble/compare/kolmogorov.hpp"
+#include "bench/ensemble/output/text.hpp"
 #include "bench/ensemble/solve/draw_files.hpp"
 #include "bench/ensemble/solve/ensemble.hpp"
 #include "bench/ensemble/spec/spec_file.hpp"
@@ -67,7 +68,7 @@ TEST(Ensemble, ATableOfDrawsIsTheSameInWhateverOrderTheyEnd) {
       {0, "", {1.0, std::nullopt}}, {1, "early", {}}, {3, "late", {}}, {4, "", {3.0, 4.0}}};
   for (const std::vector<std::size_t>& order :
        {std::vector<std::size_t>{0, 1, 2, 3}, std::vector<std::size_t>{2, 3, 1, 0}}) {
-    DrawTable table(2, 5);
+    DrawTable table(2, 5, 5);
     for (const std::size_t place : order) {
       table.put(results[place]);
     }
@@ -80,6 +81,119 @@ TEST(Ensemble, ATableOfDrawsIsTheSameInWhateverOrderTheyEnd) {
     EXPECT_EQ(sample_of(table, 0).values, std::vector<double>({1.0, 3.0}));
     EXPECT_FALSE(table.value(2, 0));
   }
+}
+
+// off by a part in 32,768 at most, and not at all where they are whole
+TEST(ValueCounts, CountsValuesToFifteenBinaryDigits) {
+  ValueCounts counts;
+  for (const double value : {8.13, 8.13 * (1.0 + 1e-7), -0.0371, 0.0, 32767.0, 32768.0, 1e-200}) {
+    counts.add(value);
+  }
+  counts.add(std::nullopt);
+  EXPECT_EQ(counts.count(), 7U);
+  EXPECT_EQ(counts.without(), 1U);
+  std::vector<double> values;
+  for (const auto& [value, times] : counts.values()) {
+    values.push_back(value);
+    EXPECT_EQ(times, std::abs(value - 8.13) < 1.0 ? 2U : 1U) << value;
+  }
+  constexpr double rounding = 1.0 / 32768.0;
+  const std::vector<double> expected = {-0.0371, 0.0, 1e-200, 8.13, 32767.0, 32768.0};
+  ASSERT_EQ(values.size(), expected.size());
+  for (std::size_t place = 0; place < expected.size(); ++place) {
+    EXPECT_NEAR(values[place], expected[place], rounding * std::abs(expected[place]));
+  }
+  EXPECT_EQ(values[4], 32767.0);
+}
+
+/// Settling times that nobody has measured, of a fifth of which there are none.
+DrawResult made_up(std::size_t draw) {
+  const double value = 8.0 + std::sin(static_cast<double>(draw * draw));
+  return {draw, "", {draw % 5 == 0 ? std::nullopt : std::optional(value)}};
+}
+
+TEST(Ensemble, ATableThatHoldsAPartCountsTheRest) {
+  constexpr std::size_t draws = 20000;
+  DrawTable all(1, draws, draws);
+  DrawTable part(1, draws, 1000);
+  for (std::size_t draw = 0; draw < draws; ++draw) {
+    all.put(made_up(draw));
+    part.put(made_up(draws - 1 - draw));  // in another order
+  }
+  EXPECT_TRUE(all.holds_all());
+  EXPECT_FALSE(part.holds_all());
+  EXPECT_EQ(part.size(), 1000U);
+  EXPECT_EQ(part.ended(), draws);
+  EXPECT_EQ(sample_of(part, 0).size(), 1000U);
+  EXPECT_EQ(part.value(999, 0), all.value(999, 0));
+  const Summary exact = summary_of(sample_of(all, 0));
+  const Summary counted = summary_of(part.counts(0));
+  constexpr double rounding = 9.0 / 32768.0;  // of the largest value
+  EXPECT_EQ(counted.count, exact.count);
+  EXPECT_EQ(counted.without, exact.without);
+  EXPECT_NEAR(counted.mean, exact.mean, rounding);
+  EXPECT_NEAR(counted.deviation, exact.deviation, rounding);
+  for (std::size_t place = 0; place < quantile_parts.size(); ++place) {
+    const Quantile& one = counted.quantiles[place];
+    const Quantile& other = exact.quantiles[place];
+    ASSERT_EQ(one.value.has_value(), other.value.has_value());
+    ASSERT_EQ(one.high.has_value(), other.high.has_value());
+    if (other.value) {
+      EXPECT_NEAR(*one.value, *other.value, rounding);
+      EXPECT_NEAR(one.low.value(), other.low.value(), rounding);
+    }
+    if (other.high) {
+      EXPECT_NEAR(*one.high, *other.high, rounding);
+    }
+  }
+}
+
+TEST(Ensemble, TestsAreOfTheDrawsThatAreHeldAndThePageSaysSo) {
+  const EnsembleRequest request =
+      request_of(perturbed("1710121100", 600) + "[[exact]]\nname = \"another seed\"\nseed = 2\n");
+  const EnsembleResult whole = solved(request);
+  EnsembleResult result;
+  const std::size_t statistics = statistics_of(request.spec).size();
+  for (const DrawTable& draws : whole.draws) {
+    DrawTable& part = result.draws.emplace_back(statistics, draws.size(), 400);
+    for (std::size_t draw = 0; draw < draws.size(); ++draw) {
+      DrawResult one{draw, "", {}};
+      for (std::size_t place = 0; place < statistics; ++place) {
+        one.values.push_back(draws.value(draw, place));
+      }
+      part.put(one);
+    }
+  }
+  const Findings findings = findings_of(request, result, 1);
+  EnsembleRequest first = request;
+  first.spec.count = 400;
+  const Findings of_first = findings_of(first, solved(first), 1);
+  ASSERT_EQ(findings.comparisons.size(), of_first.comparisons.size());
+  for (std::size_t place = 0; place < findings.comparisons.size(); ++place) {
+    const Comparison& one = findings.comparisons[place];
+    EXPECT_EQ(one.draws, 400U);
+    EXPECT_EQ(one.kolmogorov.effect, of_first.comparisons[place].kolmogorov.effect);
+    EXPECT_EQ(one.probability(), of_first.comparisons[place].probability());
+    const Summary& summary = findings.summaries[0][one.statistic];
+    EXPECT_EQ(summary.count + summary.without, 600U);
+  }
+  const std::string text = ensemble_markdown({request, result, findings});
+  EXPECT_NE(text.find("at n = 400"), std::string::npos) << text;
+  EXPECT_NE(text.find("Tests and curves are of the first 400 draws"), std::string::npos) << text;
+}
+
+// the room of an ensemble, 12 statistics of two cables: doubles that are held, and counters
+TEST(Ensemble, TheRoomOfATableDoesNotGrowWithItsDraws) {
+  const auto counters_after = [](std::size_t draws) {
+    ValueCounts counts;
+    for (std::size_t draw = 0; draw < draws; ++draw) {
+      counts.add(made_up(draw).values.front());
+    }
+    return counts.values().size();
+  };
+  constexpr std::size_t between_seven_and_nine = 16384 / 4 + 16384 / 8;
+  EXPECT_LE(counters_after(100000), between_seven_and_nine + 1);
+  EXPECT_LE(counters_after(400000), between_seven_and_nine + 1);
 }
 
 TEST(Ensemble, DoesNotDependOnTheNumberOfThreads) {

@@ -62,7 +62,7 @@ static void from_json(const json& stop, RunAnswer& run) {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Strike, speed, arm, inertia, spin_part)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerRequest, task, plugin, memory, model, case_text, settings,
-                                   strikes, restitution)
+                                   strikes, restitution, costs, more)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Failure, sentence, of_process)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckAnswer, claims, unfinished, digest)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DigestAnswer, digest)

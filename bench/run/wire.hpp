@@ -30,6 +30,8 @@ struct WorkerRequest {
   RunSettings settings = 0.0;        // to run, or of strikes
   std::vector<Strike> strikes = {};  // each on a cable of this
   double restitution = 0.0;          // [-]
+  bool costs = true;                 // of a run: what it costs is measured too
+  bool more = false;                 // another request follows, for which the process may stay
 };
 
 /// Why there is no answer, in one sentence.

@@ -63,6 +63,8 @@ RunReply run_in_worker(const RunRequest& request, Workplace& workplace) {
     WorkerRequest asked = request_for(Task::run, request.plugin, request.model, request.limits);
     asked.case_text = write_case(request.the_case);
     asked.settings = request.settings;
+    asked.costs = request.costs;
+    asked.more = request.more;
     Exchange other = workplace.exchange(asked, request.limits.time);
     reply.failure = other.failure;
     reply.output_tail = other.end.output_tail;

@@ -29,19 +29,21 @@ struct RunRequest {
   std::string model;
   RunSettings settings;
   WorkerLimits limits;
+  bool costs = true;  // what it costs is measured too
+  bool more = false;  // further runs follow: the process of a plug-in stays for them
 };
 
 /// What came back. Exactly one of `trajectory` and `failure` is set.
 struct RunReply {
   std::optional<Trajectory> trajectory;
-  Cost cost;
+  Cost cost;                 // where it was asked for
   std::string failure;       // such as "crashed: SIGSEGV" or "timed out after 60 s"
   std::string output_tail;   // the last of what the engine printed
   std::size_t printed = 0;   // [bytes], all it printed
   bool interrupted = false;  // the program was told to stop; nothing is known of this run
 };
 
-/// Runs it in a process of its own, so that whatever the engine does becomes a reply.
+/// Runs it in another process, so that whatever the engine does becomes a reply.
 [[nodiscard]] RunReply run_in_worker(const RunRequest& request, Workplace& workplace);
 
 /// What an engine says of itself, asked in a worker process; `failure` as above.

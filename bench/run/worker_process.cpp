@@ -54,7 +54,9 @@ RunAnswer do_run(const WorkerRequest& request, const Plugin& plugin) {
     const auto simulation = engine.start(the_case, request.model, request.settings);
     answer.trajectory = record(the_case, *simulation, request.settings.step);
   }  // over before its cost is measured: an engine outside then goes on in the process it has
-  answer.cost = measure_cost(the_case, engine, request.model, request.settings, plugin.meter());
+  if (request.costs) {
+    answer.cost = measure_cost(the_case, engine, request.model, request.settings, plugin.meter());
+  }
   return answer;
 }
 
@@ -109,9 +111,11 @@ void limit_this_process(std::size_t memory) {
 #endif
 }
 
-WorkerAnswer answer_to_request(std::optional<Plugin>& plugin) {
+/// `more` is set where another request is to follow.
+WorkerAnswer answer_to_request(std::optional<Plugin>& plugin, bool& more) {
   try {
     const WorkerRequest request = request_from(content_of(Descriptor(::dup(request_descriptor))));
+    more = request.more;
     limit_this_process(request.memory);
     return obey(request, plugin);
   } catch (const std::bad_alloc&) {
@@ -140,12 +144,13 @@ void give_turn_back() { (void)::send(turn_descriptor, "", 1, MSG_NOSIGNAL); }
 
 int worker_main() {
   for (std::optional<Plugin> plugin; is_our_turn(); give_turn_back()) {
-    const WorkerAnswer answer = answer_to_request(plugin);
+    bool more = false;
+    const WorkerAnswer answer = answer_to_request(plugin, more);
     if (::ftruncate(answer_descriptor, 0) != 0 || !write_answer(answer)) {
       return 1;
     }
     std::fflush(nullptr);
-    if (!stays(answer) || !plugin->has_a_process()) {
+    if (!stays(answer) || !(more || plugin->has_a_process())) {
       break;
     }
   }

@@ -21,8 +21,9 @@ struct Exchange {
 };
 
 /// Where the worker processes of one thread are, one at a time. A plug-in, which lives in its
-/// worker, gets a new one each time. The worker of an engine with a process of its own stays for
-/// the next run: to start such an engine costs as much as many a run.
+/// worker, gets a new one each time unless the request before said that more follow. The worker of
+/// an engine with a process of its own stays for the next run: to start such an engine costs as
+/// much as many a run.
 class Workplace {
  public:
   Workplace();

@@ -73,7 +73,7 @@ class EngineSolver final : public DrawSolver {
   std::vector<DrawResult> solve(std::size_t first, std::size_t end) override {
     std::vector<DrawResult> results;
     for (std::size_t draw = first; draw < end && !interruption(); ++draw) {
-      if (auto result = run(draw)) {
+      if (auto result = run(draw, draw + 1 < end)) {
         results.push_back(std::move(*result));
       }
     }
@@ -81,8 +81,10 @@ class EngineSolver final : public DrawSolver {
   }
 
  private:
-  /// None if the program was interrupted.
-  std::optional<DrawResult> run(std::size_t draw) {
+  /// None if the program was interrupted. `more`: draws of the chunk follow. Each chunk begins in a
+  /// new process: what an engine may keep from run to run is then the same in any number of
+  /// threads.
+  std::optional<DrawResult> run(std::size_t draw, bool more) {
     auto [reference, problem] = reference_of(request_.spec, setup_, draw);
     if (!reference) {
       return DrawResult{draw, std::move(problem), {}};
@@ -91,7 +93,9 @@ class EngineSolver final : public DrawSolver {
                                     reference->the_case,
                                     setup_.model,
                                     {setup_.step, setup_.exact.law},
-                                    request_.limits},
+                                    request_.limits,
+                                    false,
+                                    more},
                                    workplace_);
     if (reply.interrupted) {
       return std::nullopt;

@@ -26,8 +26,10 @@ void expect_same(const State& a, const State& b) {
 }
 
 TEST(Wire, ARequestComesAsItWasSent) {
-  const WorkerRequest request{Task::run, "/a path/e.so",   std::size_t{3} << 30U,
-                              "row",     "name = \"a\"\n", {0.1, ImpactLaw::energetic}};
+  WorkerRequest request{Task::run, "/a path/e.so",   std::size_t{3} << 30U,
+                        "row",     "name = \"a\"\n", {0.1, ImpactLaw::energetic}};
+  request.costs = false;
+  request.more = true;
   const WorkerRequest read = request_from(to_bytes(request));
   EXPECT_EQ(read.task, request.task);
   EXPECT_EQ(read.plugin, request.plugin);
@@ -36,6 +38,8 @@ TEST(Wire, ARequestComesAsItWasSent) {
   EXPECT_EQ(read.case_text, request.case_text);
   EXPECT_EQ(read.settings.step, request.settings.step);
   EXPECT_EQ(read.settings.law, request.settings.law);
+  EXPECT_EQ(read.costs, request.costs);
+  EXPECT_EQ(read.more, request.more);
 }
 
 TEST(Wire, ARunComesBitForBit) {

@@ -96,6 +96,20 @@ TEST(EnsembleProgram, AnEngineThatFailsIsNamed) {
   EXPECT_NE(outcome.output.find("SIGSEGV"), std::string::npos);
 }
 
+// of 20 draws in one process 3, 6, ... crash: each costs itself and its process, in any number of
+// threads, and the next 20 begin in a new one
+TEST(EnsembleProgram, ACrashAmongTheDrawsOfAChunkCostsThatDrawAlone) {
+  const Ensembles ensembles(quick + "[engines]\nnames = [\"" + bad_engine("third-run") +
+                            "\"]\nsteps = [0.01]");
+  const Outcome one = ensembles.run({"--count", "50", "--jobs", "1"});
+  EXPECT_EQ(one.code, 1);
+  EXPECT_NE(one.output.find("15 of 50 draws have no values"), std::string::npos) << one.output;
+  EXPECT_NE(one.output.find("SIGSEGV"), std::string::npos);
+  const json first = ensembles.result();
+  EXPECT_EQ(ensembles.run({"--count", "50", "--jobs", "3"}).code, 1);
+  EXPECT_EQ(ensembles.result(), first);
+}
+
 TEST(EnsembleProgram, MakesAnAtlasOfAGridWithAPictureForEachCell) {
   const Ensembles ensembles(
       "case = \"breakwater/1510121100\"\nuntil = 5\ncount = 1\n"

@@ -81,8 +81,8 @@ class EngineSolver final : public DrawSolver {
   }
 
  private:
-  /// None if the program was interrupted. `more`: draws of the chunk follow. Each chunk begins in a
-  /// new process: what an engine may keep from run to run is then the same in any number of
+  /// None if the program was interrupted. `more`: draws of the chunk follow. A plug-in begins each
+  /// chunk in a new process: what it may keep from run to run is then the same in any number of
   /// threads.
   std::optional<DrawResult> run(std::size_t draw, bool more) {
     auto [reference, problem] = reference_of(request_.spec, setup_, draw);

@@ -10,7 +10,10 @@
 namespace tautline::bench {
 namespace {
 
-/// The value of a rank, from 1, if there is one.
+/// The value of a rank, from 1 to the number of values.
+using ValueOfRank = std::function<double(std::size_t rank)>;
+
+/// The value of a rank, if there is one.
 using Ranked = std::function<std::optional<double>(double rank)>;
 
 /// The quantile of the distribution is above the value of rank r unless fewer than r of the values
@@ -30,8 +33,13 @@ Quantile quantile_of(const Ranked& ranked, double size, double part) {
 
 /// The numbers, and the quantiles of `count` values and of `without` larger ones.
 Summary summary_of(std::size_t count, std::size_t without, double mean, double deviation,
-                   const Ranked& ranked) {
+                   const ValueOfRank& value) {
   Summary result{count, without, mean, deviation, {}};
+  const auto ranked = [&](double rank) {
+    return rank >= 1.0 && rank <= static_cast<double>(count)
+               ? std::optional(value(static_cast<std::size_t>(rank)))
+               : std::nullopt;
+  };
   for (std::size_t place = 0; count > 0 && place < quantile_parts.size(); ++place) {
     result.quantiles[place] =
         quantile_of(ranked, static_cast<double>(count + without), quantile_parts[place]);
@@ -70,11 +78,7 @@ Summary summary_of(const EnsembleSample& sample) {
   const double deviation =
       values.size() > 1 ? std::sqrt(boost::math::statistics::sample_variance(values)) : 0.0;
   return summary_of(values.size(), sample.without, mean, deviation,
-                    [&](double rank) -> std::optional<double> {
-                      return rank >= 1.0 && rank <= static_cast<double>(values.size())
-                                 ? std::optional(values[static_cast<std::size_t>(rank) - 1])
-                                 : std::nullopt;
-                    });
+                    [&](std::size_t rank) { return values[rank - 1]; });
 }
 
 Summary summary_of(const ValueCounts& counts) {
@@ -89,17 +93,13 @@ Summary summary_of(const ValueCounts& counts) {
     squares += (value - mean) * (value - mean) * static_cast<double>(times);
   }
   const double deviation = counts.count() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
-  return summary_of(counts.count(), counts.without(), mean, deviation,
-                    [&](double rank) -> std::optional<double> {
-                      std::size_t below = 0;
-                      for (const auto& [value, times] : counts.values()) {
-                        below += times;
-                        if (rank >= 1.0 && rank <= static_cast<double>(below)) {
-                          return value;
-                        }
-                      }
-                      return std::nullopt;
-                    });
+  return summary_of(counts.count(), counts.without(), mean, deviation, [&](std::size_t rank) {
+    auto place = counts.values().begin();
+    for (std::size_t up_to = place->second; up_to < rank; up_to += place->second) {
+      ++place;
+    }
+    return place->first;
+  });
 }
 
 }  // namespace tautline::bench

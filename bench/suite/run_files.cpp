@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
-#include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,9 +51,22 @@ std::vector<ImpactLine> impact_lines(const Trajectory& run) {
 
 std::string file_content(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;  // whole buffers at a time: a program is tens of megabytes
-  content << file.rdbuf();
-  return std::move(content).str();
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Of a file's content, piece by piece: a program with its debug information is a hundred
+/// megabytes. The standard library's hash takes eight bytes at a time, and is the same wherever the
+/// same program is.
+std::uint64_t content_hash(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> piece(std::size_t{1} << 18U);
+  std::string hashes;
+  do {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const auto size = static_cast<std::size_t>(file.gcount());
+    hashes += fmt::format("{:x} ", std::hash<std::string_view>{}({piece.data(), size}));
+  } while (file);
+  return stable_hash(hashes);
 }
 
 /// Of a file's content, read the first time it is asked for.
@@ -61,7 +76,7 @@ std::uint64_t file_hash(const fs::path& path) {
   const std::scoped_lock lock(guard);
   const auto [place, is_new] = known.try_emplace(path, 0);
   if (is_new) {
-    place->second = stable_hash(file_content(path));
+    place->second = content_hash(path);
   }
   return place->second;
 }

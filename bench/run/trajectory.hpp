@@ -19,7 +19,7 @@ struct Point {
 
 /// One impact of a run, as the detector saw it.
 struct RecordedImpact {
-  double time;         // [s], when the velocity jumps: exact if located, else the start of the step
+  double time = 0.0;   // [s], when the velocity jumps: exact if located, else the start of the step
   std::size_t cable;   //
   double impulse;      // [N s], > 0
   double rate_before;  // [m/s], gap rate just before; negative when closing

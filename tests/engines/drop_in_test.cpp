@@ -54,7 +54,7 @@ const std::set<std::string_view> swapping = {"1110121100", "1911121100"};
 
 /// Where the few impacts fall in their steps scatters the slope of one case over two decades by
 /// this [-], and the median of all cases over one decade by less.
-constexpr double slope_scatter = 0.35;
+constexpr double drop_in_slope_scatter = 0.35;
 constexpr double median_scatter = 0.15;
 
 double median(std::vector<double> numbers) {
@@ -81,7 +81,7 @@ TEST_P(DropInCable, IsOfFirstOrderUpToTheFifthImpact) {
     const double slope = (coarse.back() + fine.back()) / 2.0;
     std::cout << "  " << the_case.name << " off by " << errors[0] << ", " << errors[1] << " and "
               << errors[2] << " m: a slope of " << slope << '\n';
-    EXPECT_NEAR(slope, 1.0, slope_scatter) << the_case.name;
+    EXPECT_NEAR(slope, 1.0, drop_in_slope_scatter) << the_case.name;
   }
   ASSERT_EQ(coarse.size(), 19U);
   expect_within("median slope above 1e-3 s, off 1 by", std::abs(median(coarse) - 1.0),

@@ -22,9 +22,9 @@ namespace {
 
 using test::bounced;
 using test::exact_rate;
-using test::Flight;
 using test::Planted;
 using test::planted_run;
+using test::PlantedFlight;
 using test::step;
 
 struct Outcome {
@@ -85,9 +85,9 @@ class PlantedCause : public testing::TestWithParam<Named> {
     the_case.duration = GetParam().end;
   }
 
-  [[nodiscard]] Flight exact_flight() const { return {the_case.gravity}; }
+  [[nodiscard]] PlantedFlight exact_flight() const { return {the_case.gravity}; }
 
-  void expect(Cause cause, const Planted& planted, const Flight& flight) const {
+  void expect(Cause cause, const Planted& planted, const PlantedFlight& flight) const {
     const Trajectory run = planted_run(the_case, GetParam().end, planted, flight);
     ASSERT_GT(run.impacts.size(), 1U);
     const Outcome found = outcome(the_case, run, cause, GetParam().end);

@@ -21,7 +21,7 @@ State bounced(const Case& the_case, const State& before, std::size_t cable, doub
 }
 
 Trajectory planted_run(const Case& the_case, double end, const Planted& planted,
-                       const Flight& flight) {
+                       const PlantedFlight& flight) {
   Trajectory run;
   run.step = step;
   State state = the_case.initial;

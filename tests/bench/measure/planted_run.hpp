@@ -14,7 +14,7 @@ inline constexpr double step = 1e-3;  // [s]
 
 /// The flight of a planted run: a parabola that an integrator's `bias` [m/s] moves faster than its
 /// velocity says, under a gravity that may be wrong.
-struct Flight {
+struct PlantedFlight {
   Vec2 gravity;
   Vec2 bias = Vec2::Zero();
 
@@ -47,6 +47,6 @@ State bounced(const Case& the_case, const State& before, std::size_t cable, doub
 /// A run made of exact flights and exact impacts but for what is planted, sampled every step up to
 /// `end`. Impacts are named at their instants.
 Trajectory planted_run(const Case& the_case, double end, const Planted& planted,
-                       const Flight& flight);
+                       const PlantedFlight& flight);
 
 }  // namespace tautline::bench::test

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& word) { return "\"" + word + "\""; }
+std::string toml_quoted(const std::string& word) { return "\"" + word + "\""; }
 
 std::string written(const TemporaryFolder& folder, const std::string& name,
                     const std::string& text) {
@@ -25,9 +25,9 @@ std::string engine_toml(const std::string& name, const std::vector<std::string>&
                         const std::string& more) {
   std::string words;
   for (const std::string& word : command) {
-    words += (words.empty() ? "" : ", ") + quoted(word);
+    words += (words.empty() ? "" : ", ") + toml_quoted(word);
   }
-  return "name = " + quoted(name) + "\ncommand = [" + words + "]\n" + more;
+  return "name = " + toml_quoted(name) + "\ncommand = [" + words + "]\n" + more;
 }
 
 std::string bad_child(const TemporaryFolder& folder, const std::string& way) {

@@ -39,10 +39,10 @@ std::unique_ptr<Scene> many_loads(Held held, double restitution, double above, d
 }
 
 double ratio(double restitution, double above, double speed) {
-  const double seconds = 1.0;
+  const double played = 1.0;  // [s]
   const auto joints = many_loads(Held::by_joint, restitution, above, speed);
   const auto cables = many_loads(Held::by_cable, restitution, above, speed);
-  const Costs cost = costs(*cables, *joints, seconds);
+  const Costs cost = costs(*cables, *joints, played);
   const double result = cost.cable / cost.joint;
   std::printf("%s: a step with cables takes %.3f of one with ball joints\n", Scene::engine.c_str(),
               result);

@@ -77,8 +77,8 @@ struct Scene::Engine {
   }
 };
 
-Scene::Scene(double gravity, double rate) : engine_(std::make_unique<Engine>(rate)) {
-  engine_->world.setGravity(btVector3(0, static_cast<btScalar>(-gravity), 0));
+Scene::Scene(double down, double rate) : engine_(std::make_unique<Engine>(rate)) {
+  engine_->world.setGravity(btVector3(0, static_cast<btScalar>(-down), 0));
 }
 
 Scene::~Scene() {

@@ -106,8 +106,8 @@ struct Scene::Engine {
   }
 };
 
-Scene::Scene(double gravity, double rate) : engine_(std::make_unique<Engine>(rate)) {
-  dWorldSetGravity(engine_->world, 0, -gravity, 0);
+Scene::Scene(double down, double rate) : engine_(std::make_unique<Engine>(rate)) {
+  dWorldSetGravity(engine_->world, 0, -down, 0);
 }
 
 Scene::~Scene() {

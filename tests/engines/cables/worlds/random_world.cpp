@@ -176,10 +176,10 @@ void platform(Maker& make) {
   const double phase = make.draw.between(0.0, 6.0);
   for (const double x : {-half, half}) {
     for (const double z : {-half, half}) {
-      const Vec3 top = middle + Vec3(x, half + height, z);
-      CableEnd holder{-1, top};
+      const Vec3 fixed_end = middle + Vec3(x, half + height, z);
+      CableEnd holder{-1, fixed_end};
       if (moves) {
-        make.world.hooks.push_back({top, sway, pace, phase});
+        make.world.hooks.push_back({fixed_end, sway, pace, phase});
         holder = {make.world.hook(static_cast<int>(make.world.hooks.size()) - 1), Vec3::Zero()};
       }
       make.add_cable({0, Vec3(x, half, z)}, holder);

@@ -29,23 +29,23 @@ foreach(file IN LISTS package_files)
   endif()
 endforeach()
 
-# build_project(<source> <build> [-D...]): as a stranger would
+# build_project(<source> <build> [-D...]): as a stranger would, whose build need not be of the libraries' kind
 function(build_project source build)
   run("${CMAKE_COMMAND}" -S "${source}" -B "${build}"
     -G "${GENERATOR}"
     "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}"
     "-DCMAKE_CXX_COMPILER=${COMPILER}"
     "-DCMAKE_CXX_FLAGS=${FLAGS}"
-    "-DCMAKE_BUILD_TYPE=${CONFIG}"
+    -DCMAKE_BUILD_TYPE=Debug
     "-DCMAKE_PREFIX_PATH=${prefix}"
     "-DEigen3_DIR=${EIGEN_DIR}"
     ${ARGN})
-  run("${CMAKE_COMMAND}" --build "${build}" --config "${CONFIG}")
+  run("${CMAKE_COMMAND}" --build "${build}")
 endfunction()
 
 build_project("${CMAKE_CURRENT_LIST_DIR}/consumer" "${WORK_DIR}/build"
   "-DWANTED_VERSION=${VERSION}")
-run("${CMAKE_CTEST_COMMAND}" --test-dir "${WORK_DIR}/build" -C "${CONFIG}" --output-on-failure
+run("${CMAKE_CTEST_COMMAND}" --test-dir "${WORK_DIR}/build" --output-on-failure
   --no-tests=error)
 
 # the installed examples need the cables' headers and their engine, and no Eigen

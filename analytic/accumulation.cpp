@@ -1,6 +1,7 @@
 #include "tautline/accumulation.hpp"
 
 #include "instantiate.hpp"
+#include "slow_bounces.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/projection.hpp"
@@ -10,30 +11,9 @@
 namespace tautline {
 namespace {
 
-/// Of the error, whatever the margin of the certificate [-].
-constexpr double error_margin = 20.0;
-
 /// Bounces shared by several cables last longer than the slowest cable's own series: measured on
 /// the 21 cases of Table 5.1, up to 2.3 times as long [-].
 constexpr double several_cables = 4.0;
-
-/// Size of the gaps' accelerations [m/s^2] and the rate [1/s] at which they change.
-template <class Real>
-struct Scales {
-  Real acceleration;
-  Real rate;
-  double margin;  // of the certificate [-]
-};
-
-template <class Real>
-Scales<Real> scales(const BasicCase<Real>& the_case, const BasicState<Real>& state, double margin) {
-  const Real shortest = shortest_length(the_case);
-  const Real acceleration = acceleration_scale(the_case, state);
-  return {acceleration,
-          abs(state.spin) + speed_scale(the_case, state) / shortest +
-              sqrt(Real(acceleration / shortest)),
-          margin};
-}
 
 /// How the bounces on a set of almost taut cables go on.
 template <class Real>
@@ -178,21 +158,14 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
   return result;
 }
 
-/// True where bounces that begin with `rebound` [m/s] may meet the limits: where they would with a
-/// pull as large as the accelerations of the motion. A stronger one has to wait a little.
+/// True where the bounces of a cable that begin with `rebound` [m/s] may meet the limits: where
+/// they would with a pull as large as the accelerations of the motion. A stronger one has to wait a
+/// little.
 template <class Real>
-bool is_slow(const BasicCable<Real>& cable, const BasicState<Real>& state, const Real& rebound,
-             const CompletionLimits& limits, const Scales<Real>& scale) {
-  if (limits.speed) {
-    return rebound <= *limits.speed;
-  }
-  if (rebound * rebound <= 2 * scale.acceleration * rounding_of_gap(cable, state)) {
-    return true;  // no higher than what a gap can tell
-  }
-  const Real kept = restitution_up_to(cable, rebound);
-  const Real lost = kept < 1 ? Real(1 - kept * kept * kept) : Real(1);
-  const Real ratio = rebound * scale.rate / scale.acceleration;
-  return 2 * error_margin * ratio * ratio * ratio <= 3 * lost * limits.error;  // Eq. 20
+bool may_be_slow(const BasicCable<Real>& cable, const BasicState<Real>& state, const Real& rebound,
+                 const CompletionLimits& limits, const Scales<Real>& scale) {
+  return is_slow(restitution_up_to(cable, rebound), rounding_of_gap(cable, state), rebound,
+                 scale.acceleration, limits, scale);
 }
 
 /// The touching cables slow enough to be candidates; empty if one of them is still closing.
@@ -207,7 +180,7 @@ CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& 
     if (rate < -touching.rounding(cable)) {
       return {};
     }
-    if (is_slow(cable, state, rate, limits, scale)) {
+    if (may_be_slow(cable, state, rate, limits, scale)) {
       slow.insert(index);
     }
   }
@@ -221,7 +194,7 @@ bool are_slow(const BasicCase<Real>& the_case, const BasicState<Real>& state, Ca
               const CompletionLimits& limits, const Scales<Real>& scale) {
   for (const std::size_t index : cables) {
     const BasicCable<Real>& cable = the_case.cables[index];
-    if (!is_slow(cable, state, Real(abs(gap_rate(cable, state))), limits, scale)) {
+    if (!may_be_slow(cable, state, Real(abs(gap_rate(cable, state))), limits, scale)) {
       return false;
     }
   }
@@ -308,7 +281,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
                                                 const BasicState<Real>& state,
                                                 const BasicTouching<Real>& touching,
                                                 const CompletionLimits& limits) {
-  const Scales<Real> scale = scales(the_case, state, limits.margin);
+  const Scales<Real> scale(the_case, state, limits.margin);
   CableSet cables = slow_contacts(the_case, state, touching, limits, scale);
   // a round loses cables that leave or gains one that takes part; few rounds settle it
   for (std::size_t round = 0; round < 2 * max_cables && !cables.empty(); ++round) {

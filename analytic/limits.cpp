@@ -19,13 +19,15 @@ class RoomAlongFlight {
   [[nodiscard]] BasicSample<Real> at(const Real& s) const {
     const BasicState<Real> state = fly(start_, the_case_.gravity, s);
     const BasicVec2<Real> point = attachment_point(state, cable_);
-    const Real height_above_centre = point.y() - state.position.y();
+    const BasicVec2<Real> arm = point - state.position;
+    const Real spin_squared = state.spin * state.spin;
     return {*the_case_.ceiling - point.y(), -attachment_velocity(state, cable_).y(),
-            -(the_case_.gravity.y() - state.spin * state.spin * height_above_centre)};
+            -(the_case_.gravity.y() - spin_squared * arm.y()), spin_squared * state.spin * arm.x()};
   }
 
-  [[nodiscard]] Real jerk_bound(const Real& /*s*/, const Real& /*window*/) const {
-    return abs(start_.spin * start_.spin * start_.spin) * cable_.attachment.norm();
+  [[nodiscard]] Real snap_bound(const Real& /*s*/, const Real& /*window*/) const {
+    const Real spin_squared = start_.spin * start_.spin;
+    return spin_squared * spin_squared * cable_.attachment.norm();
   }
 
   /// While the centre is an arm below the ceiling no angle brings the attachment there.

@@ -6,6 +6,10 @@
 #include "equilibrium.hpp"
 #include "instantiate.hpp"
 #include "local_origin.hpp"
+#include "loop/next_stop.hpp"
+#include "loop/paused_motion.hpp"
+#include "loop/record.hpp"
+#include "loop/standing.hpp"
 #include "progress.hpp"
 #include "swinging.hpp"
 #include "tautline/first_contact.hpp"
@@ -26,37 +30,43 @@
 namespace tautline {
 namespace {
 
-/// The instant that ends an arc, and what happens there.
-template <class Real>
-struct Stop {
-  Real dt;                       // [s] from the start of the arc; NaN: numbers overflowed
-  std::optional<Ending> ending;  // none: the motion goes on
-  CableSet cables;               // that become taut
-  bool is_step = false;          // where a series ends, and nothing happens
-};
-
 /// The motion so far: where it is now, and what has been recorded.
 template <class Real>
-class Motion {
+class Motion final : public PausedMotion<Real> {
  public:
   /// `touching` are the cables at zero gap.
   Motion(const BasicCase<Real>& the_case, const SolveOptions& options, CableSet touching)
-      : case_(the_case), options_(options), state_(the_case.initial) {
+      : case_(the_case),
+        options_(options),
+        state_(the_case.initial),
+        ordinary_(the_case, options.completion) {
     touching_.cables = touching;
-    note_speed();
+    touching_.note_speed(state_);
   }
 
   /// The whole algorithm.
   BasicSolution<Real> run() {
+    while (advance()) {
+      take(ordinary_.next(flyer(), last_hit(), time_left()));
+    }
+    return solution();
+  }
+
+  /// The loop. True where an ordinary bounce may follow, which is to be taken then; false at the
+  /// end of the motion.
+  [[nodiscard]] bool advance() override {
     while (true) {
       if (const auto ending = limit_reached()) {
         return finish(*ending);
       }
-      auto [closing, resting] = contacts();
+      if (may_bounce()) {
+        return true;
+      }
+      auto [closing, resting] = contacts(case_, state_, touching_);
       Stop<Real> stop{Real(0), std::nullopt, closing};  // left by an impact: at once
       if (stop.cables.empty()) {
         if (complete_accumulation()) {
-          resting = contacts().resting;
+          resting = contacts(case_, state_, touching_).resting;
         }
         if (!held_ && !hold_resting(resting)) {
           return finish(Ending::singular);
@@ -64,7 +74,7 @@ class Motion {
         if (const auto ending = rest()) {
           return come_to_rest(*ending);
         }
-        stop = next_stop();
+        stop = next_stop(case_, state_, touching_, held_, time_left());
       }
       if (isnan(stop.dt) || !move(stop)) {
         return finish(Ending::overflow);
@@ -72,8 +82,10 @@ class Motion {
       if (stop.ending) {
         return finish(*stop.ending);
       }
-      if (options_.until_locked && swinging_.follow(case_, arcs_.back(), events_.size())) {
-        return solution(Ending::locked);
+      if (options_.until_locked &&
+          swinging_.follow(case_, record_.arcs.back(), record_.events.size())) {
+        ending_ = Ending::locked;
+        return false;
       }
       if (!stop.cables.empty()) {
         if (const auto ending = hit()) {
@@ -83,10 +95,43 @@ class Motion {
     }
   }
 
+  [[nodiscard]] Flyer<Real> flyer() const override { return flyer_of(state_, touching_); }
+  [[nodiscard]] std::optional<std::size_t> last_hit() const override {
+    return touching_.cables.empty() ? std::nullopt : std::optional(*touching_.cables.begin());
+  }
+  [[nodiscard]] Real time_left() const override { return case_.duration - time_; }
+  [[nodiscard]] const OrdinaryBounces<Real>& ordinary() const override { return ordinary_; }
+
+  /// Goes on with `bounce`, or, where it is no ordinary one, with the general way.
+  void take(const BasicBounce<Real>& bounce) override {
+    leaves_ = bounce.ordinary && bounce.leaves;
+    if (!bounce.ordinary) {
+      return;
+    }
+    const std::size_t index =
+        ordinary_.cable_at(static_cast<std::size_t>(bounce.place), last_hit());
+    record_.arcs.push_back({time_, time_ + bounce.dt, state_, {}, {}});
+    time_ += bounce.dt;
+    state_ = state_of(bounce.before);
+    touching_ = {CableSet::of(index), bounce.before.rate_rounding, bounce.before.spin_rounding,
+                 epsilon<Real>() * time_};
+    BasicState<Real> after = state_;
+    after.velocity = {bounce.velocity.x, bounce.velocity.y};
+    after.spin = bounce.spin;
+    record(EventKind::impact, touching_.cables, BasicCableVector<Real>::Constant(1, bounce.impulse),
+           after);
+    ordinary_.set_tried(index, bounce.tried);
+    progress_.note_hit(touching_.cables);
+  }
+
+  [[nodiscard]] BasicSolution<Real> solution() override {
+    return record_.solution(case_.gravity, *ending_);
+  }
+
  private:
   /// Why to give up, if there is a reason.
   [[nodiscard]] std::optional<Ending> limit_reached() {
-    if (events_.size() >= options_.max_events) {
+    if (record_.events.size() >= options_.max_events) {
       return Ending::event_limit;
     }
     if (steps_ + spring_steps_ / springs_per_step >= options_.max_steps) {
@@ -95,6 +140,18 @@ class Motion {
     const auto chattering = progress_.stands_still(time_);
     return chattering && !stop_chatter(*chattering) ? std::optional(Ending::no_progress)
                                                     : std::nullopt;
+  }
+
+  /// True where the body flies, and leaves the cable it has touched last, if any, for good: what
+  /// follows then is most often one more bounce.
+  [[nodiscard]] bool may_bounce() {
+    if (held_ || !taut_.empty() || touching_.cables.size() > 1 || !ordinary_.exist()) {
+      return false;
+    }
+    if (!leaves_) {
+      leaves_ = ordinary_.leave(case_, state_, touching_, touching_.cables, true);
+    }
+    return *leaves_;
   }
 
   /// Ends the impacts that follow each other within this instant. False where they do not end.
@@ -110,40 +167,27 @@ class Motion {
     return true;
   }
 
-  /// The cables at zero gap that close now and those that rest, up to rounding.
-  struct Contacts {
-    CableSet closing;
-    CableSet resting;
-  };
-  [[nodiscard]] Contacts contacts() const {
-    Contacts result;
-    for (const std::size_t index : touching_.cables) {
-      const Real rate = gap_rate(case_.cables[index], state_);
-      const Real rounding = touching_.rounding(case_.cables[index]);
-      if (rate < -rounding) {
-        result.closing.insert(index);
-      } else if (rate <= rounding) {
-        result.resting.insert(index);
-      }
-    }
-    return result;
-  }
-
   /// Where the bounces of the touching cables accumulate, their end. False where they do not.
   bool complete_accumulation() {
-    if (touching_.cables == taut_) {
-      return false;  // nothing bounces
+    const CableSet bouncing = touching_.cables - taut_;
+    if (bouncing.empty() ||
+        ordinary_.leave(case_, state_, touching_, bouncing, touching_.cables.size() == 1)) {
+      return false;
     }
     const auto done = completion(case_, state_, touching_, options_.completion);
     if (!done) {
+      for (const std::size_t index : bouncing) {
+        ordinary_.note_attempt(index, gap_rate(case_.cables[index], state_));
+      }
       return false;
     }
     record(EventKind::taut, done->cables,
            -multipliers<Real>(case_, state_, done->cables, gap_rates(case_, state_, done->cables)),
            done->after);
     if (done->ends) {
-      accumulations_.push_back({time_, time_ + done->remaining, done->uncertainty, done->cables,
-                                energy(case_, events_.back().before) - energy(case_, state_)});
+      record_.accumulations.push_back(
+          {time_, time_ + done->remaining, done->uncertainty, done->cables,
+           energy(case_, record_.events.back().before) - energy(case_, state_)});
     }
     touching_.cables = touching_.cables | done->cables;
     taut_ = taut_ | done->cables;
@@ -158,7 +202,7 @@ class Motion {
       if (!held_ && is_caught()) {
         state_.velocity.setZero();
         state_.spin = Real(0);
-        held_ = hold(case_, state_, touching_, contacts().resting);
+        held_ = hold(case_, state_, touching_, contacts(case_, state_, touching_).resting);
       }
       if (!held_ || is_singular(*held_)) {
         return false;
@@ -199,34 +243,6 @@ class Motion {
     return still ? equilibrium(case_, state_, *held_) : std::nullopt;
   }
 
-  /// The earliest of: a contact, a release, the reach of a series, a limit of the case's validity,
-  /// the end of the duration.
-  [[nodiscard]] Stop<Real> next_stop() const {
-    Stop<Real> stop{case_.duration - time_, Ending::reached_duration, {}};
-    if (held_) {
-      const auto change = first_change(case_, *held_, stop.dt);
-      if (!(change.dt >= stop.dt) || !change.cables.empty()) {
-        stop = {change.dt, std::nullopt, change.cables,
-                change.cables.empty() && change.dt == held_->reach};
-      }
-    } else if (const auto search = first_contact(case_, state_, touching_, stop.dt);
-               search.contact) {
-      stop = {search.contact->dt, std::nullopt, search.contact->cables};
-    }
-    if (isnan(stop.dt)) {
-      return stop;
-    }
-    if (const auto dt = held_ ? time_to_angle_limit(case_, held_->motion, stop.dt)
-                              : time_to_angle_limit(case_, state_, stop.dt)) {
-      stop = {*dt, Ending::angle_limit, {}};
-    }
-    if (const auto dt = held_ ? time_to_ceiling(case_, held_->motion, stop.dt)
-                              : time_to_ceiling(case_, state_, stop.dt)) {
-      stop = {*dt, Ending::ceiling, {}};
-    }
-    return stop;
-  }
-
   /// Appends the arc up to `stop` and moves to its end. False, and nothing done, on overflow.
   [[nodiscard]] bool move(const Stop<Real>& stop) {
     BasicArc<Real> arc = arc_to(stop);
@@ -234,7 +250,7 @@ class Motion {
     if (!fits(case_, last)) {
       return false;
     }
-    arcs_.push_back(std::move(arc));
+    record_.arcs.push_back(std::move(arc));
     arrive(stop, last);
     return true;
   }
@@ -252,11 +268,12 @@ class Motion {
 
   /// Makes the end of the last arc, `last` up to rounding, the present.
   void arrive(const Stop<Real>& stop, const BasicState<Real>& last) {
-    state_ = on_cables(last, held_ ? held_->pulling : CableSet{}, stop.cables);
-    time_ = arcs_.back().end;
+    state_ = on_cables(case_, last, held_ ? held_->pulling : CableSet{}, stop.cables);
+    time_ = record_.arcs.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     touching_.time_rounding = epsilon<Real>() * time_;
-    note_speed();
+    leaves_.reset();
+    touching_.note_speed(state_);
     steps_ += stop.cables.empty() ? 1U : 0U;
     // what has let go of all cables flies
     const bool goes_on = stop.is_step && !held_->taut().empty();
@@ -264,31 +281,6 @@ class Motion {
     if (held_ && is_singular(*held_)) {
       held_.reset();
     }
-  }
-
-  /// `state` with what rounding has left of the gaps and rates of taut cables taken away, and of
-  /// the gaps of those just hit once it is more than a few arcs leave.
-  [[nodiscard]] BasicState<Real> on_cables(BasicState<Real> state, CableSet held,
-                                           CableSet hit) const {
-    bool drifted = !held.empty();
-    for (const std::size_t index : hit) {
-      const BasicCable<Real>& cable = case_.cables[index];
-      drifted = drifted || abs(gap(cable, state)) > few_roundings * rounding_of_gap(cable, state);
-    }
-    if (drifted) {
-      constexpr double almost_dependent = 1e-2;  // [-], a sine: a hundredfold of the gaps is enough
-      state = with_zero_gaps(case_, state, held | hit, hit.empty() ? 0.0 : almost_dependent);
-    }
-    return held.empty() ? state : with_zero_rates(case_, state, held);
-  }
-
-  /// Keeps the rounding of gap rates up to date: that of the fastest speeds so far. Not of the
-  /// present ones: the body may be stopped within an instant by ever smaller impacts, and what is
-  /// left then is rounding of the speeds before.
-  void note_speed() {
-    const Real rounding = few_roundings * epsilon<Real>();
-    touching_.rate_rounding = max(touching_.rate_rounding, Real(rounding * state_.velocity.norm()));
-    touching_.spin_rounding = max(touching_.spin_rounding, Real(rounding * abs(state_.spin)));
   }
 
   /// Of the fastest attachment [m/s].
@@ -300,7 +292,7 @@ class Motion {
   /// Where the rebound is not to be computed nothing is done, and the ending that says why
   /// returned.
   [[nodiscard]] std::optional<Ending> hit() {
-    const auto [closing, resting] = contacts();
+    const auto [closing, resting] = contacts(case_, state_, touching_);
     const CableSet cables = closing | resting;
     if (cables.empty()) {
       return std::nullopt;
@@ -320,7 +312,7 @@ class Motion {
   /// Appends an event that takes the present state to `after`.
   void record(EventKind kind, CableSet cables, BasicCableVector<Real> impulses,
               BasicState<Real> after) {
-    events_.push_back({time_, kind, cables, std::move(impulses), state_, after});
+    record_.events.push_back({time_, kind, cables, std::move(impulses), state_, after});
     state_ = std::move(after);
   }
 
@@ -328,7 +320,8 @@ class Motion {
     return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
   }
 
-  BasicSolution<Real> come_to_rest(Ending ending) {
+  /// The body stays where it is. False, as `finish`.
+  bool come_to_rest(Ending ending) {
     state_.velocity.setZero();
     if (!turns_freely(case_, state_, taut_)) {
       state_.spin = Real(0);
@@ -337,19 +330,19 @@ class Motion {
     rest.series.resize(2, 3);
     rest.series << state_.position.x(), state_.position.y(), state_.angle, Real(0), Real(0),
         state_.spin;
-    arcs_.push_back(std::move(rest));
-    return solution(ending);
+    record_.arcs.push_back(std::move(rest));
+    ending_ = ending;
+    return false;
   }
 
-  BasicSolution<Real> finish(Ending ending) {
+  /// Ends the motion here. False: it does not go on.
+  bool finish(Ending ending) {
     if (ending != Ending::reached_duration) {
-      arcs_.push_back({time_, time_, state_, taut_ & contacts().resting, {}});  // the last state
+      record_.arcs.push_back(
+          {time_, time_, state_, taut_ & contacts(case_, state_, touching_).resting, {}});
     }
-    return solution(ending);
-  }
-
-  BasicSolution<Real> solution(Ending ending) {
-    return {case_.gravity, std::move(arcs_), std::move(events_), ending, std::move(accumulations_)};
+    ending_ = ending;
+    return false;
   }
 
   const BasicCase<Real>& case_;
@@ -357,15 +350,16 @@ class Motion {
   Real time_ = Real(0);
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
+  OrdinaryBounces<Real> ordinary_;
+  std::optional<bool> leaves_;    // the cable last hit, for good; none: to be found out
   std::size_t steps_ = 0;         // without an event
   std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;
   Swinging<Real> swinging_;
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
-  std::vector<BasicArc<Real>> arcs_;
-  std::vector<BasicEvent<Real>> events_;
-  std::vector<BasicAccumulation<Real>> accumulations_;
+  Record<Real> record_;
+  std::optional<Ending> ending_;
 };
 
 }  // namespace
@@ -375,12 +369,7 @@ BasicSolution<Real> solve(const BasicCase<Real>& the_case, const SolveOptions& o
   if (const auto broken = problems(in_double(the_case)); !broken.empty()) {
     throw std::invalid_argument(broken.front());
   }
-  CableSet touching;  // by the rounding of the numbers given
-  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    if (starts_at_zero(the_case.cables[index], the_case.initial)) {
-      touching.insert(index);
-    }
-  }
+  const CableSet touching = touching_at_start(the_case);
   const BasicVec2<Real> origin = local_origin(the_case);
   if (origin.isZero(0)) {
     return Motion<Real>(the_case, options, touching).run();
@@ -390,5 +379,13 @@ BasicSolution<Real> solve(const BasicCase<Real>& the_case, const SolveOptions& o
 }
 
 template BasicSolution<Instance> solve(const BasicCase<Instance>&, const SolveOptions&);
+
+#ifndef TAUTLINE_MULTIPRECISION
+std::unique_ptr<PausedMotion<double>> paused_motion(const Case& the_case,
+                                                    const SolveOptions& options,
+                                                    CableSet touching) {
+  return std::make_unique<Motion<double>>(the_case, options, touching);
+}
+#endif
 
 }  // namespace tautline

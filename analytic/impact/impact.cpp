@@ -10,6 +10,7 @@
 #include "complementary.hpp"
 #include "instantiate.hpp"
 #include "rebound.hpp"
+#include "single_impact.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/projection.hpp"
 
@@ -100,30 +101,13 @@ std::optional<BasicCableVector<Real>> solve_lcp(
   return best;
 }
 
-/// One cable closes: Newton's law in closed form (Eq. 14).
-template <class Real>
-static BasicImpact<Real> single_impact(const BasicBody<Real>& body, const BasicCable<Real>& cable,
-                                       const BasicState<Real>& before) {
-  const Eigen::Matrix<Real, 3, 1> row = gap_gradient(cable, before);
-  const Eigen::Matrix<Real, 3, 1> response = row.cwiseProduct(inverse_mass(body));
-  const Real rate =
-      row[0] * before.velocity.x() + row[1] * before.velocity.y() + row[2] * before.spin;
-  const Real impulse = -(1 + restitution(cable, rate)) * rate / row.dot(response);
-  BasicImpact<Real> impact{BasicCableVector<Real>::Constant(1, impulse), before};
-  if (!(impulse > 0)) {  // it opens
-    impact.impulses[0] = isfinite(impulse) ? Real(0) : impulse;
-  }
-  impact.after.velocity += impact.impulses[0] * response.template head<2>();
-  impact.after.spin += impact.impulses[0] * response[2];
-  return impact;
-}
-
 template <class Real>
 BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicState<Real>& before,
                                 CableSet cables) {
   assert(!cables.empty() && "an impact needs a cable");
   if (cables.size() == 1) {
-    return single_impact(the_case.body, the_case.cables[*cables.begin()], before);
+    auto single = single_impact(the_case.body, the_case.cables[*cables.begin()], before);
+    return {BasicCableVector<Real>::Constant(1, single.impulse), std::move(single.after)};
   }
   const BasicCableVector<Real> rates = gap_rates(the_case, before, cables);
   const BasicCableVector<Real> rounding = rate_errors(the_case, before, cables);

@@ -35,6 +35,9 @@ class CableSet {
   /// The set {index}; index < max_cables.
   static constexpr CableSet of(std::size_t index) { return CableSet(1U << index); }
 
+  /// The first `count` cables of a case; count <= max_cables.
+  static constexpr CableSet first(std::size_t count) { return CableSet((1U << count) - 1U); }
+
   constexpr void insert(std::size_t index) { bits_ |= 1U << index; }  // also where it is in already
   constexpr void erase(std::size_t index) { bits_ &= ~(1U << index); }  // also where it is not in
   /// Whether the cable of this index is in.

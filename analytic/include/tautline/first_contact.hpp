@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "tautline/case.hpp"
+#include "tautline/rounding.hpp"
 
 namespace tautline {
 
@@ -31,6 +32,15 @@ struct BasicTouching {
   Real rate_rounding = Real(0);  // [m/s], a closing rate up to this is rounding of zero,
   Real spin_rounding = Real(0);  // [rad/s], and one up to this times the arm more
   Real time_rounding = Real(0);  // [s], what is nearer than this is now
+
+  /// Keeps the rounding of gap rates up to date: that of the fastest speeds so far. Not of the
+  /// present ones: the body may be stopped within an instant by ever smaller impacts, and what is
+  /// left then is rounding of the speeds before.
+  void note_speed(const BasicState<Real>& state) {
+    const Real rounding = few_roundings * epsilon<Real>();
+    rate_rounding = max(rate_rounding, Real(rounding * state.velocity.norm()));
+    spin_rounding = max(spin_rounding, Real(rounding * abs(state.spin)));
+  }
 
   /// A closing rate of `cable` up to this is rounding of zero [m/s].
   [[nodiscard]] Real rounding(const BasicCable<Real>& cable) const {

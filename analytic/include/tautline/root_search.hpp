@@ -9,12 +9,15 @@
 
 namespace tautline {
 
-/// A function of time at one instant, with its first two derivatives.
+// `Real` is one number, or several side by side of as many functions (scalar.hpp).
+
+/// A function of time at one instant, with its first three derivatives.
 template <class Real>
 struct BasicSample {
   Real value;
   Real rate;
   Real curvature;
+  Real jerk;
 };
 using Sample = BasicSample<double>;
 
@@ -31,42 +34,49 @@ struct BasicRootSearch {
 };
 using RootSearch = BasicRootSearch<double>;
 
+/// As a factor, rounded up: a division takes several times as long.
+inline constexpr double third = 0x1.5555555555556p-2;
+
 /// The smallest t >= 0 with value + rate t - bend t^2 / 2 = 0, infinite if there is none.
 /// Requires value >= 0. Each branch adds two numbers of one sign, so nothing cancels.
 template <class Real>
 [[nodiscard]] Real first_quadratic_root(const Real& value, const Real& rate, const Real& bend) {
   const Real discriminant = rate * rate + 2 * bend * value;
-  if (discriminant < 0 || (bend <= 0 && rate >= 0)) {
-    return infinity<Real>();
-  }
-  const Real root = sqrt(discriminant);
-  return rate >= 0 ? Real((rate + root) / bend) : Real(2 * value / (root - rate));
+  const auto rising = rate >= Real(0);
+  const auto none = discriminant < Real(0) || (rising && bend <= Real(0));
+  const Real root = sqrt(select(none, Real(0), discriminant));
+  const Real top = select(rising, Real(rate + root), Real(2 * value));
+  const Real bottom = select(rising, bend, Real(root - rate));
+  return select(none, infinity<Real>(), Real(top / bottom));
 }
 
 /// A step from `now` at time s, at most `window`, before whose end f has no root (Eq. 13).
 ///
-/// Proof. On [s, s + w] let |f'''| <= J and c = f''(s). Then f'' >= c - J t there, so by Taylor
-/// f(s + t) >= f + f' t + c t^2 / 2 - J t^3 / 6 >= f + f' t - (J w / 3 - c) t^2 / 2 for t <= w, and
-/// f has no root before the smaller of w and the root of the right-hand side. Any w is valid.
+/// Proof. On [s, s + w] let |f''''| <= Q, and c = f''(s), j = f'''(s). By Taylor f(s + t) >= f + f'
+/// t
+/// + c t^2 / 2 + j t^3 / 6 - Q t^4 / 24 >= f + f' t - (max(0, -j) w / 3 + Q w^2 / 12 - c) t^2 / 2
+/// for t <= w, and f has no root before the smaller of w and the root of the right-hand side. Any w
+/// is valid.
 template <class Function, class Real>
 [[nodiscard]] Real safe_step(const Function& f, const BasicSample<Real>& now, const Real& s,
                              const Real& window) {
+  const Real falling = most(Real(0), Real(-now.jerk)) * third;
   const auto reach = [&](const Real& w) {
-    return first_quadratic_root<Real>(now.value, now.rate,
-                                      f.jerk_bound(s, w) * w / 3 - now.curvature);
+    return first_quadratic_root<Real>(
+        now.value, now.rate, (falling + f.snap_bound(s, w) * w * (third / 4)) * w - now.curvature);
   };
-  Real trial = min(window, first_quadratic_root<Real>(now.value, now.rate, -now.curvature));
+  Real trial = least(window, first_quadratic_root<Real>(now.value, now.rate, -now.curvature));
   // at the best w both limits agree; a geometric mean closes three quarters of the log distance.
   // From a graze the right-hand side has its root at zero unless w is small: never all the way
-  const Real least = epsilon<Real>();
-  for (int refinement = 0; refinement < 3; ++refinement) {
-    const Real found = reach(trial);
-    if (2 * found >= trial) {  // near enough
-      return min(trial, found);
-    }
-    trial = sqrt(Real(trial * max(found, Real(least * trial))));
+  Real found = reach(trial);
+  auto far = !(2 * found >= trial);
+  for (int refinement = 1; refinement <= 3 && any(far); ++refinement) {
+    const Real mean = sqrt(Real(trial * most(found, Real(epsilon<Real>() * trial))));
+    trial = select(far, mean, trial);
+    found = select(far, reach(trial), found);
+    far = far && !(2 * found >= trial);
   }
-  return min(trial, reach(trial));
+  return least(trial, found);
 }
 
 /// True where Newton's method from `now` must converge to the first root after s.
@@ -75,32 +85,44 @@ template <class Function, class Real>
 /// in that interval, and Newton started at s converges to it. A quarter instead of a half saves
 /// steps.
 template <class Function, class Real>
-[[nodiscard]] bool newton_is_certain(const Function& f, const BasicSample<Real>& now,
+[[nodiscard]] auto newton_is_certain(const Function& f, const BasicSample<Real>& now,
                                      const Real& s) {
-  if (now.rate >= 0) {
-    return false;
+  // the derivatives at s alone say no to most
+  auto certain =
+      now.rate < Real(0) && 4 * abs(now.curvature) * now.value <= Real(now.rate * now.rate);
+  if (any(certain)) {
+    const Real width = -2 * now.value / now.rate;
+    const Real bound =
+        abs(now.curvature) + (abs(now.jerk) + f.snap_bound(s, width) * width / 2) * width;
+    certain = certain && 4 * bound * now.value <= Real(now.rate * now.rate);
   }
-  const Real width = -2 * now.value / now.rate;
-  const Real bound = abs(now.curvature) + f.jerk_bound(s, width) * width;
-  return 4 * bound * now.value <= now.rate * now.rate;
+  return certain;
 }
 
-/// Newton's method with the second derivative, inside its certified region: each correction is the
-/// first root of the Taylor parabola, at most 2 f/|f'|, until one no longer changes the time.
-template <class Function, class Real>
-[[nodiscard]] Real finish_by_newton(const Function& f, BasicSample<Real> now, Real s, int& steps) {
-  constexpr int enough = 8;  // cubic from 1/4: four reach a double's last bit, six 100 digits
+/// Newton's method with the third derivative, inside its certified region, until a correction no
+/// longer changes the time. Each is the first root of the Taylor parabola, at most 2 f/|f'|, and
+/// from there one step of Newton's to that of the Taylor cubic. In the lanes `open`; the others
+/// stay at `s`.
+template <class Function, class Real, class Mask>
+[[nodiscard]] Real finish_by_newton(const Function& f, BasicSample<Real> now, Real s, Mask open,
+                                    int& steps) {
+  constexpr int enough = 8;  // of fourth order: three reach a double's last bit, five 100 digits
   for (int iteration = 0; iteration < enough; ++iteration) {
     const Real bend = 2 * now.curvature * now.value;
-    const Real slope = sqrt(max(Real(0), Real(now.rate * now.rate - bend)));
-    const Real correction = 2 * now.value / (slope - now.rate);
-    const Real size = abs(correction);
-    // f there is at most J size^3 / 6 and |f'| at least half its size here: below rounding of the
-    // time there is nothing to gain
-    const bool done =
-        f.jerk_bound(s, size) * size * size * size <= 3 * epsilon<Real>() * s * abs(now.rate);
-    s += correction;
-    if (done) {
+    const Real slope = sqrt(most(Real(0), Real(now.rate * now.rate - bend)));
+    const Real parabolic = 2 * now.value / (slope - now.rate);
+    const Real cubic = now.jerk * parabolic * parabolic;
+    const Real further = cubic * parabolic / (6 * slope - 3 * cubic);
+    // f there is at most what is left of the cubic, and Q t^4 / 24, and |f'| at least half its size
+    // here: below rounding of the time there is nothing to gain
+    const Real size = abs(parabolic) + abs(further);
+    const Real square = size * size;
+    const Real left = 12 * (abs(now.curvature) + abs(now.jerk) * size) * further * further +
+                      f.snap_bound(s, size) * square * square;
+    const Mask done = left <= Real(12 * epsilon<Real>() * s * abs(now.rate));
+    s = select(open, Real(s + (parabolic + further)), s);
+    open = open && !done;
+    if (!any(open)) {
       break;
     }
     now = f.at(s);
@@ -113,6 +135,16 @@ template <class Function, class Real>
 /// hundred [-].
 inline constexpr int most_fine_steps = 1000;
 
+/// A step may lead out of the search's horizon by a little, so that none ends on it [-].
+inline constexpr double beyond = 1.0 + 1e-9;
+
+/// What searches side by side found, each for its own first root.
+template <class Real>
+struct FirstRoots {
+  Real root;      // infinite: none up to the horizon; NaN: unknown, numbers overflowed
+  int steps = 0;  // evaluations of the functions
+};
+
 /// The first time in [0, horizon] at which f, which starts >= 0, falls through zero.
 ///
 /// Conservative advancement: every step is one `safe_step`, so the search never passes a root, from
@@ -120,70 +152,88 @@ inline constexpr int most_fine_steps = 1000;
 /// From a start at zero only a later return counts, unless f is falling at once. A value <= 0 that
 /// is rising is rounding: f touches zero and leaves (a graze), which is no root. Where f stays
 /// within rounding of zero, below the resolution of time or for very many steps, the steps double,
-/// so the search ends there too. Where a sample or a
-/// bound is too large for a double the root is NaN, never none.
+/// so the search ends there too. Where a sample or a bound is too large for a double the root is
+/// NaN, never none.
 ///
-/// `Function` offers at(s) -> Sample, and jerk_bound(s, w), an upper bound of |f'''| on [s, s + w]
+/// `Function` offers at(s) -> Sample, and snap_bound(s, w), an upper bound of |f''''| on [s, s + w]
 /// as long as f >= 0 there; it must not shrink when w grows. It may offer clear(s, w), a time up to
 /// w from s on in which it knows of no root, where it oscillates many times before the first.
-template <class Function, class Real>
-[[nodiscard]] BasicRootSearch<Real> first_root(const Function& f, const Real& horizon,
-                                               SearchStart start = {}) {
-  BasicRootSearch<Real> search;
+template <class Function, class Real, class Mask>
+[[nodiscard]] FirstRoots<Real> first_roots(const Function& f, const Real& horizon,
+                                           const Mask& at_zero) {
+  FirstRoots<Real> result{infinity<Real>(), 1};
   Real s(0);
   BasicSample<Real> now = f.at(s);
-  search.steps = 1;
-  if (start.at_zero) {
-    now.value = Real(0);
-  }
+  now.value = select(at_zero, Real(0), now.value);
   Real least_step(0);
-  const auto unknown = [&search] {
-    search.root = not_a_number<Real>();
-    return search;
+  Mask open = s == s;     // still on its way
+  Mask certain = s != s;  // at a simple root, from where Newton finishes
+  BasicSample<Real> at_root = now;
+  Real root_near(0);
+  const auto end = [&](const Mask& where, const Real& root) {
+    result.root = select(where, root, result.root);
+    open = open && !where;
   };
   while (true) {
     // their sum is finite only where each is
-    if (!isfinite(Real(now.value + now.rate + now.curvature))) {
-      return unknown();
+    end(open && !is_finite(Real(now.value + now.rate + now.curvature + now.jerk)),
+        not_a_number<Real>());
+    const Mask low = now.value <= Real(0);
+    const Mask falling = now.rate < Real(0) || (now.rate == Real(0) && now.curvature < Real(0));
+    end(open && low && falling, s);
+    now.value = select(low, Real(0), now.value);
+    const Mask newton = open && !low && newton_is_certain(f, now, s);
+    if (any(newton)) {
+      at_root.value = select(newton, now.value, at_root.value);
+      at_root.rate = select(newton, now.rate, at_root.rate);
+      at_root.curvature = select(newton, now.curvature, at_root.curvature);
+      at_root.jerk = select(newton, now.jerk, at_root.jerk);
+      root_near = select(newton, s, root_near);
+      certain = certain || newton;
+      open = open && !newton;
     }
-    if (now.value <= 0) {
-      if (now.rate < 0 || (now.rate == 0 && now.curvature < 0)) {
-        search.root = s;
-        return search;
-      }
-      now.value = Real(0);
-    } else if (newton_is_certain(f, now, s)) {
-      const Real root = finish_by_newton(f, now, s, search.steps);
-      if (!isfinite(root)) {
-        return unknown();
-      }
-      if (root <= horizon) {
-        search.root = root;
-      }
-      return search;
+    open = open && s < horizon;
+    if (!any(open)) {
+      break;
     }
-    if (s >= horizon) {
-      return search;
-    }
-    Real step = safe_step(f, now, s, Real(horizon - s));
-    if (!isfinite(step)) {
-      return unknown();
-    }
+    const Real rest = horizon - s;
+    Real step = safe_step(f, now, s, Real(beyond * rest));
     if constexpr (requires { f.clear(s, step); }) {
-      step = max(step, Real(f.clear(s, Real(horizon - s))));
+      step = most(step, Real(f.clear(s, rest)));
     }
-    if (s + step == s || search.steps > most_fine_steps) {  // not to be resolved
-      if (!isfinite(f.jerk_bound(s, Real(0)))) {
-        return unknown();
-      }
-      const Real finest = epsilon<Real>() * max(s, Real(epsilon<Real>() * horizon));
-      step = max({step, finest, Real(2 * least_step)});
-      least_step = step;
+    const Mask fine = open && (s + step == s || Mask(result.steps > most_fine_steps));
+    if (any(fine)) {  // not to be resolved
+      end(fine && !is_finite(f.snap_bound(s, Real(0))), not_a_number<Real>());
+      const Real finest = epsilon<Real>() * most(s, Real(epsilon<Real>() * horizon));
+      const Real coarser = most(most(step, finest), Real(2 * least_step));
+      step = select(fine, coarser, step);
+      least_step = select(fine, step, least_step);
     }
-    s = min(horizon, Real(s + step));
+    end(open && !is_finite(step), not_a_number<Real>());
+    open = open && step <= rest;
+    if (!any(open)) {
+      break;
+    }
+    s = select(open, Real(s + step), s);
     now = f.at(s);
-    ++search.steps;
+    ++result.steps;
   }
+  if (any(certain)) {
+    const Real root = finish_by_newton(f, at_root, root_near, certain, result.steps);
+    const Real within = select(root <= horizon, root, infinity<Real>());
+    const Real found = select(is_finite(root), within, not_a_number<Real>());
+    result.root = select(certain, found, result.root);
+  }
+  return result;
+}
+
+/// Of one function.
+template <class Function, class Real>
+[[nodiscard]] BasicRootSearch<Real> first_root(const Function& f, const Real& horizon,
+                                               SearchStart start = {}) {
+  const FirstRoots<Real> found = first_roots(f, horizon, start.at_zero);
+  const bool none = found.root == infinity<Real>();
+  return {none ? std::nullopt : std::optional<Real>(found.root), found.steps};
 }
 
 }  // namespace tautline

@@ -24,22 +24,64 @@ using std::pow;
 using std::sin;
 using std::sqrt;
 
+/// The type of the number in `Real`: itself, where it is not several side by side.
+template <class Real>
+struct NumberOf {
+  using type = Real;
+};
+
+/// The limits of that type.
+template <class Real>
+using LimitsOf = std::numeric_limits<typename NumberOf<Real>::type>;
+
 /// The spacing of the numbers at 1 [-].
 template <class Real>
 [[nodiscard]] Real epsilon() {
-  return std::numeric_limits<Real>::epsilon();
+  return LimitsOf<Real>::epsilon();
 }
 
 /// Of any number type that has one.
 template <class Real>
 [[nodiscard]] Real infinity() {
-  return std::numeric_limits<Real>::infinity();
+  return LimitsOf<Real>::infinity();
 }
 
 /// Of any number type that has one.
 template <class Real>
 [[nodiscard]] Real not_a_number() {
-  return std::numeric_limits<Real>::quiet_NaN();
+  return LimitsOf<Real>::quiet_NaN();
+}
+
+// What is done in every flight is written once for one number and for several side by side, lanes,
+// as a processor computes them at once. A comparison of lanes is a mask, so that code for both
+// chooses by `select` and asks `any`. For one number a mask is a bool. Lanes are of a type of
+// their own, such as xsimd's, which brings its own select, any, sqrt and abs.
+
+/// `yes` where the mask is set, else `no`.
+template <class V>
+[[nodiscard]] V select(bool mask, const V& yes, const V& no) {
+  return mask ? yes : no;
+}
+
+/// True where the mask is set in a lane.
+[[nodiscard]] constexpr bool any(bool mask) { return mask; }
+
+/// The smaller of both in each lane, `a` where one is NaN, as std::min. Processors differ there.
+template <class V>
+[[nodiscard]] V least(const V& a, const V& b) {
+  return select(b < a, b, a);
+}
+
+/// The larger of both in each lane, `a` where one is NaN, as std::max.
+template <class V>
+[[nodiscard]] V most(const V& a, const V& b) {
+  return select(a < b, b, a);
+}
+
+/// Where `v` is neither infinite nor NaN.
+template <class V>
+[[nodiscard]] auto is_finite(const V& v) {
+  return v - v == V(0);
 }
 
 }  // namespace tautline

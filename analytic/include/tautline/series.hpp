@@ -24,20 +24,23 @@ class Polynomial {
     Real value(0);
     Real rate(0);
     Real half_curvature(0);
+    Real sixth_jerk(0);
     for (std::size_t k = coefficients_.size(); k-- > 0;) {
+      sixth_jerk = sixth_jerk * s + half_curvature;
       half_curvature = half_curvature * s + rate;
       rate = rate * s + value;
       value = value * s + coefficients_[k];
     }
-    return {value, rate, 2 * half_curvature};
+    return {value, rate, 2 * half_curvature, 6 * sixth_jerk};
   }
 
-  /// The third derivative's bound on [0, s + w]: the sum of the sizes of its terms.
-  [[nodiscard]] Real jerk_bound(const Real& s, const Real& window) const {
+  /// The fourth derivative's bound on [0, s + w]: the sum of the sizes of its terms.
+  [[nodiscard]] Real snap_bound(const Real& s, const Real& window) const {
     const Real end = s + window;
     Real bound(0);
-    for (std::size_t k = coefficients_.size(); k-- > 3;) {
-      bound = bound * end + abs(coefficients_[k]) * static_cast<double>(k * (k - 1) * (k - 2));
+    for (std::size_t k = coefficients_.size(); k-- > 4;) {
+      bound = bound * end +
+              abs(coefficients_[k]) * static_cast<double>(k * (k - 1) * (k - 2) * (k - 3));
     }
     return bound;
   }

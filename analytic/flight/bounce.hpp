@@ -1,0 +1,155 @@
+#pragma once
+
+#include <cstddef>
+
+#include "flight/gap_along_flight.hpp"
+#include "slow_bounces.hpp"
+#include "tautline/accumulation.hpp"
+#include "tautline/first_contact.hpp"
+#include "tautline/rounding.hpp"
+
+namespace tautline {
+
+// What happens most, written for one body or several side by side: a body in free flight is caught
+// by one cable and leaves it. It is the loop's own flight and impact (solve.cpp), without the questions
+// whose answers are known here: nothing rests, no accumulation is near its end.
+
+/// What all flights of a case have in common.
+template <class V>
+struct FlightWorld {
+  Pair<V> gravity;  // [m/s^2]
+  V gravity_size;   // [m/s^2]
+  V mass;           // [kg]
+  V inertia;        // [kg m^2]
+  V per_mass;       // [1/kg]
+  V per_inertia;    // [1/(kg m^2)]; 0 for a point mass
+  V radius;         // [m], of the farthest attachment
+  V shortest;       // [m], the length of the shortest cable
+};
+
+/// A body between two impacts.
+template <class V>
+struct Flyer {
+  Pair<V> position;  // [m]
+  V angle;           // [rad], at most `farthest_turn` in size
+  Pair<V> velocity;  // [m/s]
+  V spin;            // [rad/s]
+  V rate_rounding;   // as in BasicTouching [m/s]
+  V spin_rounding;   // [rad/s]
+};
+
+/// An impact on one cable at the end of a flight.
+template <class V, class Mask>
+struct Bounce {
+  Mask ordinary;    // else nothing of this holds: more may happen, or other things
+  V dt;             // [s], of the flight
+  V place;          // of the cable in the order of the search
+  Flyer<V> before;  // the impact
+  V impulse;        // [N s]
+  Pair<V> velocity;  // after the impact [m/s]
+  V spin;            // [rad/s]
+  Mask leaves;        // not to be tried as the end of an accumulation
+  V tried;            // of the cable, from now on
+};
+
+/// Where numbers of a motion and their squares fit a double.
+template <class V>
+[[nodiscard]] auto fits(const FlightWorld<V>& world, const Pair<V>& position, const V& angle,
+                        const Pair<V>& velocity, const V& spin) {
+  const V squares = dot(velocity, velocity);
+  const V turning = spin * spin;
+  const V energy = (world.mass * squares + world.inertia * turning) / 2 -
+                   world.mass * dot(world.gravity, position);
+  return is_finite(V(energy + squares + turning + dot(position, position) + abs(angle)));
+}
+
+/// Newton's law on one cable (Eq. 14) of a body that has come to it: fills what follows the flight.
+template <class V, class Mask>
+void rebound(const FlightWorld<V>& world, const FlightCable<V>& cable,
+             const CompletionLimits& limits, Bounce<V, Mask>& bounce) {
+  const Flyer<V>& before = bounce.before;
+  const Pair<V> arm = arm_of(cable.attachment, direction(before.angle));
+  const Pair<V> from_anchor = before.position + arm - cable.anchor;
+  const V distance = norm(from_anchor);
+  const Pair<V> u = V(1.0 / distance) * from_anchor;
+  const V lever = arm.x * u.y - arm.y * u.x;
+  const V rate = -(dot(u, before.velocity) + lever * before.spin);
+  const V impulse = -(1.0 + cable.restitution) * rate /
+                    (world.per_mass * dot(u, u) + world.per_inertia * lever * lever);
+  bounce.impulse = impulse;
+  bounce.velocity = before.velocity - V(impulse * world.per_mass) * u;
+  bounce.spin = before.spin - impulse * world.per_inertia * lever;
+
+  const V rate_rounding = before.rate_rounding + before.spin_rounding * cable.radius;
+  const V height_rounding = epsilon<V>() * most(cable.operand, norm(before.position));
+  const Mask closes = rate < V(-rate_rounding);
+  const Mask drifted = abs(cable.length - distance) > V(few_roundings * height_rounding);
+  bounce.ordinary =
+      bounce.ordinary && closes && !drifted &&
+      fits(world, before.position, before.angle, bounce.velocity, bounce.spin);
+
+  const V rebound = -cable.restitution * rate;
+  const V speed = norm(bounce.velocity) + abs(bounce.spin) * world.radius;
+  const Scales<V> scale(world.gravity_size, world.radius, world.shortest, speed, bounce.spin,
+                        limits.margin);
+  const Pair<V> attachment = bounce.velocity + bounce.spin * turned_left(arm);
+  const V across = u.x * attachment.y - u.y * attachment.x;
+  const Pair<V> acceleration = world.gravity - V(bounce.spin * bounce.spin) * arm;
+  const V pull = dot(u, acceleration) + across * across / distance;  // Eq. 5
+  const Mask slow = is_slow(cable.restitution, height_rounding, rebound, pull, limits, scale);
+  bounce.tried = select(slow, cable.tried, infinity<V>());
+  bounce.leaves = rebound > rate_rounding && !is_low(height_rounding, rebound, scale) &&
+                  !(slow && rebound <= cable.tried);
+}
+
+/// The next impact of bodies that fly within `horizon` [s], each on the cables `cable(k)`, k < count,
+/// of its own, of which it has left the first where `touches`. Requires that they open there, and
+/// are not slow.
+template <class V, class Mask, class Cables>
+[[nodiscard]] Bounce<V, Mask> next_bounce(const FlightWorld<V>& world, const Flyer<V>& from,
+                                          const Cables& cable, std::size_t count,
+                                          const Mask& touches, const V& horizon,
+                                          const CompletionLimits& limits) {
+  const Flight<V> flight{from.position,  direction(from.angle), from.velocity,
+                         from.spin,      world.gravity,         world.gravity_size,
+                         norm(from.velocity), V(from.spin * from.spin)};
+  const double together = 1.0 + simultaneous<double>();
+  V earliest = infinity<V>();
+  V next = earliest;
+  V place(0);
+  FlightCable<V> hit = cable(0);
+  Mask known = V(abs(from.spin) * horizon) <= V(many_turns) && V(abs(from.angle)) <= V(farthest_turn);
+  for (std::size_t k = 0; k < count; ++k) {
+    const FlightCable<V> one = cable(k);
+    const Mask at_zero = touches && V(static_cast<double>(k)) == V(0);
+    const GapAlongFlight<V> f(flight, one, at_zero,
+                              V(from.rate_rounding + from.spin_rounding * one.radius));
+    const V root = first_roots(f, least(horizon, V(earliest * together)), at_zero).root;
+    const Mask first = root < earliest;
+    known = known && root == root;
+    next = least(next, select(first, earliest, root));
+    earliest = select(first, root, earliest);
+    place = select(first, V(static_cast<double>(k)), place);
+    hit = selected(first, one, hit);
+  }
+  Bounce<V, Mask> bounce;
+  bounce.ordinary = known && earliest > V(0) && is_finite(earliest) && next > V(earliest * together);
+  const V dt = select(bounce.ordinary, earliest, V(0));
+  bounce.dt = dt;
+  bounce.place = place;
+  const Pair<V> velocity = from.velocity + dt * world.gravity;
+  bounce.before = {from.position + (dt * from.velocity + V(dt * dt / 2) * world.gravity),
+                   from.angle + dt * from.spin,
+                   velocity,
+                   from.spin,
+                   from.rate_rounding,
+                   from.spin_rounding};
+  rebound(world, hit, limits, bounce);
+  const double rounding = few_roundings * epsilon<double>();  // of the fastest speeds so far
+  Flyer<V>& before = bounce.before;
+  before.rate_rounding = most(before.rate_rounding, V(rounding * norm(velocity)));
+  before.spin_rounding = most(before.spin_rounding, V(rounding * abs(before.spin)));
+  return bounce;
+}
+
+}  // namespace tautline

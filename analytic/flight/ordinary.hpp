@@ -1,0 +1,113 @@
+#pragma once
+
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "flight/bounce.hpp"
+
+namespace tautline {
+
+template <class Real>
+using BasicBounce = Bounce<Real, bool>;
+
+/// The ordinary bounces of one case (bounce.hpp), in double. Many digits go the general way alone,
+/// so that either is held against the other.
+template <class Real>
+class OrdinaryBounces {
+ public:
+  OrdinaryBounces(const BasicCase<Real>& the_case, const CompletionLimits& limits)
+      : limits_(limits),
+        world_{pair<Real>(the_case.gravity),
+               the_case.gravity.norm(),
+               the_case.body.mass,
+               the_case.body.inertia,
+               Real(1 / the_case.body.mass),
+               inverse_mass(the_case.body)[2],
+               attachment_radius(the_case),
+               shortest_length(the_case)},
+        exist_(std::is_same_v<Real, double> && !the_case.angle_limit && !the_case.ceiling) {
+    cables_.reserve(the_case.cables.size());
+    for (const BasicCable<Real>& cable : the_case.cables) {
+      cables_.push_back(flight_cable(cable));
+      exist_ = exist_ && !depends_on_speed(cable);
+    }
+  }
+
+  /// False where a limit of the case may end a flight, or restitutions depend on speed.
+  [[nodiscard]] bool exist() const { return exist_; }
+
+  /// The cable in this place of the search: first `last`, which the body has just left, as it is
+  /// likely to return before any other closes; then the others in their order.
+  [[nodiscard]] static std::size_t cable_at(std::size_t place, std::optional<std::size_t> last) {
+    return !last || place > *last ? place : place == 0 ? *last : place - 1;
+  }
+
+  /// The next one of `from`, which has left the cable `last`, if any, within `horizon` [s].
+  [[nodiscard]] BasicBounce<Real> next(const Flyer<Real>& from, std::optional<std::size_t> last,
+                                       const Real& horizon) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      const auto cable = [&](std::size_t place) { return cables_[cable_at(place, last)]; };
+      return next_bounce(world_, from, cable, cables_.size(), last.has_value(), horizon, limits_);
+    } else {
+      return {};
+    }
+  }
+
+  /// After an attempt to complete the bounces that begin with `rebound` [m/s] on a cable has come
+  /// too early: the next one is worth its while once they are half as fast. An attempt costs as much as
+  /// several bounces.
+  void note_attempt(std::size_t index, const Real& rebound) { cables_[index].tried = rebound / 2; }
+  void set_tried(std::size_t index, const Real& tried) { cables_[index].tried = tried; }
+
+  /// True where the touching `cables` open, and their bounces are not to be tried as the end of an
+  /// accumulation. `alone`: no tension changes how they close.
+  [[nodiscard]] bool leave(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                           const BasicTouching<Real>& touching, CableSet cables, bool alone) {
+    const Scales<Real> scale(the_case, state, limits_.margin);
+    for (const std::size_t index : cables) {
+      const BasicCable<Real>& cable = the_case.cables[index];
+      const Real rebound = gap_rate(cable, state);
+      const Real rounding = rounding_of_gap(cable, state);
+      const Real pull =
+          alone ? Real(-free_gap_acceleration(the_case, index, state)) : scale.acceleration;
+      const bool slow =
+          is_slow(restitution_up_to(cable, rebound), rounding, rebound, pull, limits_, scale);
+      if (!slow) {
+        set_tried(index, infinity<Real>());
+      }
+      if (!(rebound > touching.rounding(cable)) || is_low(rounding, rebound, scale) ||
+          (slow && rebound <= cables_[index].tried)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] const FlightWorld<Real>& world() const { return world_; }
+  [[nodiscard]] const std::vector<FlightCable<Real>>& cables() const { return cables_; }
+
+ private:
+  const CompletionLimits& limits_;
+  FlightWorld<Real> world_;
+  std::vector<FlightCable<Real>> cables_;
+  bool exist_;
+};
+
+/// The body in `state`.
+template <class Real>
+[[nodiscard]] Flyer<Real> flyer_of(const BasicState<Real>& state,
+                                   const BasicTouching<Real>& touching) {
+  return {pair<Real>(state.position), state.angle,
+          pair<Real>(state.velocity), state.spin,
+          touching.rate_rounding,     touching.spin_rounding};
+}
+
+/// The state of `flyer`.
+template <class Real>
+[[nodiscard]] BasicState<Real> state_of(const Flyer<Real>& flyer) {
+  return {BasicVec2<Real>(flyer.position.x, flyer.position.y), flyer.angle,
+          BasicVec2<Real>(flyer.velocity.x, flyer.velocity.y), flyer.spin};
+}
+
+}  // namespace tautline

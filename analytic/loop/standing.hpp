@@ -1,0 +1,61 @@
+#pragma once
+
+#include "tautline/first_contact.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/projection.hpp"
+
+namespace tautline {
+
+/// The cables at zero gap at the start, by the rounding of the numbers given.
+template <class Real>
+[[nodiscard]] CableSet touching_at_start(const BasicCase<Real>& the_case) {
+  CableSet touching;
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    if (starts_at_zero(the_case.cables[index], the_case.initial)) {
+      touching.insert(index);
+    }
+  }
+  return touching;
+}
+
+/// How touching cables stand.
+struct Contacts {
+  CableSet closing;
+  CableSet resting;
+};
+
+/// The cables at zero gap that close now and those that rest, up to rounding.
+template <class Real>
+[[nodiscard]] Contacts contacts(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                const BasicTouching<Real>& touching) {
+  Contacts result;
+  for (const std::size_t index : touching.cables) {
+    const Real rate = gap_rate(the_case.cables[index], state);
+    const Real rounding = touching.rounding(the_case.cables[index]);
+    if (rate < -rounding) {
+      result.closing.insert(index);
+    } else if (rate <= rounding) {
+      result.resting.insert(index);
+    }
+  }
+  return result;
+}
+
+/// `state` with what rounding has left of the gaps and rates of taut cables taken away, and of the
+/// gaps of those just hit once it is more than a few arcs leave.
+template <class Real>
+[[nodiscard]] BasicState<Real> on_cables(const BasicCase<Real>& the_case, BasicState<Real> state,
+                                         CableSet held, CableSet hit) {
+  bool drifted = !held.empty();
+  for (const std::size_t index : hit) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    drifted = drifted || abs(gap(cable, state)) > few_roundings * rounding_of_gap(cable, state);
+  }
+  if (drifted) {
+    constexpr double almost_dependent = 1e-2;  // [-], a sine: a hundredfold of the gaps is enough
+    state = with_zero_gaps(the_case, state, held | hit, hit.empty() ? 0.0 : almost_dependent);
+  }
+  return held.empty() ? state : with_zero_rates(the_case, state, held);
+}
+
+}  // namespace tautline

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "tautline/geometry.hpp"
+#include "tautline/scalar.hpp"
+
+namespace tautline {
+
+/// Of the error, whatever the margin of the certificate [-].
+inline constexpr double error_margin = 20.0;
+
+/// Size of the gaps' accelerations [m/s^2] and the rate [1/s] at which they change.
+template <class V>
+struct Scales {
+  Scales(const BasicCase<V>& the_case, const BasicState<V>& state, double of_certificate)
+      : Scales(the_case.gravity.norm(), attachment_radius(the_case), shortest_length(the_case),
+               speed_scale(the_case, state), state.spin, of_certificate) {}
+
+  /// Of a body whose attachments, up to `radius` [m] from the centre, are no faster than `speed`
+  /// [m/s], on cables no shorter than `shortest` [m].
+  Scales(const V& gravity, const V& radius, const V& shortest, const V& speed, const V& spin,
+         double of_certificate)
+      : margin(of_certificate) {
+    const V turn = speed / shortest;
+    acceleration = gravity + spin * spin * radius + speed * turn;
+    rate = abs(spin) + turn + sqrt(V(acceleration / shortest));
+  }
+
+  V acceleration;
+  V rate;
+  double margin;  // of the certificate [-]
+};
+
+/// Where bounces that begin with `rebound` [m/s] are no higher than what a gap can tell.
+template <class V>
+[[nodiscard]] auto is_low(const V& rounding, const V& rebound, const Scales<V>& scale) {
+  return V(rebound * rebound) <= V(2 * scale.acceleration * rounding);
+}
+
+/// Where bounces that begin with `rebound` [m/s] and keep at most the part `kept` of their speed may
+/// meet `limits` (CompletionLimits), if `pull` [m/s^2] is what closes the cable: from Eq. 20.
+template <class V, class Limits>
+[[nodiscard]] auto is_slow(const V& kept, const V& rounding, const V& rebound, const V& pull,
+                           const Limits& limits, const Scales<V>& scale) {
+  if (limits.speed) {
+    return rebound <= V(*limits.speed);
+  }
+  const V lost = select(kept < V(1), V(1 - kept * kept * kept), V(1));
+  const V change = rebound * scale.rate;
+  const V error = 2 * error_margin * change * change * change;
+  return is_low(rounding, rebound, scale) ||
+         (pull > V(0) && error <= V(3 * lost * limits.error * scale.acceleration * pull * pull));
+}
+
+}  // namespace tautline

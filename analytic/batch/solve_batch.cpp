@@ -1,0 +1,202 @@
+#include "tautline/batch/solve_batch.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "batch/bounce_lanes.hpp"
+#include "local_origin.hpp"
+#include "loop/paused_motion.hpp"
+#include "loop/standing.hpp"
+
+namespace tautline {
+namespace {
+
+/// The motions that are on their way, one a lane.
+class Batch {
+ public:
+  Batch(std::span<const Case> cases, const SolveOptions& options, const TakeSolution& take)
+      : cases_(cases), options_(options), take_(take), count_(cases.front().cables.size()) {
+    question_.count = count_;
+    question_.limits = options.completion;
+  }
+
+  /// Until all are solved.
+  void run() {
+    std::size_t flying = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      flying += start_next(lane) ? 1U : 0U;
+    }
+    const BounceLanes bounce_lanes = fastest_bounce_lanes();
+    while (flying > 0) {
+      bounce_lanes(question_, answer_);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (bodies_[lane].motion && !goes_on(lane)) {
+          flying -= start_next(lane) ? 0U : 1U;
+        }
+      }
+    }
+  }
+
+ private:
+  /// One that is on its way.
+  struct Body {
+    std::size_t index = 0;  // of its case
+    Case near;              // seen from `origin`, where that is not the world's
+    Vec2 origin = Vec2::Zero();
+    std::unique_ptr<PausedMotion<double>> motion;
+    std::optional<std::size_t> last_hit;
+  };
+
+  /// Puts the next case that flies into `lane`; false where there is none left.
+  bool start_next(std::size_t lane) {
+    Body& body = bodies_[lane];
+    while (next_ < cases_.size()) {
+      body.index = next_++;
+      const Case& the_case = cases_[body.index];
+      if (the_case.cables.size() != count_) {
+        take_(body.index, solve(the_case, options_));  // lanes have the same cables each
+        continue;
+      }
+      body.origin = local_origin(the_case);
+      const bool moved = !body.origin.isZero(0);
+      if (moved) {
+        body.near = seen_from(body.origin, the_case);
+      }
+      body.motion =
+          paused_motion(moved ? body.near : the_case, options_, touching_at_start(the_case));
+      if (advance(lane)) {
+        set_world(lane);
+        set_cables(lane);
+        return true;
+      }
+    }
+    body.motion.reset();
+    return false;
+  }
+
+  /// Takes the answer for `lane`; false where its motion has ended.
+  bool goes_on(std::size_t lane) {
+    Body& body = bodies_[lane];
+    const auto number = [lane](const LaneNumbers& numbers) { return numbers.of[lane]; };
+    const auto pair = [&](const Pair<LaneNumbers>& both) {
+      return Pair<double>{number(both.x), number(both.y)};
+    };
+    const Flyer<LaneNumbers>& before = answer_.before;
+    body.motion->take({number(answer_.ordinary) > 0.0,
+                       number(answer_.dt),
+                       number(answer_.place),
+                       {pair(before.position), number(before.angle), pair(before.velocity),
+                        number(before.spin), number(before.rate_rounding),
+                        number(before.spin_rounding)},
+                       number(answer_.impulse),
+                       pair(answer_.velocity),
+                       number(answer_.spin),
+                       number(answer_.leaves) > 0.0,
+                       number(answer_.tried)});
+    const std::optional<std::size_t> last = body.last_hit;
+    if (!advance(lane)) {
+      return false;
+    }
+    if (body.last_hit != last) {
+      set_cables(lane);
+    }
+    return true;
+  }
+
+  /// Follows the motion in `lane` to its next flight, and asks for the bounce there. False, and its
+  /// solution given away, where it has ended.
+  bool advance(std::size_t lane) {
+    Body& body = bodies_[lane];
+    if (!body.motion->advance()) {
+      Solution solution = body.motion->solution();
+      take_(body.index, body.origin.isZero(0) ? std::move(solution)
+                                              : seen_from<double>(-body.origin, solution));
+      return false;
+    }
+    body.last_hit = body.motion->last_hit();
+    const Flyer<double> flyer = body.motion->flyer();
+    Flyer<LaneNumbers>& from = question_.from;
+    set(lane, from.position, flyer.position);
+    set(lane, from.angle, flyer.angle);
+    set(lane, from.velocity, flyer.velocity);
+    set(lane, from.spin, flyer.spin);
+    set(lane, from.rate_rounding, flyer.rate_rounding);
+    set(lane, from.spin_rounding, flyer.spin_rounding);
+    set(lane, question_.touches, body.last_hit ? 1.0 : 0.0);
+    set(lane, question_.horizon, body.motion->time_left());
+    for (std::size_t place = 0; place < count_; ++place) {
+      set(lane, question_.cables[place].tried, cable_at(place, body).tried);
+    }
+    return true;
+  }
+
+  /// The cable in this place of the body's search.
+  static const FlightCable<double>& cable_at(std::size_t place, const Body& body) {
+    return body.motion->ordinary().cables()[OrdinaryBounces<double>::cable_at(place,
+                                                                              body.last_hit)];
+  }
+
+  static void set(std::size_t lane, LaneNumbers& numbers, double number) {
+    numbers.of[lane] = number;
+  }
+  static void set(std::size_t lane, Pair<LaneNumbers>& numbers, const Pair<double>& pair) {
+    numbers.x.of[lane] = pair.x;
+    numbers.y.of[lane] = pair.y;
+  }
+
+  void set_world(std::size_t lane) {
+    const FlightWorld<double>& world = bodies_[lane].motion->ordinary().world();
+    FlightWorld<LaneNumbers>& into = question_.world;
+    set(lane, into.gravity, world.gravity);
+    set(lane, into.gravity_size, world.gravity_size);
+    set(lane, into.mass, world.mass);
+    set(lane, into.inertia, world.inertia);
+    set(lane, into.per_mass, world.per_mass);
+    set(lane, into.per_inertia, world.per_inertia);
+    set(lane, into.radius, world.radius);
+    set(lane, into.shortest, world.shortest);
+  }
+
+  /// The cables in the order in which they are searched now.
+  void set_cables(std::size_t lane) {
+    const Body& body = bodies_[lane];
+    for (std::size_t place = 0; place < count_; ++place) {
+      const FlightCable<double>& cable = cable_at(place, body);
+      FlightCable<LaneNumbers>& into = question_.cables[place];
+      set(lane, into.anchor, cable.anchor);
+      set(lane, into.attachment, cable.attachment);
+      set(lane, into.length, cable.length);
+      set(lane, into.per_length, cable.per_length);
+      set(lane, into.radius, cable.radius);
+      set(lane, into.operand, cable.operand);
+      set(lane, into.restitution, cable.restitution);
+    }
+  }
+
+  std::span<const Case> cases_;
+  const SolveOptions& options_;
+  const TakeSolution& take_;
+  std::size_t count_;      // of cables
+  std::size_t next_ = 0;   // case
+  std::array<Body, lanes> bodies_;
+  LaneQuestion question_;
+  LaneAnswer answer_;
+};
+
+}  // namespace
+
+void solve_batch(std::span<const Case> cases, const SolveOptions& options,
+                 const TakeSolution& take) {
+  for (const Case& the_case : cases) {
+    if (const auto broken = problems(the_case); !broken.empty()) {
+      throw std::invalid_argument(broken.front());
+    }
+  }
+  if (!cases.empty()) {
+    Batch(cases, options, take).run();
+  }
+}
+
+}  // namespace tautline

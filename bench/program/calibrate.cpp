@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/process.hpp"
 #include "bench/base/progress.hpp"
 #include "bench/base/table.hpp"
@@ -93,10 +94,7 @@ std::vector<std::string> parameter_problems(const Model& model, const EngineInfo
     return {fmt::format("model {} has no parameter to calibrate; {}", model.name,
                         tunable_models(info))};
   }
-  std::vector<std::string> names;
-  for (const Parameter& parameter : model.parameters) {
-    names.push_back(parameter.name);
-  }
+  const std::vector<std::string> names = listed(model.parameters, &Parameter::name);
   std::vector<std::string> broken;
   for (const std::string& text : fixed) {
     const auto one = fixed_value(text);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/process.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
@@ -145,10 +146,7 @@ std::vector<std::string> usage_problems(const CheckCommand& command, const Engin
 
 /// What is known of an engine that has answered, from the file beside it.
 Contract contract_of(const RegisteredEngine& engine) {
-  std::vector<std::string> models;
-  for (const Model& model : engine.info->models) {
-    models.push_back(model.name);
-  }
+  const std::vector<std::string> models = listed(engine.info->models, &Model::name);
   return contract_beside(engine.plugin, engine.info->name, models);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/base/atomic_file.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/base/process.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
@@ -152,11 +153,8 @@ int trend_command(const TrendCommand& command) {
   }
   catch_interruption();
   const Descriptor tree = open_tree(command.runs.out, false);
-  std::vector<VersionTrend> trends;
-  trends.reserve(plans.size());
-  for (const VersionPlan& plan : plans) {
-    trends.push_back(trend_of(command, plan));
-  }
+  const std::vector<VersionTrend> trends =
+      listed(plans, [&](const VersionPlan& plan) { return trend_of(command, plan); });
   give(command, trends);
   if (interruption()) {
     complain(

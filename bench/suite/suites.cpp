@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "bench/base/listed.hpp"
+
 namespace tautline::bench {
 namespace {
 
@@ -50,11 +52,7 @@ const Suite* find_suite(std::string_view name) {
 }
 
 std::vector<std::string> cases_of(const Suite& suite) {
-  std::vector<std::string> result;
-  for (const SuiteCases& entry : suite.entries) {
-    result.emplace_back(entry.cases);
-  }
-  return result;
+  return listed<std::string>(suite.entries, &SuiteCases::cases);
 }
 
 std::string suites_text() {

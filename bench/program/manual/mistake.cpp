@@ -1,9 +1,9 @@
 #include "bench/program/manual/mistake.hpp"
 
 #include <CLI/CLI.hpp>
-#include <utility>
 #include <vector>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 
 namespace tautline::bench {
@@ -39,10 +39,7 @@ std::string unexpected_word(const std::string& word, const CLI::App& command) {
 }  // namespace
 
 std::string unknown_command(const std::string& word, const Outline& outline) {
-  std::vector<std::string> names;
-  for (const Command& command : outline.commands) {
-    names.push_back(command.name);
-  }
+  const std::vector<std::string> names = listed(outline.commands, &Command::name);
   return "unknown command " + printable(word) + or_help(suggestion(word, names), "");
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <thread>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
 #include "bench/ensemble/compare/comparison.hpp"
@@ -35,10 +36,7 @@ const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& pro
   }
   const Suite* suite = find_suite(*command.suite);
   if (suite == nullptr) {
-    std::vector<std::string> names;
-    for (const Suite& one : suites()) {
-      names.emplace_back(one.name);
-    }
+    const std::vector<std::string> names = listed<std::string>(suites(), &Suite::name);
     problems.push_back(
         fmt::format("--suite {}: must be {}", printable(*command.suite), joined(names, "or")));
   }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/statistics.hpp"
 #include "bench/report/tables/columns.hpp"
 
@@ -185,11 +186,7 @@ std::vector<Scorecard> scorecards(const Report& report) {
       names.insert(run.key.engine);
     }
   }
-  std::vector<Scorecard> cards;
-  for (const std::string& name : names) {
-    cards.push_back(scorecard(report, name));
-  }
-  return cards;
+  return listed(names, [&](const std::string& name) { return scorecard(report, name); });
 }
 
 const char* words_of(Maker maker) {

@@ -1,5 +1,6 @@
 #include "bench/program/manual/completion/offer.hpp"
 
+#include "bench/base/listed.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
@@ -36,18 +37,12 @@ std::string spaced(const std::vector<std::string>& words) {
 }
 
 std::string case_names() {
-  std::vector<std::string> names;
-  for (const Case& the_case : shipped_cases()) {
-    names.push_back(the_case.name);
-  }
+  const std::vector<std::string> names = listed(shipped_cases(), &Case::name);
   return spaced(names);
 }
 
 std::string command_names(const Outline& outline) {
-  std::vector<std::string> names;
-  for (const Command& command : outline.commands) {
-    names.push_back(command.name);
-  }
+  const std::vector<std::string> names = listed(outline.commands, &Command::name);
   return spaced(names);
 }
 

@@ -13,8 +13,8 @@ namespace tautline::bench {
 // The one place in which a report becomes JSON and is read back. Impacts are rounded here, and
 // thinned to what a page can hold, and nowhere before. Motions are for the replay alone.
 
-/// `report` as bench/report/report.schema.json describes it, a line for every row, without the
-/// motions of its runs.
+/// `report` as `report_schema_json` describes it, a line for every row, without the motions of its
+/// runs.
 [[nodiscard]] std::string report_json(const Report& report);
 
 /// The same on one line and without what only tools read: verdicts, output, details and digits that
@@ -33,7 +33,7 @@ struct ReportReading {
 };
 [[nodiscard]] ReportReading report_from(std::string_view text, const std::string& name);
 
-/// The schema of a report, whose part on metrics follows from the list of them.
+/// The schema of a report, which follows from its members and from the list of metrics.
 [[nodiscard]] std::string report_schema_json();
 
 /// One run as the report has it, indented.

@@ -3,15 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "bench/check/claims/body.hpp"
-#include "bench/check/claims/convergence.hpp"
-#include "bench/check/claims/flight.hpp"
-#include "bench/check/claims/momentum.hpp"
-#include "bench/check/claims/motion.hpp"
-#include "bench/check/claims/precision.hpp"
-#include "bench/check/claims/repeat.hpp"
-#include "bench/check/claims/restitution.hpp"
-#include "bench/check/claims/speed.hpp"
+#include "bench/check/claims/measures.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/run/protocol/by_events.hpp"
+#include "bench/run/protocol/simulations.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "bench/run/protocol/by_steps.hpp"
+#include "bench/run/protocol/simulations.hpp"
 
 #include <algorithm>
 #include <array>

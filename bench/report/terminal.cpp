@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/report/tables/answers_table.hpp"
-#include "bench/report/tables/columns.hpp"
 #include "bench/report/tables/distributions_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/words.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/base/table.hpp"
-#include "bench/solution/solution_text.hpp"
+#include "bench/solution/cable_words.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -1,7 +1,6 @@
 #include "bench/suite/report_of.hpp"
 
 #include <algorithm>
-#include <string>
 #include <thread>
 #include <utility>
 

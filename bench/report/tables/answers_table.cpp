@@ -1,7 +1,5 @@
 #include "bench/report/tables/answers_table.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <utility>

@@ -17,8 +17,11 @@ inline constexpr int exit_usage = 2;   // wrong usage or input
 /// The one case that `argument` means; none, after complaining, if that is not one.
 [[nodiscard]] std::optional<Case> one_case(const std::string& argument);
 
-/// Prints each sentence to standard error as "tautline: ...".
-void complain(const std::vector<std::string>& sentences);
+/// Prints each sentence to standard error as "tautline: ...". True if there is one.
+bool complain(const std::vector<std::string>& sentences);
+
+/// Adds `more` to `sentences`.
+void append(std::vector<std::string>& sentences, const std::vector<std::string>& more);
 
 /// What is wrong with a file that `option` names, before anything is done for it: its folder is not
 /// there. Nothing is wrong with "-", with none (""), or where the folder is `made`, which the

@@ -22,8 +22,10 @@ inline constexpr const char* law_help =
 /// Adds --law to `command`, with what it is for. `law` must outlive it.
 void add_law(CLI::App& command, ImpactLaw& law, const std::string& help);
 
-/// What is wrong with a file that an option names: an empty name, as of an unset variable of a
-/// shell, would write nothing.
-[[nodiscard]] std::string named_file(const std::string& name);
+/// Adds to `command` the option that says where to write: `help` is "write the list as JSON", or
+/// what else. An empty name, as of an unset variable of a shell, is refused: it would write
+/// nothing. `file` must outlive the command.
+void add_target(CLI::App& command, const std::string& option, std::string& file,
+                const std::string& help);
 
 }  // namespace tautline::bench

@@ -21,10 +21,6 @@
 namespace tautline::bench {
 namespace {
 
-void append(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
-  sentences.insert(sentences.end(), more.begin(), more.end());
-}
-
 /// The suite that is meant; null where cases are named, or with a sentence on what is wrong.
 const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& problems) {
   if (!command.suite) {
@@ -203,10 +199,7 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
                      "those of the suite; of CASES 0)");
   command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
       ->capture_default_str();
-  command
-      .add_option("--json", asked.json,
-                  "also write the report as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(command, "--json", asked.json, "also write the report as JSON");
   command.add_flag_callback("--schema", print_schema,
                             "print the JSON schema of report.json, and end");
   command.add_option("--gate", asked.gate, gate_help);

@@ -1,5 +1,5 @@
 // The source chapter as a page: its errors first, its tables, its figures.
-#include "bench/chapter/page.hpp"
+#include "bench/chapter/output.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 
 #include "bench/base/html.hpp"
 #include "bench/base/table.hpp"
-#include "bench/chapter/json.hpp"
 #include "bench/chapter/source.hpp"
 #include "bench/chapter/typeset.hpp"
 #include "bench/page/document.hpp"

@@ -1,4 +1,4 @@
-#include "bench/gate/changes_json.hpp"
+#include "bench/gate/changes_output.hpp"
 
 #include <vector>
 

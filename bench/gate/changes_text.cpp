@@ -1,4 +1,4 @@
-#include "bench/gate/changes_text.hpp"
+#include "bench/gate/changes_output.hpp"
 
 #include <fmt/format.h>
 

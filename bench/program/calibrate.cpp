@@ -18,7 +18,6 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/run/calibration/calibrate.hpp"
 #include "bench/run/calibration/reach.hpp"
 #include "bench/run/json.hpp"

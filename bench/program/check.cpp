@@ -18,7 +18,6 @@
 #include "bench/check/contract.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/run/worker.hpp"

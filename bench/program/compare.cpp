@@ -8,14 +8,11 @@
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/gate/changes.hpp"
-#include "bench/gate/changes_json.hpp"
-#include "bench/gate/changes_text.hpp"
+#include "bench/gate/changes_output.hpp"
 #include "bench/gate/noise.hpp"
 #include "bench/gate/trend/trend.hpp"
-#include "bench/gate/trend/trend_text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/report/reading.hpp"
 
 namespace tautline::bench {

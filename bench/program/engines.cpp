@@ -8,7 +8,6 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 

@@ -11,9 +11,7 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/manual/completion/completion.hpp"
-#include "bench/program/manual/help_text.hpp"
-#include "bench/program/manual/man_page.hpp"
+#include "bench/program/manual/manual.hpp"
 #include "bench/program/manual/mistake.hpp"
 #include "bench/program/manual/outline.hpp"
 

@@ -1,4 +1,4 @@
-#include "bench/program/options.hpp"
+#include "bench/program/common.hpp"
 
 #include <CLI/CLI.hpp>
 #include <map>

@@ -1,12 +1,9 @@
-#include "bench/report/markdown.hpp"
+#include "bench/report/output.hpp"
 
 #include <fmt/format.h>
 
 #include "bench/base/text.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"
-#include "bench/report/tables/answers_table.hpp"
-#include "bench/report/tables/distributions_table.hpp"
-#include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/words.hpp"
 

@@ -1,4 +1,4 @@
-#include "bench/report/run_card.hpp"
+#include "bench/report/output.hpp"
 
 #include <fmt/format.h>
 

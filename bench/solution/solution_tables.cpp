@@ -1,4 +1,4 @@
-#include "bench/solution/solution_tables.hpp"
+#include "bench/solution/texts.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/solution/digits/right_digits.hpp"
-#include "bench/solution/solution_text.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

@@ -1,4 +1,4 @@
-#include "bench/ensemble/output/chart.hpp"
+#include "bench/ensemble/output/output.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "bench/base/json_list.hpp"
 #include "bench/base/text.hpp"
 #include "bench/ensemble/output/atlas.hpp"
-#include "bench/ensemble/output/text.hpp"
+#include "bench/ensemble/output/output.hpp"
 #include "bench/report/json/writer.hpp"
 
 namespace tautline::bench {

@@ -1,4 +1,4 @@
-#include "bench/ensemble/output/tables.hpp"
+#include "bench/ensemble/output/output.hpp"
 
 #include <string>
 

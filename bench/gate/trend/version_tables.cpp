@@ -7,7 +7,7 @@
 
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
-#include "bench/gate/changes_text.hpp"
+#include "bench/gate/changes_output.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {

@@ -11,7 +11,6 @@
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/limit_names.hpp"
-#include "bench/program/options.hpp"
 #include "bench/program/suites/request.hpp"
 #include "bench/program/suites/results.hpp"
 #include "bench/suite/gathering.hpp"

@@ -13,7 +13,6 @@
 #include "bench/ensemble/compare/comparison.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/limit_names.hpp"
-#include "bench/program/options.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/shard.hpp"

@@ -11,12 +11,10 @@
 #include "bench/gate/broken.hpp"
 #include "bench/gate/gate_text.hpp"
 #include "bench/program/common.hpp"
-#include "bench/report/html/page.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/markdown.hpp"
+#include "bench/report/output.hpp"
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
-#include "bench/report/terminal.hpp"
 #include "bench/suite/motion_files.hpp"
 
 namespace tautline::bench {

@@ -1,4 +1,4 @@
-#include "bench/report/html/answer.hpp"
+#include "bench/report/html/sections.hpp"
 
 #include <fmt/format.h>
 

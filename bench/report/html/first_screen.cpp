@@ -1,4 +1,4 @@
-#include "bench/report/html/first_screen.hpp"
+#include "bench/report/html/sections.hpp"
 
 #include <fmt/format.h>
 

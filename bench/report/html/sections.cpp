@@ -11,12 +11,8 @@
 
 #include "bench/base/html.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/report/html/first_screen.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
-#include "bench/report/tables/answers_table.hpp"
 #include "bench/report/tables/columns.hpp"
-#include "bench/report/tables/distributions_table.hpp"
-#include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/thinning.hpp"
 #include "bench/report/words.hpp"

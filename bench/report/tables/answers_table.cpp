@@ -1,4 +1,4 @@
-#include "bench/report/tables/answers_table.hpp"
+#include "bench/report/tables/tables.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "bench/program/manual/completion/completion.hpp"
 #include "bench/program/manual/completion/offer.hpp"
+#include "bench/program/manual/manual.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -34,9 +34,7 @@ std::string spaced(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-std::string case_names() {
-  return spaced(listed(shipped_cases(), &Case::name));
-}
+std::string case_names() { return spaced(listed(shipped_cases(), &Case::name)); }
 
 std::string command_names(const Outline& outline) {
   return spaced(listed(outline.commands, &Command::name));

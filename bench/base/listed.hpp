@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
 #include <type_traits>
@@ -18,6 +19,15 @@ auto listed(const Values& values, Make make) {
     list.emplace_back(std::invoke(make, value));
   }
   return list;
+}
+
+/// The first of `values` whose `member` is `wanted`; null if there is none.
+template <class Values, class Member, class Wanted>
+auto find_by(const Values& values, Member member, const Wanted& wanted) {
+  const auto found = std::find_if(values.begin(), values.end(), [&](const auto& value) {
+    return std::invoke(member, value) == wanted;
+  });
+  return found != values.end() ? &*found : nullptr;
 }
 
 }  // namespace tautline::bench

@@ -82,9 +82,8 @@ double turning_angle(const Arc& arc, const Vec2& gravity) {
 }  // namespace
 
 const ChapterCase& ChapterStudy::at(std::string_view number) const {
-  const auto found = std::find_if(cases.begin(), cases.end(),
-                                  [&](const ChapterCase& one) { return one.number == number; });
-  if (found == cases.end()) {
+  const ChapterCase* const found = find_by(cases, &ChapterCase::number, number);
+  if (found == nullptr) {
     throw std::out_of_range("no case " + std::string(number) + " in Table 5.1");
   }
   return *found;

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "bench/base/listed.hpp"
 
 namespace tautline::bench {
@@ -45,11 +43,7 @@ std::span<const Suite> suites() {
   return all;
 }
 
-const Suite* find_suite(std::string_view name) {
-  const auto found = std::find_if(suites().begin(), suites().end(),
-                                  [&](const Suite& suite) { return suite.name == name; });
-  return found != suites().end() ? &*found : nullptr;
-}
+const Suite* find_suite(std::string_view name) { return find_by(suites(), &Suite::name, name); }
 
 std::vector<std::string> cases_of(const Suite& suite) {
   return listed<std::string>(suite.entries, &SuiteCases::cases);

@@ -146,8 +146,6 @@ std::string how_to_read_causes() {
          "to a threshold, has no share.";
 }
 
-CauseWords words_of(Cause cause) { return {in_words(to_string(cause)), meaning_of(cause)}; }
-
 std::string evidence_text(const Finding& finding) {
   const std::string runs = counted(finding.runs, "run");
   return finding.impacts == 0 ? runs : counted(finding.impacts, "impact") + " of " + runs;

@@ -178,8 +178,7 @@ std::string causes_section(const Report& report) {
   }
   std::string meanings;
   for (const Cause cause : causes) {
-    const CauseWords words = words_of(cause);
-    meanings += entry(words.heading, words.meaning);
+    meanings += entry(in_words(to_string(cause)), meaning_of(cause));
   }
   return section(
       "attribution", heading,

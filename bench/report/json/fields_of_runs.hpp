@@ -4,10 +4,7 @@
 #include "bench/report/record.hpp"
 #include "bench/report/report.hpp"
 
-// The members of all that a run leaves by their names in JSON, once for writing, for reading
-// and for the schema: a visitor is called with each name, member, and what the schema says of it.
-// `group` makes an object of members that are none of their own in C++; `by_metric` one with a key
-// for every metric of the list.
+// The members of all that a run leaves, as fields.hpp has those of a report.
 
 namespace tautline::bench {
 

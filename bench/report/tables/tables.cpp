@@ -159,7 +159,7 @@ Table causes_table(const Report& report) {
   columns.push_back(number_column("median", "m", "deviation", "median"));
   columns.push_back(number_column("worst", "m", "deviation", "worst"));
   for (const Cause cause : causes) {
-    columns.push_back(number_column(words_of(cause).heading, "", "share of the parts",
+    columns.push_back(number_column(in_words(to_string(cause)), "", "share of the parts",
                                     std::string(to_string(cause))));
   }
   columns.push_back(number_column("covered", "of the horizon", "", "covered"));

@@ -13,7 +13,7 @@
 #include "bench/gate/trend/trend.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/report/reading.hpp"
+#include "bench/report/json/json.hpp"
 
 namespace tautline::bench {
 namespace {

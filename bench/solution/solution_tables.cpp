@@ -8,6 +8,7 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/solution/cable_words.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "tautline/geometry.hpp"
 

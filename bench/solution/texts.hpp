@@ -5,7 +5,6 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
-#include "bench/solution/cable_words.hpp"
 #include "bench/solution/certificate.hpp"
 #include "tautline/case.hpp"
 #include "tautline/settling.hpp"

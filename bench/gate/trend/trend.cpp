@@ -8,7 +8,7 @@
 
 #include "bench/base/listed.hpp"
 #include "bench/base/statistics.hpp"
-#include "bench/gate/same_case.hpp"
+#include "bench/gate/changes.hpp"
 
 namespace tautline::bench {
 namespace {

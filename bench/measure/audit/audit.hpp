@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bench/measure/audit/finding.hpp"
-#include "bench/measure/audit/freeze.hpp"
 #include "bench/measure/audit/impacts.hpp"
 #include "bench/measure/reference.hpp"
 #include "bench/run/record.hpp"

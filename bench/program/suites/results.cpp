@@ -15,7 +15,7 @@
 #include "bench/report/output.hpp"
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
-#include "bench/suite/motion_files.hpp"
+#include "bench/suite/report_of.hpp"
 
 namespace tautline::bench {
 namespace {

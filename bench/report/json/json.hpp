@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,5 +49,9 @@ struct ReportReading {
 /// A record written with this fingerprint; none where `text` is no such thing.
 [[nodiscard]] std::optional<RunRecord> record_from(std::string_view text,
                                                    const std::string& fingerprint);
+
+/// Reads report.json of this version of the program's `bench`. What it gives lists the engine and
+/// the case of each of its runs, and no run twice.
+[[nodiscard]] ReportReading read_report(const std::filesystem::path& path);
 
 }  // namespace tautline::bench

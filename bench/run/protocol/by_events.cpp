@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "bench/run/protocol/unwrapped.hpp"
 #include "tautline/event_driver.hpp"
 
 namespace tautline::bench {

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <utility>
 
-#include "bench/run/protocol/unwrapped.hpp"
 #include "bench/run/record.hpp"
 
 namespace tautline::bench {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bench/run/protocol/children.hpp"
+#include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 
 namespace tautline::bench {
@@ -19,5 +20,9 @@ namespace tautline::bench {
                                                           const ChildModel& model,
                                                           const std::string& precision,
                                                           const RunSettings& settings);
+
+/// Throws ProtocolError if the angle jumps by about a turn or more in a move of `dt` [s] for which
+/// the spins before and after give no reason: engines keep angles that know no turns.
+void refuse_wrapped(const State& before, const State& after, double dt);
 
 }  // namespace tautline::bench

@@ -99,22 +99,15 @@ std::vector<std::string> how_to_read(const Report& report) {
 }
 
 std::string_view meaning_of(Word word) {
-  switch (word) {
-    case Word::pass:
-      return "every limit on the run that could be measured holds, and the audit found nothing in "
-             "it";
-    case Word::known_deviation:
-      return "the run breaks only limits that the file says it is known to break, or shows "
-             "findings "
-             "that it is known to show";
-    case Word::breaks_limit:
-      return "the run breaks a limit, shows a finding of the audit, fails or diverges, and is not "
-             "known to";
-    case Word::not_judged:
-      break;
-  }
-  return "the file does not judge the run, its model goes no further, or nothing that has a limit "
-         "could be measured";
+  constexpr std::array meanings = {
+      "every limit on the run that could be measured holds, and the audit found nothing in it",
+      "the run breaks only limits that the file says it is known to break, or shows findings that "
+      "it is known to show",
+      "the run breaks a limit, shows a finding of the audit, fails or diverges, and is not known "
+      "to",
+      "the file does not judge the run, its model goes no further, or nothing that has a limit "
+      "could be measured"};
+  return meanings.at(static_cast<std::size_t>(word));
 }
 
 std::string verdict_words() {

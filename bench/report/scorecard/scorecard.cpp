@@ -188,15 +188,8 @@ std::vector<Scorecard> scorecards(const Report& report) {
 }
 
 const char* words_of(Maker maker) {
-  switch (maker) {
-    case Maker::engine:
-      return "as shipped";
-    case Maker::by_hand:
-      return "made by hand";
-    case Maker::tautline:
-      return "tautline’s driver";
-  }
-  return "";
+  constexpr std::array words = {"as shipped", "made by hand", "tautline’s driver"};
+  return words.at(static_cast<std::size_t>(maker));
 }
 
 }  // namespace tautline::bench

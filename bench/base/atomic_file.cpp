@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
-#include <utility>
 
 #include "bench/base/descriptor.hpp"
 #include "bench/base/text.hpp"

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "tautline/scenarios.hpp"
 
@@ -55,10 +56,7 @@ std::vector<std::string> case_files_beside(const fs::path& path) {
 
 /// "; did you mean a or b?" with files beside the missing one and cases that ship.
 std::string near_misses(const fs::path& path) {
-  std::vector<std::string> shipped;
-  for (const Case& the_case : shipped_cases()) {
-    shipped.push_back(the_case.name);
-  }
+  const std::vector<std::string> shipped = listed(shipped_cases(), &Case::name);
   const fs::path stem = path.extension() == ".toml" ? path.stem() : path.filename();
   std::vector<std::string> found;
   for (const std::string& name : nearest(stem.native(), case_files_beside(path))) {

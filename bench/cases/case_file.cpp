@@ -4,7 +4,6 @@
 #include <charconv>
 
 #include "bench/base/input_file.hpp"
-#include "bench/base/text.hpp"
 #include "bench/base/toml/problems.hpp"
 #include "bench/base/toml/strict_table.hpp"
 #include "bench/base/toml/value.hpp"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <system_error>
 
 #include "bench/base/text.hpp"

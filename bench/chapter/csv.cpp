@@ -1,4 +1,4 @@
-#include "bench/chapter/csv.hpp"
+#include "bench/chapter/output.hpp"
 
 #include <fmt/format.h>
 

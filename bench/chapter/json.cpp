@@ -1,10 +1,11 @@
-#include "bench/chapter/json.hpp"
+#include "bench/chapter/output.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "bench/base/html.hpp"
+#include "bench/base/json_list.hpp"
 #include "bench/chapter/corrections/draws.hpp"
 #include "bench/chapter/figures/curves.hpp"
 #include "bench/chapter/typeset.hpp"
@@ -27,32 +28,24 @@ ordered_json cell_json(const ChapterCell& cell) {
 }
 
 ordered_json cells_json(const std::vector<ChapterCell>& cells) {
-  ordered_json list = ordered_json::array();
-  for (const ChapterCell& cell : cells) {
-    list.push_back(cell_json(cell));
-  }
-  return list;
+  return json_list(cells, cell_json);
+}
+
+ordered_json column_json(const ChapterColumn& column) {
+  return {{"name", column.name}, {"unit", column.unit}};
 }
 
 ordered_json table_json(const ChapterTable& table) {
-  ordered_json columns = ordered_json::array();
-  for (const ChapterColumn& column : table.columns) {
-    columns.push_back({{"name", column.name}, {"unit", column.unit}});
-  }
-  ordered_json rows = ordered_json::array();
-  for (const auto& row : table.rows) {
-    rows.push_back(cells_json(row));
-  }
-  return {{"name", table.name}, {"title", table.title},    {"file", table.file},
-          {"columns", columns}, {"rows", std::move(rows)}, {"notes", table.notes}};
+  return {{"name", table.name},
+          {"title", table.title},
+          {"file", table.file},
+          {"columns", json_list(table.columns, column_json)},
+          {"rows", json_list(table.rows, cells_json)},
+          {"notes", table.notes}};
 }
 
-ordered_json marks_json(const std::vector<FigureMark>& marks) {
-  ordered_json list = ordered_json::array();
-  for (const auto& [time, meaning] : marks) {
-    list.push_back({{"time", time}, {"meaning", meaning}});
-  }
-  return list;
+ordered_json mark_json(const FigureMark& mark) {
+  return {{"time", mark.time}, {"meaning", mark.meaning}};
 }
 
 ordered_json figure_json(const ChapterFigure& figure) {
@@ -64,7 +57,7 @@ ordered_json figure_json(const ChapterFigure& figure) {
                          {"x", data.columns[figure.x]},
                          {"y", data.columns[figure.y]},
                          {"cases", ordered_json::array({figure.case_number})},
-                         {"marks", marks_json(figure.marks)},
+                         {"marks", json_list(figure.marks, mark_json)},
                          {"chapter", figure.chapter},
                          {"truth", figure.truth}};
   if (figure.boundary) {
@@ -85,10 +78,7 @@ ordered_json numbers_json(const NamedNumbers& numbers) {
 ordered_json correction_json(const Correction& correction) {
   ordered_json numbers = numbers_json(correction.numbers);
   if (!correction.list.name.empty()) {
-    ordered_json& rows = numbers[correction.list.name] = ordered_json::array();
-    for (const NamedNumbers& row : correction.list.rows) {
-      rows.push_back(numbers_json(row));
-    }
+    numbers[correction.list.name] = json_list(correction.list.rows, numbers_json);
   }
   return {{"where", correction.where},     {"holds", correction.holds},
           {"chapter", correction.chapter}, {"right", correction.right},
@@ -97,11 +87,8 @@ ordered_json correction_json(const Correction& correction) {
 
 /// Six digits, more than a plot shows.
 ordered_json drawn(const std::vector<double>& values) {
-  ordered_json list = ordered_json::array();
-  for (const double value : values) {
-    list.push_back(std::stod(fmt::format("{:.6g}", value)));
-  }
-  return list;
+  return json_list(
+      values, [](double value) -> ordered_json { return std::stod(fmt::format("{:.6g}", value)); });
 }
 
 ordered_json curve_json(const Curve& curve) {
@@ -109,10 +96,6 @@ ordered_json curve_json(const Curve& curve) {
 }
 
 ordered_json plot_json(const ChapterFigure& figure) {
-  ordered_json curves = ordered_json::array();
-  for (const Curve& curve : figure_curves(figure)) {
-    curves.push_back(curve_json(curve));
-  }
   ordered_json boundary;
   if (figure.boundary) {
     boundary = curve_json(boundary_curve(*figure.boundary));
@@ -120,26 +103,14 @@ ordered_json plot_json(const ChapterFigure& figure) {
   return {{"name", figure.number},
           {"x", typeset(figure.data.columns[figure.x])},
           {"y", typeset(figure.data.columns[figure.y])},
-          {"curves", std::move(curves)},
+          {"curves", json_list(figure_curves(figure), curve_json)},
           {"boundary", std::move(boundary)},
-          {"marks", marks_json(figure.marks)}};
+          {"marks", json_list(figure.marks, mark_json)}};
 }
 
 }  // namespace
 
 std::string chapter_json(const ChapterReport& report) {
-  ordered_json tables = ordered_json::array();
-  for (const ChapterTable& table : report.tables) {
-    tables.push_back(table_json(table));
-  }
-  ordered_json figures = ordered_json::array();
-  for (const ChapterFigure& figure : report.figures) {
-    figures.push_back(figure_json(figure));
-  }
-  ordered_json corrections = ordered_json::array();
-  for (const Correction& correction : report.corrections) {
-    corrections.push_back(correction_json(correction));
-  }
   const ordered_json whole = {{"schema", chapter_schema},
                               {"options",
                                {{"digits", chapter_digits},
@@ -147,18 +118,14 @@ std::string chapter_json(const ChapterReport& report) {
                                 {"counted_speed", counted_speed},
                                 {"figure_step", figure_step},
                                 {"seed", chapter_seed}}},
-                              {"tables", std::move(tables)},
-                              {"figures", std::move(figures)},
-                              {"corrections", std::move(corrections)}};
+                              {"tables", json_list(report.tables, table_json)},
+                              {"figures", json_list(report.figures, figure_json)},
+                              {"corrections", json_list(report.corrections, correction_json)}};
   return whole.dump(2) + "\n";
 }
 
 std::string chapter_page_data(const ChapterReport& report) {
-  ordered_json figures = ordered_json::array();
-  for (const ChapterFigure& figure : report.figures) {
-    figures.push_back(plot_json(figure));
-  }
-  const ordered_json data = {{"figures", std::move(figures)}};
+  const ordered_json data = {{"figures", json_list(report.figures, plot_json)}};
   return html_json(data.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 

@@ -1,7 +1,8 @@
-#include "bench/chapter/markdown.hpp"
+#include "bench/chapter/output.hpp"
 
 #include <fmt/format.h>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/table.hpp"
 #include "bench/chapter/source.hpp"
 
@@ -9,10 +10,7 @@ namespace tautline::bench {
 namespace {
 
 std::string table_markdown(const ChapterTable& table) {
-  std::vector<std::string> headings;
-  for (const ChapterColumn& column : table.columns) {
-    headings.push_back(column.name);
-  }
+  const std::vector<std::string> headings = listed(table.columns, &ChapterColumn::name);
   Table text(headings, table.left);
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
@@ -77,21 +75,10 @@ std::string corrections_section(const ChapterReport& report, bool holds) {
 }
 
 std::string case_number_section() {
-  std::vector<std::string> digits = {"digit"};
-  std::vector<std::string> quantities = {"quantity"};
-  std::vector<std::string> values = {"value"};
-  for (const auto& [digit, quantity, value] : standard_digits()) {
-    digits.push_back(digit);
-    quantities.push_back(quantity);
-    values.push_back(value);
-  }
-  Table table(digits, digits.size());
-  table.add(quantities);
-  table.add(values);
   std::string out = fmt::format(
       "\n## Case numbers\n\nA case number spells its case, digit by digit. That of the standard "
       "case:\n\n{}\n",
-      table.markdown());
+      case_number_table().markdown());
   for (const std::string& rule : case_number_rules()) {
     out += "- " + rule + "\n";
   }

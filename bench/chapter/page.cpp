@@ -1,5 +1,5 @@
 // The source chapter as a page: its errors first, its tables, its figures.
-#include "bench/chapter/page.hpp"
+#include "bench/chapter/output.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 
 #include "bench/base/html.hpp"
 #include "bench/base/table.hpp"
-#include "bench/chapter/json.hpp"
 #include "bench/chapter/source.hpp"
 #include "bench/chapter/typeset.hpp"
 #include "bench/page/document.hpp"
@@ -69,32 +68,13 @@ std::string corrections(std::vector<Correction> list, bool holds) {
   return "<ol class=\"corrections\">\n" + out + "</ol>\n";
 }
 
-std::string case_number_table() {
-  const auto words = [](std::string heading) {
-    Column column;
-    column.heading = std::move(heading);
-    column.numbers = false;
-    return column;
-  };
-  std::vector<Column> columns = {words("digit")};
-  std::vector<std::string> quantities = {"quantity"};
-  std::vector<std::string> values = {"value"};
-  for (const auto& [digit, quantity, value] : standard_digits()) {
-    columns.push_back(words(digit));
-    quantities.push_back(quantity);
-    values.push_back(value);
-  }
-  Table table(std::move(columns));
-  table.add(quantities);
-  table.add(values);
-  return html_table(table, "case-number", "The number of the standard case, digit by digit.");
-}
-
 std::string reading_section(const ChapterReport& report) {
   std::string out =
       "<section id=\"reading\">\n<h2>How to read it</h2>\n" + list(report.conventions);
   out += "<h3>Case numbers</h3>\n<p>A case number spells its case, digit by digit.</p>\n";
-  return out + case_number_table() + list(case_number_rules()) + "</section>\n";
+  out += html_table(case_number_table(), "case-number",
+                    "The number of the standard case, digit by digit.");
+  return out + list(case_number_rules()) + "</section>\n";
 }
 
 Cell table_cell(const ChapterCell& cell, const ChapterColumn& column) {

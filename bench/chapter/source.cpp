@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "bench/base/table.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
@@ -32,6 +31,21 @@ std::vector<CaseDigit> standard_digits() {
   return digits;
 }
 
+Table case_number_table() {
+  std::vector<std::string> digits = {"digit"};
+  std::vector<std::string> quantities = {"quantity"};
+  std::vector<std::string> values = {"value"};
+  for (const auto& [digit, quantity, value] : standard_digits()) {
+    digits.push_back(digit);
+    quantities.push_back(quantity);
+    values.push_back(value);
+  }
+  Table table(digits, digits.size());
+  table.add(quantities);
+  table.add(values);
+  return table;
+}
+
 std::vector<std::string> case_number_rules() {
   return {
       "r is the length of both cables: 1 for 1.5, 2 for 2.5.",
@@ -46,21 +60,10 @@ std::vector<std::string> case_number_rules() {
 std::string case_number_text() {
   std::string source(source_chapter);
   source.erase(std::remove(source.begin(), source.end(), '*'), source.end());
-  std::vector<std::string> heading = {"digit"};
-  std::vector<std::string> quantities = {"quantity"};
-  std::vector<std::string> values = {"value"};
-  for (const auto& [digit, quantity, value] : standard_digits()) {
-    heading.push_back(digit);
-    quantities.push_back(quantity);
-    values.push_back(value);
-  }
-  Table table(heading, heading.size());
-  table.add(quantities);
-  table.add(values);
   std::string text = fmt::format(
       "breakwater/NUMBER are the cases of Table 5.1 of\n{}.\n"
       "A number spells its case, digit by digit. That of the standard case:\n\n{}\n",
-      source, table.plain());
+      source, case_number_table().plain());
   for (const std::string& rule : case_number_rules()) {
     text += rule + "\n";
   }

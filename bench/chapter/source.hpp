@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/base/table.hpp"
+
 namespace tautline::bench {
 
 /// The source chapter in full, with its title *stressed* as Markdown does.
@@ -19,6 +21,9 @@ struct CaseDigit {
 
 /// The number of the standard case, digit by digit.
 [[nodiscard]] std::vector<CaseDigit> standard_digits();
+
+/// The same as a table of three rows.
+[[nodiscard]] Table case_number_table();
 
 /// How to read any case number, beside the digits of the standard case: sentences.
 [[nodiscard]] std::vector<std::string> case_number_rules();

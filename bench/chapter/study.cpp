@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/multiprecision.hpp"
 #include "tautline/solve.hpp"
@@ -41,22 +42,17 @@ Event rounded(const BasicEvent<Multi>& event) {
           rounded(event.before), rounded(event.after)};
 }
 
+Accumulation rounded(const BasicAccumulation<Multi>& one) {
+  return {rounded(one.start), rounded(one.time), rounded(one.uncertainty), one.cables,
+          rounded(one.energy_lost)};
+}
+
 Solution rounded(const BasicSolution<Multi>& solution) {
-  std::vector<Arc> arcs;
-  for (const auto& arc : solution.arcs()) {
-    arcs.push_back(rounded(arc));
-  }
-  std::vector<Event> events;
-  for (const auto& event : solution.events()) {
-    events.push_back(rounded(event));
-  }
-  std::vector<Accumulation> accumulations;
-  for (const auto& one : solution.accumulations()) {
-    accumulations.push_back({rounded(one.start), rounded(one.time), rounded(one.uncertainty),
-                             one.cables, rounded(one.energy_lost)});
-  }
-  return {rounded(solution.gravity()), std::move(arcs), std::move(events), solution.ending(),
-          std::move(accumulations)};
+  const auto of_each = [](const auto& all) {
+    return listed(all, [](const auto& one) { return rounded(one); });
+  };
+  return {rounded(solution.gravity()), of_each(solution.arcs()), of_each(solution.events()),
+          solution.ending(), of_each(solution.accumulations())};
 }
 
 ChapterCase solved(std::string_view number, const BasicCase<Multi>& the_case,
@@ -86,9 +82,8 @@ double turning_angle(const Arc& arc, const Vec2& gravity) {
 }  // namespace
 
 const ChapterCase& ChapterStudy::at(std::string_view number) const {
-  const auto found = std::find_if(cases.begin(), cases.end(),
-                                  [&](const ChapterCase& one) { return one.number == number; });
-  if (found == cases.end()) {
+  const ChapterCase* const found = find_by(cases, &ChapterCase::number, number);
+  if (found == nullptr) {
     throw std::out_of_range("no case " + std::string(number) + " in Table 5.1");
   }
   return *found;

@@ -1,17 +1,9 @@
 #include "bench/check/claims.hpp"
 
-#include <algorithm>
 #include <array>
 
-#include "bench/check/claims/body.hpp"
-#include "bench/check/claims/convergence.hpp"
-#include "bench/check/claims/flight.hpp"
-#include "bench/check/claims/momentum.hpp"
-#include "bench/check/claims/motion.hpp"
-#include "bench/check/claims/precision.hpp"
-#include "bench/check/claims/repeat.hpp"
-#include "bench/check/claims/restitution.hpp"
-#include "bench/check/claims/speed.hpp"
+#include "bench/base/listed.hpp"
+#include "bench/check/claims/measures.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -63,10 +55,6 @@ constexpr std::array all_claims = {
 
 std::span<const Claim> claims() { return all_claims; }
 
-const Claim* find_claim(std::string_view name) {
-  const auto* const found = std::find_if(all_claims.begin(), all_claims.end(),
-                                         [&](const Claim& claim) { return claim.name == name; });
-  return found != all_claims.end() ? found : nullptr;
-}
+const Claim* find_claim(std::string_view name) { return find_by(all_claims, &Claim::name, name); }
 
 }  // namespace tautline::bench

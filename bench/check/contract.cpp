@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "bench/base/input_file.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/base/toml/strict_table.hpp"
 #include "bench/base/toml/value.hpp"
@@ -17,10 +18,7 @@ constexpr std::size_t most_exceptions = 1000;
 
 /// All that an exception may be of.
 std::vector<std::string> contract_claims() {
-  std::vector<std::string> names;
-  for (const Claim& claim : claims()) {
-    names.emplace_back(claim.name);
-  }
+  std::vector<std::string> names = listed<std::string>(claims(), &Claim::name);
   names.emplace_back(quiet_claim);
   names.emplace_back(accuracy_claim);
   return names;

@@ -14,7 +14,6 @@
 
 #include "bench/base/statistics.hpp"
 #include "bench/base/text.hpp"
-#include "bench/gate/same_case.hpp"
 #include "bench/gate/verdict.hpp"
 
 namespace tautline::bench {

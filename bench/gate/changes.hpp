@@ -69,4 +69,8 @@ struct Changes {
 /// horizon, only extremes of the whole run are compared, by a factor (Noise::extremes).
 [[nodiscard]] Changes changes(const Report& before, const Report& after, const Noise& noise = {});
 
+/// True where both ask the same of their runs, up to the rounding of another compiler; a case of a
+/// suite may be changed and keep its name.
+[[nodiscard]] bool same_case(const CaseRow& one, const CaseRow& two);
+
 }  // namespace tautline::bench

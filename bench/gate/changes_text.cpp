@@ -1,4 +1,4 @@
-#include "bench/gate/changes_text.hpp"
+#include "bench/gate/changes_output.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -120,10 +119,7 @@ std::vector<RunGroup> groups_of(const std::vector<RunKey>& runs) {
 
 /// One that is alone by its name, or how many there are.
 Cells group_cells(const RunGroup& group) {
-  std::string steps;
-  for (const double step : group.steps) {
-    steps += fmt::format("{}{:g}", steps.empty() ? "" : ", ", step);
-  }
+  const std::string steps = fmt::format("{:g}", fmt::join(group.steps, ", "));
   const std::string cases = group.cases.size() == 1 ? printable(*group.cases.begin())
                                                     : std::to_string(group.cases.size());
   return {printable(group.engine), printable(group.model), steps, cases,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/base/input_file.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/base/toml/problems.hpp"
 #include "bench/base/toml/strict_table.hpp"
@@ -27,11 +28,7 @@ const Range right_schema = {"1, the form that this program reads",
                             [](double x) { return x == limits_schema; }};
 
 std::vector<std::string> metric_names() {
-  std::vector<std::string> names;
-  for (const Metric& metric : metric_list()) {
-    names.emplace_back(metric.name);
-  }
-  return names;
+  return listed<std::string>(metric_list(), &Metric::name);
 }
 
 /// What runs may be known for.
@@ -174,27 +171,37 @@ Unjudged read_unjudged(StrictTable& table, const Names& names) {
   return unjudged;
 }
 
+/// Of each entry of `tables` what `read` makes of it.
+template <class Entry>
+std::vector<Entry> read_all(std::vector<StrictTable> tables, const Names& names,
+                            Entry (*read)(StrictTable&, const Names&)) {
+  std::vector<Entry> entries;
+  for (StrictTable& table : tables) {
+    for (StrictTable& entry : table.each(most_entries)) {
+      entries.push_back(read(entry, names));
+    }
+  }
+  return entries;
+}
+
 Limits read_tables(const toml::table& file, const Names& names, FileProblems& findings) {
   StrictTable root(&file, "", findings);
   Limits limits;
   static_cast<void>(root.number("schema", right_schema, ""));
   limits.version = root.text("version");
-  for (StrictTable& table :
-       root.tables("limits", most_entries,
-                   "must be tables [[limits]], each with engine, model, metric, limit, unit and "
-                   "reason")) {
-    limits.limits.push_back(read_limit(table, names));
-  }
-  for (StrictTable& table : root.optional_tables(
-           "known", most_entries,
-           "must be tables [[known]], each with engine, model, metric and reason")) {
-    limits.known.push_back(read_known(table, names));
-  }
-  for (StrictTable& table :
-       root.optional_tables("not_judged", most_entries,
-                            "must be tables [[not_judged]], each with engine, model and reason")) {
-    limits.unjudged.push_back(read_unjudged(table, names));
-  }
+  limits.limits = read_all(
+      root.tables("limits", most_entries,
+                  "must be tables [[limits]], each with engine, model, metric, limit, unit and "
+                  "reason"),
+      names, read_limit);
+  limits.known = read_all(
+      root.optional_tables("known", most_entries,
+                           "must be tables [[known]], each with engine, model, metric and reason"),
+      names, read_known);
+  limits.unjudged = read_all(
+      root.optional_tables("not_judged", most_entries,
+                           "must be tables [[not_judged]], each with engine, model and reason"),
+      names, read_unjudged);
   for (const char* old : {"informative", "unsupported"}) {
     root.refuse_value(old, "is now [[not_judged]], with engine, model and reason");
   }

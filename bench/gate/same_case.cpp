@@ -1,4 +1,4 @@
-#include "bench/gate/same_case.hpp"
+#include "bench/gate/changes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "bench/measure/impact_errors.hpp"
 #include "bench/measure/impact_match.hpp"

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "bench/base/listed.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -83,11 +84,9 @@ std::vector<const RecordedImpact*> counted(const Trajectory& run, double count_s
 }
 
 std::vector<CountedImpact> counted_impacts(const Trajectory& run, double count_speed) {
-  std::vector<CountedImpact> result;
-  for (const RecordedImpact* impact : counted(run, count_speed)) {
-    result.push_back({impact->time, impact->cable});
-  }
-  return result;
+  return listed(counted(run, count_speed), [](const RecordedImpact* impact) {
+    return CountedImpact{impact->time, impact->cable};
+  });
 }
 
 ImpactMatch impacts_until(double end, const std::vector<CountedImpact>& exact,

@@ -3,15 +3,8 @@
 namespace tautline::bench {
 
 std::string_view to_string(Window window) {
-  switch (window) {
-    case Window::early:
-      return "early";
-    case Window::horizon:
-      return "horizon";
-    case Window::whole:
-      return "whole";
-  }
-  return "unknown";
+  constexpr std::array names = {"early", "horizon", "whole"};
+  return names.at(static_cast<std::size_t>(window));
 }
 
 }  // namespace tautline::bench

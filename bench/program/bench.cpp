@@ -32,8 +32,7 @@ std::string what_was_done(const Request& request, const SuiteResult& result,
 
 int bench_command(const BenchCommand& command) {
   const Request request = read_request(command);
-  if (!request.problems.empty()) {
-    complain(request.problems);
+  if (complain(request.problems)) {
     return exit_usage;
   }
   auto [tree, manifest, result, report] = run_request(request, command.command_line);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/process.hpp"
 #include "bench/base/progress.hpp"
 #include "bench/base/table.hpp"
@@ -17,7 +18,6 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/run/calibration/calibrate.hpp"
 #include "bench/run/calibration/reach.hpp"
 #include "bench/run/json.hpp"
@@ -93,10 +93,7 @@ std::vector<std::string> parameter_problems(const Model& model, const EngineInfo
     return {fmt::format("model {} has no parameter to calibrate; {}", model.name,
                         tunable_models(info))};
   }
-  std::vector<std::string> names;
-  for (const Parameter& parameter : model.parameters) {
-    names.push_back(parameter.name);
-  }
+  const std::vector<std::string> names = listed(model.parameters, &Parameter::name);
   std::vector<std::string> broken;
   for (const std::string& text : fixed) {
     const auto one = fixed_value(text);
@@ -227,14 +224,11 @@ void print_calibration(const RegisteredEngine& engine, const CalibrationRequest&
 int calibrate_command(const CalibrateCommand& command) {
   const EngineChoice choice = choose_engines({command.engine});
   std::vector<std::string> broken = calibration_problems(command);
-  broken.insert(broken.end(), choice.problems.begin(), choice.problems.end());
+  append(broken, choice.problems);
   if (choice.problems.empty() && choice.engines.front().info) {
-    for (std::string& sentence : unknown_models(choice.engines, {command.model})) {
-      broken.push_back(std::move(sentence));
-    }
+    append(broken, unknown_models(choice.engines, {command.model}));
   }
-  complain(broken);
-  if (!broken.empty()) {
+  if (complain(broken)) {
     return exit_usage;
   }
   const RegisteredEngine& engine = choice.engines.front();
@@ -243,9 +237,7 @@ int calibrate_command(const CalibrateCommand& command) {
     return exit_failed;
   }
   const Model model = model_of(engine, command.model).value();
-  broken = parameter_problems(model, *engine.info, command.fixed);
-  complain(broken);
-  if (!broken.empty()) {
+  if (complain(parameter_problems(model, *engine.info, command.fixed))) {
     return exit_usage;
   }
   const CalibrationRequest request = request_of(command, engine, model);
@@ -292,9 +284,7 @@ void add_calibrate(CLI::App& app, int& code) {
                       "try so many at most (default: 64 for each parameter that is searched)");
   command->add_option("--time-limit", asked->time_limit, "give up a setting after this long [s]")
       ->capture_default_str();
-  command
-      ->add_option("--json", asked->json, "write the result as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "write the result as JSON");
   command->footer("tautline calibrate mujoco --model tendon-limit --restitution 0.7 --step 1e-4");
   command->callback([asked, &code] { code = calibrate_command(*asked); });
 }

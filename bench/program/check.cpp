@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/process.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
@@ -17,7 +18,6 @@
 #include "bench/check/contract.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/run/worker.hpp"
@@ -129,33 +129,25 @@ std::string closing(const EngineInfo& info, const std::vector<CheckedModel>& mod
 /// Everything that is wrong with what was asked.
 std::vector<std::string> usage_problems(const CheckCommand& command, const EngineChoice& choice) {
   std::vector<std::string> broken = choice.problems;
-  for (std::string& sentence : missing_folder("--json", command.json)) {
-    broken.push_back(std::move(sentence));
-  }
+  append(broken, missing_folder("--json", command.json));
   if (!(command.time_limit > 0.0)) {
     broken.push_back(fmt::format("--time-limit {}: must be above 0 [s]", command.time_limit));
   }
   if (choice.problems.empty() && !command.model.empty() && choice.engines.front().info) {
-    for (std::string& sentence : unknown_models(choice.engines, {command.model})) {
-      broken.push_back(std::move(sentence));
-    }
+    append(broken, unknown_models(choice.engines, {command.model}));
   }
   return broken;
 }
 
 /// What is known of an engine that has answered, from the file beside it.
 Contract contract_of(const RegisteredEngine& engine) {
-  std::vector<std::string> models;
-  for (const Model& model : engine.info->models) {
-    models.push_back(model.name);
-  }
+  const std::vector<std::string> models = listed(engine.info->models, &Model::name);
   return contract_beside(engine.plugin, engine.info->name, models);
 }
 
 int check_command(const CheckCommand& command) {
   const EngineChoice choice = choose_engines({command.engine});
-  if (const auto broken = usage_problems(command, choice); !broken.empty()) {
-    complain(broken);
+  if (complain(usage_problems(command, choice))) {
     return exit_usage;
   }
   const RegisteredEngine& engine = choice.engines.front();
@@ -165,8 +157,7 @@ int check_command(const CheckCommand& command) {
     return is_no_plugin(engine) ? exit_usage : exit_failed;
   }
   const Contract contract = contract_of(engine);
-  if (!contract.problems.empty()) {
-    complain(contract.problems);
+  if (complain(contract.problems)) {
     return exit_usage;
   }
   catch_interruption();
@@ -214,10 +205,7 @@ void add_check(CLI::App& app, int& code) {
       ->add_option("--time-limit", asked->time_limit,
                    "end the check of a model after this long [s]")
       ->capture_default_str();
-  command
-      ->add_option("--json", asked->json,
-                   "write the verdicts as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "write the verdicts as JSON");
   command->callback([asked, &code] { code = check_command(*asked); });
 }
 

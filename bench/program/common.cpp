@@ -11,11 +11,16 @@
 
 namespace tautline::bench {
 
-void complain(const std::vector<std::string>& sentences) {
+bool complain(const std::vector<std::string>& sentences) {
   for (const std::string& sentence : sentences) {
     // without exceptions: there may be nowhere left to complain to
     static_cast<void>(std::fputs(("tautline: " + sentence + "\n").c_str(), stderr));
   }
+  return !sentences.empty();
+}
+
+void append(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
+  sentences.insert(sentences.end(), more.begin(), more.end());
 }
 
 std::vector<std::string> missing_folder(const std::string& option, const std::string& file,
@@ -57,8 +62,7 @@ std::optional<Case> one_case(const std::string& argument) {
     selection.problems.push_back(fmt::format("{} means {} cases; this command takes one",
                                              printable(argument), selection.cases.size()));
   }
-  if (!selection.problems.empty()) {
-    complain(selection.problems);
+  if (complain(selection.problems)) {
     return std::nullopt;
   }
   return std::move(selection.cases.front());

@@ -6,6 +6,11 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/impact.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace tautline::bench {
 
@@ -17,8 +22,11 @@ inline constexpr int exit_usage = 2;   // wrong usage or input
 /// The one case that `argument` means; none, after complaining, if that is not one.
 [[nodiscard]] std::optional<Case> one_case(const std::string& argument);
 
-/// Prints each sentence to standard error as "tautline: ...".
-void complain(const std::vector<std::string>& sentences);
+/// Prints each sentence to standard error as "tautline: ...". True if there is one.
+bool complain(const std::vector<std::string>& sentences);
+
+/// Adds `more` to `sentences`.
+void append(std::vector<std::string>& sentences, const std::vector<std::string>& more);
 
 /// What is wrong with a file that `option` names, before anything is done for it: its folder is not
 /// there. Nothing is wrong with "-", with none (""), or where the folder is `made`, which the
@@ -29,5 +37,23 @@ void complain(const std::vector<std::string>& sentences);
 
 /// Writes `text` to the file `target`, or to standard output for "-". Makes no folder.
 void write_output(const std::string& target, const std::string& text);
+
+/// What a CASE may be.
+inline constexpr const char* case_help =
+    "a case file (TOML), the name of a shipped case, or a pattern of such names in quotes: "
+    "'breakwater/19*'; `tautline cases` lists them";
+
+/// What --law is for where an engine runs.
+inline constexpr const char* law_help =
+    "the law for impacts on several cables: of the exact motion, and of the models that can choose";
+
+/// Adds --law to `command`, with what it is for. `law` must outlive it.
+void add_law(CLI::App& command, ImpactLaw& law, const std::string& help);
+
+/// Adds to `command` the option that says where to write: `help` is "write the list as JSON", or
+/// what else. An empty name, as of an unset variable of a shell, is refused: it would write
+/// nothing. `file` must outlive the command.
+void add_target(CLI::App& command, const std::string& option, std::string& file,
+                const std::string& help);
 
 }  // namespace tautline::bench

@@ -8,15 +8,12 @@
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/gate/changes.hpp"
-#include "bench/gate/changes_json.hpp"
-#include "bench/gate/changes_text.hpp"
+#include "bench/gate/changes_output.hpp"
 #include "bench/gate/noise.hpp"
 #include "bench/gate/trend/trend.hpp"
-#include "bench/gate/trend/trend_text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
-#include "bench/report/reading.hpp"
+#include "bench/report/json/json.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -49,7 +46,7 @@ Reading read_all(const std::vector<std::string>& files) {
   Reading result;
   for (const std::string& file : files) {
     ReportReading reading = read_report(file);
-    result.problems.insert(result.problems.end(), reading.problems.begin(), reading.problems.end());
+    append(result.problems, reading.problems);
     if (reading.report) {
       result.reports.push_back(std::move(*reading.report));
     }
@@ -86,13 +83,11 @@ int give(const CompareCommand& command, const std::string& text, const std::stri
 }
 
 int compare_command(const CompareCommand& command) {
-  if (const auto broken = usage_problems(command); !broken.empty()) {
-    complain(broken);
+  if (complain(usage_problems(command))) {
     return exit_usage;
   }
   const Reading read = read_all(command.reports);
-  if (!read.problems.empty()) {
-    complain(read.problems);
+  if (complain(read.problems)) {
     return exit_usage;
   }
   Noise noise;
@@ -103,8 +98,7 @@ int compare_command(const CompareCommand& command) {
                 found.latest.worse());
   }
   const Changes found = changes(read.reports.front(), read.reports.back(), noise);
-  if (const auto problems = nothing_compared(found); !problems.empty()) {
-    complain(problems);
+  if (complain(nothing_compared(found))) {
     return exit_usage;
   }
   return give(command, changes_text(found, output_style()), changes_json(found), found.worse());
@@ -129,10 +123,7 @@ void add_compare(CLI::App& app, int& code) {
           "is what two digits tell")
       ->capture_default_str();
   command->add_flag("--all", asked->all, "print all rows of a trend, not only those that move");
-  command
-      ->add_option("--json", asked->json,
-                   "write the changes or the trend as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "write the changes or the trend as JSON");
   command->footer(
       "tautline compare before.json after.json\n"
       "tautline compare 3.23.json 3.24.json 3.25.json --all");

@@ -8,7 +8,6 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 
@@ -39,8 +38,7 @@ void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
 }
 
 int engines_command(const EnginesCommand& command) {
-  if (const auto broken = missing_folder("--json", command.json); !broken.empty()) {
-    complain(broken);
+  if (complain(missing_folder("--json", command.json))) {
     return exit_usage;
   }
   const auto engines = registered_engines(Asked::all);
@@ -60,8 +58,7 @@ void add_engines(CLI::App& app, int& code) {
   CLI::App* const command = app.add_subcommand(
       "engines", "The engines here, their models, and the engines that are missing");
   const auto asked = std::make_shared<EnginesCommand>();
-  command->add_option("--json", asked->json, "write the list as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "write the list as JSON");
   command->callback([asked, &code] { code = engines_command(*asked); });
 }
 

@@ -11,13 +11,11 @@
 #include "bench/base/process.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
-#include "bench/ensemble/output/files.hpp"
-#include "bench/ensemble/output/text.hpp"
+#include "bench/ensemble/output/output.hpp"
 #include "bench/ensemble/solve/visibly.hpp"
 #include "bench/ensemble/spec/spec_file.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/tree.hpp"
 
@@ -46,10 +44,6 @@ struct EnsembleReading {
   std::vector<std::string> problems;
 };
 
-void add_problems(std::vector<std::string>& problems, const std::vector<std::string>& more) {
-  problems.insert(problems.end(), more.begin(), more.end());
-}
-
 std::vector<std::string> command_problems(const EnsembleCommand& command) {
   std::vector<std::string> broken = missing_folder("--json", command.json, command.out);
   if (command.out.empty()) {
@@ -77,7 +71,7 @@ void read_engines_of(EnsembleReading& reading) {
     return;
   }
   EngineChoice choice = choose_engines(spec.engines);
-  add_problems(reading.problems, choice.problems);
+  append(reading.problems, choice.problems);
   for (const RegisteredEngine& engine : choice.engines) {
     if (!engine.info && choice.problems.empty()) {
       reading.problems.push_back(
@@ -86,7 +80,7 @@ void read_engines_of(EnsembleReading& reading) {
     }
   }
   if (reading.problems.empty()) {
-    add_problems(reading.problems, unknown_models(choice.engines, spec.models));
+    append(reading.problems, unknown_models(choice.engines, spec.models));
   }
   reading.request.engines = std::move(choice.engines);
 }
@@ -95,7 +89,7 @@ EnsembleReading read_ensemble(const EnsembleCommand& command) {
   EnsembleReading reading;
   reading.problems = command_problems(command);
   SpecReading spec = read_spec_file(command.spec, command.the_case);
-  add_problems(reading.problems, spec.problems);
+  append(reading.problems, spec.problems);
   if (!reading.problems.empty()) {
     return reading;
   }
@@ -232,10 +226,7 @@ void add_ensemble(CLI::App& app, int& code, const std::string& command_line) {
   command->add_flag("--resume", asked->resume, "keep the draws that --out already has");
   command->add_option("--time-limit", asked->time_limit, "end an engine's run after this long [s]")
       ->capture_default_str();
-  command
-      ->add_option("--json", asked->json,
-                   "also write the result as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "also write the result as JSON");
   command->footer("tautline ensemble standard.toml --count 200");
   command->callback([asked, &code] { code = ensemble_command(*asked); });
 }

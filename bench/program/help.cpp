@@ -1,19 +1,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
 
 #include "bench/base/atomic_file.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/manual/completion/completion.hpp"
-#include "bench/program/manual/help_text.hpp"
-#include "bench/program/manual/man_page.hpp"
+#include "bench/program/manual/manual.hpp"
 #include "bench/program/manual/mistake.hpp"
 #include "bench/program/manual/outline.hpp"
 
@@ -65,9 +63,8 @@ int help_command(const HelpCommand& asked, const Outline& outline) {
     fmt::print("{}", asked.man ? man_page(outline) : help_text(outline, width));
     return exit_done;
   }
-  const auto command = std::find_if(outline.commands.begin(), outline.commands.end(),
-                                    [&](const Command& one) { return one.name == asked.command; });
-  if (command == outline.commands.end()) {
+  const Command* const command = find_by(outline.commands, &Command::name, asked.command);
+  if (command == nullptr) {
     complain({unknown_command(asked.command, outline)});
     return exit_usage;
   }

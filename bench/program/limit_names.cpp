@@ -1,9 +1,9 @@
 #include "bench/program/limit_names.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
@@ -12,10 +12,7 @@ namespace {
 LimitNames::Engine names_of(const RegisteredEngine& engine) {
   LimitNames::Engine names{engine.name, std::nullopt};
   if (engine.info) {
-    names.models.emplace();
-    for (const Model& model : engine.info->models) {
-      names.models->push_back(model.name);
-    }
+    names.models = listed(engine.info->models, &Model::name);
   }
   return names;
 }
@@ -33,7 +30,7 @@ LimitNames limit_names(const std::vector<RegisteredEngine>& given, const std::ve
     }
   }
   LimitNames names;
-  std::transform(engines.begin(), engines.end(), std::back_inserter(names.engines), names_of);
+  names.engines = listed(engines, names_of);
   for (const std::vector<Case>& some : {shipped_cases(), cases}) {
     for (const Case& the_case : some) {
       names.cases.push_back(the_case.name);

@@ -1,4 +1,4 @@
-#include "bench/program/options.hpp"
+#include "bench/program/common.hpp"
 
 #include <CLI/CLI.hpp>
 #include <map>
@@ -24,8 +24,12 @@ void add_law(CLI::App& command, ImpactLaw& law, const std::string& help) {
       ->default_str("simultaneous");
 }
 
-std::string named_file(const std::string& name) {
-  return name.empty() ? "must be the name of a file, or -" : "";
+void add_target(CLI::App& command, const std::string& option, std::string& file,
+                const std::string& help) {
+  command.add_option(option, file, help + " to this file, or to stdout: -")
+      ->check([](const std::string& name) {
+        return std::string(name.empty() ? "must be the name of a file, or -" : "");
+      });
 }
 
 }  // namespace tautline::bench

@@ -9,13 +9,9 @@
 #include "bench/base/progress.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
-#include "bench/chapter/csv.hpp"
-#include "bench/chapter/json.hpp"
-#include "bench/chapter/markdown.hpp"
-#include "bench/chapter/page.hpp"
+#include "bench/chapter/output.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/suite/tree.hpp"
 #include "tautline/scenarios.hpp"
 
@@ -54,8 +50,7 @@ int reproduce_command(const ReproduceCommand& command) {
   if (auto problem = tree_problem(command.out)) {
     broken.push_back(std::move(*problem));
   }
-  if (!broken.empty()) {
-    complain(broken);
+  if (complain(broken)) {
     return exit_usage;
   }
   // the runs and the report of `tautline bench` in the same folder stay
@@ -92,9 +87,7 @@ void add_reproduce(CLI::App& app, int& code) {
   const auto asked = std::make_shared<ReproduceCommand>();
   command->add_option("--out", asked->out, "folder for chapter.md, chapter.json and chapter/")
       ->capture_default_str();
-  command
-      ->add_option("--json", asked->json, "also write chapter.json to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "also write chapter.json");
   command->callback([asked, &code] { code = reproduce_command(*asked); });
 }
 

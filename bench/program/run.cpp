@@ -10,9 +10,8 @@
 #include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/run_card.hpp"
+#include "bench/report/output.hpp"
 #include "bench/suite/report_of.hpp"
 #include "bench/suite/suite.hpp"
 #include "bench/suite/tree.hpp"
@@ -37,9 +36,8 @@ int run_command(const RunCommand& command) {
   const std::optional<Case> the_case = one_case(command.the_case);
   EngineChoice choice = choose_engines({command.engine});
   std::vector<std::string> broken = choice.problems;
-  const auto models = unknown_models(choice.engines, {command.model});
   if (broken.empty() && choice.engines.front().info) {
-    broken.insert(broken.end(), models.begin(), models.end());
+    append(broken, unknown_models(choice.engines, {command.model}));
   }
   SuiteOptions options;
   options.cases = the_case ? std::vector<Case>{*the_case} : std::vector<Case>{};
@@ -49,12 +47,9 @@ int run_command(const RunCommand& command) {
   options.law = command.law;
   options.out = command.out;
   options.limits.time = command.time_limit;
-  for (const auto& more :
-       {suite_problems(options), missing_folder("--json", command.json, command.out)}) {
-    broken.insert(broken.end(), more.begin(), more.end());
-  }
-  complain(broken);
-  if (!the_case || !broken.empty()) {
+  append(broken, suite_problems(options));
+  append(broken, missing_folder("--json", command.json, command.out));
+  if (complain(broken) || !the_case) {
     return exit_usage;
   }
   if (const RegisteredEngine& engine = options.engines.front(); !engine.info) {
@@ -102,9 +97,7 @@ void add_run(CLI::App& app, int& code) {
       ->capture_default_str();
   command->add_option("--out", asked->out,
                       "write trajectory.csv, events.csv and settings below this folder");
-  command
-      ->add_option("--json", asked->json, "write the result as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "write the result as JSON");
   command->add_flag("--all", asked->all, "print all metrics, not only those that matter");
   command->footer(
       "tautline run bouncing-ball --engine bullet64 --model row --step 1e-2\n"

@@ -11,14 +11,11 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
-#include "bench/solution/certificate_text.hpp"
 #include "bench/solution/certify.hpp"
 #include "bench/solution/digits/many_digits.hpp"
 #include "bench/solution/plot_svg.hpp"
 #include "bench/solution/solution_json.hpp"
-#include "bench/solution/solution_tables.hpp"
-#include "bench/solution/solution_text.hpp"
+#include "bench/solution/texts.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 
@@ -77,8 +74,7 @@ std::optional<Case> wanted_case(const SolveCommand& command) {
   found->duration = command.until.value_or(found->duration);
   found->angle_limit = command.angle_limit ? command.angle_limit : found->angle_limit;
   found->ceiling = command.ceiling ? command.ceiling : found->ceiling;
-  if (const auto broken = problems(*found); !broken.empty()) {
-    complain(broken);
+  if (complain(problems(*found))) {
     return std::nullopt;
   }
   return found;
@@ -124,9 +120,7 @@ std::optional<std::string> output_problem(const SolveCommand& command) {
 /// Everything that is wrong with what was asked, but for the case.
 std::vector<std::string> usage_problems(const SolveCommand& command) {
   std::vector<std::string> broken = missing_folder("--json", command.json);
-  for (const std::string& sentence : missing_folder("--plot", command.plot)) {
-    broken.push_back(sentence);
-  }
+  append(broken, missing_folder("--plot", command.plot));
   for (const auto& [option, most] : {std::pair("--max-events", command.max_events),
                                      std::pair("--max-steps", command.max_steps)}) {
     if (most < 1) {
@@ -163,8 +157,7 @@ int exit_code(Ending ending) {
 }
 
 int solve_command(const SolveCommand& command) {
-  if (const auto broken = usage_problems(command); !broken.empty()) {
-    complain(broken);
+  if (complain(usage_problems(command))) {
     return exit_usage;
   }
   const std::optional<Case> the_case = wanted_case(command);
@@ -176,9 +169,7 @@ int solve_command(const SolveCommand& command) {
   options.max_events = static_cast<std::size_t>(command.max_events);
   options.max_steps = static_cast<std::size_t>(command.max_steps);
   const Solution solution = solve(*the_case, options);
-  const std::vector<std::string> broken = sample_problems(solution, command.at);
-  if (!broken.empty()) {
-    complain(broken);
+  if (complain(sample_problems(solution, command.at))) {
     return exit_usage;
   }
   if (command.digits && !command.certify) {
@@ -229,13 +220,8 @@ void add_solve(CLI::App& app, int& code) {
                       "many, 20 to 1000 (default: 50)");
   command->add_flag("--decimal", asked->decimal,
                     "--digits of the decimals that the case is written in, not of their doubles");
-  command
-      ->add_option("--json", asked->json, "write everything as JSON to this file, or to stdout: -")
-      ->check(named_file);
-  command
-      ->add_option("--plot", asked->plot,
-                   "write a picture of the motion (SVG) to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "write everything as JSON");
+  add_target(*command, "--plot", asked->plot, "write a picture of the motion (SVG)");
   command->add_option("--max-events", asked->max_events,
                       fmt::format("give up after so many events (default: {})", asked->max_events));
   command->add_option("--max-steps", asked->max_steps,

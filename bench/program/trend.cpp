@@ -7,17 +7,15 @@
 #include <utility>
 
 #include "bench/base/atomic_file.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/base/process.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
-#include "bench/gate/changes_json.hpp"
-#include "bench/gate/trend/version_html.hpp"
-#include "bench/gate/trend/version_svg.hpp"
-#include "bench/gate/trend/version_text.hpp"
+#include "bench/gate/changes_output.hpp"
+#include "bench/gate/trend/version_output.hpp"
 #include "bench/gate/trend/version_trend.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/options.hpp"
 #include "bench/program/suites/request.hpp"
 #include "bench/program/suites/results.hpp"
 #include "bench/program/suites/running.hpp"
@@ -45,7 +43,7 @@ std::vector<VersionPlan> plans_of(const TrendCommand& command, std::vector<std::
   for (const std::string& text : command.engines) {
     plans.push_back(version_plan(text, command.every));
     const VersionPlan& plan = plans.back();
-    problems.insert(problems.end(), plan.problems.begin(), plan.problems.end());
+    append(problems, plan.problems);
     const auto same = [&](const VersionPlan& other) {
       return other.engine.name == plan.engine.name;
     };
@@ -142,21 +140,16 @@ void give(const TrendCommand& command, const std::vector<VersionTrend>& trends) 
 
 int trend_command(const TrendCommand& command) {
   Request runs = read_runs(command.runs);
-  const std::vector<std::string> more = suite_problems(runs.options);
-  runs.problems.insert(runs.problems.end(), more.begin(), more.end());
+  append(runs.problems, suite_problems(runs.options));
   const std::vector<VersionPlan> plans =
       runs.problems.empty() ? plans_of(command, runs.problems) : std::vector<VersionPlan>();
-  if (!runs.problems.empty()) {
-    complain(runs.problems);
+  if (complain(runs.problems)) {
     return exit_usage;
   }
   catch_interruption();
   const Descriptor tree = open_tree(command.runs.out, false);
-  std::vector<VersionTrend> trends;
-  trends.reserve(plans.size());
-  for (const VersionPlan& plan : plans) {
-    trends.push_back(trend_of(command, plan));
-  }
+  const std::vector<VersionTrend> trends =
+      listed(plans, [&](const VersionPlan& plan) { return trend_of(command, plan); });
   give(command, trends);
   if (interruption()) {
     complain(
@@ -189,9 +182,7 @@ void add_runs(CLI::App& command, BenchCommand& runs) {
   command.add_flag("--resume", runs.resume, "keep the runs that --out already has");
   command.add_option("--time-limit", runs.time_limit, "end a run after this long [s]")
       ->capture_default_str();
-  command
-      .add_option("--json", runs.json, "also write the trend as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(command, "--json", runs.json, "also write the trend as JSON");
 }
 
 }  // namespace

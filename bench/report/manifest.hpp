@@ -1,7 +1,8 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/report/report.hpp"
@@ -34,5 +35,11 @@ struct Manifest {
   ReportOptions options;
   ShardRow shard;  // which part, and how it was made
 };
+
+/// A line for every row.
+[[nodiscard]] std::string manifest_json(const Manifest& manifest);
+
+/// None if `text` is no manifest of this form.
+[[nodiscard]] std::optional<Manifest> manifest_from(std::string_view text);
 
 }  // namespace tautline::bench

@@ -1,12 +1,9 @@
-#include "bench/report/markdown.hpp"
+#include "bench/report/output.hpp"
 
 #include <fmt/format.h>
 
 #include "bench/base/text.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"
-#include "bench/report/tables/answers_table.hpp"
-#include "bench/report/tables/distributions_table.hpp"
-#include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/words.hpp"
 
@@ -46,8 +43,7 @@ std::string causes_markdown(const Report& report) {
   std::string out =
       "\n## Where errors come from\n\n" + table.markdown() + "\n" + how_to_read_causes() + "\n\n";
   for (const Cause cause : causes) {
-    const CauseWords words = words_of(cause);
-    out += fmt::format("- *{}*: {}.\n", words.heading, words.meaning);
+    out += fmt::format("- *{}*: {}.\n", in_words(to_string(cause)), meaning_of(cause));
   }
   return out;
 }

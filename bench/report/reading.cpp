@@ -1,4 +1,4 @@
-#include "bench/report/reading.hpp"
+#include "bench/report/json/json.hpp"
 
 #include <fmt/format.h>
 

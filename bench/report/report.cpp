@@ -3,31 +3,13 @@
 namespace tautline::bench {
 
 const char* to_string(Status status) {
-  switch (status) {
-    case Status::finished:
-      return "finished";
-    case Status::stopped:
-      return "stopped";
-    case Status::diverged:
-      return "diverged";
-    case Status::failed:
-      break;
-  }
-  return "failed";
+  constexpr std::array names = {"finished", "stopped", "diverged", "failed"};
+  return names.at(static_cast<std::size_t>(status));
 }
 
 const char* to_string(Word word) {
-  switch (word) {
-    case Word::pass:
-      return "pass";
-    case Word::known_deviation:
-      return "known deviation";
-    case Word::breaks_limit:
-      return "breaks a limit";
-    case Word::not_judged:
-      break;
-  }
-  return "not judged";
+  constexpr std::array names = {"pass", "known deviation", "breaks a limit", "not judged"};
+  return names.at(static_cast<std::size_t>(word));
 }
 
 }  // namespace tautline::bench

@@ -1,10 +1,10 @@
-#include "bench/report/run_card.hpp"
+#include "bench/report/output.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/report/tables/columns.hpp"
@@ -21,9 +21,7 @@ const Check* check_of(const RunRow& run, std::string_view metric) {
   if (!run.verdict) {
     return nullptr;
   }
-  const auto found = std::find_if(run.verdict->checks.begin(), run.verdict->checks.end(),
-                                  [&](const Check& check) { return check.metric == metric; });
-  return found != run.verdict->checks.end() ? &*found : nullptr;
+  return find_by(run.verdict->checks, &Check::metric, metric);
 }
 
 /// What became of a limit, in words.
@@ -143,9 +141,8 @@ std::string sentences_of(const RunDetails& details, bool all, std::size_t width)
 
 /// "bullet64 3.24 (float64), model row, step 0.001 s"
 std::string setup_text(const Report& report, const RunKey& key) {
-  const auto engine = std::find_if(report.engines.begin(), report.engines.end(),
-                                   [&](const EngineRow& row) { return row.name == key.engine; });
-  const bool known = engine != report.engines.end() && engine->info;
+  const EngineRow* const engine = find_by(report.engines, &EngineRow::name, key.engine);
+  const bool known = engine != nullptr && engine->info;
   return printable(key.engine) +
          (known ? fmt::format(" {} ({})", printable(engine->info->version), engine->info->precision)
                 : "") +

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/statistics.hpp"
 
 namespace tautline::bench {
@@ -178,10 +179,7 @@ CausesRow causes_row(const Group<RunRow>& runs) {
 
 CostRow cost_row(const Group<TimingRow>& timing) {
   const auto values = [&](double TimingRow::*number) {
-    std::vector<double> result;
-    std::transform(timing.begin(), timing.end(), std::back_inserter(result),
-                   [&](const TimingRow* row) { return row->*number; });
-    return result;
+    return listed(timing, [&](const TimingRow* row) { return row->*number; });
   };
   const std::vector<double> seconds = values(&TimingRow::second_cost);
   return {setup_of(timing.front()->key),
@@ -194,11 +192,7 @@ CostRow cost_row(const Group<TimingRow>& timing) {
 /// `row_of` every group.
 template <class Row, class KeyOf, class RowOf>
 auto rows(const std::vector<Row>& all, const KeyOf& key_of, const RowOf& row_of) {
-  std::vector<decltype(row_of(Group<Row>()))> result;
-  for (const Group<Row>& group : grouped(all, key_of)) {
-    result.push_back(row_of(group));
-  }
-  return result;
+  return listed(grouped(all, key_of), row_of);
 }
 
 }  // namespace

@@ -1,14 +1,9 @@
-#include "bench/report/terminal.hpp"
+#include "bench/report/output.hpp"
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/report/tables/answers_table.hpp"
-#include "bench/report/tables/columns.hpp"
-#include "bench/report/tables/distributions_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/words.hpp"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 
 namespace tautline::bench {
@@ -98,22 +99,15 @@ std::vector<std::string> how_to_read(const Report& report) {
 }
 
 std::string_view meaning_of(Word word) {
-  switch (word) {
-    case Word::pass:
-      return "every limit on the run that could be measured holds, and the audit found nothing in "
-             "it";
-    case Word::known_deviation:
-      return "the run breaks only limits that the file says it is known to break, or shows "
-             "findings "
-             "that it is known to show";
-    case Word::breaks_limit:
-      return "the run breaks a limit, shows a finding of the audit, fails or diverges, and is not "
-             "known to";
-    case Word::not_judged:
-      break;
-  }
-  return "the file does not judge the run, its model goes no further, or nothing that has a limit "
-         "could be measured";
+  constexpr std::array meanings = {
+      "every limit on the run that could be measured holds, and the audit found nothing in it",
+      "the run breaks only limits that the file says it is known to break, or shows findings that "
+      "it is known to show",
+      "the run breaks a limit, shows a finding of the audit, fails or diverges, and is not known "
+      "to",
+      "the file does not judge the run, its model goes no further, or nothing that has a limit "
+      "could be measured"};
+  return meanings.at(static_cast<std::size_t>(word));
 }
 
 std::string verdict_words() {
@@ -145,33 +139,6 @@ std::string how_to_read_causes() {
          "to a threshold, has no share.";
 }
 
-CauseWords words_of(Cause cause) {
-  const auto words = [cause](const char* meaning) {
-    return CauseWords{in_words(to_string(cause)), meaning};
-  };
-  switch (cause) {
-    case Cause::flight_bias:
-      return words("the integrator's path in free flight: semi-implicit Euler is g dt t / 2 off");
-    case Cause::event_lag:
-      return words("an impact before or after its instant, at another pose");
-    case Cause::late_rate:
-      return words("restitution of a rate that is not the one at the instant of the impact");
-    case Cause::position_correction:
-      return words("overstretch pushed out, by velocity on top of the bounce or as a shift");
-    case Cause::threshold:
-      return words("the rebound of slow impacts is lost, and that of faster ones is not");
-    case Cause::restitution_ignored:
-      return words("no impact, at any speed, comes back with half of the restitution requested");
-    case Cause::solver_residual:
-      return words("what else the impulse did: a wrong size or a wrong direction");
-    case Cause::taut_drift:
-      return words("what goes wrong on taut cables");
-    case Cause::amplification:
-      return words("what the exact motion makes of all this beyond first order, or of rounding");
-  }
-  return {};
-}
-
 std::string evidence_text(const Finding& finding) {
   const std::string runs = counted(finding.runs, "run");
   return finding.impacts == 0 ? runs : counted(finding.impacts, "impact") + " of " + runs;
@@ -190,11 +157,8 @@ std::string stopped_sentence(const Report& report) {
   if (count == 0) {
     return "";
   }
-  std::vector<std::string> models;
-  models.reserve(reasons.size());
-  for (const auto& [model, reason] : reasons) {
-    models.push_back(fmt::format("{} ({})", model, reason));
-  }
+  const std::vector<std::string> models = listed(
+      reasons, [](const auto& one) { return fmt::format("{} ({})", one.first, one.second); });
   return fmt::format(
       "{} of {} stopped before the end. This is no failure, and such a run is compared up to "
       "there. "

@@ -33,13 +33,6 @@ inline constexpr std::size_t longest_sentence = 1000;
 /// How to read the table of causes, in a paragraph.
 [[nodiscard]] std::string how_to_read_causes();
 
-/// A cause of deviations: its column and what it is.
-struct CauseWords {
-  std::string heading;  // "flight bias"
-  std::string meaning;
-};
-[[nodiscard]] CauseWords words_of(Cause cause);
-
 /// What a finding is drawn from: "17 impacts of 3 runs".
 [[nodiscard]] std::string evidence_text(const Finding& finding);
 

@@ -1,8 +1,10 @@
 #include "bench/run/json.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bench/base/json_list.hpp"
 #include "bench/base/text.hpp"
 #include "bench/check/claims.hpp"
 
@@ -17,42 +19,45 @@ constexpr int calibration_schema = 1;
 
 constexpr std::size_t longest_sentence = 1000;  // [bytes], of what an engine makes long
 
-ordered_json settings_json(const std::vector<Setting>& settings) {
-  ordered_json rows = ordered_json::array();
-  for (const Setting& setting : settings) {
-    rows.push_back({{"name", setting.name}, {"value", setting.value}, {"reason", setting.reason}});
-  }
-  return rows;
+ordered_json setting_json(const Setting& setting) {
+  return {{"name", setting.name}, {"value", setting.value}, {"reason", setting.reason}};
 }
 
-ordered_json parameters_json(const std::vector<Parameter>& parameters) {
-  ordered_json rows = ordered_json::array();
-  for (const Parameter& one : parameters) {
-    rows.push_back({{"name", one.name},
-                    {"low", one.low},
-                    {"high", one.high},
-                    {"scale", one.logarithmic ? "log" : "linear"},
-                    {"step_power", one.step_power}});
+ordered_json parameter_json(const Parameter& one) {
+  return {{"name", one.name},
+          {"low", one.low},
+          {"high", one.high},
+          {"scale", one.logarithmic ? "log" : "linear"},
+          {"step_power", one.step_power}};
+}
+
+ordered_json model_json(const Model& model) {
+  ordered_json row = {{"name", model.name},
+                      {"sentence", model.sentence},
+                      {"maker", to_string(model.maker)},
+                      {"settings", json_list(model.settings, setting_json)}};
+  if (!model.parameters.empty()) {
+    row["parameters"] = json_list(model.parameters, parameter_json);
+    row["code"] = model.code;
   }
-  return rows;
+  return row;
 }
 
 ordered_json engine_object(const EngineInfo& info) {
-  ordered_json models = ordered_json::array();
-  for (const Model& model : info.models) {
-    models.push_back({{"name", model.name},
-                      {"sentence", model.sentence},
-                      {"maker", to_string(model.maker)},
-                      {"settings", settings_json(model.settings)}});
-    if (!model.parameters.empty()) {
-      models.back()["parameters"] = parameters_json(model.parameters);
-      models.back()["code"] = model.code;
-    }
-  }
   return {{"name", info.name},
           {"version", info.version},
           {"precision", info.precision},
-          {"models", std::move(models)}};
+          {"models", json_list(info.models, model_json)}};
+}
+
+ordered_json row_of(const RegisteredEngine& engine) {
+  ordered_json row =
+      engine.info ? engine_object(*engine.info) : ordered_json{{"name", engine.name}};
+  row["plugin"] = engine.plugin.string();
+  row["failure"] = printable(engine.failure);
+  row["missing"] = engine.missing;
+  row["package"] = engine.package;
+  return row;
 }
 
 /// A number that is not finite is null.
@@ -71,14 +76,18 @@ ordered_json claim_json(const SettledClaim& settled) {
   return row;
 }
 
-ordered_json model_json(const CheckedModel& model) {
-  ordered_json claims = ordered_json::array();
-  for (const SettledClaim& settled : model.claims) {
-    claims.push_back(claim_json(settled));
-  }
+ordered_json checked_json(const CheckedModel& model) {
   return {{"model", model.name},
           {"holds", broken_claims(model.claims).empty()},
-          {"findings", std::move(claims)}};
+          {"findings", json_list(model.claims, claim_json)}};
+}
+
+ordered_json held_out_json(const HeldOut& one) {
+  return {{"speed", one.strike.speed},
+          {"arm", one.strike.arm},
+          {"inertia", one.strike.inertia},
+          {"spin_part", one.strike.spin_part},
+          {"restitution", one.restitution}};
 }
 
 }  // namespace
@@ -86,26 +95,14 @@ ordered_json model_json(const CheckedModel& model) {
 std::string engine_json(const EngineInfo& info) { return engine_object(info).dump(); }
 
 std::string engines_json(const std::vector<RegisteredEngine>& engines) {
-  ordered_json list = ordered_json::array();
-  for (const RegisteredEngine& engine : engines) {
-    ordered_json row =
-        engine.info ? engine_object(*engine.info) : ordered_json{{"name", engine.name}};
-    row["plugin"] = engine.plugin.string();
-    row["failure"] = printable(engine.failure);
-    row["missing"] = engine.missing;
-    row["package"] = engine.package;
-    list.push_back(std::move(row));
-  }
-  return ordered_json{{"schema", engines_schema}, {"engines", std::move(list)}}.dump(2) + "\n";
+  const ordered_json result = {{"schema", engines_schema}, {"engines", json_list(engines, row_of)}};
+  return result.dump(2) + "\n";
 }
 
 std::string check_json(const RegisteredEngine& engine, const std::vector<CheckedModel>& models) {
-  ordered_json rows = ordered_json::array();
-  bool all = true;
-  for (const CheckedModel& model : models) {
-    all = all && broken_claims(model.claims).empty();
-    rows.push_back(model_json(model));
-  }
+  const bool all = std::all_of(models.begin(), models.end(), [](const CheckedModel& model) {
+    return broken_claims(model.claims).empty();
+  });
   const ordered_json result = {{"schema", check_schema},
                                {"engine",
                                 {{"name", engine.info->name},
@@ -113,20 +110,12 @@ std::string check_json(const RegisteredEngine& engine, const std::vector<Checked
                                  {"precision", engine.info->precision},
                                  {"plugin", engine.plugin.string()}}},
                                {"holds", all},
-                               {"models", std::move(rows)}};
+                               {"models", json_list(models, checked_json)}};
   return result.dump(2) + "\n";
 }
 
 std::string calibration_json(const RegisteredEngine& engine, const CalibrationRequest& request,
                              const Calibration& found) {
-  ordered_json held_out = ordered_json::array();
-  for (const HeldOut& one : found.held_out) {
-    held_out.push_back({{"speed", one.strike.speed},
-                        {"arm", one.strike.arm},
-                        {"inertia", one.strike.inertia},
-                        {"spin_part", one.strike.spin_part},
-                        {"restitution", one.restitution}});
-  }
   ordered_json fixed = ordered_json::array();
   for (const auto& [name, value] : request.fixed) {
     fixed.push_back(name);
@@ -147,7 +136,7 @@ std::string calibration_json(const RegisteredEngine& engine, const CalibrationRe
                                {"code", printable(found.code, longest_sentence)},
                                {"worst", found.worst},
                                {"mean", found.mean},
-                               {"held_out", std::move(held_out)},
+                               {"held_out", json_list(found.held_out, held_out_json)},
                                {"not_reached", found.why},
                                {"evaluations", found.evaluations},
                                {"interrupted", found.interrupted}};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "bench/run/impact_detector.hpp"
 #include "tautline/geometry.hpp"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <functional>
@@ -13,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/run/protocol/engine_file.hpp"
 #include "bench/run/worker.hpp"
@@ -196,10 +196,7 @@ void choose(const std::string& want, const std::vector<RegisteredEngine>& all,
     }
   }
   if (!any) {
-    std::vector<std::string> names(all.size());
-    std::transform(all.begin(), all.end(), names.begin(),
-                   [](const RegisteredEngine& engine) { return engine.name; });
-    choice.problems.push_back(unknown_name("engine", want, names));
+    choice.problems.push_back(unknown_name("engine", want, listed(all, &RegisteredEngine::name)));
   }
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "tautline/case.hpp"

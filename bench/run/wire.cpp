@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
-#include <utility>
 
 namespace tautline {
 

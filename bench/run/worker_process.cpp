@@ -13,12 +13,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "bench/base/process.hpp"
 #include "bench/cases/case_file.hpp"
-#include "bench/check/claims/repeat.hpp"
+#include "bench/check/claims/measures.hpp"
 #include "bench/check/settle.hpp"
 #include "bench/check/strike.hpp"
 #include "bench/run/cost.hpp"

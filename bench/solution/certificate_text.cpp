@@ -1,11 +1,11 @@
-#include "bench/solution/certificate_text.hpp"
+#include "bench/solution/texts.hpp"
 
 #include <fmt/format.h>
 
 #include <vector>
 
 #include "bench/base/table.hpp"
-#include "bench/solution/solution_text.hpp"
+#include "bench/solution/cable_words.hpp"
 
 namespace tautline::bench {
 namespace {

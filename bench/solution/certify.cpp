@@ -7,8 +7,6 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
-#include <utility>
-#include <vector>
 
 #include "bench/solution/certify_events.hpp"
 #include "bench/solution/digits/in_digits.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bench/base/listed.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -40,12 +41,7 @@ std::vector<Vec2> path_of(const Solution& solution) {
     }
   }
   std::sort(times.begin(), times.end());
-  std::vector<Vec2> points;
-  points.reserve(times.size());
-  for (const double time : times) {
-    points.emplace_back(solution.at(time).position);
-  }
-  return points;
+  return listed(times, [&](double time) { return solution.at(time).position; });
 }
 
 /// The unit vector down; where nothing pulls, down on the sheet.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -18,15 +19,8 @@ constexpr double tallest = 900.0;  // [px]
 constexpr std::size_t marked_impacts = 400;  // the fastest; more is a smear
 
 const char* name_of(PlotPanel::Kind kind) {
-  switch (kind) {
-    case PlotPanel::Kind::all:
-      return "all";
-    case PlotPanel::Kind::whole:
-      return "whole";
-    case PlotPanel::Kind::enlarged:
-      break;
-  }
-  return "enlarged";
+  constexpr std::array names = {"all", "whole", "enlarged"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 }  // namespace

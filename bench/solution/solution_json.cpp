@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <utility>
 
+#include "bench/base/json_list.hpp"
 #include "bench/base/text.hpp"
 #include "tautline/uncertainty.hpp"
 
@@ -37,25 +37,18 @@ Json cable_json(const Cable& cable) {
 }
 
 Json errors_json(const EventErrors& errors) {
-  Json impulses = Json::array();
-  for (const double impulse : errors.impulses) {
-    impulses.push_back(impulse);
-  }
   return {{"time", errors.time},
-          {"impulses", std::move(impulses)},
+          {"impulses", json_list(errors.impulses, [](double impulse) { return Json(impulse); })},
           {"before", state_json(errors.before)},
           {"after", state_json(errors.after)}};
 }
 
 Json event_json(const Event& event, const std::optional<EventErrors>& errors) {
-  Json impulses = Json::array();
-  for (const double impulse : event.impulses) {
-    impulses.push_back(std::max(impulse, 0.0));  // cables pull: the rest is gravity's
-  }
+  const auto pull = [](double impulse) { return Json(std::max(impulse, 0.0)); };  // or gravity's
   return {{"time", event.time},
           {"kind", to_string(event.kind)},
           {"cables", event.cables.indices()},
-          {"impulses", std::move(impulses)},
+          {"impulses", json_list(event.impulses, pull)},
           {"before", state_json(event.before)},
           {"after", state_json(event.after)},
           {"errors", errors ? errors_json(*errors) : Json(nullptr)}};
@@ -101,14 +94,9 @@ Json sample_json(double time, const State& state, const std::optional<State>& er
   return result;
 }
 
-Json unsure_json(const Uncertainty& uncertainty) {
-  Json result = Json::array();
-  for (const Unsure& stretch : uncertainty.unsure()) {
-    result.push_back(
-        {{"from", stretch.from},
-         {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)}});
-  }
-  return result;
+Json unsure_json(const Unsure& stretch) {
+  return {{"from", stretch.from},
+          {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)}};
 }
 
 Json case_json(const Case& the_case) {
@@ -122,21 +110,17 @@ Json case_json(const Case& the_case) {
     result["ceiling"] = *the_case.ceiling;
   }
   result["body"] = {{"mass", the_case.body.mass}, {"inertia", the_case.body.inertia}};
-  result["cables"] = Json::array();
-  for (const Cable& cable : the_case.cables) {
-    result["cables"].push_back(cable_json(cable));
-  }
+  result["cables"] = json_list(the_case.cables, cable_json);
   result["initial"] = state_json(the_case.initial);
   return result;
 }
 
+Json last_impact_json(const LastImpact& last) {
+  return {{"speed", last.speed}, {"time", last.time ? Json(*last.time) : Json(nullptr)}};
+}
+
 Json settling_object(const Settling& settling) {
-  Json impacts = Json::array();
-  for (const LastImpact& last : settling.last_impacts) {
-    impacts.push_back(
-        {{"speed", last.speed}, {"time", last.time ? Json(*last.time) : Json(nullptr)}});
-  }
-  return {{"last_impacts", std::move(impacts)},
+  return {{"last_impacts", json_list(settling.last_impacts, last_impact_json)},
           {"lock", settling.lock ? lock_json(*settling.lock) : Json(nullptr)}};
 }
 
@@ -148,16 +132,15 @@ Json ledger_json(const EnergyLedger& ledger) {
           {"residual", ledger.residual}};
 }
 
+Json correct_json(const CorrectDigits& part) {
+  return {{"digits", part.digits}, {"until", part.until ? Json(*part.until) : Json(nullptr)}};
+}
+
 Json certificate_json(const Certificate& certificate) {
-  Json correct = Json::array();
-  for (const CorrectDigits& part : certificate.correct) {
-    correct.push_back(
-        {{"digits", part.digits}, {"until", part.until ? Json(*part.until) : Json(nullptr)}});
-  }
   const EventMatch& events = certificate.events;
   return {{"digits", certificate.digits},
           {"completion_error", certificate.completion_error},
-          {"correct", std::move(correct)},
+          {"correct", json_list(certificate.correct, correct_json)},
           {"events",
            {{"same", events.count},
             {"until", events.until},
@@ -230,16 +213,12 @@ std::string solution_json(const Case& the_case, const SolveOptions& options,
   for (std::size_t index = 0; index < solution.events().size(); ++index) {
     result["events"].push_back(event_json(solution.events()[index], uncertainty.events()[index]));
   }
-  result["unsure"] = unsure_json(uncertainty);
-  result["accumulations"] = Json::array();
-  for (const Accumulation& accumulation : solution.accumulations()) {
-    result["accumulations"].push_back(accumulation_json(accumulation));
-  }
+  result["unsure"] = json_list(uncertainty.unsure(), unsure_json);
+  result["accumulations"] = json_list(solution.accumulations(), accumulation_json);
   if (!sample_times.empty()) {
-    result["samples"] = Json::array();
-    for (const double time : sample_times) {
-      result["samples"].push_back(sample_json(time, solution.at(time), uncertainty.at(time)));
-    }
+    result["samples"] = json_list(sample_times, [&](double time) {
+      return sample_json(time, solution.at(time), uncertainty.at(time));
+    });
   }
   if (certificate) {
     result["certificate"] = certificate_json(*certificate);

@@ -1,4 +1,4 @@
-#include "bench/solution/solution_tables.hpp"
+#include "bench/solution/texts.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/solution/cable_words.hpp"
 #include "bench/solution/digits/right_digits.hpp"
-#include "bench/solution/solution_text.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

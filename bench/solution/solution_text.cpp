@@ -1,4 +1,4 @@
-#include "bench/solution/solution_text.hpp"
+#include "bench/solution/texts.hpp"
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@
 #include "bench/base/text.hpp"
 #include "bench/cases/case_file.hpp"
 #include "bench/cases/case_writer.hpp"
-#include "bench/report/json/manifest.hpp"
+#include "bench/report/manifest.hpp"
 #include "bench/suite/run_files.hpp"
 #include "bench/suite/source_commit.hpp"
 

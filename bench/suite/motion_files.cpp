@@ -1,4 +1,4 @@
-#include "bench/suite/motion_files.hpp"
+#include "bench/suite/report_of.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "bench/suite/report_of.hpp"
 
 #include <algorithm>
-#include <string>
 #include <thread>
 #include <utility>
 
@@ -10,7 +9,6 @@
 #include "bench/report/rows.hpp"
 #include "bench/report/summary.hpp"
 #include "bench/suite/manifest.hpp"
-#include "bench/suite/motion_files.hpp"
 #include "bench/suite/source_commit.hpp"
 
 namespace tautline::bench {

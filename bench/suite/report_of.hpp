@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bench/measure/reference.hpp"
@@ -17,5 +19,12 @@ namespace tautline::bench {
                                const std::vector<ReferenceCase>& references,
                                const std::vector<std::optional<CertifiedDigits>>& certified,
                                const SuiteResult& result, Context context);
+
+/// The file with the motions of all runs of a case, seen from the page: motions/<case>.js.
+[[nodiscard]] std::string motion_file(const std::string& case_name);
+
+/// Writes those files below `out` that the cases of `report` name. Each is a script, which a page
+/// on disk may load where it may not read data.
+void write_motions(const std::filesystem::path& out, const Report& report);
 
 }  // namespace tautline::bench

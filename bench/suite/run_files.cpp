@@ -10,7 +10,6 @@
 #include <map>
 #include <mutex>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "bench/base/atomic_file.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include "bench/base/listed.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -43,18 +43,10 @@ std::span<const Suite> suites() {
   return all;
 }
 
-const Suite* find_suite(std::string_view name) {
-  const auto found = std::find_if(suites().begin(), suites().end(),
-                                  [&](const Suite& suite) { return suite.name == name; });
-  return found != suites().end() ? &*found : nullptr;
-}
+const Suite* find_suite(std::string_view name) { return find_by(suites(), &Suite::name, name); }
 
 std::vector<std::string> cases_of(const Suite& suite) {
-  std::vector<std::string> result;
-  for (const SuiteCases& entry : suite.entries) {
-    result.emplace_back(entry.cases);
-  }
-  return result;
+  return listed<std::string>(suite.entries, &SuiteCases::cases);
 }
 
 std::string suites_text() {

@@ -10,7 +10,6 @@
 
 #include "bench/base/text.hpp"
 #include "bench/suite/manifest.hpp"
-#include "bench/suite/run_files.hpp"
 #include "bench/suite/shard.hpp"
 
 namespace tautline::bench {

@@ -12,8 +12,10 @@ FileProblems::FileProblems(const std::string& source_name) {
 }
 
 void FileProblems::add(std::size_t line, const std::string& sentence) {
-  found_.emplace_back(line,
-                      source_ + (line > 0 ? ":" + std::to_string(line) : "") + ": " + sentence);
+  std::pair found(line, source_ + (line > 0 ? ":" + std::to_string(line) : "") + ": " + sentence);
+  if (std::find(found_.begin(), found_.end(), found) == found_.end()) {
+    found_.push_back(std::move(found));
+  }
 }
 
 std::vector<std::string> FileProblems::sentences() const {

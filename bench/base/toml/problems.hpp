@@ -12,7 +12,7 @@ class FileProblems {
  public:
   explicit FileProblems(const std::string& source_name);
 
-  /// `line` counts from 1; 0 where no line can be named.
+  /// `line` counts from 1; 0 where no line can be named. What was added before is not added again.
   void add(std::size_t line, const std::string& sentence);
   [[nodiscard]] bool empty() const { return found_.empty(); }
 

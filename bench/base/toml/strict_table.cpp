@@ -13,6 +13,10 @@ std::string with_unit(std::string_view right, std::string_view unit) {
   return "must be " + std::string(right) + (unit.empty() ? "" : " ") + std::string(unit);
 }
 
+bool has_key(const toml::table* table, std::string_view key) {
+  return table != nullptr && table->contains(key);
+}
+
 }  // namespace
 
 const Range any_number = {"a finite number", [](double x) { return std::isfinite(x); }};
@@ -193,18 +197,38 @@ std::vector<StrictTable> StrictTable::optional_tables(std::string_view key, std:
   return find(key) != nullptr ? tables(key, most, right) : std::vector<StrictTable>();
 }
 
+std::vector<StrictTable> StrictTable::each(std::size_t most) {
+  if (find("each") == nullptr) {
+    return {*this};
+  }
+  std::vector<StrictTable> entries =
+      tables("each", most, "must be tables, each with what tells it from the others");
+  for (StrictTable& entry : entries) {
+    entry.common_ = table_;
+    entry.common_path_ = path_;
+  }
+  return entries;
+}
+
 void StrictTable::refuse_value(std::string_view key, const std::string& why) {
-  if (table_ != nullptr && table_->contains(key)) {
+  if (has_key(table_, key) || has_key(common_, key)) {
     refuse(*find(key), full_name(key), why);
   }
 }
 
 void StrictTable::refuse_unknown_keys() {
-  if (table_ == nullptr) {
-    return;
+  if (table_ != nullptr) {
+    refuse_unknown_keys(*table_);
   }
-  for (const auto& [key, node] : *table_) {
-    if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) {
+  if (common_ != nullptr) {
+    refuse_unknown_keys(*common_);
+  }
+}
+
+void StrictTable::refuse_unknown_keys(const toml::table& table) {
+  for (const auto& [key, node] : table) {
+    const bool is_each = &table == common_ && key.str() == "each";
+    if (is_each || std::find(known_.begin(), known_.end(), key.str()) != known_.end()) {
       continue;
     }
     const std::string near = suggestion(key.str(), known_);
@@ -218,7 +242,8 @@ const toml::node* StrictTable::find(std::string_view key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
     known_.emplace_back(key);
   }
-  return table_ != nullptr ? table_->get(key) : nullptr;
+  const toml::table* holder = has_key(table_, key) ? table_ : common_;
+  return holder != nullptr ? holder->get(key) : nullptr;
 }
 
 const toml::node* StrictTable::find_required(std::string_view key, const std::string& right) {
@@ -264,7 +289,9 @@ void StrictTable::refuse(const toml::node& node, const std::string& name, const 
 }
 
 std::string StrictTable::full_name(std::string_view key) const {
-  return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+  const bool is_common = has_key(common_, key) && !has_key(table_, key);
+  const std::string& path = is_common ? common_path_ : path_;
+  return path.empty() ? std::string(key) : path + "." + std::string(key);
 }
 
 }  // namespace tautline::bench

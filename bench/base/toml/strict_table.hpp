@@ -63,6 +63,10 @@ class StrictTable {
   [[nodiscard]] std::vector<StrictTable> optional_tables(std::string_view key, std::size_t most,
                                                          const std::string& right);
 
+  /// A table for each entry of the array `each`: what an entry does not say, this table says for
+  /// all of them. This table itself where the key is missing.
+  [[nodiscard]] std::vector<StrictTable> each(std::size_t most);
+
   /// Adds a finding on the value of `key`, if it is there.
   void refuse_value(std::string_view key, const std::string& why);
 
@@ -78,9 +82,12 @@ class StrictTable {
                     std::string_view unit);
   void refuse(const toml::node& node, const std::string& name, const std::string& why);
   [[nodiscard]] std::string full_name(std::string_view key) const;
+  void refuse_unknown_keys(const toml::table& table);
 
   const toml::table* table_;
   std::string path_;
+  const toml::table* common_ = nullptr;  // around an entry of `each`: says what that does not
+  std::string common_path_;
   FileProblems* wrong_;
   std::vector<std::string> known_;
 };

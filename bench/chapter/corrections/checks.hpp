@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bench/chapter/corrections/share.hpp"
+#include "bench/chapter/corrections/correction.hpp"
 #include "bench/chapter/study.hpp"
 
 namespace tautline::bench {

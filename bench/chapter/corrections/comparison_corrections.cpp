@@ -1,14 +1,13 @@
-#include "bench/chapter/corrections/comparison_corrections.hpp"
+#include "bench/chapter/corrections/corrections.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "bench/chapter/figures/figure_data.hpp"
 #include "bench/chapter/tables/print.hpp"
-#include "bench/chapter/tables/table_5_3.hpp"
+#include "bench/chapter/tables/tables.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

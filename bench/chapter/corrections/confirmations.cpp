@@ -1,4 +1,4 @@
-#include "bench/chapter/corrections/confirmations.hpp"
+#include "bench/chapter/corrections/corrections.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "bench/chapter/tables/table_5_3.hpp"
+#include "bench/chapter/tables/tables.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

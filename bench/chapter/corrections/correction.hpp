@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "bench/chapter/tables/cell.hpp"
+#include "bench/chapter/tables/table.hpp"
 
 namespace tautline::bench {
 
@@ -30,6 +31,12 @@ struct Correction {
   NamedNumbers numbers;  // the same, by name
   NumberList list = {};  // and those of several cases; without a name if there are none
   bool main = false;     // what the chapter missed altogether: told first
+};
+
+/// How often something was true.
+struct Share {
+  std::size_t times;
+  std::size_t of;
 };
 
 }  // namespace tautline::bench

@@ -1,10 +1,5 @@
 #include "bench/chapter/corrections/corrections.hpp"
 
-#include "bench/chapter/corrections/analysis_corrections.hpp"
-#include "bench/chapter/corrections/comparison_corrections.hpp"
-#include "bench/chapter/corrections/confirmations.hpp"
-#include "bench/chapter/corrections/formula_corrections.hpp"
-
 namespace tautline::bench {
 
 std::vector<Correction> chapter_corrections(const ChapterStudy& study) {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "bench/chapter/corrections/share.hpp"
+#include "bench/chapter/corrections/correction.hpp"
 
 namespace tautline::bench {
 

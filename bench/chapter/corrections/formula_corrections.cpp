@@ -1,4 +1,4 @@
-#include "bench/chapter/corrections/formula_corrections.hpp"
+#include "bench/chapter/corrections/corrections.hpp"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "bench/base/listed.hpp"
+
 namespace tautline::bench {
 namespace {
 
@@ -128,11 +130,9 @@ std::vector<Curve> figure_curves(const ChapterFigure& figure) {
     const auto cable = static_cast<std::size_t>(row.numbers[*figure.by]);
     of_cable[cable].push_back({row.numbers[figure.x], row.numbers[figure.y]});
   }
-  std::vector<Curve> curves;
-  for (const auto& [cable, impacts] : of_cable) {
-    curves.push_back(curve_of("cable " + std::to_string(cable), fastest(impacts)));
-  }
-  return curves;
+  return listed(of_cable, [](const auto& one) {
+    return curve_of("cable " + std::to_string(one.first), fastest(one.second));
+  });
 }
 
 Curve boundary_curve(const Boundary& boundary) {

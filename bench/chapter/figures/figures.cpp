@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
 
+#include "bench/base/listed.hpp"
 #include "bench/chapter/corrections/checks.hpp"
 #include "bench/chapter/tables/print.hpp"
 #include "tautline/geometry.hpp"
@@ -180,11 +180,7 @@ ChapterFigure figure(const ChapterStudy& study, const Caption& caption) {
 }  // namespace
 
 std::vector<ChapterFigure> chapter_figures(const ChapterStudy& study) {
-  std::vector<ChapterFigure> result;
-  for (const Caption& caption : captions) {
-    result.push_back(figure(study, caption));
-  }
-  return result;
+  return listed(captions, [&](const Caption& caption) { return figure(study, caption); });
 }
 
 }  // namespace tautline::bench

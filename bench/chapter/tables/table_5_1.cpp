@@ -1,4 +1,4 @@
-#include "bench/chapter/tables/table_5_1.hpp"
+#include "bench/chapter/tables/tables.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,5 @@
 #include "bench/chapter/tables/tables.hpp"
 
-#include "bench/chapter/tables/table_5_1.hpp"
-#include "bench/chapter/tables/table_5_2.hpp"
-#include "bench/chapter/tables/table_5_3.hpp"
-
 namespace tautline::bench {
 
 std::vector<ChapterTable> chapter_tables(const ChapterStudy& study) {

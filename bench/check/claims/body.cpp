@@ -2,11 +2,10 @@
 // the cable and does not spin, so its pose at the hit does not depend on the step in which it is
 // noticed.
 
-#include "bench/check/claims/body.hpp"
+#include "bench/check/claims/measures.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "bench/check/claims/convergence.hpp"
+#include "bench/check/claims/measures.hpp"
 
 #include <fmt/format.h>
 

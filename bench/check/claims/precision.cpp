@@ -1,10 +1,9 @@
-#include "bench/check/claims/precision.hpp"
+#include "bench/check/claims/measures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "bench/check/cases.hpp"
 #include "bench/check/stepping.hpp"

@@ -1,6 +1,6 @@
 // Both runs must also end alike: a run that stops at once would agree with anything.
 
-#include "bench/check/claims/repeat.hpp"
+#include "bench/check/claims/measures.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,9 @@
 // A rebound is that over the whole of the contact where an engine takes several steps for it.
 
-#include "bench/check/claims/restitution.hpp"
+#include "bench/check/claims/measures.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

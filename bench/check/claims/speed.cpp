@@ -1,7 +1,7 @@
 // No gravity, and a cable that stays slack: nothing may change the speed or the spin. Engines cut
 // what is fast, so that it does not fly through others, and brake what is slow, so that it sleeps.
 
-#include "bench/check/claims/speed.hpp"
+#include "bench/check/claims/measures.hpp"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <thread>
 
+#include "bench/base/listed.hpp"
 #include "bench/ensemble/compare/energy_distance.hpp"
 #include "bench/ensemble/compare/kolmogorov.hpp"
 
@@ -75,11 +76,8 @@ void adjust(std::vector<Comparison>& comparisons) {
       tests.push_back(&*one.energy);
     }
   }
-  std::vector<double> probabilities;
-  probabilities.reserve(tests.size());
-  for (const Test* one : tests) {
-    probabilities.push_back(one->probability);
-  }
+  const std::vector<double> probabilities =
+      listed(tests, [](const Test* one) { return one->probability; });
   const std::vector<double> adjusted = holm(probabilities);
   for (std::size_t place = 0; place < tests.size(); ++place) {
     tests[place]->adjusted = adjusted[place];

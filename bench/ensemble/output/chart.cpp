@@ -1,4 +1,4 @@
-#include "bench/ensemble/output/chart.hpp"
+#include "bench/ensemble/output/output.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/solution/plot_style.hpp"
 
@@ -133,11 +134,8 @@ std::string legend_of(const std::vector<EnsembleSetup>& setups) {
 std::string distribution_svg(const EnsembleReport& report, std::size_t statistic) {
   const std::vector<EnsembleSetup>& setups = report.request.setups;
   const Statistic& shown = report.findings.statistics[statistic];
-  std::vector<EnsembleSample> samples;
-  samples.reserve(setups.size());
-  for (const DrawTable& draws : report.result.draws) {
-    samples.push_back(sample_of(draws, statistic));
-  }
+  const std::vector<EnsembleSample> samples = listed(
+      report.result.draws, [&](const DrawTable& draws) { return sample_of(draws, statistic); });
   const Axis axis = axis_of(samples);
   const double right = left_edge + panel + between;
   std::string curves =

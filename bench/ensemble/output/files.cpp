@@ -1,12 +1,10 @@
-#include "bench/ensemble/output/files.hpp"
+#include "bench/ensemble/output/output.hpp"
 
 #include <optional>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/process.hpp"
 #include "bench/ensemble/output/atlas.hpp"
-#include "bench/ensemble/output/page.hpp"
-#include "bench/ensemble/output/text.hpp"
 #include "bench/solution/plot_svg.hpp"
 #include "tautline/solve.hpp"
 

@@ -1,8 +1,9 @@
 #include <utility>
 
+#include "bench/base/json_list.hpp"
 #include "bench/base/text.hpp"
 #include "bench/ensemble/output/atlas.hpp"
-#include "bench/ensemble/output/text.hpp"
+#include "bench/ensemble/output/output.hpp"
 #include "bench/report/json/writer.hpp"
 
 namespace tautline::bench {
@@ -70,45 +71,35 @@ Json comparison_json(const EnsembleReport& report, const Comparison& one) {
           {"visible_shift", json_of(one.visible_shift)}};
 }
 
+Json statistic_json(const Statistic& one) {
+  return {
+      {"name", one.name}, {"heading", one.heading}, {"unit", one.unit}, {"meaning", one.meaning}};
+}
+
 Json atlas_json(const EnsembleReport& report) {
   const std::optional<Atlas> atlas = atlas_of(report);
   if (!atlas) {
     return nullptr;
   }
-  Json axes = Json::array();
-  for (const Varied& axis : atlas->axes) {
-    axes.push_back({{"quantity", axis.quantity}, {"values", axis.distribution.numbers}});
-  }
+  const auto axis_json = [](const Varied& axis) -> Json {
+    return {{"quantity", axis.quantity}, {"values", axis.distribution.numbers}};
+  };
   Json means = Json::object();
   for (std::size_t index = 0; index < atlas->statistics.size(); ++index) {
-    Json cells = Json::array();
-    for (const std::optional<double>& mean : atlas->means[index]) {
-      cells.push_back(json_of(mean));
-    }
-    means[report.findings.statistics[atlas->statistics[index]].name] = std::move(cells);
+    means[report.findings.statistics[atlas->statistics[index]].name] = json_of(atlas->means[index]);
   }
-  return {{"axes", std::move(axes)}, {"means", std::move(means)}};
+  return {{"axes", json_list(atlas->axes, axis_json)}, {"means", std::move(means)}};
 }
 
 }  // namespace
 
 std::string ensemble_json(const EnsembleReport& report) {
   const EnsembleSpec& spec = report.request.spec;
-  Json statistics = Json::array();
-  for (const Statistic& one : report.findings.statistics) {
-    statistics.push_back({{"name", one.name},
-                          {"heading", one.heading},
-                          {"unit", one.unit},
-                          {"meaning", one.meaning}});
-  }
   Json setups = Json::array();
   for (std::size_t place = 0; place < report.request.setups.size(); ++place) {
     setups.push_back(setup_json(report, place));
   }
-  Json comparisons = Json::array();
-  for (const Comparison& one : report.findings.comparisons) {
-    comparisons.push_back(comparison_json(report, one));
-  }
+  const auto of_comparison = [&](const Comparison& one) { return comparison_json(report, one); };
   const Json json = {{"schema", ensemble_schema},
                      {"case", printable(spec.the_case.name)},
                      {"until", spec.the_case.duration},
@@ -120,9 +111,9 @@ std::string ensemble_json(const EnsembleReport& report) {
                      {"confidence", confidence},
                      {"error_rate", error_rate},
                      {"tests", report.findings.tests()},
-                     {"statistics", std::move(statistics)},
+                     {"statistics", json_list(report.findings.statistics, statistic_json)},
                      {"setups", std::move(setups)},
-                     {"comparisons", std::move(comparisons)},
+                     {"comparisons", json_list(report.findings.comparisons, of_comparison)},
                      {"atlas", atlas_json(report)}};
   return json.dump(2) + "\n";
 }

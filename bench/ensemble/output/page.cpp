@@ -1,13 +1,10 @@
-#include "bench/ensemble/output/page.hpp"
+#include "bench/ensemble/output/output.hpp"
 
 #include <fmt/format.h>
 
 #include "bench/base/html.hpp"
 #include "bench/base/table.hpp"
 #include "bench/ensemble/output/atlas.hpp"
-#include "bench/ensemble/output/chart.hpp"
-#include "bench/ensemble/output/tables.hpp"
-#include "bench/ensemble/output/text.hpp"
 #include "bench/page/document.hpp"
 
 namespace tautline::bench {

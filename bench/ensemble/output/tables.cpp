@@ -1,8 +1,5 @@
-#include "bench/ensemble/output/tables.hpp"
+#include "bench/ensemble/output/output.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <string>
 
 #include "bench/base/text.hpp"

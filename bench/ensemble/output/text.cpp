@@ -1,7 +1,6 @@
-#include "bench/ensemble/output/text.hpp"
+#include "bench/ensemble/output/output.hpp"
 
 #include "bench/base/table.hpp"
-#include "bench/ensemble/output/tables.hpp"
 
 namespace tautline::bench {
 

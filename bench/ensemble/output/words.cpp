@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 
 namespace tautline::bench {
@@ -52,12 +53,10 @@ std::string verdict_on(const EnsembleReport& report, std::size_t setup) {
                    [](const Comparison* one, const Comparison* other) {
                      return one->kolmogorov.effect > other->kolmogorov.effect;
                    });
-  std::vector<std::string> words;
-  words.reserve(different.size());
-  for (const Comparison* one : different) {
-    words.push_back(fmt::format("{} (D = {:.2f})", findings.statistics[one->statistic].heading,
-                                one->kolmogorov.effect));
-  }
+  const std::vector<std::string> words = listed(different, [&](const Comparison* one) {
+    return fmt::format("{} (D = {:.2f})", findings.statistics[one->statistic].heading,
+                       one->kolmogorov.effect);
+  });
   return fmt::format("{} differs from exact in {} of {} statistics: {}.", name, different.size(),
                      all.size(), joined(words, "and"));
 }

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <charconv>
 
+#include "bench/base/listed.hpp"
+
 namespace tautline::bench {
 namespace {
 
@@ -74,10 +76,7 @@ std::vector<double*> numbers(Case& the_case, std::string_view name) {
 }  // namespace
 
 std::vector<std::string> quantities_of(const Case& the_case) {
-  std::vector<std::string> names;
-  for (const CaseQuantity& one : case_quantities) {
-    names.emplace_back(one.name);
-  }
+  std::vector<std::string> names = listed<std::string>(case_quantities, &CaseQuantity::name);
   for (const CableQuantity& one : cable_quantities) {
     names.emplace_back(one.name);
     for (std::size_t cable = 0; cable < the_case.cables.size(); ++cable) {

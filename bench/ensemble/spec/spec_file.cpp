@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bench/base/input_file.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/base/toml/problems.hpp"
 #include "bench/base/toml/strict_table.hpp"
@@ -37,11 +38,8 @@ const Range point_count = {"a whole number from 2 to 1000", [](double x) {
                            }};
 
 ImpactLaw read_law(StrictTable& table) {
-  std::vector<std::string> names;
-  names.reserve(impact_laws.size());
-  for (const ImpactLaw law : impact_laws) {
-    names.emplace_back(to_string(law));
-  }
+  const std::vector<std::string> names =
+      listed<std::string>(impact_laws, [](ImpactLaw law) { return to_string(law); });
   const std::string name = table.optional_one_of("law", names).value_or(names.front());
   const auto place = std::find(names.begin(), names.end(), name) - names.begin();
   return impact_laws.at(static_cast<std::size_t>(place) % impact_laws.size());

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "bench/base/text.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"

@@ -6,8 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/statistics.hpp"
-#include "bench/gate/same_case.hpp"
+#include "bench/gate/changes.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -157,11 +158,8 @@ class Trends {
 
   [[nodiscard]] TrendPoint point(std::size_t index, const SetupKey& key, std::size_t metric,
                                  const Runs& runs, const std::vector<std::string>& cases) const {
-    std::vector<double> values;
-    values.reserve(cases.size());
-    for (const std::string& name : cases) {
-      values.push_back(runs.at(name)->metric(metric).value());
-    }
+    const std::vector<double> values = listed(
+        cases, [&](const std::string& name) { return runs.at(name)->metric(metric).value(); });
     TrendPoint result{stages_[index].versions.at(key.engine), median(values),
                       quantile(values, 0.25), quantile(values, 0.75)};
     if (const auto moves = moves_[index].find({key, metric}); moves != moves_[index].end()) {
@@ -180,11 +178,8 @@ class Trends {
         points.emplace_back();
         continue;
       }
-      std::vector<double> values;
-      values.reserve(cases.size());
-      for (const auto& [name, count] : cases) {
-        values.push_back(own->second.at(name));
-      }
+      const std::vector<double> values =
+          listed(cases, [&](const auto& one) { return own->second.at(one.first); });
       points.emplace_back(median(values));
     }
     return points;

@@ -1,4 +1,4 @@
-#include "bench/gate/trend/trend_text.hpp"
+#include "bench/gate/changes_output.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/gate/changes_text.hpp"
 
 namespace tautline::bench {
 namespace {

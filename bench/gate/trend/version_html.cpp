@@ -1,12 +1,11 @@
-#include "bench/gate/trend/version_html.hpp"
+#include "bench/gate/trend/version_output.hpp"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
 #include "bench/base/html.hpp"
-#include "bench/gate/changes_json.hpp"
-#include "bench/gate/trend/version_svg.hpp"
+#include "bench/gate/changes_output.hpp"
 #include "bench/gate/trend/version_tables.hpp"
 #include "bench/page/document.hpp"
 #include "bench/report/words.hpp"

@@ -1,4 +1,4 @@
-#include "bench/gate/trend/version_svg.hpp"
+#include "bench/gate/trend/version_output.hpp"
 
 #include <fmt/format.h>
 

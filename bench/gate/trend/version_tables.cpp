@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <map>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
-#include "bench/gate/changes_text.hpp"
+#include "bench/gate/changes_output.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {
@@ -124,11 +125,9 @@ Table versions_table(const VersionTrend& versions) {
 }
 
 std::vector<TitledTable> setup_tables(const Trend& trend) {
-  std::vector<TitledTable> tables;
-  for (const auto& [key, setup] : setups_of(trend)) {
-    tables.push_back({setup_name(key), table_of(trend, setup)});
-  }
-  return tables;
+  return listed(setups_of(trend), [&](const auto& one) {
+    return TitledTable{setup_name(one.first), table_of(trend, one.second)};
+  });
 }
 
 }  // namespace tautline::bench

@@ -1,9 +1,9 @@
-#include "bench/gate/trend/version_text.hpp"
+#include "bench/gate/trend/version_output.hpp"
 
 #include <fmt/format.h>
 
 #include "bench/base/table.hpp"
-#include "bench/gate/changes_text.hpp"
+#include "bench/gate/changes_output.hpp"
 #include "bench/gate/trend/version_tables.hpp"
 
 namespace tautline::bench {

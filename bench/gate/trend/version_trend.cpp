@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "bench/base/listed.hpp"
+
 namespace tautline::bench {
 namespace {
 
@@ -22,11 +24,7 @@ std::vector<VersionMove> moves_to(const std::string& version, const MetricChange
       move.most = change;
     }
   }
-  std::vector<VersionMove> result;
-  result.reserve(found.size());
-  for (const auto& [key, move] : found) {
-    result.push_back(move);
-  }
+  std::vector<VersionMove> result = listed(found, [](const auto& one) { return one.second; });
   std::stable_sort(result.begin(), result.end(),
                    [](const VersionMove& one, const VersionMove& two) {
                      return size_of_change(one.most) > size_of_change(two.most);

@@ -1,29 +1,36 @@
 #include "bench/measure/attribution/cause.hpp"
 
-namespace tautline::bench {
+#include <cstddef>
 
-std::string_view to_string(Cause cause) {
-  switch (cause) {
-    case Cause::flight_bias:
-      return "flight_bias";
-    case Cause::event_lag:
-      return "event_lag";
-    case Cause::late_rate:
-      return "late_rate";
-    case Cause::position_correction:
-      return "position_correction";
-    case Cause::threshold:
-      return "threshold";
-    case Cause::restitution_ignored:
-      return "restitution_ignored";
-    case Cause::solver_residual:
-      return "solver_residual";
-    case Cause::taut_drift:
-      return "taut_drift";
-    case Cause::amplification:
-      return "amplification";
-  }
-  return "unknown";
-}
+namespace tautline::bench {
+namespace {
+
+struct CauseText {
+  std::string_view name;
+  const char* meaning;
+};
+
+/// In the order of the enumerators.
+constexpr std::array<CauseText, causes.size()> texts = {
+    {{"flight_bias", "the integrator's path in free flight: semi-implicit Euler is g dt t / 2 off"},
+     {"event_lag", "an impact before or after its instant, at another pose"},
+     {"late_rate", "restitution of a rate that is not the one at the instant of the impact"},
+     {"position_correction",
+      "overstretch pushed out, by velocity on top of the bounce or as a shift"},
+     {"threshold", "the rebound of slow impacts is lost, and that of faster ones is not"},
+     {"restitution_ignored",
+      "no impact, at any speed, comes back with half of the restitution requested"},
+     {"solver_residual", "what else the impulse did: a wrong size or a wrong direction"},
+     {"taut_drift", "what goes wrong on taut cables"},
+     {"amplification",
+      "what the exact motion makes of all this beyond first order, or of rounding"}}};
+
+const CauseText& text_of(Cause cause) { return texts.at(static_cast<std::size_t>(cause)); }
+
+}  // namespace
+
+std::string_view to_string(Cause cause) { return text_of(cause).name; }
+
+const char* meaning_of(Cause cause) { return text_of(cause).meaning; }
 
 }  // namespace tautline::bench

@@ -25,6 +25,9 @@ inline constexpr std::array causes = {
 /// The name used in files: "flight_bias", and so on.
 [[nodiscard]] std::string_view to_string(Cause cause);
 
+/// What it is, in words that follow its name.
+[[nodiscard]] const char* meaning_of(Cause cause);
+
 /// One number per cause [m].
 using CauseParts = std::array<double, causes.size()>;
 

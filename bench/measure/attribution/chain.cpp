@@ -1,7 +1,6 @@
 #include "bench/measure/attribution/chain.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "tautline/flight.hpp"

@@ -5,10 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "bench/measure/audit/impulse.hpp"
 #include "bench/measure/audit/model.hpp"
-#include "bench/measure/audit/restitution.hpp"
-#include "bench/measure/audit/sleep.hpp"
+#include "bench/measure/audit/parts.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/measure/audit/finding.hpp"
-#include "bench/measure/audit/freeze.hpp"
 #include "bench/measure/audit/impacts.hpp"
 #include "bench/measure/reference.hpp"
 #include "bench/run/record.hpp"

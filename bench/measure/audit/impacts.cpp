@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bench/measure/impact_match.hpp"
 #include "tautline/geometry.hpp"

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "bench/measure/reference.hpp"
@@ -57,5 +56,12 @@ struct Scatter {
 
 /// The scatter of both together.
 [[nodiscard]] Scatter pooled(const Scatter& one, const Scatter& other);
+
+/// A run that freezes: the body stops in one go where the exact motion swings on.
+struct Freeze {
+  double moving = 0.0;  // [s], of the last sample before
+  double time = 0.0;    // [s], of the first sample from which on nothing moves
+  double lost = 0.0;    // [J], of energy between the two
+};
 
 }  // namespace tautline::bench

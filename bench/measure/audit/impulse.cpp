@@ -1,11 +1,11 @@
 // A cable pulls along itself and turns the body by its lever arm. What else an impact changes is
 // the engine's own.
 
-#include "bench/measure/audit/impulse.hpp"
+#include "bench/base/listed.hpp"
+#include "bench/measure/audit/parts.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
 
 #include "bench/base/statistics.hpp"
@@ -22,10 +22,7 @@ constexpr double notable = 0.05;
 std::optional<Finding> unexplained(const AuditedModel& model, const std::string& kind,
                                    const std::string& sentence,
                                    const std::function<double(const AuditedImpact&)>& part) {
-  std::vector<double> parts;
-  for (const AuditedImpact& impact : model.impacts) {
-    parts.push_back(part(impact));
-  }
+  const std::vector<double> parts = listed(model.impacts, part);
   if (parts.size() < least_impacts || quantile(parts, 0.5) < notable) {
     return std::nullopt;
   }

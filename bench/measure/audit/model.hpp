@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bench/measure/audit/finding.hpp"
-#include "bench/measure/audit/freeze.hpp"
 #include "bench/measure/audit/impacts.hpp"
 
 namespace tautline::bench {

@@ -1,7 +1,8 @@
 // What a model makes of restitution, from the impacts of all its runs. Each question leaves aside
 // what the one before has explained: what is cut off does not spread.
 
-#include "bench/measure/audit/restitution.hpp"
+#include "bench/base/listed.hpp"
+#include "bench/measure/audit/parts.hpp"
 
 #include <fmt/format.h>
 
@@ -44,9 +45,7 @@ Impacts those(const Impacts& impacts, const std::function<bool(const AuditedImpa
 
 std::vector<double> values(const Impacts& impacts,
                            const std::function<double(const AuditedImpact&)>& value) {
-  std::vector<double> result;
-  std::transform(impacts.begin(), impacts.end(), std::back_inserter(result), value);
-  return result;
+  return listed(impacts, value);
 }
 
 /// How many of the impacts are `wanted`, as a part of 1.

@@ -1,13 +1,13 @@
 // A body that an engine puts to sleep stays where it is, in the air or in the middle of a swing.
 // One that has lost its energy and hangs at rest is not asleep.
 
-#include "bench/measure/audit/sleep.hpp"
+#include "bench/base/listed.hpp"
+#include "bench/measure/audit/parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bench/base/text.hpp"
 #include "tautline/geometry.hpp"
@@ -172,8 +172,7 @@ std::vector<Finding> sleep_findings(const AuditedModel& model) {
   finding.unit = std::string("s");
   finding.runs = model.freezes.size();
   finding.impacts = 0;
-  std::transform(model.freezes.begin(), model.freezes.end(), std::back_inserter(finding.shown_in),
-                 [](const RunFreeze& one) { return one.run; });
+  finding.shown_in = listed(model.freezes, &RunFreeze::run);
   return {finding};
 }
 

@@ -1,4 +1,4 @@
-#include "bench/program/manual/help_text.hpp"
+#include "bench/program/manual/manual.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,6 +1,6 @@
 // Manual pages: roff with the macros of man(7).
 
-#include "bench/program/manual/man_page.hpp"
+#include "bench/program/manual/manual.hpp"
 
 #include <cstddef>
 #include <sstream>

@@ -1,21 +1,13 @@
 #include "bench/program/manual/mistake.hpp"
 
 #include <CLI/CLI.hpp>
-#include <utility>
 #include <vector>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 
 namespace tautline::bench {
 namespace {
-
-std::vector<std::string> names_of(const std::vector<Argument>& options) {
-  std::vector<std::string> names;
-  for (const Argument& option : options) {
-    names.insert(names.end(), option.names.begin(), option.names.end());
-  }
-  return names;
-}
 
 /// `near`, or where the right ones stand.
 std::string or_help(const std::string& near, const std::string& command) {
@@ -33,16 +25,14 @@ std::string unexpected_word(const std::string& word, const CLI::App& command) {
     return command.get_name() + " takes no further word: " + printable(name);
   }
   return command.get_name() + " has no option " + printable(name) +
-         or_help(suggestion(name, names_of(command_of(command).options)), " " + command.get_name());
+         or_help(suggestion(name, option_names(command_of(command).options)),
+                 " " + command.get_name());
 }
 
 }  // namespace
 
 std::string unknown_command(const std::string& word, const Outline& outline) {
-  std::vector<std::string> names;
-  for (const Command& command : outline.commands) {
-    names.push_back(command.name);
-  }
+  const std::vector<std::string> names = listed(outline.commands, &Command::name);
   return "unknown command " + printable(word) + or_help(suggestion(word, names), "");
 }
 
@@ -52,7 +42,7 @@ std::string mistake(const CLI::App& app, const CLI::ParseError& error) {
     const std::string name = name_in(words.front());
     return name.starts_with('-')
                ? "there is no option " + printable(name) +
-                     or_help(suggestion(name, names_of(outline_of(app).options)), "")
+                     or_help(suggestion(name, option_names(outline_of(app).options)), "")
                : unknown_command(name, outline_of(app));
   }
   if (parsed.empty()) {

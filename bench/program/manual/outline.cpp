@@ -1,5 +1,7 @@
 #include "bench/program/manual/outline.hpp"
 
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <array>
 #include <string_view>
@@ -90,12 +92,17 @@ Outline outline_of(const CLI::App& app) {
   return outline;
 }
 
-std::string spelling(const Argument& argument) {
-  std::string result;
-  for (const std::string& name : argument.names) {
-    result += (result.empty() ? "" : ", ") + name;
+std::vector<std::string> option_names(const std::vector<Argument>& options) {
+  std::vector<std::string> names;
+  for (const Argument& option : options) {
+    names.insert(names.end(), option.names.begin(), option.names.end());
   }
-  return result + (argument.value.empty() ? "" : " " + argument.value);
+  return names;
+}
+
+std::string spelling(const Argument& argument) {
+  return fmt::format("{}", fmt::join(argument.names, ", ")) +
+         (argument.value.empty() ? "" : " " + argument.value);
 }
 
 std::string words_of(const Command& command) {

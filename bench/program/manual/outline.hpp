@@ -47,6 +47,9 @@ struct Outline {
 /// One command alone: `app` is a subcommand.
 [[nodiscard]] Command command_of(const CLI::App& app);
 
+/// All names of `options`.
+[[nodiscard]] std::vector<std::string> option_names(const std::vector<Argument>& options);
+
 /// "--engines ENGINES": the names of an argument, and its value.
 [[nodiscard]] std::string spelling(const Argument& argument);
 

@@ -11,7 +11,6 @@
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/limit_names.hpp"
-#include "bench/program/options.hpp"
 #include "bench/program/suites/request.hpp"
 #include "bench/program/suites/results.hpp"
 #include "bench/suite/gathering.hpp"
@@ -62,15 +61,12 @@ int merge_command(const MergeCommand& command) {
   if (std::string problem = out_problem(command); !problem.empty()) {
     problems.push_back(std::move(problem));
   }
-  for (std::string& problem : missing_folder("--json", command.json, command.out)) {
-    problems.push_back(std::move(problem));
-  }
+  append(problems, missing_folder("--json", command.json, command.out));
   const SuiteOptions options =
       set.problems.empty() ? whole_suite(set.trees, command.out) : SuiteOptions();
   ResultsTarget target = {command.out, command.json, command.gate, {}};
   target.limits = limits_of(command.gate, limit_names(options.engines, options.cases), problems);
-  if (!problems.empty()) {
-    complain(problems);
+  if (complain(problems)) {
     return exit_usage;
   }
   const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
@@ -113,10 +109,7 @@ void add_merge(CLI::App& app, int& code, const std::string& command_line) {
   command->add_option("--out", asked->out, "folder for the merged report and the runs' files")
       ->required();
   command->add_option("--gate", asked->gate, gate_help);
-  command
-      ->add_option("--json", asked->json,
-                   "also write the report as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(*command, "--json", asked->json, "also write the report as JSON");
   command->callback([asked, &code] { code = merge_command(*asked); });
 }
 

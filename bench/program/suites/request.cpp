@@ -7,22 +7,18 @@
 #include <cmath>
 #include <thread>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
 #include "bench/ensemble/compare/comparison.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/limit_names.hpp"
-#include "bench/program/options.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/shard.hpp"
 
 namespace tautline::bench {
 namespace {
-
-void append(std::vector<std::string>& sentences, const std::vector<std::string>& more) {
-  sentences.insert(sentences.end(), more.begin(), more.end());
-}
 
 /// The suite that is meant; null where cases are named, or with a sentence on what is wrong.
 const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& problems) {
@@ -35,10 +31,7 @@ const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& pro
   }
   const Suite* suite = find_suite(*command.suite);
   if (suite == nullptr) {
-    std::vector<std::string> names;
-    for (const Suite& one : suites()) {
-      names.emplace_back(one.name);
-    }
+    const std::vector<std::string> names = listed<std::string>(suites(), &Suite::name);
     problems.push_back(
         fmt::format("--suite {}: must be {}", printable(*command.suite), joined(names, "or")));
   }
@@ -205,10 +198,7 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
                      "those of the suite; of CASES 0)");
   command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
       ->capture_default_str();
-  command
-      .add_option("--json", asked.json,
-                  "also write the report as JSON to this file, or to stdout: -")
-      ->check(named_file);
+  add_target(command, "--json", asked.json, "also write the report as JSON");
   command.add_flag_callback("--schema", print_schema,
                             "print the JSON schema of report.json, and end");
   command.add_option("--gate", asked.gate, gate_help);

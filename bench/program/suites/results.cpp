@@ -11,13 +11,11 @@
 #include "bench/gate/broken.hpp"
 #include "bench/gate/gate_text.hpp"
 #include "bench/program/common.hpp"
-#include "bench/report/html/page.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/markdown.hpp"
+#include "bench/report/output.hpp"
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
-#include "bench/report/terminal.hpp"
-#include "bench/suite/motion_files.hpp"
+#include "bench/suite/report_of.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/report/html/answer.hpp"
+#include "bench/report/html/sections.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/base/html.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/report/tables/columns.hpp"
 #include "bench/report/words.hpp"
 
@@ -112,10 +113,8 @@ std::string scope(const Report& report) {
     engines.insert(row.key.engine);
     models.emplace(row.key.engine, row.key.model);
   }
-  std::vector<std::string> steps;
-  for (const double step : report.options.steps) {
-    steps.push_back(number_text(step, as_count));
-  }
+  const std::vector<std::string> steps =
+      listed(report.options.steps, [](double step) { return number_text(step, as_count); });
   const auto controls = std::count_if(report.runs.begin(), report.runs.end(),
                                       [](const RunRow& run) { return run.key.engine == control; });
   const auto all = static_cast<std::ptrdiff_t>(report.runs.size());

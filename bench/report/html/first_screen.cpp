@@ -1,10 +1,9 @@
-#include "bench/report/html/first_screen.hpp"
+#include "bench/report/html/sections.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <vector>
 
 #include "bench/base/html.hpp"

@@ -1,4 +1,4 @@
-#include "bench/report/html/page.hpp"
+#include "bench/report/output.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,6 @@
 
 #include "bench/base/html.hpp"
 #include "bench/page/document.hpp"
-#include "bench/report/html/answer.hpp"
-#include "bench/report/html/first_screen.hpp"
 #include "bench/report/html/picture.hpp"
 #include "bench/report/html/sections.hpp"
 #include "bench/report/json/json.hpp"

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "bench/base/html.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/report/html/stills_svg.hpp"
 #include "bench/report/tables/columns.hpp"
 #include "bench/report/words.hpp"
@@ -26,9 +26,7 @@ constexpr double taut = 0.005;
 constexpr int instants = 40;
 
 const CaseRow* case_of(const Report& report, const RunRow& run) {
-  const auto found = std::find_if(report.cases.begin(), report.cases.end(),
-                                  [&](const CaseRow& row) { return row.name == run.key.the_case; });
-  return found != report.cases.end() ? &*found : nullptr;
+  return find_by(report.cases, &CaseRow::name, run.key.the_case);
 }
 
 /// The least gap of all cables, of their length [-].

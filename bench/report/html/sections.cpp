@@ -11,12 +11,8 @@
 
 #include "bench/base/html.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/report/html/first_screen.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
-#include "bench/report/tables/answers_table.hpp"
 #include "bench/report/tables/columns.hpp"
-#include "bench/report/tables/distributions_table.hpp"
-#include "bench/report/tables/runs_table.hpp"
 #include "bench/report/tables/tables.hpp"
 #include "bench/report/thinning.hpp"
 #include "bench/report/words.hpp"
@@ -182,8 +178,7 @@ std::string causes_section(const Report& report) {
   }
   std::string meanings;
   for (const Cause cause : causes) {
-    const CauseWords words = words_of(cause);
-    meanings += entry(words.heading, words.meaning);
+    meanings += entry(in_words(to_string(cause)), meaning_of(cause));
   }
   return section(
       "attribution", heading,

@@ -6,6 +6,26 @@
 
 namespace tautline::bench {
 
+// What the page answers first.
+
+/// "2,226 runs: 1 breaks a limit, ...": the verdict of all engines, in a line.
+[[nodiscard]] std::string verdict_paragraph(const Report& report);
+
+/// A row for each engine and maker: restitution, which model and step, cost, findings, verdict.
+[[nodiscard]] std::string scorecards_section(const Report& report);
+
+/// Why the reference can be believed, and what the comparison itself costs.
+[[nodiscard]] std::string trust_section(const Report& report);
+
+/// A part that few readers want, folded.
+[[nodiscard]] std::string folded(const std::string& summary, const std::string& html);
+
+/// A command to be copied.
+[[nodiscard]] std::string command_html(const std::string& command);
+
+/// What was compared and what was found, in a paragraph and a list of the main findings.
+[[nodiscard]] std::string answer_paragraph(const Report& report);
+
 // The sections of the report's page, in their order.
 
 /// Over all cases, by engine, model and step.
@@ -17,8 +37,10 @@ namespace tautline::bench {
 /// How fast errors shrink with the step.
 [[nodiscard]] std::string error_section(const Report& report);
 
+/// Settling over many draws; "" without draws.
+[[nodiscard]] std::string distributions_section(const Report& report);
+
 /// What was found of thresholds, sleeping and restitution.
-[[nodiscard]] std::string distributions_section(const Report& report);  // "" without draws
 [[nodiscard]] std::string audit_section(const Report& report);
 
 /// The causes of the errors and their shares.

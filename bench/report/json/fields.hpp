@@ -3,41 +3,46 @@
 #include "bench/report/json/fields_of_runs.hpp"
 #include "bench/report/report.hpp"
 
-// The members of every row of a report by their names in JSON, once for writing and for reading: a
-// visitor is called with each name and member. `group` makes an object of members that are
-// none of their own in C++; `by_metric` one with a key for every metric of the list.
+// The members of every row of a report by their names in JSON, once for writing, for reading
+// and for the schema: a visitor is called with each name, member, and what the schema says of it.
+// `group` makes an object of members that are none of their own in C++; `by_metric` one with a key
+// for every metric of the list.
 
 namespace tautline::bench {
 
 template <class Visitor>
 void fields(Visitor& visit, LastImpact& last) {
-  visit("speed", last.speed);
-  visit("time", last.time);
+  visit("speed", last.speed, "impacts that close faster than this [m/s]");
+  visit("time", last.time, "of the last of them [s]; null without one");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Swing& swing) {
-  visit("energy", swing.energy);
-  visit("period", swing.period);
-  visit("least", swing.least);
-  visit("largest", swing.largest);
-  visit("amplitude", swing.amplitude);
+  visit("energy", swing.energy, "above the equilibrium [J]");
+  visit("period", swing.period, "[s]");
+  visit("least", swing.least, "smallest angle [rad]");
+  visit("largest", swing.largest, "[rad]");
+  visit("amplitude", swing.amplitude, "half the difference [rad]");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Lock& lock) {
-  visit("time", lock.time);
-  visit("uncertainty", lock.uncertainty);
+  visit("time", lock.time, "from which on they are taut [s]");
+  visit("uncertainty", lock.uncertainty, "of the time, rounding before it not counted [s]");
   visit("cables", lock.cables);
-  visit("permanent", lock.permanent);
+  visit("permanent", lock.permanent,
+        "the body rests, or a whole period of its swing passes without a release");
   visit("rests", lock.rests);
-  visit("swing", lock.swing);
+  visit("swing", lock.swing, "of a body with one degree of freedom left");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Settling& settling) {
+  visit.means(
+      "of the exact motion, by three definitions: the last fast impact, the final set of taut "
+      "cables, the swing on it");
   visit("last_impacts", settling.last_impacts);
-  visit("lock", settling.lock);
+  visit("lock", settling.lock, "the final set of taut cables; null if all are slack at the end");
 }
 
 template <class Visitor>
@@ -51,39 +56,41 @@ void fields(Visitor& visit, CableRow& cable) {
   visit("anchor", cable.anchor);
   visit("attachment", cable.attachment);
   visit("length", cable.length);
-  visit("restitution", cable.restitution);
+  visit("restitution", cable.restitution, "null where it depends on the speed");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, EventColumns& events) {
   visit("time", events.time);
-  visit("kind", events.kind);
+  visit("kind", events.kind, one_of({"impact", "taut", "slack"}));
   visit("cables", events.cables);
-  visit("rate", events.rate);
-  visit("left_out", events.left_out);
+  visit("rate", events.rate, "at which the fastest cable closes [m/s]; null of what is no impact");
+  visit("left_out", events.left_out, "impacts that are not here, all slower than those that are");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, CorrectDigits& correct) {
-  visit("digits", correct.digits);
-  visit("until", correct.until);
+  visit("digits", correct.digits, at_least(1));
+  visit("until", correct.until, "[s]; null: to the end");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, CertifiedDigits& certified) {
-  visit("digits", certified.digits);
+  visit("digits", certified.digits, at_least(20, "decimal, of the other solution's numbers"));
   visit("correct", certified.correct);
 }
 
 template <class Visitor>
 void fields(Visitor& visit, CaseRow& row) {
   visit("name", row.name);
-  visit("title", row.title);
-  visit("cables", row.cables);
-  visit("duration", row.duration);
-  visit("ending", row.ending);
-  visit("end_time", row.end_time);
-  visit("horizon", row.horizon);
+  visit("title", row.title, "what tells the case from others, in words");
+  visit("cables", row.cables, in_range(1, 8));
+  visit("duration", row.duration, above(0));
+  visit("ending", row.ending,
+        one_of({"reached_duration", "rest", "unstable_rest", "angle_limit", "ceiling", "singular",
+                "event_limit", "step_limit", "no_progress", "overflow"}));
+  visit("end_time", row.end_time, "of the exact solution [s]");
+  visit("horizon", row.horizon, "predictability horizon [s]");
   visit("counted_impacts", row.counted_impacts);
   visit("start_energy", row.start_energy);
   visit("end_energy", row.end_energy);
@@ -91,11 +98,18 @@ void fields(Visitor& visit, CaseRow& row) {
   visit("body", row.body);
   visit("gravity", row.gravity);
   visit("geometry", row.geometry);
-  visit("extent", row.extent);
+  visit("extent", row.extent,
+        "what the anchors and the exact motion cover, the wider of width and height [m]");
   visit("path", row.path);
-  visit("events", row.events);
-  visit("motions", row.motions);
-  visit("certified", row.certified);
+  visit("events", row.events,
+        "of the exact motion, a column each; of thousands the fastest impacts");
+  visit("motions", row.motions,
+        "the file beside the report with the motions of the case's runs, a script that calls "
+        "tautline.motionsCame(file, [{engine, model, step, path, impacts}, ...]); null where they "
+        "are in the page");
+  visit("certified", row.certified,
+        "until when the exact solution in double is right, held against the same motion in many "
+        "digits; null where it was not asked for");
 }
 
 template <class Visitor>
@@ -109,8 +123,10 @@ template <class Visitor>
 void fields(Visitor& visit, Model& model) {
   visit("name", model.name);
   visit("sentence", model.sentence);
-  visit("maker", model.maker);
-  visit("settings", model.settings);
+  visit("maker", model.maker,
+        "whose the cable is: as shipped, built by hand with the engine's parts, or tautline's "
+        "driver");
+  visit("settings", model.settings, "every setting that is not the engine's default");
 }
 
 /// An engine that could not be asked has a name alone.
@@ -119,16 +135,17 @@ void fields(Visitor& visit, EngineRow& engine) {
   visit("name", engine.name);
   visit.unless_missing("version", engine.info, [](auto& inside, EngineInfo& info) {
     inside("version", info.version);
-    inside("precision", info.precision);
+    inside("precision", info.precision, one_of({"float64", "float32"}));
     inside("models", info.models);
   });
-  visit("problem", engine.problem);
-  visit("missing", engine.missing);
+  visit("problem", engine.problem, "why there are no runs of it");
+  visit("missing", engine.missing, "there is no plug-in, as opposed to one that failed");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, MedianAndWorst& both) {
-  visit("median", both.median);
+  visit.means("over some cases; null if none has a value");
+  visit("median", both.median, "null of an extreme, which has a worst value alone");
   visit("worst", both.worst);
 }
 
@@ -136,17 +153,20 @@ template <class Visitor>
 void fields(Visitor& visit, SummaryRow& row) {
   fields(visit, row.key);
   visit("cases", row.cases);
-  visit("failed", row.failed);
-  visit.group("impacts", [&](auto& inside) {
+  visit("failed", row.failed, "of the cases");
+  visit.group("impacts", "counted, up to the horizon", [&](auto& inside) {
     inside("exact", row.exact);
     inside("found", row.found);
     inside("matched", row.matched);
   });
-  visit.group("settled", [&](auto& inside) {
-    inside("exact", row.exact_settled);
-    inside("found", row.found_settled);
-  });
-  visit.by_metric("metrics", row.metrics);
+  visit.group("settled", "the last impact faster than the first threshold of settling",
+              [&](auto& inside) {
+                inside("exact", row.exact_settled, "cases whose exact motion has one and locks");
+                inside("found", row.found_settled, "runs that have one");
+              });
+  visit.by_metric("metrics", row.metrics,
+                  "of every metric, median and worst over the cases; null of one that does not "
+                  "come to one number over cases");
 }
 
 template <class Visitor>
@@ -173,47 +193,57 @@ void fields(Visitor& visit, RunOfModel& run) {
 
 template <class Visitor>
 void fields(Visitor& visit, Finding& finding) {
+  visit.means("what a model does to impacts, found from its runs");
   visit("engine", finding.engine);
   visit("model", finding.model);
-  visit("kind", finding.kind);
+  visit("kind", finding.kind,
+        one_of({"threshold", "sleeping", "restitution-ignored", "scatter", "gain", "offset",
+                "several-steps", "tangential-impulse", "angular-impulse"}));
   visit("sentence", finding.sentence);
   visit("value", finding.value);
   visit("unit", finding.unit);
-  visit.group("evidence", [&](auto& inside) {
+  visit.group("evidence", "", [&](auto& inside) {
     inside("runs", finding.runs);
     inside("impacts", finding.impacts);
-    inside("shown_in", finding.shown_in);
+    inside("shown_in", finding.shown_in,
+           "the runs of the model that show it: none of them passes, whatever its limits, but for "
+           "several-steps");
   });
 }
 
 template <class Visitor>
 void fields(Visitor& visit, CausesRow& row) {
   fields(visit, row.key);
-  visit("cases", row.cases);
+  visit("cases", row.cases, "with parts");
   visit("deviation", row.deviation);
-  visit("shares", row.shares);
-  visit("covered", row.covered);
-  visit("remainder", row.remainder);
+  visit("shares", row.shares,
+        "of the sum of the sizes of all parts, mean over the cases [-]: they add up to 1");
+  visit("covered", row.covered,
+        in_range(0, 1,
+                 "the part of the horizon that is attributed, median over the cases; what happens "
+                 "later has no share"));
+  visit("remainder", row.remainder, "largest, as a share of its deviation");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, CostRow& row) {
   fields(visit, row.key);
-  visit("cost_ratio", row.cost_ratio);
-  visit("second_cost", row.second_cost);
-  visit("second_spread", row.second_spread);
-  visit("cases", row.cases);
+  visit("cost_ratio", row.cost_ratio, "median over the cases");
+  visit("second_cost", row.second_cost,
+        "processor time of one simulated second, median over the cases [s]");
+  visit("second_spread", row.second_spread, "of that over the cases [s]");
+  visit("cases", row.cases, at_least(1));
 }
 
 template <class Visitor>
 void fields(Visitor& visit, ReportOptions& options) {
-  visit("steps", options.steps);
-  visit("law", options.law);
-  visit("count_speed", options.count_speed);
+  visit("steps", options.steps, above(0, "[s]").not_empty());
+  visit("law", options.law, one_of({"simultaneous", "poisson", "sequential", "energetic"}));
+  visit("count_speed", options.count_speed, "impacts slower than this are not counted [m/s]");
   visit("early_impacts", options.early_impacts);
-  visit("time_limit", options.time_limit);
-  visit("memory_limit", options.memory_limit);
-  visit("certify", options.certify);
+  visit("time_limit", options.time_limit, "on one run [s]");
+  visit("memory_limit", options.memory_limit, "on one run [bytes]");
+  visit("certify", options.certify, "true where each case was also solved in many digits");
 }
 
 template <class Visitor>
@@ -226,16 +256,23 @@ template <class Visitor>
 void fields(Visitor& visit, DistributionRow& row) {
   visit("name", row.statistic);
   visit("median", row.median);
-  visit("distance", row.distance);
-  visit("probability", row.probability);
-  visit("visible", row.visible);
+  visit("distance", row.distance,
+        in_range(0, 1,
+                 "largest distance between the distribution functions, from the exact motions "
+                 "(Kolmogorov and Smirnov)"));
+  visit("probability", row.probability,
+        in_range(0, 1,
+                 "of a distance as large by chance, of this or the energy distance, corrected for "
+                 "all tests together (Holm)"));
+  visit("visible", row.visible,
+        in_range(0, 1, "the smallest distance that would be called a difference"));
   visit("differs", row.differs);
 }
 
 template <class Visitor>
 void fields(Visitor& visit, DistributionsRow& row) {
   fields(visit, row.key);
-  visit("failed", row.failed);
+  visit("failed", row.failed, "draws without values");
   visit("statistics", row.statistics);
 }
 
@@ -243,27 +280,32 @@ template <class Visitor>
 void fields(Visitor& visit, Distributions::Statistic& statistic) {
   visit("name", statistic.name);
   visit("heading", statistic.heading);
-  visit("unit", statistic.unit);
-  visit("median", statistic.median);
+  visit("unit", statistic.unit, "empty of a count or a share");
+  visit("median", statistic.median, "of the exact motions");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Distributions& distributions) {
+  visit.means(
+      "many draws of one case, by the exact solver and by engines, compared as distributions");
   visit("case", distributions.the_case);
-  visit("draws", distributions.draws);
-  visit("deviation", distributions.deviation);
-  visit("page", distributions.page);
+  visit("draws", distributions.draws, at_least(1));
+  visit("deviation", distributions.deviation,
+        above(0,
+              "standard deviation of each number of the start about the case's own [m], [rad], "
+              "[m/s], [rad/s]"));
+  visit("page", distributions.page, "a file beside the report");
   visit("statistics", distributions.statistics);
   visit("setups", distributions.setups);
 }
 
 template <class Visitor>
 void fields(Visitor& visit, ShardRow& shard) {
-  visit("number", shard.number);
-  visit("of", shard.of);
+  visit("number", shard.number, at_least(1));
+  visit("of", shard.of, at_least(1));
   visit("command", shard.command);
   visit("started", shard.started);
-  visit("elapsed", shard.elapsed);
+  visit("elapsed", shard.elapsed, "0 where it did not come to its end [s]");
   visit("processor", shard.processor);
   visit("cores", shard.cores);
 }
@@ -272,25 +314,27 @@ template <class Visitor>
 void fields(Visitor& visit, Context& context) {
   visit("command", context.command);
   visit("started", context.started);
-  visit("elapsed", context.elapsed);
-  visit("program_memory", context.program_memory);
-  visit("worker_memory", context.worker_memory);
+  visit("elapsed", context.elapsed, "[s]");
+  visit("program_memory", context.program_memory, "the most the program held at once [bytes]");
+  visit("worker_memory", context.worker_memory, "the most one worker process held [bytes]");
   visit("kept_runs", context.kept_runs);
   visit("processor", context.processor);
   visit("cores", context.cores);
   visit("compiler", context.compiler);
   visit("build_type", context.build_type);
-  visit("flags", context.flags);
-  visit("commit", context.commit);
+  visit("flags", context.flags, "of the compiler");
+  visit("commit", context.commit,
+        "of the source, followed by -dirty if it was changed since; unknown outside git");
   visit("costs", context.costs);
   visit("timing", context.timing);
-  visit("shards", context.shards);
+  visit("shards", context.shards,
+        "the parts that `tautline merge` put together; none where one machine did all");
 }
 
 /// All of it but the form, the program and the list of metrics, which stand before.
 template <class Visitor>
 void fields(Visitor& visit, Report& report) {
-  visit("complete", report.complete);
+  visit("complete", report.complete, "false if the suite was interrupted");
   visit("planned_runs", report.planned_runs);
   visit("options", report.options);
   visit("engines", report.engines);
@@ -300,11 +344,13 @@ void fields(Visitor& visit, Report& report) {
   visit("findings", report.findings);
   visit("causes", report.causes);
   visit("runs", report.runs);
-  visit("limits", report.limits);
-  visit.unless_missing(
-      "distributions", report.distributions,
-      [](auto& inside, Distributions& distributions) { inside("distributions", distributions); });
-  visit("context", report.context);
+  visit("limits", report.limits, "what the verdicts hold the runs against; null without verdicts");
+  visit.unless_missing("distributions", report.distributions,
+                       [](auto& inside, Distributions& distributions) {
+                         inside("distributions", distributions,
+                                "of many draws of one case; only where they were asked for");
+                       });
+  visit("context", report.context, "what differs from machine to machine and from day to day");
 }
 
 }  // namespace tautline::bench

@@ -1,11 +1,10 @@
 #pragma once
 
+#include "bench/report/json/says.hpp"
 #include "bench/report/record.hpp"
 #include "bench/report/report.hpp"
 
-// The members of all that a run leaves by their names in JSON, once for writing and for reading: a
-// visitor is called with each name and member. `group` makes an object of members that are
-// none of their own in C++; `by_metric` one with a key for every metric of the list.
+// The members of all that a run leaves, as fields.hpp has those of a report.
 
 namespace tautline::bench {
 
@@ -26,63 +25,92 @@ void fields(Visitor& visit, SetupKey& key) {
 
 template <class Visitor>
 void fields(Visitor& visit, GridColumn& column) {
-  visit("start", column.start);
-  visit("scale", column.scale);
-  visit("steps", column.steps);
+  visit.means("numbers on a grid: the n-th is start + scale * (the sum of the first n of steps)");
+  visit("start", column.start, "the first number");
+  visit("scale", column.scale, above(0));
+  visit("steps", column.steps, "one for each number; the first is 0");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, TautColumns& cable) {
-  visit("times", cable.times);
-  visit("gap_times", cable.gap_times);
-  visit("gap", cable.gap);
+  visit.means(
+      "when the cable is taut: of the exact motion from its events, of a run where the recorded "
+      "gap stays below 1e-4 of its length for a sixtieth of a second");
+  visit("times", cable.times, "from, until, from, until, ...: taut in between, else slack [s]");
+  visit("gap_times", cable.gap_times, "inside the long ones of these stretches [s]");
+  visit("gap", cable.gap,
+        "as it was recorded then: the least and the largest of a part of the stretch [m]");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Path& path) {
-  visit("error", path.error);
-  visit("spacing", path.spacing);
-  visit("time", path.time);
-  visit("x", path.x);
-  visit("y", path.y);
-  visit("angle", path.angle);
-  visit("x_bends", path.x_bends);
-  visit("y_bends", path.y_bends);
-  visit("angle_bends", path.angle_bends);
-  visit("energy_error", path.energy_error);
-  visit("energy_time", path.energy_time);
-  visit("energy", path.energy);
+  visit.means(
+      "a motion as it is drawn: pieces between knots, each a cubic. At the part s of its way from "
+      "a knot a to the next b a coordinate is a + s (b - a) + 3 s (1 - s) ((1 - s) p + s q), where "
+      "p and q are its two bends; its velocity is (b - a + 3 p) / T at the start and (b - a - 3 q) "
+      "/ T at the end of the piece, which lasts T");
+  visit("error", path.error,
+        at_least(
+            0, "by which the centre and every attachment are off what was recorded, at most [m]"));
+  visit(
+      "spacing", path.spacing,
+      at_least(
+          0,
+          "between two recorded samples, between which nothing is known; 0: the exact motion [s]"));
+  visit("time", path.time, "of the knots, rising [s]");
+  visit("x", path.x, "of the centre of mass [m]");
+  visit("y", path.y, "[m]");
+  visit("angle", path.angle, "[rad]");
+  visit("x_bends", path.x_bends, "two for each piece [m]");
+  visit("y_bends", path.y_bends, "[m]");
+  visit("angle_bends", path.angle_bends, "[rad]");
+  visit("energy_error", path.energy_error,
+        at_least(0, "by which the energy is off what was recorded, at most [J]"));
+  visit("energy_time", path.energy_time, "a jump is two knots at one time [s]");
+  visit("energy", path.energy, "kinetic and potential; straight between two knots [J]");
   visit("cables", path.cables);
 }
 
 template <class Visitor>
 void fields(Visitor& visit, ImpactColumns& impacts) {
-  visit("time", impacts.time);
+  visit.means(
+      "the counted impacts of a run in rising time, a column each; of very many the fastest");
+  visit("time", impacts.time, or_null("[s]"));
   visit("cable", impacts.cable);
-  visit("requested", impacts.requested);
-  visit("rate_before", impacts.rate_before);
-  visit("rate_after", impacts.rate_after);
-  visit("arm", impacts.arm);
-  visit("tangential_error", impacts.tangential_error);
-  visit("angular_error", impacts.angular_error);
-  visit("steps", impacts.steps);
-  visit("left_out", impacts.left_out);
+  visit("requested", impacts.requested, or_null("the cable's restitution at that speed"));
+  visit("rate_before", impacts.rate_before, or_null("gap rate, negative when closing [m/s]"));
+  visit("rate_after", impacts.rate_after,
+        or_null("effective restitution: -rate_after / rate_before [m/s]"));
+  visit("arm", impacts.arm,
+        or_null("lever arm of the cable's pull about the centre of mass, > 0 where it turns the "
+                "body anticlockwise [m]"));
+  visit("tangential_error", impacts.tangential_error,
+        or_null("change of momentum across the cable that no cable's impulse and no gravity "
+                "explains [N s]"));
+  visit("angular_error", impacts.angular_error,
+        or_null("change of angular momentum about the centre of mass less arm times impulse of "
+                "every cable [N m s]"));
+  visit("steps", impacts.steps,
+        "consecutive steps with an impulse; 0 if the engine located the impact");
+  visit("left_out", impacts.left_out,
+        "counted impacts that are not here, all slower than those that are");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, RunDetails::OfWindow& window) {
-  visit("until", window.until);
-  visit("covered", window.covered);
-  visit("exact", window.exact);
-  visit("found", window.found);
-  visit("matched", window.matched);
+  visit("until", window.until, "end of the window [s]");
+  visit("covered", window.covered, "the run's last sample in the window [s]; 0 without one");
+  visit("exact", window.exact, "counted impacts of the exact motion");
+  visit("found", window.found, "counted impacts of the run");
+  visit("matched", window.matched, "pairs, one to one");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, LastImpactMatch& last) {
-  visit("speed", last.speed);
-  visit("exact", last.exact);
-  visit("found", last.found);
+  visit("speed", last.speed, "impacts that close faster than this [m/s]");
+  visit("exact", last.exact, "time of the exact motion's last [s]; null if that does not lock");
+  visit("found", last.found,
+        "time of the run's last [s]; null too if the run stopped before the exact one");
 }
 
 template <class Visitor>
@@ -93,40 +121,46 @@ void fields(Visitor& visit, ExactAndFound& both) {
 
 template <class Visitor>
 void fields(Visitor& visit, SwingMatch& swing) {
-  visit("from", swing.from);
-  visit("until", swing.until);
-  visit("energy", swing.energy);
-  visit("amplitude", swing.amplitude);
+  visit("from", swing.from, "[s]");
+  visit("until", swing.until, "one period of the exact swing later [s]");
+  visit("energy", swing.energy, "above the exact equilibrium, mean over the run's samples [J]");
+  visit("amplitude", swing.amplitude, "half the range of the angle over the run's samples [rad]");
 }
 
 /// Its worst error is a metric of the list.
 template <class Visitor>
 void fields(Visitor& visit, MeasuredRestitution& measured) {
   visit("count", measured.count);
-  visit("smallest", measured.smallest);
-  visit("mean", measured.mean);
-  visit("largest", measured.largest);
+  visit("smallest", measured.smallest, or_null());
+  visit("mean", measured.mean, or_null());
+  visit("largest", measured.largest, or_null());
 }
 
 template <class Visitor>
 void fields(Visitor& visit, RunDetails& details) {
+  visit.means(
+      "what the comparison with the exact motion says beside the metrics; null exactly where these "
+      "are");
   visit("early", details.of_windows[0]);
   visit("horizon", details.of_windows[1]);
   visit("whole", details.of_windows[2]);
   visit("last_impacts", details.last_impacts);
-  visit("swing", details.swing);
-  visit("restitution", details.restitution);
-  visit("stride", details.stride);
+  visit("swing", details.swing,
+        "over the last period of the run; null if the exact motion has no lasting swing or the run "
+        "not a period of it");
+  visit("restitution", details.restitution,
+        "measured at each counted impact of a single step, up to the exact lock; null without one");
+  visit("stride", details.stride, at_least(1, "every stride-th step was compared"));
   visit("recorded_impacts", details.recorded_impacts);
-  visit("slow_impacts", details.slow_impacts);
+  visit("slow_impacts", details.slow_impacts, "slower than 1e-3, only counted: chatter");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Ladder& ladder) {
   visit("cable", ladder.cable);
-  visit("exact_ratio", ladder.exact_ratio);
-  visit("heights", ladder.heights);
-  visit("exact", ladder.exact);
+  visit("exact_ratio", ladder.exact_ratio, "of one height to the next: e^2");
+  visit("heights", ladder.heights, "h_n / h_0, n = 1, 2, ...");
+  visit("exact", ladder.exact, "e^(2n)");
 }
 
 template <class Visitor>
@@ -140,30 +174,37 @@ void fields(Visitor& visit, Scatter& scatter) {
 
 template <class Visitor>
 void fields(Visitor& visit, Attribution& attribution) {
-  visit("until", attribution.until);
-  visit("covered", attribution.covered);
-  visit("deviation", attribution.deviation);
-  visit("parts", attribution.parts);
-  visit("remainder", attribution.remainder);
-  visit("arcs", attribution.arcs);
-  visit("impacts", attribution.impacts);
-  visit("reason", attribution.reason);
+  visit.means("where the deviation comes from; null if nothing was recorded");
+  visit("until", attribution.until, "the instant of the deviation [s]");
+  visit(
+      "covered", attribution.covered,
+      in_range(0, 1,
+               "that instant as a part of the horizon, or of an exact motion that ends before it"));
+  visit("deviation", attribution.deviation, "distance from the exact position then [m]");
+  visit("parts", attribution.parts,
+        "signed, along the deviation [m]; null where `reason` says why");
+  visit("remainder", attribution.remainder, "the deviation minus its parts [m]");
+  visit("arcs", attribution.arcs, "flights and taut stretches up to then");
+  visit("impacts", attribution.impacts, "impact segments up to then");
+  visit("reason", attribution.reason,
+        "why there are no parts, or why the instant is before the horizon");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Check& check) {
-  visit("metric", check.metric);
-  visit("value", check.value);
-  visit("limit", check.limit);
-  visit("holds", check.holds);
-  visit("known", check.known);
+  visit("metric", check.metric, "of the list, \"failure\", or the kind of a finding of the audit");
+  visit("value", check.value, "null for a failure, or where it could not be measured");
+  visit("limit", check.limit, "in the metric's unit, at this step");
+  visit("holds", check.holds, "null: the metric could not be measured");
+  visit("known", check.known, "the limits say that it does not hold");
   visit("reason", check.reason);
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Verdict& verdict) {
+  visit.means("what the limits say of the run; null without limits");
   visit("word", verdict.word);
-  visit("reason", verdict.reason);
+  visit("reason", verdict.reason, "why the run is not judged; of another word \"\"");
   visit("checks", verdict.checks);
 }
 
@@ -171,15 +212,22 @@ template <class Visitor>
 void fields(Visitor& visit, RunRow& row) {
   fields(visit, row.key);
   visit("status", row.status);
-  visit("reason", row.reason);
-  visit("output_tail", row.output_tail);
-  visit.by_metric("metrics", row.metrics);
+  visit("reason", row.reason, "of any status but finished");
+  visit("output_tail", row.output_tail, "the last a failed engine printed");
+  visit.by_metric("metrics", row.metrics,
+                  "of every metric its value, or null where it could not be measured; null where "
+                  "there is nothing to compare");
   visit("details", row.details);
-  visit("path", row.path);
+  visit("path", row.path, "null in a report: it is in the case's `motions`");
   visit("impacts", row.impacts);
-  visit.group("audit", [&](auto& inside) {
-    inside("ladder", row.ladder);
-    inside("scatter", row.scatter);
+  visit.group("audit", "", [&](auto& inside) {
+    inside("ladder", row.ladder,
+           "heights of consecutive bounces on one cable through the centre of mass, as parts of "
+           "the first fall; null where the run has none");
+    inside("scatter", row.scatter,
+           "effective less requested restitution over the counted impacts of one cable alone, up "
+           "to the exact lock, that are fast enough for the step; also over those that are left "
+           "out of the columns of a large report; null without one");
   });
   visit("attribution", row.attribution);
   visit("verdict", row.verdict);
@@ -187,6 +235,7 @@ void fields(Visitor& visit, RunRow& row) {
 
 template <class Visitor>
 void fields(Visitor& visit, Spread& spread) {
+  visit.means("how far numbers lie about their median: the smallest and the quartiles");
   visit("smallest", spread.smallest);
   visit("lower", spread.lower);
   visit("upper", spread.upper);
@@ -195,13 +244,15 @@ void fields(Visitor& visit, Spread& spread) {
 template <class Visitor>
 void fields(Visitor& visit, TimingRow& row) {
   fields(visit, row.key);
-  visit("memory", row.memory);
-  visit("step_cost", row.step_cost);
-  visit("reference_cost", row.reference_cost);
+  visit("memory", row.memory, "the most the worker held at once [bytes]");
+  visit("step_cost", row.step_cost, "processor time of one step [s]");
+  visit("reference_cost", row.reference_cost, "of one closed-form flight and its gaps [s]");
   visit("cost_ratio", row.cost_ratio);
-  visit("second_cost", row.second_cost);
-  visit("second_spread", row.second_spread);
-  visit("repetitions", row.repetitions);
+  visit("second_cost", row.second_cost,
+        "processor time of one simulated second, median over repetitions of the first second of "
+        "the motion [s]");
+  visit("second_spread", row.second_spread, "of that over the repetitions [s]");
+  visit("repetitions", row.repetitions, at_least(1));
 }
 
 template <class Visitor>

@@ -16,7 +16,6 @@
 #include "bench/report/json/writer.hpp"
 #include "bench/report/motion.hpp"
 #include "bench/report/thinning.hpp"
-#include "report_schema.inc"
 
 namespace tautline::bench {
 namespace {
@@ -223,18 +222,6 @@ void write_lines(const Json& value, std::size_t depth, std::string& out) {
   out += value.is_object() ? '}' : ']';
 }
 
-/// The metrics of a schema: a property for each of the list.
-Json properties(const Json& value) {
-  Json result = {{"type", {"object", "null"}}, {"additionalProperties", false}};
-  for (const Metric& metric : metric_list()) {
-    Json property = value;
-    property["description"] = fmt::format("{} [{}]", metric.meaning, metric.unit);
-    result["required"].push_back(metric.name);
-    result["properties"][std::string(metric.name)] = std::move(property);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string report_json(const Report& report) {
@@ -295,14 +282,6 @@ ReportReading report_from(std::string_view text, const std::string& name) {
             {fmt::format("{}: is not a report of `tautline bench`: {}", name,
                          printable(error.what()))}};
   }
-}
-
-std::string report_schema_json() {
-  Json schema = Json::parse(report_schema_text);
-  Json& definitions = schema["definitions"];
-  definitions["metrics"] = properties({{"type", {"number", "null"}}});
-  definitions["summary_metrics"] = properties({{"$ref", "#/definitions/median_and_worst"}});
-  return schema.dump(2) + "\n";
 }
 
 std::string run_json(const RunRow& run) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,8 +14,8 @@ namespace tautline::bench {
 // The one place in which a report becomes JSON and is read back. Impacts are rounded here, and
 // thinned to what a page can hold, and nowhere before. Motions are for the replay alone.
 
-/// `report` as bench/report/report.schema.json describes it, a line for every row, without the
-/// motions of its runs.
+/// `report` as `report_schema_json` describes it, a line for every row, without the motions of its
+/// runs.
 [[nodiscard]] std::string report_json(const Report& report);
 
 /// The same on one line and without what only tools read: verdicts, output, details and digits that
@@ -33,7 +34,7 @@ struct ReportReading {
 };
 [[nodiscard]] ReportReading report_from(std::string_view text, const std::string& name);
 
-/// The schema of a report, whose part on metrics follows from the list of them.
+/// The schema of a report, which follows from its members and from the list of metrics.
 [[nodiscard]] std::string report_schema_json();
 
 /// One run as the report has it, indented.
@@ -48,5 +49,9 @@ struct ReportReading {
 /// A record written with this fingerprint; none where `text` is no such thing.
 [[nodiscard]] std::optional<RunRecord> record_from(std::string_view text,
                                                    const std::string& fingerprint);
+
+/// Reads report.json of this version of the program's `bench`. What it gives lists the engine and
+/// the case of each of its runs, and no run twice.
+[[nodiscard]] ReportReading read_report(const std::filesystem::path& path);
 
 }  // namespace tautline::bench

@@ -1,4 +1,4 @@
-#include "bench/report/json/manifest.hpp"
+#include "bench/report/manifest.hpp"
 
 #include "bench/report/json/reader.hpp"
 #include "bench/report/json/writer.hpp"

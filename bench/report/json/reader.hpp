@@ -91,18 +91,18 @@ class Reader {
   explicit Reader(const Json& object) : object_(object) {}
 
   template <class Value>
-  void operator()(const char* key, Value& value) {
+  void operator()(const char* key, Value& value, const Says& /*says*/ = {}) {
     read(object_.at(key), value);
   }
 
   template <class Members>
-  void group(const char* key, const Members& members) {
+  void group(const char* key, const Says& /*says*/, const Members& members) {
     Reader inside(object_.at(key));
     members(inside);
   }
 
   template <class Value>
-  void by_metric(const char* key, std::vector<Value>& values) {
+  void by_metric(const char* key, std::vector<Value>& values, const Says& /*says*/ = {}) {
     values.clear();
     for (const Metric& metric : metric_list()) {
       read(object_.at(key).at(std::string(metric.name)), values.emplace_back());
@@ -110,7 +110,7 @@ class Reader {
   }
 
   template <class Value>
-  void by_metric(const char* key, std::optional<std::vector<Value>>& values) {
+  void by_metric(const char* key, std::optional<std::vector<Value>>& values, const Says& /*says*/) {
     values.reset();
     if (!object_.at(key).is_null()) {
       by_metric(key, values.emplace());
@@ -124,6 +124,8 @@ class Reader {
       members(*this, value.emplace());
     }
   }
+
+  static void means(const char* /*meaning*/) {}
 
  private:
   const Json& object_;

@@ -60,19 +60,19 @@ inline Json json_of(const Metric& /*metric*/, const std::optional<MedianAndWorst
 class Writer {
  public:
   template <class Value>
-  void operator()(const char* key, const Value& value) {
+  void operator()(const char* key, const Value& value, const Says& /*says*/ = {}) {
     object_[key] = json_of(value);
   }
 
   template <class Members>
-  void group(const char* key, const Members& members) {
+  void group(const char* key, const Says& /*says*/, const Members& members) {
     Writer inside;
     members(inside);
     object_[key] = std::move(inside.object_);
   }
 
   template <class Value>
-  void by_metric(const char* key, const std::vector<Value>& values) {
+  void by_metric(const char* key, const std::vector<Value>& values, const Says& /*says*/ = {}) {
     Json object = Json::object();
     for (std::size_t place = 0; place < values.size(); ++place) {
       const Metric& metric = metric_list()[place];
@@ -82,7 +82,8 @@ class Writer {
   }
 
   template <class Value>
-  void by_metric(const char* key, const std::optional<std::vector<Value>>& values) {
+  void by_metric(const char* key, const std::optional<std::vector<Value>>& values,
+                 const Says& /*says*/) {
     values ? by_metric(key, *values) : void(object_[key] = nullptr);
   }
 
@@ -92,6 +93,8 @@ class Writer {
       members(*this, *value);
     }
   }
+
+  static void means(const char* /*meaning*/) {}
 
   [[nodiscard]] Json object() && { return std::move(object_); }
 

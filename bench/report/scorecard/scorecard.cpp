@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/statistics.hpp"
 #include "bench/report/tables/columns.hpp"
 
@@ -51,9 +52,8 @@ std::optional<double> median_off(const Runs& runs, const std::map<std::string, d
 
 std::optional<CostRow> cost_of(const Report& report, const SetupKey& key) {
   const auto& costs = report.context.costs;
-  const auto found =
-      std::find_if(costs.begin(), costs.end(), [&](const CostRow& row) { return row.key == key; });
-  return found != costs.end() ? std::optional(*found) : std::nullopt;
+  const CostRow* const found = find_by(costs, &CostRow::key, key);
+  return found != nullptr ? std::optional(*found) : std::nullopt;
 }
 
 /// The size of e got less e asked over all the impacts that were audited in `runs`.
@@ -151,9 +151,8 @@ MakerCard maker_card(const Report& report, const std::string& engine, Maker make
 Scorecard scorecard(const Report& report, const std::string& engine) {
   Scorecard card;
   card.engine = engine;
-  const auto row = std::find_if(report.engines.begin(), report.engines.end(),
-                                [&](const EngineRow& one) { return one.name == engine; });
-  if (row == report.engines.end() || !row->info) {
+  const EngineRow* const row = find_by(report.engines, &EngineRow::name, engine);
+  if (row == nullptr || !row->info) {
     return card;
   }
   card.version = row->info->version;
@@ -185,23 +184,12 @@ std::vector<Scorecard> scorecards(const Report& report) {
       names.insert(run.key.engine);
     }
   }
-  std::vector<Scorecard> cards;
-  for (const std::string& name : names) {
-    cards.push_back(scorecard(report, name));
-  }
-  return cards;
+  return listed(names, [&](const std::string& name) { return scorecard(report, name); });
 }
 
 const char* words_of(Maker maker) {
-  switch (maker) {
-    case Maker::engine:
-      return "as shipped";
-    case Maker::by_hand:
-      return "made by hand";
-    case Maker::tautline:
-      return "tautline’s driver";
-  }
-  return "";
+  constexpr std::array words = {"as shipped", "made by hand", "tautline’s driver"};
+  return words.at(static_cast<std::size_t>(maker));
 }
 
 }  // namespace tautline::bench

@@ -7,7 +7,6 @@
 
 #include "bench/base/text.hpp"
 #include "bench/report/tables/columns.hpp"
-#include "bench/report/words.hpp"
 
 namespace tautline::bench {
 namespace {

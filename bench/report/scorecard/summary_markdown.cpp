@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <tuple>
-#include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"
@@ -42,10 +42,7 @@ std::vector<ModelRow> models_of(const std::vector<Scorecard>& cards) {
 
 std::string rebound_text(const ModelCard& card) {
   if (!card.wrong.empty()) {
-    std::vector<std::string> kinds;
-    std::transform(card.wrong.begin(), card.wrong.end(), std::back_inserter(kinds),
-                   [](const std::string& kind) { return kind_in_words(kind); });
-    return fmt::format("wrong: {}", fmt::join(kinds, ", "));
+    return fmt::format("wrong: {}", fmt::join(listed(card.wrong, kind_in_words), ", "));
   }
   return card.impacts == 0 ? "not measured" : "right";
 }
@@ -83,10 +80,8 @@ std::string verdict_line(const std::vector<Scorecard>& cards) {
 }
 
 std::string scope_line(const Report& report, std::size_t engines) {
-  std::vector<std::string> steps;
-  for (const double step : report.options.steps) {
-    steps.push_back(number_text(step, as_count));
-  }
+  const std::vector<std::string> steps =
+      listed(report.options.steps, [](double step) { return number_text(step, as_count); });
   return fmt::format(
       "\n{} on {}, at steps {} s, each run held against the exact motion by "
       "tautline {}{}.\n\n",

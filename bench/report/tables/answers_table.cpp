@@ -1,6 +1,4 @@
-#include "bench/report/tables/answers_table.hpp"
-
-#include <fmt/format.h>
+#include "bench/report/tables/tables.hpp"
 
 #include <algorithm>
 #include <map>

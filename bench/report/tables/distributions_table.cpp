@@ -1,4 +1,4 @@
-#include "bench/report/tables/distributions_table.hpp"
+#include "bench/report/tables/tables.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/report/tables/columns.hpp"
 #include "bench/report/words.hpp"
@@ -35,10 +36,7 @@ std::vector<Column> columns_of(const Distributions& distributions) {
 }
 
 const DistributionRow* find(const DistributionsRow& row, const std::string& name) {
-  const auto found =
-      std::find_if(row.statistics.begin(), row.statistics.end(),
-                   [&](const DistributionRow& one) { return one.statistic == name; });
-  return found != row.statistics.end() ? &*found : nullptr;
+  return find_by(row.statistics, &DistributionRow::statistic, name);
 }
 
 Cell distance_cell(const DistributionRow* row) {

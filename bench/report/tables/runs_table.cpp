@@ -1,4 +1,4 @@
-#include "bench/report/tables/runs_table.hpp"
+#include "bench/report/tables/tables.hpp"
 
 #include <fmt/format.h>
 

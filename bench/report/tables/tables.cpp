@@ -8,6 +8,7 @@
 
 #include "bench/report/tables/columns.hpp"
 #include "bench/report/words.hpp"
+#include "bench/solution/cable_words.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -16,14 +17,6 @@ namespace {
 template <class Struct>
 std::optional<double> member(const std::optional<Struct>& of, double Struct::*number) {
   return of ? std::optional((*of).*number) : std::nullopt;
-}
-
-std::string cables_text(CableSet cables) {
-  std::string result;
-  for (const std::size_t cable : cables) {
-    result += (result.empty() ? "" : "+") + std::to_string(cable);
-  }
-  return result;
 }
 
 /// What a body does once its final set of cables is taut.
@@ -77,7 +70,7 @@ std::vector<Cell> cells_of(const CaseRow& row) {
     return swing != nullptr ? std::optional(swing->*number) : std::nullopt;
   };
   cells.push_back(number_cell(member(lock, &Lock::time), as_instant));
-  cells.emplace_back(lock ? cables_text(lock->cables) : dash);
+  cells.emplace_back(lock ? cable_list(lock->cables) : dash);
   cells.emplace_back(lock ? afterwards(*lock) : dash);
   cells.push_back(number_cell(of_swing(&Swing::energy), fixed(8)));
   cells.push_back(number_cell(of_swing(&Swing::amplitude), fixed(5)));
@@ -166,7 +159,7 @@ Table causes_table(const Report& report) {
   columns.push_back(number_column("median", "m", "deviation", "median"));
   columns.push_back(number_column("worst", "m", "deviation", "worst"));
   for (const Cause cause : causes) {
-    columns.push_back(number_column(words_of(cause).heading, "", "share of the parts",
+    columns.push_back(number_column(in_words(to_string(cause)), "", "share of the parts",
                                     std::string(to_string(cause))));
   }
   columns.push_back(number_column("covered", "of the horizon", "", "covered"));

@@ -1,12 +1,43 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "bench/base/table.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
 
-// The smaller tables of a report: each once, for Markdown, for a terminal and for a page. The large
-// ones are in answers_table.hpp and runs_table.hpp.
+// The tables of a report: each once, for Markdown, for a terminal and for a page.
+
+/// The answers over all cases, by engine, model and step: every metric of the list that is shown
+/// there, impacts, settling, cost, failures and, in a report with verdicts, what they come to. Last
+/// come the engines that are not here, and why.
+[[nodiscard]] Table answers_table(const Report& report);
+
+/// Every run: its metrics, impacts, settling, restitution, cost, verdict and how it ended.
+[[nodiscard]] Table runs_table(const Report& report);
+
+/// The same of one case.
+[[nodiscard]] Table runs_table(const Report& report, const std::string& the_case);
+
+/// The checks of a verdict that matter: those that do not hold, or else the one that is nearest to
+/// not holding. They are `verdict`'s own.
+[[nodiscard]] std::vector<const Check*> telling_checks(const Verdict& verdict);
+
+/// How far the distributions of every engine, model and step are from those of the exact motion;
+/// empty in a report without draws.
+[[nodiscard]] Table distributions_table(const Report& report);
+
+/// What was drawn and what the exact motions do, in sentences; "" in a report without draws.
+[[nodiscard]] std::string distributions_paragraph(const Report& report);
+
+/// How to read the table.
+inline constexpr const char* how_to_read_distributions =
+    "Beyond its horizon one motion says nothing about an engine, a distribution does. Each number "
+    "is D, the largest distance between the distribution functions of the engine and of the "
+    "exact motion (Kolmogorov and Smirnov): 0 for the same, 1 for apart; in brackets where the two "
+    "cannot be told apart, by D or by the energy distance, in all tests of the table together.";
 
 /// What the exact solutions say of every case.
 [[nodiscard]] Table cases_table(const Report& report);

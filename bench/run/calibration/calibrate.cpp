@@ -10,7 +10,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "bench/base/process.hpp"
 #include "bench/run/calibration/minimise.hpp"

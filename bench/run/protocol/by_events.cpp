@@ -1,8 +1,7 @@
-#include "bench/run/protocol/by_events.hpp"
+#include "bench/run/protocol/simulations.hpp"
 
 #include <utility>
 
-#include "bench/run/protocol/unwrapped.hpp"
 #include "tautline/event_driver.hpp"
 
 namespace tautline::bench {

@@ -1,11 +1,10 @@
-#include "bench/run/protocol/by_steps.hpp"
+#include "bench/run/protocol/simulations.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <utility>
 
-#include "bench/run/protocol/unwrapped.hpp"
 #include "bench/run/record.hpp"
 
 namespace tautline::bench {

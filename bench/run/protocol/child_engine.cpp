@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "bench/base/text.hpp"
-#include "bench/run/protocol/by_events.hpp"
-#include "bench/run/protocol/by_steps.hpp"
 #include "bench/run/protocol/children.hpp"
+#include "bench/run/protocol/simulations.hpp"
 
 namespace tautline::bench {
 namespace {

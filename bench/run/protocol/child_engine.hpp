@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "bench/run/protocol/engine_file.hpp"
 #include "tautline/model_table.hpp"

@@ -1,4 +1,4 @@
-#include "bench/run/protocol/unwrapped.hpp"
+#include "bench/run/protocol/simulations.hpp"
 
 #include <fmt/format.h>
 

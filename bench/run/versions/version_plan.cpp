@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 #include "bench/base/text.hpp"
 #include "bench/run/registry.hpp"

@@ -12,7 +12,7 @@
 #include "bench/solution/digits/in_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/digits/summary.hpp"
-#include "bench/solution/solution_tables.hpp"
+#include "bench/solution/texts.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/uncertainty.hpp"

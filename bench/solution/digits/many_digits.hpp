@@ -1,9 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "bench/base/terminal.hpp"
 #include "bench/cases/literals.hpp"

@@ -1,13 +1,10 @@
-#include "bench/chapter/page.hpp"
+#include "bench/chapter/output.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
-
-#include "bench/chapter/csv.hpp"
-#include "bench/chapter/json.hpp"
 
 namespace tautline::bench {
 namespace {

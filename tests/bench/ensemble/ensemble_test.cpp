@@ -8,7 +8,7 @@
 
 #include "bench/ensemble/compare/comparison.hpp"
 #include "bench/ensemble/compare/kolmogorov.hpp"
-#include "bench/ensemble/output/text.hpp"
+#include "bench/ensemble/output/output.hpp"
 #include "bench/ensemble/solve/draw_files.hpp"
 #include "bench/ensemble/solve/ensemble.hpp"
 #include "bench/ensemble/spec/spec_file.hpp"

@@ -14,8 +14,7 @@
 #include <vector>
 
 #include "bench/gate/changes.hpp"
-#include "bench/gate/changes_json.hpp"
-#include "bench/gate/changes_text.hpp"
+#include "bench/gate/changes_output.hpp"
 #include "tests/bench/gate/made_report.hpp"
 
 namespace tautline::bench::test {

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/gate/trend/trend_text.hpp"
-#include "bench/gate/trend/version_html.hpp"
-#include "bench/gate/trend/version_svg.hpp"
+#include "bench/gate/changes_output.hpp"
+#include "bench/gate/trend/version_output.hpp"
 #include "bench/gate/trend/version_tables.hpp"
 #include "bench/gate/trend/version_trend.hpp"
 #include "tests/bench/gate/made_report.hpp"

@@ -88,6 +88,40 @@ TEST(Limits, EveryMistakeOfAFileIsNamedWithLineKeyValueAndWhatWouldBeRight) {
   }
 }
 
+TEST(Limits, AnEntryOfEachHasWhatTheTableAroundItSaysAndItDoesNot) {
+  const std::string head =
+      "schema = 1\nversion = \"1\"\n[[limits]]\nmodel = \"row\"\nunit = \"m\"\n";
+  const bench::LimitsReading good = bench::read_limits_text(
+      head +
+          "reason = \"r\"\neach = [\n"
+          "  {engine = \"e\", metric = \"overstretch\", limit = 0.5},\n"
+          "  {engine = \"f\", metric = \"early_position_error\", limit = 2, "
+          "reason = \"own\"},\n]\n",
+      "l.toml");
+  ASSERT_TRUE(good.limits) << good.problems.front();
+  ASSERT_EQ(good.limits->limits.size(), 2U);
+  const bench::Limit& first = good.limits->limits.front();
+  const bench::Limit& second = good.limits->limits.back();
+  EXPECT_EQ(first.runs.engine + " " + first.runs.model + " " + first.reason, "e row r");
+  EXPECT_EQ(second.runs.engine + " " + second.runs.model + " " + second.reason, "f row own");
+  EXPECT_EQ(first.constant, 0.5);
+  EXPECT_EQ(second.metric, "early_position_error");
+
+  const bench::LimitsReading bad = bench::read_limits_text(
+      head +
+          "engin = \"*\"\neach = [\n"
+          "  {engine = \"e\", metric = \"energy_gain\", limit = 0.5, reason = \"r\"},\n"
+          "  {engine = \"e\", metric = \"overstretch\", limit = 0.5, raeson = \"r\"},\n]\n",
+      "l.toml");
+  EXPECT_EQ(
+      bad.problems,
+      (std::vector<std::string>{
+          "l.toml:5: limits[0].unit = \"m\": must be J",
+          "l.toml:6: limits[0].engin = \"*\": unknown key; did you mean engine?",
+          "l.toml:9: limits[0].each[1].reason: is missing, must be a string that is not empty",
+          "l.toml:9: limits[0].each[1].raeson = \"r\": unknown key; did you mean reason?"}));
+}
+
 TEST(Limits, ABadFileEndsTheBenchBeforeItStarts) {
   const Gated bad = gated("exact", "schema = 1\n");
   EXPECT_EQ(bad.outcome.code, 2);

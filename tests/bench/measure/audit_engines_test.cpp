@@ -9,7 +9,7 @@
 
 #include "bench/cases/catalogue.hpp"
 #include "bench/measure/audit/audit.hpp"
-#include "bench/measure/audit/sleep.hpp"
+#include "bench/measure/audit/parts.hpp"
 #include "bench/measure/compare.hpp"
 #include "bench/measure/reference.hpp"
 #include "bench/run/plugin.hpp"

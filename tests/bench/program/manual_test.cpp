@@ -27,7 +27,8 @@ const std::filesystem::path& share() {
 std::map<std::string, std::set<std::string>> options_in_the_sources() {
   std::map<std::string, std::set<std::string>> result;
   const std::regex adds(R"re(add_subcommand\(\s*"([a-z-]+)"|void add_([a-z]+)_options\()re");
-  const std::regex takes(R"re(add_(?:option|flag)\w*(?:<[^>]*>)?\(\s*"(--[a-z,-]+)")re");
+  const std::regex takes(
+      R"re(add_(?:option|flag|target)\w*(?:<[^>]*>)?\((?:\*?command, )?\s*"(--[a-z,-]+)")re");
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(TAUTLINE_PROGRAM_SOURCES)) {
     const std::string text = content_of(entry.path().string());

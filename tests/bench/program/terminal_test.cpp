@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "bench/base/table.hpp"
-#include "bench/report/run_card.hpp"
+#include "bench/report/output.hpp"
 #include "tests/bench/gate/made_report.hpp"
 #include "tests/bench/program.hpp"
 

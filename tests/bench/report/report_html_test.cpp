@@ -1,4 +1,4 @@
-#include "bench/report/html/page.hpp"
+#include "bench/report/output.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 
 #include "bench/base/html.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/markdown.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
 #include "bench/report/thinning.hpp"
 #include "tests/bench/program.hpp"

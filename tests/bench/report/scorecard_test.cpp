@@ -6,10 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include "bench/report/html/page.hpp"
 #include "bench/report/html/picture.hpp"
 #include "bench/report/html/stills_svg.hpp"
-#include "bench/report/markdown.hpp"
+#include "bench/report/output.hpp"
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"
 #include "tests/bench/gate/made_report.hpp"

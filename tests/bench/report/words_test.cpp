@@ -8,11 +8,9 @@
 #include <string>
 
 #include "bench/page/page_assets.hpp"
-#include "bench/report/html/page.hpp"
-#include "bench/report/markdown.hpp"
+#include "bench/report/output.hpp"
 #include "bench/report/report.hpp"
 #include "bench/report/summary.hpp"
-#include "bench/report/terminal.hpp"
 #include "bench/report/words.hpp"
 #include "tests/bench/gate/made_report.hpp"
 #include "tests/bench/support.hpp"

@@ -11,7 +11,7 @@
 #include "analytic/support.hpp"
 #include "bench/check/cases.hpp"
 #include "bench/check/claims.hpp"
-#include "bench/check/claims/convergence.hpp"
+#include "bench/check/claims/measures.hpp"
 #include "engines/engine_support.hpp"
 #include "engines/interface/claims.hpp"
 #include "tautline/geometry.hpp"

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "bench/program/manual/completion/completion.hpp"
 #include "bench/program/manual/completion/offer.hpp"
+#include "bench/program/manual/manual.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -28,21 +29,12 @@ std::string bash_offer(const Argument& argument) {
   return ":";
 }
 
-/// The pattern of a `case` for the names of an option.
-std::string bash_pattern(const Argument& option) {
-  std::string result;
-  for (const std::string& name : option.names) {
-    result += (result.empty() ? "" : "|") + name;
-  }
-  return result;
-}
-
 std::string bash_command(const Command& command) {
   std::string values;
   for (const Argument& option : command.options) {
     if (!option.value.empty()) {
-      values +=
-          fmt::format("        {}) {}; return ;;\n", bash_pattern(option), bash_offer(option));
+      values += fmt::format("        {}) {}; return ;;\n", fmt::join(option.names, "|"),
+                            bash_offer(option));
     }
   }
   const std::string word = command.words.empty() ? ":" : bash_offer(command.words.front());
@@ -50,8 +42,8 @@ std::string bash_command(const Command& command) {
       "    {})\n{}{}      case \"$cur\" in\n        -*) _tautline_words {} ;;\n        *) {} ;;\n"
       "      esac ;;\n",
       command.name, values.empty() ? "" : "      case \"$prev\" in\n",
-      values.empty() ? "" : values + "      esac\n", in_quotes(option_names(command.options)),
-      word);
+      values.empty() ? "" : values + "      esac\n",
+      in_quotes(spaced(option_names(command.options))), word);
 }
 
 }  // namespace
@@ -98,8 +90,8 @@ _tautline() {{
 complete -F _tautline tautline
 )",
       fmt::arg("commands", command_names(outline)), fmt::arg("cases", case_names()),
-      fmt::arg("functions", shell_functions), fmt::arg("options", option_names(outline.options)),
-      fmt::arg("per_command", cases));
+      fmt::arg("functions", shell_functions),
+      fmt::arg("options", spaced(option_names(outline.options))), fmt::arg("per_command", cases));
 }
 
 }  // namespace tautline::bench

@@ -1,5 +1,8 @@
 #include "bench/program/manual/completion/offer.hpp"
 
+#include <fmt/ranges.h>
+
+#include "bench/base/listed.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
@@ -28,35 +31,13 @@ Offer offer_of(const Argument& argument) {
 }
 
 std::string spaced(const std::vector<std::string>& words) {
-  std::string result;
-  for (const std::string& word : words) {
-    result += (result.empty() ? "" : " ") + word;
-  }
-  return result;
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
-std::string case_names() {
-  std::vector<std::string> names;
-  for (const Case& the_case : shipped_cases()) {
-    names.push_back(the_case.name);
-  }
-  return spaced(names);
-}
+std::string case_names() { return spaced(listed(shipped_cases(), &Case::name)); }
 
 std::string command_names(const Outline& outline) {
-  std::vector<std::string> names;
-  for (const Command& command : outline.commands) {
-    names.push_back(command.name);
-  }
-  return spaced(names);
-}
-
-std::string option_names(const std::vector<Argument>& options) {
-  std::vector<std::string> names;
-  for (const Argument& option : options) {
-    names.insert(names.end(), option.names.begin(), option.names.end());
-  }
-  return spaced(names);
+  return spaced(listed(outline.commands, &Command::name));
 }
 
 std::string in_quotes(std::string text) {

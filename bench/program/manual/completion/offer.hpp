@@ -17,7 +17,6 @@ enum class Offer { nothing, file, folder, one_case, engine, model, command, choi
 [[nodiscard]] std::string spaced(const std::vector<std::string>& words);
 [[nodiscard]] std::string case_names();  // of the shipped cases
 [[nodiscard]] std::string command_names(const Outline& outline);
-[[nodiscard]] std::string option_names(const std::vector<Argument>& options);
 
 /// Text in single quotes, in which no shell reads anything; a quote becomes a typographic one.
 [[nodiscard]] std::string in_quotes(std::string text);

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "bench/program/manual/completion/completion.hpp"
 #include "bench/program/manual/completion/offer.hpp"
+#include "bench/program/manual/manual.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -5,11 +5,18 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
+#include "bench/solution/certificate.hpp"
 #include "tautline/case.hpp"
+#include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
+
+/// How the motion ends, when it settled and what is left of it, in a few lines of plain words. Each
+/// number has right digits alone, as `uncertainty` says, and what is beyond the horizon is named.
+[[nodiscard]] std::string solution_text(const Case& the_case, const Solution& solution,
+                                        const Settling& settling, const Uncertainty& uncertainty);
 
 /// Events below a summary, unless all are asked for.
 inline constexpr std::size_t most_events = 20;
@@ -35,5 +42,9 @@ inline constexpr std::size_t most_events = 20;
 [[nodiscard]] std::string samples_text(const Solution& solution, const Uncertainty& uncertainty,
                                        const std::vector<double>& times,
                                        const TerminalStyle& style);
+
+/// What `certificate` says of `solution`, in a few lines and a table.
+[[nodiscard]] std::string certificate_text(const Certificate& certificate, const Case& the_case,
+                                           const Solution& solution, const TerminalStyle& style);
 
 }  // namespace tautline::bench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bench/base/table.hpp"
+#include "bench/base/terminal.hpp"
+#include "bench/ensemble/output/words.hpp"
+#include "bench/page/page_assets.hpp"
+
+namespace tautline::bench {
+
+/// Writes index.html, ensemble.md, ensemble.json and the pictures of an atlas into `out`. `command`
+/// made them. Throws FileError if one cannot be written.
+void write_ensemble(const std::filesystem::path& out, const EnsembleReport& report,
+                    const std::string& command);
+
+/// One page that needs no other file but the pictures of an atlas' cells: what differs, each
+/// distribution over the others, and the atlas. `command` made it.
+[[nodiscard]] std::string ensemble_html(const EnsembleReport& report, const std::string& command,
+                                        const PageAssets& assets);
+
+/// For a terminal: the tables, and what they say.
+[[nodiscard]] std::string ensemble_text(const EnsembleReport& report, const TerminalStyle& style);
+
+/// The same as Markdown.
+[[nodiscard]] std::string ensemble_markdown(const EnsembleReport& report);
+
+/// As bench/ensemble/ensemble.schema.json describes it, indented, with a line break at its end.
+[[nodiscard]] std::string ensemble_json(const EnsembleReport& report);
+
+/// Each statistic of each setup: its median and spread.
+[[nodiscard]] Table summary_table(const EnsembleReport& report);
+
+/// Each statistic of each setup but the first, held against it; empty without another.
+[[nodiscard]] Table comparison_table(const EnsembleReport& report);
+
+/// The distribution functions of one statistic, those of all setups over each other, and beside
+/// them their quantiles over those of the first setup: where both are alike, on the diagonal.
+[[nodiscard]] std::string distribution_svg(const EnsembleReport& report, std::size_t statistic);
+
+}  // namespace tautline::bench

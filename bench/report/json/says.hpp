@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tautline::bench {
+
+/// What the schema of a report says of a member beside its name and type.
+struct Says {
+  // implicit: most members have a meaning alone
+  Says(const char* text = "") : meaning(text) {}  // NOLINT(google-explicit-constructor)
+
+  /// Of a list: that it has an entry.
+  [[nodiscard]] Says not_empty() && {
+    some = true;
+    return *this;
+  }
+
+  const char* meaning;
+  std::vector<std::string_view> words;  // the only ones that it may be; none: any
+  std::optional<int> least;             // of a number, or of each of a list
+  std::optional<int> most;
+  bool exclusive = false;  // of `least`: it is larger
+  bool or_null = false;    // a number that may be missing, or each of a list
+  bool some = false;
+};
+
+inline Says one_of(std::vector<std::string_view> words, const char* meaning = "") {
+  Says says(meaning);
+  says.words = std::move(words);
+  return says;
+}
+
+inline Says at_least(int least, const char* meaning = "") {
+  Says says(meaning);
+  says.least = least;
+  return says;
+}
+
+inline Says above(int least, const char* meaning = "") {
+  Says says = at_least(least, meaning);
+  says.exclusive = true;
+  return says;
+}
+
+inline Says in_range(int least, int most, const char* meaning = "") {
+  Says says = at_least(least, meaning);
+  says.most = most;
+  return says;
+}
+
+inline Says or_null(const char* meaning = "") {
+  Says says(meaning);
+  says.or_null = true;
+  return says;
+}
+
+}  // namespace tautline::bench

@@ -22,9 +22,10 @@ quietly() {
 # build folder survives the removal of ccache.
 configure_preset() {
   local launcher=${CMAKE_CXX_COMPILER_LAUNCHER-$(command -v ccache || true)}
-  # who builds all and changes nothing, saves by compiling several sources as one
-  local unity=${CI:+-DTAUTLINE_UNITY=ON}
-  quietly cmake -S "$root" --preset "$1" "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" ${unity:+"$unity"} "${@:2}"
+  # who builds all and changes nothing, saves by compiling several sources as one, and debugs nothing
+  local once=()
+  [ -z "${CI-}" ] || once=(-DTAUTLINE_UNITY=ON -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O2)
+  quietly cmake -S "$root" --preset "$1" "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" "${once[@]}" "${@:2}"
 }
 
 # fetch_from_npm <folder> <consequence of doing without>: brings what the folder's package.json pins. A

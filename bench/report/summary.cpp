@@ -99,18 +99,18 @@ SummaryRow summary_of(const Group<RunRow>& runs) {
 }
 
 /// Errors over steps.
-struct Curve {
+struct ErrorCurve {
   std::vector<double> steps;   // [s]
   std::vector<double> errors;  // [m]
 };
 
 /// The early position error of each case, where it could be measured.
-std::map<std::string, Curve> curves(const Group<RunRow>& runs) {
+std::map<std::string, ErrorCurve> curves(const Group<RunRow>& runs) {
   const std::size_t early = place_of("early_position_error").value();
-  std::map<std::string, Curve> result;
+  std::map<std::string, ErrorCurve> result;
   for (const RunRow* run : runs) {
     if (const std::optional<double> error = run->metric(early)) {
-      Curve& curve = result[run->key.the_case];
+      ErrorCurve& curve = result[run->key.the_case];
       curve.steps.push_back(run->key.step);
       curve.errors.push_back(*error);
     }

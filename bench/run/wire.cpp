@@ -32,7 +32,7 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// JSON writes what is not finite as null.
-double number_from(const json& value) {
+double finite_or_none(const json& value) {
   return value.is_number() ? value.get<double>() : no_number;
 }
 
@@ -45,7 +45,7 @@ static void to_json(json& row, const SettledClaim& one) {
 }
 
 static void from_json(const json& row, SettledClaim& one) {
-  one = {row.at(0), number_from(row.at(1)), number_from(row.at(2)), row.at(3), row.at(4)};
+  one = {row.at(0), finite_or_none(row.at(1)), finite_or_none(row.at(2)), row.at(3), row.at(4)};
 }
 
 /// Without its numbers.
@@ -71,7 +71,7 @@ static void to_json(json& row, const StrikesAnswer& strikes) { row = strikes.res
 
 static void from_json(const json& row, StrikesAnswer& strikes) {
   for (const json& one : row) {
-    strikes.restitutions.push_back(number_from(one));
+    strikes.restitutions.push_back(finite_or_none(one));
   }
 }
 

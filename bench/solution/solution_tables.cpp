@@ -36,7 +36,7 @@ void add_state(std::vector<std::string>& cells, const State& state, const State&
 }
 
 /// The accumulation that `event` completes, or null.
-const Accumulation* completed_by(const Solution& solution, const Event& event) {
+const Accumulation* accumulation_at(const Solution& solution, const Event& event) {
   const auto& all = solution.accumulations();
   const auto found = std::lower_bound(
       all.begin(), all.end(), event.time,
@@ -78,7 +78,7 @@ std::vector<std::string> accumulation_cells(const Solution& solution,
 std::vector<std::string> event_cells(const Case& the_case, const Solution& solution,
                                      const Uncertainty& uncertainty, const Event& event,
                                      const EventErrors& errors) {
-  if (const Accumulation* const accumulation = completed_by(solution, event)) {
+  if (const Accumulation* const accumulation = accumulation_at(solution, event)) {
     return accumulation_cells(solution, uncertainty, event, errors, *accumulation);
   }
   double closing = 0.0;

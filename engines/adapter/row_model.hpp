@@ -75,6 +75,7 @@ class RowSimulation final : public Simulation {
 
 /// A model of such rows; `own` goes to the world.
 template <class RowWorld, class... Own>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): as in event_model
 [[nodiscard]] ModelEntry row_model(Model model, Activation activation, Own... own) {
   return {.model = std::move(model),
           .start = makes<RowSimulation<RowWorld>>(activation, own...),

@@ -13,8 +13,8 @@
 namespace tautline::bench {
 namespace {
 
-constexpr double step = 1e-3;  // [s]
-constexpr double end = 2.5;    // [s]
+constexpr double momentum_step = 1e-3;  // [s]
+constexpr double momentum_end = 2.5;    // [s]
 
 /// A step's impulses may act anywhere along the step, and in it a body turns: 1e-3 s at 10 rad/s,
 /// with cables three times as long as the body is wide.
@@ -58,7 +58,8 @@ struct Sum {
 void look_at_events(const Case& the_case, const Simulation& simulation, const Moment& moment,
                     CableVector& rest, Sum& sum) {
   for (const Event& event : simulation.events()) {
-    if (std::abs(event.time - (moment.time - 0.5 * step)) > 0.5 * step + time_rounding) {
+    if (std::abs(event.time - (moment.time - 0.5 * momentum_step)) >
+        0.5 * momentum_step + time_rounding) {
       sum.fault = fmt::format("an event at t = {:.6g} is reported in the step that ends at {:.6g}",
                               event.time, moment.time);
     }
@@ -100,9 +101,9 @@ void look_at(const Subject& subject, const Case& the_case, const Simulation& sim
   if (rest.maxCoeff() <= 0.0) {
     return;  // slack, or held by tensions, which are not reported
   }
-  const State pose = at_the_solve(moment.before, step, subject.flight());
+  const State pose = at_the_solve(moment.before, momentum_step, subject.flight());
   Eigen::Vector3d pull = pull_of(the_case, pose, all, rest);
-  pull.head<2>() += step * the_case.body.mass * the_case.gravity;
+  pull.head<2>() += momentum_step * the_case.body.mass * the_case.gravity;
   sum.found = worse(sum.found, momentum_error(the_case, moment.before, moment.after, pull));
 }
 
@@ -112,9 +113,9 @@ Measure measure_step_momentum(const Subject& subject) {
   Measure result{0.0, momentum_limit, "the reported impulses are the change of momentum"};
   for (const std::string_view name : {"crane-load", "tilted-gravity", "plate-four-cables"}) {
     const Case the_case = shipped_case(name);
-    const auto simulation = subject.start(the_case, step);
+    const auto simulation = subject.start(the_case, momentum_step);
     Sum sum;
-    run_whole(*simulation, step, end,
+    run_whole(*simulation, momentum_step, momentum_end,
               [&](const Moment& moment) { look_at(subject, the_case, *simulation, moment, sum); });
     if (sum.fault.empty() && sum.hits == 0) {
       sum.fault = "no impulse is ever reported";

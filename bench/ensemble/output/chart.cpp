@@ -20,7 +20,7 @@ constexpr double left_edge = 64.0;
 constexpr double top_edge = 64.0;
 constexpr double between = 84.0;
 constexpr double under = 46.0;
-constexpr double line = 20.0;  // of the legend
+constexpr double legend_line = 20.0;  // of the legend
 
 /// Points of a curve: closer ones are not seen.
 constexpr int curve_points = 200;
@@ -119,12 +119,12 @@ std::string quantile_curve(const EnsembleSample& first, const EnsembleSample& sa
 
 std::string legend_of(const std::vector<EnsembleSetup>& setups) {
   std::string out;
-  double y = top_edge + panel + under + line;
+  double y = top_edge + panel + under + legend_line;
   for (std::size_t setup = 0; setup < setups.size(); ++setup) {
     out += fmt::format("<path d=\"M{} {:.1f}h40\" {}/><text x=\"{}\" y=\"{:.1f}\">{}</text>\n",
                        left_edge, y - 4.0, look(setup), left_edge + 48.0, y,
                        xml_text(printable(setups[setup].name)));
-    y += line;
+    y += legend_line;
   }
   return out;
 }
@@ -149,7 +149,8 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
     }
   }
   const double width = right + panel + 24.0;
-  const double height = top_edge + panel + under + line * static_cast<double>(setups.size() + 1);
+  const double height =
+      top_edge + panel + under + legend_line * static_cast<double>(setups.size() + 1);
   const std::string title = statistic_title(shown);
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "

@@ -17,7 +17,7 @@ namespace tautline::bench {
 namespace {
 
 /// A cable with less gap than this, of its length, does not look slack [-].
-constexpr double visible = 0.01;
+constexpr double visible_gap = 0.01;
 
 /// One with more, before or beyond, does not look taut [-].
 constexpr double taut = 0.005;
@@ -67,8 +67,8 @@ std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run
       place + 1 < impacts.time.size() ? impacts.time[place + 1] : 2 * time - before;
   const std::array<double, 3> times = {slackest(the_case, path, before, time), time,
                                        slackest(the_case, path, time, after)};
-  if (least_gap(the_case, path, times[0]) < visible ||
-      least_gap(the_case, path, times[2]) < visible ||
+  if (least_gap(the_case, path, times[0]) < visible_gap ||
+      least_gap(the_case, path, times[2]) < visible_gap ||
       std::abs(gap_of(cable, pose_at(path, time))) > taut * cable.length) {
     return std::nullopt;
   }

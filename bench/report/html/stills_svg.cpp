@@ -10,9 +10,9 @@
 namespace tautline::bench {
 namespace {
 
-constexpr double width = 220.0;   // [px] of a still
-constexpr double height = 190.0;  //
-constexpr double rim = 16.0;      //
+constexpr double still_width = 220.0;  // [px] of a still
+constexpr double height = 190.0;       //
+constexpr double rim = 16.0;           //
 
 /// A gap below this, of the length, is drawn taut: about a pixel [-].
 constexpr double looks_taut = 5e-3;
@@ -23,7 +23,7 @@ struct Place {
   Vec2 middle;   // [m]
 
   [[nodiscard]] Vec2 operator()(const Vec2& at) const {
-    return {0.5 * width + scale * (at.x() - middle.x()),
+    return {0.5 * still_width + scale * (at.x() - middle.x()),
             0.5 * height - scale * (at.y() - middle.y())};
   }
 };
@@ -55,7 +55,7 @@ Place place_of_stills(const CaseRow& the_case, const DrawnPath& path,
     high = high.cwiseMax(point);
   }
   const Vec2 size = (high - low).cwiseMax(1e-9);
-  return {std::min((width - 2 * rim) / size.x(), (height - 2 * rim) / size.y()),
+  return {std::min((still_width - 2 * rim) / size.x(), (height - 2 * rim) / size.y()),
           0.5 * (low + high)};
 }
 
@@ -147,8 +147,9 @@ std::string still_svg(const CaseRow& the_case, const DrawnPath& path,
                       const std::array<double, 3>& times, std::size_t still, std::size_t struck) {
   const Place place = place_of_stills(the_case, path, times);
   const Pose pose = pose_at(path, times.at(still));
-  std::string out = fmt::format("<svg viewBox=\"0 0 {} {}\" aria-hidden=\"true\">", width, height) +
-                    trail_svg(path, times.front(), times.at(still), place);
+  std::string out =
+      fmt::format("<svg viewBox=\"0 0 {} {}\" aria-hidden=\"true\">", still_width, height) +
+      trail_svg(path, times.front(), times.at(still), place);
   for (std::size_t index = 0; index < the_case.geometry.size(); ++index) {
     const CableRow& cable = the_case.geometry[index];
     out += cable_svg(the_case, cable, end_of(cable, pose), place, index == struck) +

@@ -15,7 +15,7 @@
 namespace tautline::bench {
 namespace {
 
-constexpr std::array makers = {Maker::engine, Maker::by_hand, Maker::tautline};
+constexpr std::array makers_in_order = {Maker::engine, Maker::by_hand, Maker::tautline};
 
 bool is_about_rebounds(const Finding& finding) {
   const FindingKind* const kind = finding_kind(finding.kind);
@@ -158,7 +158,7 @@ Scorecard scorecard(const Report& report, const std::string& engine) {
   card.version = row->info->version;
   card.precision = row->info->precision;
   const std::map<std::string, double> cables = shortest_cables(report);
-  for (const Maker maker : makers) {
+  for (const Maker maker : makers_in_order) {
     std::vector<ModelCard> models;
     for (const Model& model : row->info->models) {
       if (model.maker == maker) {

@@ -24,8 +24,8 @@ using test::bounced;
 using test::exact_rate;
 using test::Planted;
 using test::planted_run;
+using test::planted_step;
 using test::PlantedFlight;
-using test::step;
 
 struct Outcome {
   Attribution attribution;
@@ -105,11 +105,11 @@ TEST_P(PlantedCause, NothingPlantedIsNothing) {
 }
 
 TEST_P(PlantedCause, SemiImplicitFlight) {
-  expect(Cause::flight_bias, {}, {the_case.gravity, 0.5 * step * the_case.gravity});
+  expect(Cause::flight_bias, {}, {the_case.gravity, 0.5 * planted_step * the_case.gravity});
 }
 
 TEST_P(PlantedCause, ExplicitFlight) {
-  expect(Cause::flight_bias, {}, {the_case.gravity, -0.5 * step * the_case.gravity});
+  expect(Cause::flight_bias, {}, {the_case.gravity, -0.5 * planted_step * the_case.gravity});
 }
 
 TEST_P(PlantedCause, FlightUnderWrongGravity) {
@@ -117,18 +117,18 @@ TEST_P(PlantedCause, FlightUnderWrongGravity) {
 }
 
 TEST_P(PlantedCause, LateImpact) {
-  expect(Cause::event_lag, {.delay = 0.4 * step}, exact_flight());
+  expect(Cause::event_lag, {.delay = 0.4 * planted_step}, exact_flight());
 }
 
 TEST_P(PlantedCause, EarlyImpact) {
-  expect(Cause::event_lag, {.delay = -0.7 * step}, exact_flight());
+  expect(Cause::event_lag, {.delay = -0.7 * planted_step}, exact_flight());
 }
 
 TEST_P(PlantedCause, RateOfALaterPose) {
   expect(Cause::late_rate,
          {.rate =
               [](const Case& own, std::size_t cable, const State& at_contact, const State&) {
-                return exact_rate(own, cable, fly(at_contact, own.gravity, step));
+                return exact_rate(own, cable, fly(at_contact, own.gravity, planted_step));
               }},
          exact_flight());
 }
@@ -138,7 +138,7 @@ TEST_P(PlantedCause, RateAfterGravity) {
          {.rate =
               [](const Case& own, std::size_t cable, const State& at_contact, const State&) {
                 State kicked = at_contact;
-                kicked.velocity += step * own.gravity;
+                kicked.velocity += planted_step * own.gravity;
                 return exact_rate(own, cable, kicked);
               }},
          exact_flight());
@@ -172,12 +172,12 @@ TEST_P(PlantedCause, OverstretchPushedOutOnTopOfTheBounce) {
       Cause::position_correction,
       // all of the overstretch in one step, so that what the delay does by itself is small beside
       // it
-      {.delay = 0.08 * step,
+      {.delay = 0.08 * planted_step,
        .rate =
            [](const Case& own, std::size_t cable, const State& at_contact, const State& at_jump) {
              constexpr double part = 1.0;
              return exact_rate(own, cable, at_contact) -
-                    part * gap(own.cables[cable], at_jump) / step;
+                    part * gap(own.cables[cable], at_jump) / planted_step;
            }},
       exact_flight());
 }
@@ -185,12 +185,12 @@ TEST_P(PlantedCause, OverstretchPushedOutOnTopOfTheBounce) {
 TEST_P(PlantedCause, UsualPartOfTheOverstretchIsTheLargestBesideTheLag) {
   const Trajectory run = planted_run(
       the_case, GetParam().end,
-      {.delay = 0.5 * step,
+      {.delay = 0.5 * planted_step,
        .rate =
            [](const Case& own, std::size_t cable, const State& at_contact, const State& at_jump) {
              constexpr double usual = 0.2;
              return exact_rate(own, cable, at_contact) -
-                    usual * gap(own.cables[cable], at_jump) / step;
+                    usual * gap(own.cables[cable], at_jump) / planted_step;
            }},
       exact_flight());
   const Outcome found = outcome(the_case, run, Cause::position_correction, GetParam().end);
@@ -271,10 +271,10 @@ Trajectory sampled_run(const Case& the_case, double drift) {
   const Solution solution = solve(the_case);
   const double lock = settling(the_case, solution).lock.value().time;
   Trajectory run;
-  run.step = step;
-  const auto last = static_cast<std::size_t>(0.99 * solution.end_time() / step);
+  run.step = planted_step;
+  const auto last = static_cast<std::size_t>(0.99 * solution.end_time() / planted_step);
   for (std::size_t index = 0; index <= last; ++index) {
-    const double time = static_cast<double>(index) * step;
+    const double time = static_cast<double>(index) * planted_step;
     run.points.push_back({time, solution.at(time + drift * std::max(0.0, time - lock))});
   }
   for (const Event& event : solution.events()) {

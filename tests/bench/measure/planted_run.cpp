@@ -23,14 +23,14 @@ State bounced(const Case& the_case, const State& before, std::size_t cable, doub
 Trajectory planted_run(const Case& the_case, double end, const Planted& planted,
                        const PlantedFlight& flight) {
   Trajectory run;
-  run.step = step;
+  run.step = planted_step;
   State state = the_case.initial;
   double time = 0.0;  // of `state`, the start of the flight
   run.points.push_back({0.0, state});
   std::size_t next = 1;
   const auto sample_until = [&](double until) {
-    for (; static_cast<double>(next) * step < until; ++next) {
-      const double now = static_cast<double>(next) * step;
+    for (; static_cast<double>(next) * planted_step < until; ++next) {
+      const double now = static_cast<double>(next) * planted_step;
       run.points.push_back({now, flight(state, now - time)});
     }
   };
@@ -61,8 +61,8 @@ Trajectory planted_run(const Case& the_case, double end, const Planted& planted,
       rest.initial = after;
       rest.duration = end - time;
       const Solution solution = solve(rest);
-      for (; static_cast<double>(next) * step < end; ++next) {
-        const double now = static_cast<double>(next) * step;
+      for (; static_cast<double>(next) * planted_step < end; ++next) {
+        const double now = static_cast<double>(next) * planted_step;
         run.points.push_back({now, solution.at(now - time)});
       }
       return run;
@@ -74,7 +74,7 @@ Trajectory planted_run(const Case& the_case, double end, const Planted& planted,
       // out of the overstretch of a late impact, before the next contact is looked for
       double out = 0.0;
       while (gap(the_case.cables[cable], flight(state, out)) < -1e-13) {
-        out += 1e-3 * step;
+        out += 1e-3 * planted_step;
       }
       if (out > 0.0) {
         sample_until(time + out);

@@ -10,7 +10,7 @@
 
 namespace tautline::bench::test {
 
-inline constexpr double step = 1e-3;  // [s]
+inline constexpr double planted_step = 1e-3;  // [s]
 
 /// The flight of a planted run: a parabola that an integrator's `bias` [m/s] moves faster than its
 /// velocity says, under a gravity that may be wrong.

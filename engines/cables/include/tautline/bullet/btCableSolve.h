@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tautline/bullet/btCableConstraint.h"
+#include "tautline/bullet/btCableInSolver.h"
 #include "tautline/cable_overstretch.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
@@ -58,12 +58,12 @@ inline btTransform btPoseBefore(const btRigidBody& body, btScalar timeStep) {
   return pose;
 }
 
-inline btCableLine btCableConstraint::getLineBefore(btScalar timeStep) const {
+inline btCableLine btCableInSolver::getLineBefore(btScalar timeStep) const {
   return btCableLine(btPoseBefore(m_rbA, timeStep), m_pivotInA, btPoseBefore(m_rbB, timeStep),
                      m_pivotInB);
 }
 
-inline void btCableConstraint::buildJacobian() {
+inline void btCableInSolver::buildJacobian() {
   if (m_near && !m_solved && !m_asRow) {
     m_asRow = true;  // this solver calls no constraint by itself
   }
@@ -88,7 +88,7 @@ inline void btCableConstraint::buildJacobian() {
   m_solved = false;
 }
 
-inline void btCableConstraint::getInfo1(btConstraintInfo1* info) {
+inline void btCableInSolver::getInfo1(btConstraintInfo1* info) {
   info->m_numConstraintRows = m_near && m_asRow ? 1 : 0;
   info->nub = 0;
   if (m_fresh && !m_asRow) {
@@ -96,12 +96,12 @@ inline void btCableConstraint::getInfo1(btConstraintInfo1* info) {
   }
 }
 
-inline void btCableConstraint::gather() {
+inline void btCableInSolver::gather() {
   m_together.clear();
   m_together.push_back(this);
   m_fresh = false;
   for (std::size_t next = 0; next < m_together.size(); ++next) {
-    const btCableConstraint& one = *m_together[next];
+    const btCableInSolver& one = *m_together[next];
     // what does not move couples nothing
     if (btCableMoves(one.m_rbA)) {
       gatherFrom(*one.m_onA);
@@ -110,14 +110,14 @@ inline void btCableConstraint::gather() {
       gatherFrom(*one.m_onB);
     }
   }
-  for (btCableConstraint* cable : m_together) {
+  for (btCableInSolver* cable : m_together) {
     cable->m_leader = this;
   }
   m_begun = false;
 }
 
-inline void btCableConstraint::gatherFrom(const btCablesOnBody& list) {
-  for (btCableConstraint* cable : list.cables()) {
+inline void btCableInSolver::gatherFrom(const btCablesOnBody& list) {
+  for (btCableInSolver* cable : list.cables()) {
     if (cable->m_fresh && !cable->m_asRow) {
       cable->m_fresh = false;
       m_together.push_back(cable);
@@ -125,8 +125,8 @@ inline void btCableConstraint::gatherFrom(const btCablesOnBody& list) {
   }
 }
 
-inline void btCableConstraint::solveConstraintObsolete(btSolverBody& bodyA, btSolverBody& bodyB,
-                                                       btScalar timeStep) {
+inline void btCableInSolver::solveConstraintObsolete(btSolverBody& bodyA, btSolverBody& bodyB,
+                                                     btScalar timeStep) {
   if (m_near && !m_asRow && m_leader == this) {
     // one of them moves, and says where the solver has its bodies
     const bool byA = btCableMoves(m_rbA);
@@ -140,7 +140,7 @@ inline void btCableConstraint::solveConstraintObsolete(btSolverBody& bodyA, btSo
   }
 }
 
-inline void btCableConstraint::fillBlock(btSolverBody* pool) {
+inline void btCableInSolver::fillBlock(btSolverBody* pool) {
   m_block.begin(m_pulling.size());
   for (std::size_t index = 0; index < m_pulling.size(); ++index) {
     tautline::CableBlock::Row& row = m_block.row(index);
@@ -157,9 +157,9 @@ inline void btCableConstraint::fillBlock(btSolverBody* pool) {
 }
 
 /// The cables that pull, as tautline::move_out_of_overstretch needs them.
-class btCableConstraint::Overstretch {
+class btCableInSolver::Overstretch {
  public:
-  Overstretch(btCableConstraint& leader, btSolverBody* pool, btScalar timeStep)
+  Overstretch(btCableInSolver& leader, btSolverBody* pool, btScalar timeStep)
       : m_leader(leader), m_pool(pool), m_timeStep(timeStep) {}
 
   btScalar distance(std::size_t index) const { return at(index).m_line.m_distance; }
@@ -174,7 +174,7 @@ class btCableConstraint::Overstretch {
   }
   void slow_turning() { m_leader.slowTurning(m_pool, m_timeStep); }
   void look_again() {
-    for (btCableConstraint* cable : m_leader.m_pulling) {
+    for (btCableInSolver* cable : m_leader.m_pulling) {
       cable->m_line = cable->getLineBefore(m_timeStep);
       const btScalar rate = cable->m_line.rate(cable->m_rbA, cable->m_rbB);
       cable->m_row.rate = btMin(cable->m_row.rate, -rate - cable->m_rule.length_rate);
@@ -183,17 +183,17 @@ class btCableConstraint::Overstretch {
   }
 
  private:
-  btCableConstraint& at(std::size_t index) const { return *m_leader.m_pulling[index]; }
+  btCableInSolver& at(std::size_t index) const { return *m_leader.m_pulling[index]; }
 
-  btCableConstraint& m_leader;
+  btCableInSolver& m_leader;
   btSolverBody* m_pool;
   btScalar m_timeStep;  // [s]
 };
 
 /// What every cable asks for, and their Delassus matrix.
-inline void btCableConstraint::begin(btSolverBody* pool, btScalar timeStep) {
+inline void btCableInSolver::begin(btSolverBody* pool, btScalar timeStep) {
   m_pulling.clear();
-  for (btCableConstraint* cable : m_together) {
+  for (btCableInSolver* cable : m_together) {
     cable->m_line = cable->getLineBefore(timeStep);
     cable->ask(cable->startOf(pool, timeStep));
     cable->m_solved = true;
@@ -211,9 +211,9 @@ inline void btCableConstraint::begin(btSolverBody* pool, btScalar timeStep) {
 }
 
 /// Takes half of the spin of a body that turns too far in a step for it to follow.
-inline void btCableConstraint::slowTurning(btSolverBody* pool, btScalar timeStep) {
+inline void btCableInSolver::slowTurning(btSolverBody* pool, btScalar timeStep) {
   m_slowed.clear();
-  for (const btCableConstraint* cable : m_pulling) {
+  for (const btCableInSolver* cable : m_pulling) {
     for (const btRigidBody* one : {&cable->m_rbA, &cable->m_rbB}) {
       btSolverBody* body = btSolverBodyOf(pool, *one);
       const btVector3 spin = btMotionInSolver(pool, *one, true).m_spin;
@@ -226,8 +226,8 @@ inline void btCableConstraint::slowTurning(btSolverBody* pool, btScalar timeStep
   }
 }
 
-inline void btCableConstraint::move(btSolverBody* pool, const tautline::CableBlock::Row& row,
-                                    double push) {
+inline void btCableInSolver::move(btSolverBody* pool, const tautline::CableBlock::Row& row,
+                                  double push) {
   const btRigidBody* bodies[] = {&m_rbA, &m_rbB};
   for (int side = 0; side < 2; ++side) {
     btSolverBody* body = btSolverBodyOf(pool, *bodies[side]);
@@ -245,10 +245,10 @@ inline void btCableConstraint::move(btSolverBody* pool, const tautline::CableBlo
 }
 
 /// The impulses that go with what joints and contacts have changed so far.
-inline void btCableConstraint::find(btSolverBody* pool, btScalar timeStep, bool first) {
+inline void btCableInSolver::find(btSolverBody* pool, btScalar timeStep, bool first) {
   bool off = false;
   for (std::size_t index = 0; index < m_pulling.size(); ++index) {
-    const btCableConstraint& cable = *m_pulling[index];
+    const btCableInSolver& cable = *m_pulling[index];
     const btScalar rate = cable.rateNow(pool);
     const double missing = cable.m_row.rate - rate - m_block.give(index);
     m_block.lacking(index) = missing + m_block.reaction(index);
@@ -273,7 +273,7 @@ inline void btCableConstraint::find(btSolverBody* pool, btScalar timeStep, bool 
   }
 }
 
-inline void btCableConstraint::ask(const Rule::Start& at) {
+inline void btCableInSolver::ask(const Rule::Start& at) {
   if (!(m_line.m_distance > SIMD_EPSILON)) {
     m_row = Rule::Row{false, 0};  // pivots that coincide have no direction to be pulled in
   } else if (m_byEvents) {
@@ -298,8 +298,8 @@ inline void btCableConstraint::ask(const Rule::Start& at) {
   }
 }
 
-inline btCableConstraint::Rule::Start btCableConstraint::startOf(btSolverBody* pool,
-                                                                 btScalar timeStep) const {
+inline btCableInSolver::Rule::Start btCableInSolver::startOf(btSolverBody* pool,
+                                                             btScalar timeStep) const {
   const btCableMotion a = btMotionInSolver(pool, m_rbA, false);
   const btCableMotion b = btMotionInSolver(pool, m_rbB, false);
   Rule::Start start;
@@ -311,7 +311,7 @@ inline btCableConstraint::Rule::Start btCableConstraint::startOf(btSolverBody* p
   return start;
 }
 
-inline btScalar btCableConstraint::rateNow(btSolverBody* pool) const {
+inline btScalar btCableInSolver::rateNow(btSolverBody* pool) const {
   return m_line.rate(btMotionInSolver(pool, m_rbA, true), btMotionInSolver(pool, m_rbB, true)) +
          m_rule.length_rate;
 }
@@ -332,7 +332,7 @@ inline void btFillCableEnd(tautline::CableBlockEnd& end, const btRigidBody& body
   }
 }
 
-inline void btCableConstraint::fill(tautline::CableBlock::Row& row) const {
+inline void btCableInSolver::fill(tautline::CableBlock::Row& row) const {
   btFillCableEnd(row.end[0], m_rbA, m_line.m_towards, m_line.m_momentA);
   btFillCableEnd(row.end[1], m_rbB, -m_line.m_towards, -m_line.m_momentB);
   row.end[0].arm = m_line.m_armA.length();
@@ -341,8 +341,8 @@ inline void btCableConstraint::fill(tautline::CableBlock::Row& row) const {
   row.compliance = 0;
 }
 
-inline void btCableConstraint::apply(btSolverBody* pool, const tautline::CableBlock::Row& row,
-                                     double impulse, btScalar timeStep) {
+inline void btCableInSolver::apply(btSolverBody* pool, const tautline::CableBlock::Row& row,
+                                   double impulse, btScalar timeStep) {
   const btScalar change = static_cast<btScalar>(m_change);
   const btRigidBody* bodies[] = {&m_rbA, &m_rbB};
   for (int side = 0; side < 2; ++side) {
@@ -363,7 +363,7 @@ inline void btCableConstraint::apply(btSolverBody* pool, const tautline::CableBl
 }
 
 /// For a solver that knows rows alone; overstretch is taken out by velocity there.
-inline void btCableConstraint::getInfo2(btConstraintInfo2* info) {
+inline void btCableInSolver::getInfo2(btConstraintInfo2* info) {
   const btScalar timeStep = 1 / info->fps;
   m_line = getLineBefore(timeStep);
   for (int axis = 0; axis < 3; ++axis) {

@@ -14,14 +14,14 @@
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
-class btCableConstraint;
+class btCableInSolver;
 
 /// The cables of one body, in the order they were made. Cables enter when they are made and leave
 /// when they are destroyed, from any thread; while the body's world is stepped nobody writes.
 class btCablesOnBody {
  public:
   /// The list of `body`, shared by all its cables; it ends with the last of them.
-  static std::shared_ptr<btCablesOnBody> enter(const btRigidBody& body, btCableConstraint* cable) {
+  static std::shared_ptr<btCablesOnBody> enter(const btRigidBody& body, btCableInSolver* cable) {
     const std::lock_guard<std::mutex> lock(mutex());
     std::weak_ptr<btCablesOnBody>& known = lists()[&body];
     std::shared_ptr<btCablesOnBody> list = known.lock();
@@ -32,9 +32,9 @@ class btCablesOnBody {
     return list;
   }
   static void leave(const btRigidBody& body, std::shared_ptr<btCablesOnBody>& list,
-                    btCableConstraint* cable) {
+                    btCableInSolver* cable) {
     const std::lock_guard<std::mutex> lock(mutex());
-    std::vector<btCableConstraint*>& cables = list->m_cables;
+    std::vector<btCableInSolver*>& cables = list->m_cables;
     cables.erase(std::find(cables.begin(), cables.end(), cable));
     if (cables.empty()) {
       lists().erase(&body);
@@ -42,7 +42,7 @@ class btCablesOnBody {
     list.reset();
   }
 
-  const std::vector<btCableConstraint*>& cables() const { return m_cables; }
+  const std::vector<btCableInSolver*>& cables() const { return m_cables; }
 
  private:
   static std::mutex& mutex() {
@@ -54,7 +54,7 @@ class btCablesOnBody {
     return all;
   }
 
-  std::vector<btCableConstraint*> m_cables;
+  std::vector<btCableInSolver*> m_cables;
 };
 
 // NOLINTEND(modernize-use-nodiscard)

@@ -1,4 +1,4 @@
-// How the cables of dCable.h pull in a step.
+// How the cables of dCable.h pull in a step: what dCableAddContacts does.
 //
 // Cables that hang together are solved as one, exactly, and pull by forces, wherever nothing else
 // is jointed to their bodies: ODE's iterative dWorldQuickStep would leave them wrong, and its exact
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "tautline/cable_overstretch.h"
-#include "tautline/ode/dCable.h"
+#include "tautline/ode/dxCable.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
@@ -301,19 +301,6 @@ class dxCableSolve {
   std::vector<std::pair<dBodyID, std::size_t>> m_hung;
   tautline::CableBlock m_block{std::numeric_limits<dReal>::epsilon()};
 };
-
-/// Lets each of `count` cables that may pull in the next step of `stepsize` [s] do so: by forces,
-/// or by a contact joint in `group`. Call it once before that step, with all cables, after the
-/// collisions and after the user's forces; empty the group after the step.
-inline void dCableAddContacts(dWorldID world, dJointGroupID group, const dCableID* cables,
-                              int count, dReal stepsize) {
-  if (count > 0) {
-    if (!cables[0]->solve) {
-      cables[0]->solve = std::make_shared<dxCableSolve>();
-    }
-    cables[0]->solve->add_contacts(world, group, cables, count, stepsize);
-  }
-}
 
 // NOLINTEND(modernize-use-nodiscard)
 

@@ -1,0 +1,123 @@
+// What a cable of btCableConstraint.h is to Bullet's solver: where it hangs, its rule, and its part
+// in the solve. How that goes is in btCableSolve.h.
+
+#ifndef TAUTLINE_BT_CABLE_IN_SOLVER_H
+#define TAUTLINE_BT_CABLE_IN_SOLVER_H
+
+#include <BulletDynamics/ConstraintSolver/btSolverBody.h>
+#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "tautline/bullet/btCableLine.h"
+#include "tautline/bullet/btCablesOnBody.h"
+#include "tautline/cable_block.h"
+#include "tautline/cable_rule.h"
+
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
+/// Make a btCableConstraint.
+class btCableInSolver : public btTypedConstraint {
+ public:
+  BT_DECLARE_ALIGNED_ALLOCATOR();
+
+  ~btCableInSolver() override {
+    btCablesOnBody::leave(m_rbA, m_onA, this);
+    btCablesOnBody::leave(m_rbB, m_onB, this);
+  }
+  btCableInSolver(const btCableInSolver&) = delete;
+  btCableInSolver& operator=(const btCableInSolver&) = delete;
+
+  /// The next four are the solver's: it calls the first of all constraints, then the second of all,
+  /// then the third of those with rows, and the last of all in each iteration.
+  void buildJacobian() override;
+  void getInfo1(btConstraintInfo1* info) override;  // called by the solver: how many rows
+  void getInfo2(btConstraintInfo2* info) override;  // called by the solver: the rows
+  /// Called by the solver in each iteration.
+  void solveConstraintObsolete(btSolverBody& bodyA, btSolverBody& bodyB,
+                               btScalar timeStep) override;
+
+ protected:
+  friend class btCableStepper;
+  typedef tautline::CableRule<btScalar> Rule;
+
+  btCableInSolver(btRigidBody& rbA, btRigidBody& rbB, const btVector3& pivotInA,
+                  const btVector3& pivotInB, btScalar maxLength)
+      // no type of Bullet's own: its debug drawer casts those to its own classes
+      : btTypedConstraint(MAX_CONSTRAINT_TYPE, rbA, rbB),
+        m_pivotInA(pivotInA),
+        m_pivotInB(pivotInB),
+        m_onA(btCablesOnBody::enter(rbA, this)),
+        m_onB(btCablesOnBody::enter(rbB, this)) {
+    m_rule.length = maxLength;
+    enableFeedback(true);  // or getAppliedImpulse asserts
+  }
+
+  void wake() {
+    m_rbA.activate(true);
+    m_rbB.activate(true);
+  }
+  bool hasBroken() const { return btFabs(m_appliedImpulse) >= getBreakingImpulseThreshold(); }
+  btCableLine getLine() const {
+    return btCableLine(m_rbA.getCenterOfMassTransform(), m_pivotInA,
+                       m_rbB.getCenterOfMassTransform(), m_pivotInB);
+  }
+
+  btCableLine getLineBefore(btScalar timeStep) const;
+
+  // of the leader: the cables that pull at each other's bodies, and their solve
+  class Overstretch;
+  void gather();
+  void gatherFrom(const btCablesOnBody& list);
+  void begin(btSolverBody* pool, btScalar timeStep);
+  void fillBlock(btSolverBody* pool);
+  void slowTurning(btSolverBody* pool, btScalar timeStep);
+  void find(btSolverBody* pool, btScalar timeStep, bool first);
+
+  // of one cable
+  Rule::Start startOf(btSolverBody* pool, btScalar timeStep) const;
+  void ask(const Rule::Start& at);
+  void fill(tautline::CableBlock::Row& row) const;
+  void move(btSolverBody* pool, const tautline::CableBlock::Row& row, double push);
+  btScalar rateNow(btSolverBody* pool) const;
+  void apply(btSolverBody* pool, const tautline::CableBlock::Row& row, double impulse,
+             btScalar timeStep);
+
+  btVector3 m_pivotInA;
+  btVector3 m_pivotInB;
+  std::shared_ptr<btCablesOnBody> m_onA;
+  std::shared_ptr<btCablesOnBody> m_onB;
+  Rule m_rule;
+  btScalar m_cfm = 0;
+
+  // of the step
+  btCableLine m_line = getLine();
+  Rule::Row m_row = {false, 0};
+  btScalar m_correction = 0;     // [m]
+  btScalar m_aimedDistance = 0;  // of the pivots, by it [m]
+  btScalar m_inverseMass = 0;    // [1/kg]
+  double m_change = 0;           // of its impulse, in an iteration [N s]
+  bool m_near = false;           // its gap may need a row, or its length changes
+  bool m_fresh = false;          // near, and not gathered yet
+  bool m_solved = false;         // its leader was called
+  bool m_asRow = false;          // for a solver that knows rows alone
+  btCableInSolver* m_leader = nullptr;
+
+  // of the leader
+  std::vector<btCableInSolver*> m_together;
+  std::vector<btCableInSolver*> m_pulling;   // those of them that have a row
+  std::vector<const btRigidBody*> m_slowed;  // by slowTurning
+  tautline::CableBlock m_block{SIMD_EPSILON};
+  bool m_begun = false;
+
+  // while btCableStepper steps, which sees to the impacts itself
+  bool m_byEvents = false;
+  btScalar m_eventStep = 0;  // its whole step [s]
+  int m_stepsOutOfParts = 0;
+};
+
+// NOLINTEND(modernize-use-nodiscard)
+
+#endif

@@ -1,0 +1,127 @@
+// What a cable of dCable.h is, and what it asks of a step.
+
+#ifndef TAUTLINE_ODE_DX_CABLE_H
+#define TAUTLINE_ODE_DX_CABLE_H
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "tautline/cable_block.h"
+#include "tautline/cable_rule.h"
+#include "tautline/ode/dCableLine.h"
+
+class dxCableSolve;
+
+/// Use the functions of dCable.h. Destroy a cable before its bodies, and not between
+/// dCableAddContacts and the end of the step: ODE writes to it there.
+struct dxCable {
+  typedef tautline::CableRule<dReal> Rule;
+
+  dxCableEnd end[2];
+  Rule rule;
+  dReal cfm = -1;              // negative: the world's
+  dReal breaking = dInfinity;  // impulse [N s]
+  bool broken = false;
+  bool as_contact = false;  // never by force
+  int out_of_parts = 0;     // steps
+
+  // of the step
+  dxCableLine line;  // before it
+  dxMotion free[2];  // of its ends, if no cable pulls
+  Rule::Row row = {false, 0};
+  dReal length_rate = 0;     // [m/s]
+  dReal aimed_distance = 0;  // of the anchors, by the correction [m]
+  dReal correction = 0;      // [m]
+  dReal inverse_mass = 0;    // [1/kg]
+  dReal impulse = 0;         // [N s]
+  dReal stepsize = 0;        // [s] of a step whose contact is not read yet; 0: none
+  dJointFeedback feedback;   // ODE writes to it in a step
+  bool by_events = false;    // while dStepWithCables steps, which sees to the impacts itself
+  dReal event_stepsize = 0;  // its whole step [s]
+  std::shared_ptr<dxCableSolve> solve;  // of the calls in which it is the first
+
+  void wake() const {
+    for (const dxCableEnd& one : end) {
+      if (one.is_moved()) {
+        dBodyEnable(one.body);
+      }
+    }
+  }
+  void wake_if_wound() const {
+    if (rule.length_rate != 0) {
+      wake();
+    }
+  }
+
+  /// Sets the row of the step that begins as `at` says, and winds the winch on.
+  void ask(const Rule::Start& at) {
+    length_rate = rule.length_rate;
+    // anchors that coincide have no direction to be pulled in
+    if (broken) {
+      rule.release();
+      row = Rule::Row{false, 0};
+    } else if (!(line.distance > 0) || end[0].body == end[1].body) {
+      row = Rule::Row{false, 0};
+    } else if (by_events) {
+      if (!rule.touches(at.gap)) {
+        rule.release();
+      }
+      row = rule.held() ? rule.step_by_events(at) : Rule::Row{false, 0};
+    } else {
+      row = rule.step(at);
+    }
+    // a short part takes out no more than its share
+    const dReal share = by_events ? std::min(at.dt / event_stepsize, dReal(1)) : dReal(1);
+    correction = share * rule.correction(at);
+    rule.pay_out(at.dt);
+    if (correction > Rule::slack_rounding() * rule.length) {
+      wake();  // it is moved without velocity
+    }
+  }
+
+  void fill(tautline::CableBlock::Row& to) const {
+    for (int side = 0; side < 2; ++side) {
+      tautline::CableBlockEnd& one = to.end[side];
+      one.body = end[side].is_moved() ? end[side].body : nullptr;
+      if (one.body != nullptr) {
+        dMass mass;
+        dBodyGetMass(end[side].body, &mass);
+        one.arm = dCalcVectorLength3(line.arm[side]);
+        dVector3 turn;
+        dxBodySolveInertia(end[side].body, mass, line.moment[side], turn);
+        const dReal sign = side == 0 ? dReal(1) : dReal(-1);
+        for (int axis = 0; axis < 3; ++axis) {
+          one.pull[axis] = sign * line.towards[axis];
+          one.moment[axis] = sign * line.moment[side][axis];
+          one.move[axis] = sign * line.towards[axis] / mass.mass;
+          one.turn[axis] = sign * turn[axis];
+        }
+      }
+    }
+    to.softness = 0;
+    to.compliance = 0;
+  }
+
+  void pulled(dReal by) {
+    impulse = by;
+    rule.pulled(by, inverse_mass);
+    broken = broken || by >= breaking;
+  }
+};
+typedef dxCable* dCableID;  // as ODE's own handles
+
+/// Takes over the impulse of a contact in a step that is done. All that read it do so
+/// first.
+inline void dxCableReadImpulse(dCableID cable) {
+  // ODE does not step a body that sleeps: its cable pulls as it did
+  if (cable->stepsize > 0 && (cable->end[0].is_awake() || cable->end[1].is_awake())) {
+    const dReal pull = dCalcVectorDot3(cable->feedback.f1, cable->line.towards);
+    const dReal impulse = cable->stepsize * (cable->end[0].body != nullptr ? pull : -pull);
+    cable->pulled(impulse > 0 ? impulse : 0);  // the projection may round below zero
+  }
+  cable->stepsize = 0;
+}
+
+#endif

@@ -36,8 +36,8 @@ template <class V>
   return V(rebound * rebound) <= V(2 * scale.acceleration * rounding);
 }
 
-/// Where bounces that begin with `rebound` [m/s] and keep at most the part `kept` of their speed may
-/// meet `limits` (CompletionLimits), if `pull` [m/s^2] is what closes the cable: from Eq. 20.
+/// Where bounces that begin with `rebound` [m/s] and keep at most the part `kept` of their speed
+/// may meet `limits` (CompletionLimits), if `pull` [m/s^2] is what closes the cable: from Eq. 20.
 template <class V, class Limits>
 [[nodiscard]] auto is_slow(const V& kept, const V& rounding, const V& rebound, const V& pull,
                            const Limits& limits, const Scales<V>& scale) {

@@ -19,10 +19,11 @@ struct alignas(64) LaneNumbers {
 struct LaneQuestion {
   FlightWorld<LaneNumbers> world;
   Flyer<LaneNumbers> from;
-  std::array<FlightCable<LaneNumbers>, max_cables> cables;  // of each lane in the order of its search
-  LaneNumbers touches;                                      // 1: it has left the first of them; or 0
-  LaneNumbers horizon;                                      // [s]
-  std::size_t count = 0;                                    // of the cables of every lane
+  std::array<FlightCable<LaneNumbers>, max_cables>
+      cables;             // of each lane in the order of its search
+  LaneNumbers touches;    // 1: it has left the first of them; or 0
+  LaneNumbers horizon;    // [s]
+  std::size_t count = 0;  // of the cables of every lane
   CompletionLimits limits;
 };
 

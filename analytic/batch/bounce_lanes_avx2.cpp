@@ -1,5 +1,5 @@
-// Compiled for processors that have AVX2, and called on no others: nothing here may be of a type that
-// other sources share.
+// Compiled for processors that have AVX2, and called on no others: nothing here may be of a type
+// that other sources share.
 #include "batch/bounce_lanes_xsimd.hpp"
 
 namespace tautline {

@@ -4,8 +4,8 @@
 
 namespace tautline {
 
-// `Pack` says how numbers of lanes are computed with: its V, so many at once, from(LaneNumbers, first)
-// and to(V, LaneNumbers&, first), and Mask, from(...) > 0, to(Mask, ...).
+// `Pack` says how numbers of lanes are computed with: its V, so many at once, from(LaneNumbers,
+// first) and to(V, LaneNumbers&, first), and Mask, from(...) > 0, to(Mask, ...).
 
 template <class Pack>
 Pair<typename Pack::V> lanes_of(const Pair<LaneNumbers>& pair, std::size_t first) {
@@ -30,16 +30,16 @@ void bounce_lanes(const LaneQuestion& question, LaneAnswer& answer) {
       return lanes_of<Pack>(of_lanes, first);
     };
     const FlightWorld<LaneNumbers>& w = question.world;
-    const FlightWorld<V> world{pair(w.gravity),      number(w.gravity_size), number(w.mass),
-                               number(w.inertia),    number(w.per_mass),     number(w.per_inertia),
-                               number(w.radius),     number(w.shortest)};
+    const FlightWorld<V> world{pair(w.gravity),   number(w.gravity_size), number(w.mass),
+                               number(w.inertia), number(w.per_mass),     number(w.per_inertia),
+                               number(w.radius),  number(w.shortest)};
     const Flyer<LaneNumbers>& f = question.from;
     const Flyer<V> from{pair(f.position), number(f.angle),         pair(f.velocity),
                         number(f.spin),   number(f.rate_rounding), number(f.spin_rounding)};
     const auto cable = [&](std::size_t place) {
       const FlightCable<LaneNumbers>& c = question.cables[place];
-      return FlightCable<V>{pair(c.anchor),       pair(c.attachment), number(c.length),
-                            number(c.per_length), number(c.radius),   number(c.operand),
+      return FlightCable<V>{pair(c.anchor),        pair(c.attachment), number(c.length),
+                            number(c.per_length),  number(c.radius),   number(c.operand),
                             number(c.restitution), number(c.tried)};
     };
     const Mask touches = number(question.touches) > V(0);

@@ -84,17 +84,17 @@ class Batch {
       return Pair<double>{number(both.x), number(both.y)};
     };
     const Flyer<LaneNumbers>& before = answer_.before;
-    body.motion->take({number(answer_.ordinary) > 0.0,
-                       number(answer_.dt),
-                       number(answer_.place),
-                       {pair(before.position), number(before.angle), pair(before.velocity),
-                        number(before.spin), number(before.rate_rounding),
-                        number(before.spin_rounding)},
-                       number(answer_.impulse),
-                       pair(answer_.velocity),
-                       number(answer_.spin),
-                       number(answer_.leaves) > 0.0,
-                       number(answer_.tried)});
+    body.motion->take(
+        {number(answer_.ordinary) > 0.0,
+         number(answer_.dt),
+         number(answer_.place),
+         {pair(before.position), number(before.angle), pair(before.velocity), number(before.spin),
+          number(before.rate_rounding), number(before.spin_rounding)},
+         number(answer_.impulse),
+         pair(answer_.velocity),
+         number(answer_.spin),
+         number(answer_.leaves) > 0.0,
+         number(answer_.tried)});
     const std::optional<std::size_t> last = body.last_hit;
     if (!advance(lane)) {
       return false;
@@ -134,8 +134,8 @@ class Batch {
 
   /// The cable in this place of the body's search.
   static const FlightCable<double>& cable_at(std::size_t place, const Body& body) {
-    return body.motion->ordinary().cables()[OrdinaryBounces<double>::cable_at(place,
-                                                                              body.last_hit)];
+    return body.motion->ordinary()
+        .cables()[OrdinaryBounces<double>::cable_at(place, body.last_hit)];
   }
 
   static void set(std::size_t lane, LaneNumbers& numbers, double number) {
@@ -178,8 +178,8 @@ class Batch {
   std::span<const Case> cases_;
   const SolveOptions& options_;
   const TakeSolution& take_;
-  std::size_t count_;      // of cables
-  std::size_t next_ = 0;   // case
+  std::size_t count_;     // of cables
+  std::size_t next_ = 0;  // case
   std::array<Body, lanes> bodies_;
   LaneQuestion question_;
   LaneAnswer answer_;

@@ -11,8 +11,8 @@
 namespace tautline {
 
 // What happens most, written for one body or several side by side: a body in free flight is caught
-// by one cable and leaves it. It is the loop's own flight and impact (solve.cpp), without the questions
-// whose answers are known here: nothing rests, no accumulation is near its end.
+// by one cable and leaves it. It is the loop's own flight and impact (solve.cpp), without the
+// questions whose answers are known here: nothing rests, no accumulation is near its end.
 
 /// What all flights of a case have in common.
 template <class V>
@@ -41,15 +41,15 @@ struct Flyer {
 /// An impact on one cable at the end of a flight.
 template <class V, class Mask>
 struct Bounce {
-  Mask ordinary;    // else nothing of this holds: more may happen, or other things
-  V dt;             // [s], of the flight
-  V place;          // of the cable in the order of the search
-  Flyer<V> before;  // the impact
-  V impulse;        // [N s]
+  Mask ordinary;     // else nothing of this holds: more may happen, or other things
+  V dt;              // [s], of the flight
+  V place;           // of the cable in the order of the search
+  Flyer<V> before;   // the impact
+  V impulse;         // [N s]
   Pair<V> velocity;  // after the impact [m/s]
   V spin;            // [rad/s]
-  Mask leaves;        // not to be tried as the end of an accumulation
-  V tried;            // of the cable, from now on
+  Mask leaves;       // not to be tried as the end of an accumulation
+  V tried;           // of the cable, from now on
 };
 
 /// Where numbers of a motion and their squares fit a double.
@@ -84,9 +84,8 @@ void rebound(const FlightWorld<V>& world, const FlightCable<V>& cable,
   const V height_rounding = epsilon<V>() * most(cable.operand, norm(before.position));
   const Mask closes = rate < V(-rate_rounding);
   const Mask drifted = abs(cable.length - distance) > V(few_roundings * height_rounding);
-  bounce.ordinary =
-      bounce.ordinary && closes && !drifted &&
-      fits(world, before.position, before.angle, bounce.velocity, bounce.spin);
+  bounce.ordinary = bounce.ordinary && closes && !drifted &&
+                    fits(world, before.position, before.angle, bounce.velocity, bounce.spin);
 
   const V rebound = -cable.restitution * rate;
   const V speed = norm(bounce.velocity) + abs(bounce.spin) * world.radius;
@@ -102,23 +101,24 @@ void rebound(const FlightWorld<V>& world, const FlightCable<V>& cable,
                   !(slow && rebound <= cable.tried);
 }
 
-/// The next impact of bodies that fly within `horizon` [s], each on the cables `cable(k)`, k < count,
-/// of its own, of which it has left the first where `touches`. Requires that they open there, and
-/// are not slow.
+/// The next impact of bodies that fly within `horizon` [s], each on the cables `cable(k)`, k <
+/// count, of its own, of which it has left the first where `touches`. Requires that they open
+/// there, and are not slow.
 template <class V, class Mask, class Cables>
 [[nodiscard]] Bounce<V, Mask> next_bounce(const FlightWorld<V>& world, const Flyer<V>& from,
                                           const Cables& cable, std::size_t count,
                                           const Mask& touches, const V& horizon,
                                           const CompletionLimits& limits) {
-  const Flight<V> flight{from.position,  direction(from.angle), from.velocity,
-                         from.spin,      world.gravity,         world.gravity_size,
+  const Flight<V> flight{from.position,       direction(from.angle),   from.velocity,
+                         from.spin,           world.gravity,           world.gravity_size,
                          norm(from.velocity), V(from.spin * from.spin)};
   const double together = 1.0 + simultaneous<double>();
   V earliest = infinity<V>();
   V next = earliest;
   V place(0);
   FlightCable<V> hit = cable(0);
-  Mask known = V(abs(from.spin) * horizon) <= V(many_turns) && V(abs(from.angle)) <= V(farthest_turn);
+  Mask known =
+      V(abs(from.spin) * horizon) <= V(many_turns) && V(abs(from.angle)) <= V(farthest_turn);
   for (std::size_t k = 0; k < count; ++k) {
     const FlightCable<V> one = cable(k);
     const Mask at_zero = touches && V(static_cast<double>(k)) == V(0);
@@ -133,7 +133,8 @@ template <class V, class Mask, class Cables>
     hit = selected(first, one, hit);
   }
   Bounce<V, Mask> bounce;
-  bounce.ordinary = known && earliest > V(0) && is_finite(earliest) && next > V(earliest * together);
+  bounce.ordinary =
+      known && earliest > V(0) && is_finite(earliest) && next > V(earliest * together);
   const V dt = select(bounce.ordinary, earliest, V(0));
   bounce.dt = dt;
   bounce.place = place;

@@ -18,14 +18,10 @@ class OrdinaryBounces {
  public:
   OrdinaryBounces(const BasicCase<Real>& the_case, const CompletionLimits& limits)
       : limits_(limits),
-        world_{pair<Real>(the_case.gravity),
-               the_case.gravity.norm(),
-               the_case.body.mass,
-               the_case.body.inertia,
-               Real(1 / the_case.body.mass),
-               inverse_mass(the_case.body)[2],
-               attachment_radius(the_case),
-               shortest_length(the_case)},
+        world_{pair<Real>(the_case.gravity), the_case.gravity.norm(),
+               the_case.body.mass,           the_case.body.inertia,
+               Real(1 / the_case.body.mass), inverse_mass(the_case.body)[2],
+               attachment_radius(the_case),  shortest_length(the_case)},
         exist_(std::is_same_v<Real, double> && !the_case.angle_limit && !the_case.ceiling) {
     cables_.reserve(the_case.cables.size());
     for (const BasicCable<Real>& cable : the_case.cables) {
@@ -55,8 +51,8 @@ class OrdinaryBounces {
   }
 
   /// After an attempt to complete the bounces that begin with `rebound` [m/s] on a cable has come
-  /// too early: the next one is worth its while once they are half as fast. An attempt costs as much as
-  /// several bounces.
+  /// too early: the next one is worth its while once they are half as fast. An attempt costs as
+  /// much as several bounces.
   void note_attempt(std::size_t index, const Real& rebound) { cables_[index].tried = rebound / 2; }
   void set_tried(std::size_t index, const Real& tried) { cables_[index].tried = tried; }
 
@@ -98,8 +94,7 @@ class OrdinaryBounces {
 template <class Real>
 [[nodiscard]] Flyer<Real> flyer_of(const BasicState<Real>& state,
                                    const BasicTouching<Real>& touching) {
-  return {pair<Real>(state.position), state.angle,
-          pair<Real>(state.velocity), state.spin,
+  return {pair<Real>(state.position), state.angle,           pair<Real>(state.velocity), state.spin,
           touching.rate_rounding,     touching.spin_rounding};
 }
 

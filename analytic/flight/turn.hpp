@@ -4,8 +4,8 @@
 
 #include "flight/pair.hpp"
 
-// Sines and cosines in double by arithmetic alone: lanes, which no mathematical library serves with the
-// bits that it gives for one number, then have the same as one number has.
+// Sines and cosines in double by arithmetic alone: lanes, which no mathematical library serves with
+// the bits that it gives for one number, then have the same as one number has.
 
 namespace tautline {
 
@@ -86,8 +86,7 @@ template <class V>
     }
     const Turn<V> small = small_turn(select(near, angle, V(0)));
     const Direction<V> far = direction(angle);
-    return {select(near, small.sine, far.sine),
-            select(near, small.versine, V(1.0 - far.cosine))};
+    return {select(near, small.sine, far.sine), select(near, small.versine, V(1.0 - far.cosine))};
   } else {
     const V half = sin(V(angle / 2));
     return {2 * half * cos(V(angle / 2)), 2 * half * half};

@@ -18,8 +18,9 @@ struct Stop {
   bool is_step = false;          // where a series ends, and nothing happens
 };
 
-/// The earliest of: a contact, a release, the reach of a series, a limit of the case's validity, the
-/// end of the duration, which is `left` [s] away. `held`: the motion on taut cables; none: flight.
+/// The earliest of: a contact, a release, the reach of a series, a limit of the case's validity,
+/// the end of the duration, which is `left` [s] away. `held`: the motion on taut cables; none:
+/// flight.
 template <class Real>
 [[nodiscard]] Stop<Real> next_stop(const BasicCase<Real>& the_case, const BasicState<Real>& state,
                                    const BasicTouching<Real>& touching,

@@ -37,8 +37,8 @@ class PausedMotion {
   [[nodiscard]] virtual BasicSolution<Real> solution() = 0;
 };
 
-/// At the start of `the_case`, which has no problems and has to stay where it is; `touching` are the
-/// cables at zero gap.
+/// At the start of `the_case`, which has no problems and has to stay where it is; `touching` are
+/// the cables at zero gap.
 [[nodiscard]] std::unique_ptr<PausedMotion<double>> paused_motion(const Case& the_case,
                                                                   const SolveOptions& options,
                                                                   CableSet touching);

@@ -135,9 +135,9 @@ TEST(SolveBatch, ACaseWithAProblemIsNamedBeforeAnyIsSolved) {
 
 TEST(SolveBatch, WhatTheTakerThrowsReachesTheCaller) {
   const std::vector<Case> cases(20, table_case("1510121100"));
-  EXPECT_THROW(
-      solve_batch(cases, {}, [](std::size_t, const Solution&) { throw std::runtime_error("full"); }),
-      std::runtime_error);
+  EXPECT_THROW(solve_batch(cases, {},
+                           [](std::size_t, const Solution&) { throw std::runtime_error("full"); }),
+               std::runtime_error);
 }
 
 /// Sets the numbers of one lane in everything that has numbers of lanes.

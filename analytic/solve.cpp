@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "equilibrium.hpp"
+#include "half_swing.hpp"
 #include "instantiate.hpp"
 #include "local_origin.hpp"
 #include "progress.hpp"
-#include "swinging.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
@@ -72,8 +72,10 @@ class Motion {
       if (stop.ending) {
         return finish(*stop.ending);
       }
-      if (options_.until_locked && swinging_.follow(case_, arcs_.back(), events_.size())) {
-        return solution(Ending::locked);
+      if (stop.is_step && may_swing()) {
+        if (const auto half = swing_.follow(case_, arcs_, state_, events_.size())) {
+          return swing_on(*half);
+        }
       }
       if (!stop.cables.empty()) {
         if (const auto ending = hit()) {
@@ -328,6 +330,56 @@ class Motion {
     return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
   }
 
+  /// True where the held cables leave one way to move, and no limit but those on this way.
+  [[nodiscard]] bool may_swing() const {
+    if (is_point_mass(case_)) {  // which may turn on and on to the angle's limit
+      return held_ && held_->pulling.size() == 1 && (!case_.angle_limit || state_.spin == 0);
+    }
+    return held_ && held_->pulling.size() == 2;
+  }
+
+  /// Gives `arc` of a point mass a turn of its own.
+  static void set_turn(BasicArc<Real>& arc, const Real& angle, const Real& spin) {
+    arc.initial.angle = angle;
+    arc.initial.spin = spin;
+    arc.series(0, 2) = angle;
+    arc.series(1, 2) = spin;
+  }
+
+  /// Swings to and fro on the arcs of half a swing, from its end on. The motion meets nothing new.
+  BasicSolution<Real> swing_on(const HalfSwing<Real>& half) {
+    const Real period = half.period(arcs_);
+    constexpr double seen = 9.0 / 16.0;  // of a period, from here: its third turning point, and on
+    const Real whole = half.end(arcs_) + seen * period;
+    const std::vector<BasicArc<Real>> swing = swing_after(half, arcs_);
+    const BasicState<Real> start = arcs_.back().initial;
+    const Real started = arcs_.back().start;
+    arcs_.back().end = half.end(arcs_);
+    for (std::size_t turns = 0;; ++turns) {
+      const Real later = period * static_cast<double>(turns);
+      for (BasicArc<Real> arc : swing) {
+        time_ = arcs_.back().end;
+        arc.start = time_;
+        arc.end = min(case_.duration, Real(arc.end + later));
+        if (is_point_mass(case_)) {  // its own turn is never turned back
+          set_turn(arc, Real(start.angle + start.spin * (time_ - started)), start.spin);
+        }
+        state_ = arc.initial;
+        if (time_ >= case_.duration) {
+          return finish(Ending::reached_duration);
+        }
+        if (options_.until_locked && time_ > whole) {
+          return solution(Ending::locked);
+        }
+        if (const auto ending = limit_reached()) {
+          return finish(*ending);
+        }
+        arcs_.push_back(std::move(arc));
+        ++steps_;
+      }
+    }
+  }
+
   BasicSolution<Real> come_to_rest(Ending ending) {
     state_.velocity.setZero();
     if (!turns_freely(case_, state_, taut_)) {
@@ -360,7 +412,7 @@ class Motion {
   std::size_t steps_ = 0;         // without an event
   std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;
-  Swinging<Real> swinging_;
+  HalfSwingWatch<Real> swing_;
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
   std::vector<BasicArc<Real>> arcs_;

@@ -19,6 +19,19 @@ BasicCableVector<Real> gaps(const BasicCase<Real>& the_case, const BasicState<Re
   return result;
 }
 
+/// True where the gaps of `cables` are as small as a step of Newton's method leaves them.
+template <class Real>
+bool are_closed(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
+  constexpr double last_bits = 4.0;  // [-] roundings
+  for (const std::size_t index : cables) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    if (!(abs(gap(cable, state)) <= last_bits * rounding_of_gap(cable, state))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// The z with G z = right that only the rows of `basis` have, which are independent.
 template <class Real>
 BasicCableVector<Real> multipliers_of(const CableRows<Real>& rows, CableSet basis,
@@ -98,27 +111,24 @@ BasicState<Real> with_zero_rates(const BasicCase<Real>& the_case, const BasicSta
 template <class Real>
 BasicState<Real> with_zero_gaps(const BasicCase<Real>& the_case, BasicState<Real> state,
                                 CableSet cables, const std::type_identity_t<Real>& least_sine) {
-  constexpr int enough = 8;          // quadratic: three reach a double's last bit, seven 100 digits
-  constexpr double last_bits = 4.0;  // [-] roundings, which a step leaves
-  if (cables.empty()) {
-    return state;
-  }
+  constexpr int enough = 8;  // quadratic: three reach a double's last bit, seven 100 digits
   const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
   const std::vector<std::size_t> indices = cables.indices();
   for (int iteration = 0; iteration < enough; ++iteration) {
+    if (are_closed(the_case, state, cables)) {
+      break;
+    }
     const CableRows<Real> rows(the_case, state, cables);
     const CableSet basis = rows.most_independent(least_sine);  // with them the others close
     const RowSpace<Real> space = rows.space(basis);
     Vector3<Real> step = Vector3<Real>::Zero();  // of the pose, times the root of the mass
-    bool closed = true;
+    CableSet chosen;
     std::size_t i = 0;
     for (const std::size_t row : basis) {
-      const BasicCable<Real>& cable = the_case.cables[indices[row]];
-      const Real open = gap(cable, state);
-      closed = closed && abs(open) <= last_bits * rounding_of_gap(cable, state);
-      step -= open * space.dual(i++);
+      chosen.insert(indices[row]);
+      step -= gap(the_case.cables[indices[row]], state) * space.dual(i++);
     }
-    if (closed) {
+    if (chosen != cables && are_closed(the_case, state, chosen)) {
       break;
     }
     state.position += step.cwiseProduct(weight).template head<2>();

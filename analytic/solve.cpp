@@ -6,12 +6,12 @@
 #include "equilibrium.hpp"
 #include "instantiate.hpp"
 #include "local_origin.hpp"
+#include "loop/half_swing.hpp"
 #include "loop/next_stop.hpp"
 #include "loop/paused_motion.hpp"
 #include "loop/record.hpp"
 #include "loop/standing.hpp"
 #include "progress.hpp"
-#include "swinging.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
@@ -82,10 +82,10 @@ class Motion final : public PausedMotion<Real> {
       if (stop.ending) {
         return finish(*stop.ending);
       }
-      if (options_.until_locked &&
-          swinging_.follow(case_, record_.arcs.back(), record_.events.size())) {
-        ending_ = Ending::locked;
-        return false;
+      if (stop.is_step && held_ && leaves_one_way(case_, state_, held_->pulling)) {
+        if (const auto half = swing_.follow(case_, record_.arcs, state_, record_.events.size())) {
+          return swing_on(*half);
+        }
       }
       if (!stop.cables.empty()) {
         if (const auto ending = hit()) {
@@ -204,17 +204,17 @@ class Motion final : public PausedMotion<Real> {
         state_.spin = Real(0);
         held_ = hold(case_, state_, touching_, contacts(case_, state_, touching_).resting);
       }
-      if (!held_ || is_singular(*held_)) {
+      if (!held_ || is_singular(*held_, time_)) {
         return false;
       }
     }
     const CableSet taut = held_ ? held_->taut() : CableSet{};
     if (const CableSet lost = taut_ - taut; !lost.empty()) {
-      record(EventKind::slack, lost, zeros(lost), state_);
+      record(EventKind::slack, lost, no_impulses<Real>(lost), state_);
     }
     if (const CableSet won = taut - taut_; !won.empty()) {
       state_ = projected(case_, state_, taut);
-      record(EventKind::taut, won, zeros(won), state_);
+      record(EventKind::taut, won, no_impulses<Real>(won), state_);
     }
     taut_ = taut;
     return true;
@@ -224,22 +224,17 @@ class Motion final : public PausedMotion<Real> {
   /// leave it nowhere to go.
   [[nodiscard]] bool is_caught() const {
     constexpr double of_rounding = 100.0;  // [-], left by a long row of impacts within an instant
-    return speed_scale(case_, state_) <= of_rounding * rate_rounding();
-  }
-
-  /// True where no time step is small enough: tensions grow without bound.
-  [[nodiscard]] bool is_singular(const BasicHold<Real>& held) const {
-    return !(time_ + held.reach > time_);
+    return speed_scale(case_, state_) <= of_rounding * touching_.rounding_of_all(case_);
   }
 
   /// The ending where held cables keep the body from moving, now and so for ever. A spin about the
   /// centre that it hangs at is no motion.
   [[nodiscard]] std::optional<Ending> rest() const {
-    if (taut_.empty() || state_.velocity.norm() > rate_rounding()) {
+    if (taut_.empty() || state_.velocity.norm() > touching_.rounding_of_all(case_)) {
       return std::nullopt;
     }
-    const bool still =
-        speed_scale(case_, state_) <= rate_rounding() || turns_freely(case_, state_, taut_);
+    const bool still = speed_scale(case_, state_) <= touching_.rounding_of_all(case_) ||
+                       turns_freely(case_, state_, taut_);
     return still ? equilibrium(case_, state_, *held_) : std::nullopt;
   }
 
@@ -278,14 +273,9 @@ class Motion final : public PausedMotion<Real> {
     // what has let go of all cables flies
     const bool goes_on = stop.is_step && !held_->taut().empty();
     held_ = goes_on ? continued(case_, state_, touching_, *held_) : std::nullopt;
-    if (held_ && is_singular(*held_)) {
+    if (held_ && is_singular(*held_, time_)) {
       held_.reset();
     }
-  }
-
-  /// Of the fastest attachment [m/s].
-  [[nodiscard]] Real rate_rounding() const {
-    return touching_.rate_rounding + touching_.spin_rounding * attachment_radius(case_);
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
@@ -316,8 +306,27 @@ class Motion final : public PausedMotion<Real> {
     state_ = std::move(after);
   }
 
-  [[nodiscard]] static BasicCableVector<Real> zeros(CableSet cables) {
-    return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
+  /// Swings to and fro on the arcs of half a swing, from its end on. The motion meets nothing new.
+  /// False, as `finish`.
+  bool swing_on(const HalfSwing<Real>& half) {
+    EndlessSwing<Real> swing(half, record_.arcs);
+    record_.arcs.back().end = half.end(record_.arcs);
+    while (true) {
+      time_ = record_.arcs.back().end;
+      BasicArc<Real> arc = swing.next(case_, time_);
+      state_ = arc.initial;
+      if (time_ >= case_.duration) {
+        return finish(Ending::reached_duration);
+      }
+      if (options_.until_locked && time_ > swing.shown()) {
+        return end(Ending::locked);
+      }
+      if (const auto ending = limit_reached()) {
+        return finish(*ending);
+      }
+      record_.arcs.push_back(std::move(arc));
+      ++steps_;
+    }
   }
 
   /// The body stays where it is. False, as `finish`.
@@ -326,21 +335,21 @@ class Motion final : public PausedMotion<Real> {
     if (!turns_freely(case_, state_, taut_)) {
       state_.spin = Real(0);
     }
-    BasicArc<Real> rest{time_, case_.duration, state_, taut_, {}};
-    rest.series.resize(2, 3);
-    rest.series << state_.position.x(), state_.position.y(), state_.angle, Real(0), Real(0),
-        state_.spin;
-    record_.arcs.push_back(std::move(rest));
-    ending_ = ending;
-    return false;
+    record_.arcs.push_back(resting_arc(time_, case_.duration, state_, taut_));
+    return end(ending);
   }
 
   /// Ends the motion here. False: it does not go on.
   bool finish(Ending ending) {
     if (ending != Ending::reached_duration) {
-      record_.arcs.push_back(
-          {time_, time_, state_, taut_ & contacts(case_, state_, touching_).resting, {}});
+      const CableSet taut = taut_ & contacts(case_, state_, touching_).resting;
+      record_.arcs.push_back({time_, time_, state_, taut, {}});
     }
+    return end(ending);
+  }
+
+  /// The same where the last arc is there already.
+  bool end(Ending ending) {
     ending_ = ending;
     return false;
   }
@@ -355,7 +364,7 @@ class Motion final : public PausedMotion<Real> {
   std::size_t steps_ = 0;         // without an event
   std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;
-  Swinging<Real> swinging_;
+  HalfSwingWatch<Real> swing_;
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
   Record<Real> record_;

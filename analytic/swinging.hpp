@@ -114,11 +114,18 @@ class Swinging {
 
   /// The stationary kinetic energies of `arc`.
   void add_extremes(const BasicCase<Real>& the_case, const BasicArc<Real>& arc) {
+    const Real length = arc.end - arc.start;
+    if (!(length > 0)) {
+      return;
+    }
     const auto add = [&](const Real& dt) {
       const BasicState<Real> state = arc.after(dt, the_case.gravity);
+      const Real same = sqrt(epsilon<Real>()) * length;  // seen from both sides of a turning point
+      if (!extremes_.empty() && arc.start + dt - extremes_.back().time <= same) {
+        return;
+      }
       extremes_.push_back({arc.start + dt, state.angle, kinetic_energy(the_case.body, state)});
     };
-    const Real length = arc.end - arc.start;
     Real low(0);
     Real at_low = power(the_case.body, arc, low);
     if (falling_ && *falling_ != (at_low < 0)) {

@@ -7,6 +7,22 @@
 
 namespace tautline {
 
+/// Of an event without a jump.
+template <class Real>
+[[nodiscard]] BasicCableVector<Real> no_impulses(CableSet cables) {
+  return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(cables.size()));
+}
+
+/// The arc of a body that stays where it is, but for its spin.
+template <class Real>
+[[nodiscard]] BasicArc<Real> resting_arc(const Real& start, const Real& end,
+                                         const BasicState<Real>& state, CableSet taut) {
+  BasicArc<Real> rest{start, end, state, taut, {}};
+  rest.series.resize(2, 3);
+  rest.series << state.position.x(), state.position.y(), state.angle, Real(0), Real(0), state.spin;
+  return rest;
+}
+
 /// What has been found out of a motion, in order of time.
 template <class Real>
 struct Record {

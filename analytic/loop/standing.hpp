@@ -2,6 +2,7 @@
 
 #include "tautline/first_contact.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/hold.hpp"
 #include "tautline/projection.hpp"
 
 namespace tautline {
@@ -56,6 +57,12 @@ template <class Real>
     state = with_zero_gaps(the_case, state, held | hit, hit.empty() ? 0.0 : almost_dependent);
   }
   return held.empty() ? state : with_zero_rates(the_case, state, held);
+}
+
+/// True where no time step from `time` on is small enough: tensions grow without bound.
+template <class Real>
+[[nodiscard]] bool is_singular(const BasicHold<Real>& held, const Real& time) {
+  return !(time + held.reach > time);
 }
 
 }  // namespace tautline

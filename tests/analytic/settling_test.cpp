@@ -230,6 +230,9 @@ bool locks_alike(const Case& the_case) {
   if (part.events().size() != whole.events().size()) {
     return false;
   }
+  if (!found.lock && !known.lock) {
+    return false;  // an impact has stopped the body, on a cable that is taut: no accumulation
+  }
   if (!found.lock || !known.lock || !found.lock->swing || !known.lock->swing) {
     ADD_FAILURE() << "no lock where there is one";
     return false;

@@ -42,6 +42,11 @@ struct BasicTouching {
     spin_rounding = max(spin_rounding, Real(rounding * abs(state.spin)));
   }
 
+  /// A rate up to this is rounding of the fastest attachment's [m/s].
+  [[nodiscard]] Real rounding_of_all(const BasicCase<Real>& the_case) const {
+    return rate_rounding + spin_rounding * attachment_radius(the_case);
+  }
+
   /// A closing rate of `cable` up to this is rounding of zero [m/s].
   [[nodiscard]] Real rounding(const BasicCable<Real>& cable) const {
     return rate_rounding + spin_rounding * cable.attachment.norm();

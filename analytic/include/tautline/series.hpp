@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "tautline/case.hpp"
@@ -62,11 +64,15 @@ class Polynomial {
 template <class Real>
 class Points {
  public:
-  using Point = Eigen::Map<BasicVec2<Real>, Eigen::Aligned16>;
+  /// An array of numbers that have to be destroyed begins with how many there are.
+  static constexpr int alignment =
+      std::is_trivially_destructible_v<Real> ? Eigen::Aligned16 : Eigen::Unaligned;
+  using Point = Eigen::Map<BasicVec2<Real>, alignment>;
 
   Points() = default;
   explicit Points(Real* first) : first_(first) {}
   [[nodiscard]] Point operator[](std::size_t k) const { return Point(first_ + 2 * k); }
+  [[nodiscard]] const Real* data() const { return first_; }
 
  private:
   Real* first_ = nullptr;
@@ -105,19 +111,13 @@ class TautSeries {
   }
 
   /// Coefficients 0 to order - 2 of (arm x from-anchor) [m^2] of a taut cable.
-  [[nodiscard]] std::span<const Real> lever(std::size_t index) const {
-    return cables_[index].lever;
-  }
+  [[nodiscard]] std::vector<Real> lever(std::size_t index) const;
 
   /// Coefficients 0 to order of the attachment's height [m].
   [[nodiscard]] std::vector<Real> height(std::size_t index) const;
 
   /// True while every coefficient is finite.
-  [[nodiscard]] bool fits() const {
-    const Eigen::Map<const Eigen::Array<Real, Eigen::Dynamic, 1>> numbers(
-        store_.data(), static_cast<Eigen::Index>(store_.size()));
-    return (numbers * Real(0)).sum() == Real(0);  // NaN, where one is not finite
-  }
+  [[nodiscard]] bool fits() const;
 
   /// How long [s] the series keep their last terms below `error` [-] of lengths and tensions.
   [[nodiscard]] Real reach(const Real& error) const;
@@ -126,31 +126,40 @@ class TautSeries {
   using Point = BasicVec2<Real>;
   using Channel = std::span<Real>;  // of coefficients, in store_
   struct CableSeries {
-    Points<Real> arm;   // centre of mass to attachment [m]
     Points<Real> from;  // anchor to attachment [m]
-    Channel lever;      // arm x from-anchor [m^2]
-    Channel pull;       // tension / length [N/m]
-    Channel gap, tension;
+    Channel gap;        // of a slack cable
+    Channel tension;    // of a taut one
+  };
+  struct HeldCable {    // a taut one, by its row
+    Point at;           // its attachment
+    Points<Real> from;  // as above
+    Points<Real> pull;  // tension / length [N/m], twice
+    Point leverage;     // moment of a pull of 1 N/m at the start, in the body's axes [m^2]
   };
 
-  void start_channels(const BasicState<Real>& start);
+  void make_channels();
+  void start_at(const BasicState<Real>& start);
   void couple();
 
   void set_angle(std::size_t k, const Real& value);
-  void expand_heading(std::size_t k);
-  void expand_cable(std::size_t index, std::size_t k);
+  [[nodiscard]] Point turned(std::size_t k) const;
+  template <std::size_t held>
+  void expand_motion();
+  template <std::size_t held>
   void expand_motion(std::size_t k);
   void expand_gap(std::size_t index);
 
   const BasicCase<Real>* case_;
   CableSet taut_;
   std::size_t order_;
-  std::vector<Real> store_;
+  std::unique_ptr<Real[]> store_;
   Points<Real> position_;
   Points<Real> heading_;  // cosine and sine of the angle
+  Points<Real> turn_;     // k times the angle's coefficient k, twice
+  Points<Real> moment_;   // of all pulls, in the body's axes: heading . moment is the torque [N m]
   Channel angle_;
-  Channel turn_;  // k times the angle's coefficient k
   std::array<CableSeries, max_cables> cables_;
+  std::array<HeldCable, 3> held_;
   Vector3<Real> weight_;    // M^-1/2
   RowSpace<Real> coupled_;  // of the rows L a of the taut cables (Eq. 23)
 };

@@ -8,60 +8,65 @@
 namespace tautline {
 namespace series {
 
-// The two numbers of a point are summed side by side, as a processor does it; even and odd terms
-// apart, as it need not wait for itself.
+// Every product of series is one of points, number by number, as a processor multiplies two numbers
+// at a time; a series of single numbers that takes part is kept as points of the same number twice.
 
-/// Coefficient k of a x b.
+/// The sum of a[j] b[k - j] over j from `first` up to `end`, four terms at a time. Every other one
+/// is summed apart, as a processor need not wait for itself then.
 template <class Real>
-[[nodiscard]] Real cross_product(const Points<Real>& a, const Points<Real>& b, std::size_t k) {
+[[nodiscard, gnu::always_inline]] inline BasicVec2<Real> products(const Points<Real>& a,
+                                                                  const Points<Real>& b,
+                                                                  std::size_t k, std::size_t first,
+                                                                  std::size_t end) {
   using Point = BasicVec2<Real>;
+  using Factor = Eigen::Map<const Point, Points<Real>::alignment>;
   Point even = Point::Zero();
   Point odd = Point::Zero();
-  std::size_t j = 0;
-  for (; j < k; j += 2) {
-    even += a[j].cwiseProduct(b[k - j].reverse());
-    odd += a[j + 1].cwiseProduct(b[k - j - 1].reverse());
+  const Real* rising = a.data() + 2 * first;
+  const Real* falling = b.data() + 2 * (k - first);
+  const auto add_two = [&] {
+    even += Factor(rising).cwiseProduct(Factor(falling));
+    odd += Factor(rising + 2).cwiseProduct(Factor(falling - 2));
+    rising += 4;
+    falling -= 4;
+  };
+  std::size_t left = end - first;
+  for (; left >= 4; left -= 4) {
+    add_two();
+    add_two();
   }
-  if (j == k) {
-    even += a[j].cwiseProduct(b[0].reverse());
+  if (left >= 2) {
+    add_two();
   }
-  return even[0] + odd[0] - even[1] - odd[1];
+  if (left % 2 == 1) {
+    even += Factor(rising).cwiseProduct(Factor(falling));
+  }
+  return even + odd;
 }
 
-/// Coefficients k of p a, whose values are points, and of p b, without the terms of p[k]; k >= 1.
-template <class Real>
-[[nodiscard]] Vector3<Real> known_products(std::span<const Real> p, const Points<Real>& a,
-                                           std::span<const Real> b, std::size_t k) {
-  struct Sums {
-    BasicVec2<Real> of_a = BasicVec2<Real>::Zero();
-    Real of_b = Real(0);
-  };
-  const auto add = [&](Sums& sums, std::size_t j) {
-    sums.of_a += p[j] * a[k - j];
-    sums.of_b += p[j] * b[k - j];
-  };
-  Sums even;
-  Sums odd;
-  std::size_t j = 0;
-  for (; j + 1 < k; j += 2) {
-    add(even, j);
-    add(odd, j + 1);
-  }
-  if (j < k) {
-    add(even, j);
-  }
-  even.of_a += odd.of_a;
-  return {even.of_a.x(), even.of_a.y(), even.of_b + odd.of_b};
+/// A small number as one to count with.
+[[nodiscard]] inline double number(std::size_t k) {
+  return static_cast<double>(static_cast<int>(k));
 }
 
 /// Half of coefficient k of a^2; k >= 1.
 template <class Real>
-[[nodiscard]] Real half_square(const Points<Real>& a, std::size_t k) {
-  BasicVec2<Real> pairs = a[0].cwiseProduct(a[k]);
-  for (std::size_t j = 1; 2 * j < k; ++j) {
-    pairs += a[j].cwiseProduct(a[k - j]);
-  }
+[[nodiscard, gnu::always_inline]] inline Real half_square(const Points<Real>& a, std::size_t k) {
+  const BasicVec2<Real> pairs = products(a, a, k, 0, (k + 1) / 2);
   return k % 2 == 0 ? Real(pairs.sum() + a[k / 2].squaredNorm() / 2) : Real(pairs.sum());
+}
+
+/// `at`, in the body's axes, seen in the world by a body whose own first axis is `heading`.
+template <class Real>
+[[nodiscard]] BasicVec2<Real> in_the_world(const BasicVec2<Real>& at,
+                                           const BasicVec2<Real>& heading) {
+  return at.x() * heading + at.y() * perpendicular<Real>(heading);
+}
+
+/// The moment of a `force` at `at` is that of two numbers, along and across: heading . moment.
+template <class Real>
+[[nodiscard]] BasicVec2<Real> moment(const BasicVec2<Real>& at, const BasicVec2<Real>& force) {
+  return {cross<Real>(at, force), -at.dot(force)};
 }
 
 }  // namespace series
@@ -70,25 +75,43 @@ template <class Real>
 TautSeries<Real>::TautSeries(const BasicCase<Real>& the_case, const BasicState<Real>& start,
                              CableSet taut, std::size_t order)
     : case_(&the_case), taut_(taut), order_(order) {
-  start_channels(start);
+  make_channels();
+  start_at(start);
   couple();
-  for (std::size_t k = 0; k + 2 <= order; ++k) {
-    expand_motion(k);
+  switch (taut_.size()) {  // their loops are short: a compiler shall know how often they go round
+    case 0:
+      expand_motion<0>();
+      break;
+    case 1:
+      expand_motion<1>();
+      break;
+    case 2:
+      expand_motion<2>();
+      break;
+    default:
+      expand_motion<3>();
   }
   for (std::size_t index = 0; index < case_->cables.size(); ++index) {
-    expand_gap(index);
+    if (!taut_.contains(index)) {
+      expand_gap(index);
+    }
+  }
+  std::size_t row = 0;
+  for (const std::size_t index : taut_) {
+    const Points<Real> pull = held_[row++].pull;
+    for (std::size_t k = 0; k + 2 <= order; ++k) {
+      cables_[index].tension[k] = pull[k].x() * case_->cables[index].length;
+    }
   }
 }
 
-/// Makes the channels and sets the coefficients 0 and 1 that the state gives.
+/// Their numbers are undefined as yet.
 template <class Real>
-void TautSeries<Real>::start_channels(const BasicState<Real>& start) {
+void TautSeries<Real>::make_channels() {
   const std::size_t terms = order_ + 1;
   const std::size_t cables = case_->cables.size();
-  constexpr std::size_t more_of_a_taut_cable = 2;
-  constexpr std::size_t of_a_cable = 5;  // arm and from are two each
-  store_.assign(terms * (6 + of_a_cable * cables + more_of_a_taut_cable * taut_.size()), Real(0));
-  Real* next = store_.data();
+  store_ = std::make_unique_for_overwrite<Real[]>(terms * (9 + 3 * cables + 2 * taut_.size()));
+  Real* next = store_.get();
   const auto make_points = [&](Points<Real>& points) {  // first of all: they are aligned
     points = Points<Real>(next);
     next += 2 * terms;
@@ -97,31 +120,43 @@ void TautSeries<Real>::start_channels(const BasicState<Real>& start) {
     channel = Channel(next, size);
     next += terms;
   };
-  make_points(position_);
-  make_points(heading_);
+  for (Points<Real>* points : {&position_, &heading_, &turn_, &moment_}) {
+    make_points(*points);
+  }
   for (std::size_t index = 0; index < cables; ++index) {
-    make_points(cables_[index].arm);
     make_points(cables_[index].from);
   }
+  std::size_t row = 0;
+  for (const std::size_t index : taut_) {
+    held_[row].at = case_->cables[index].attachment;
+    held_[row].from = cables_[index].from;
+    make_points(held_[row++].pull);
+  }
   make(angle_, terms);
-  make(turn_, terms);
+  for (std::size_t index = 0; index < cables; ++index) {
+    if (taut_.contains(index)) {
+      make(cables_[index].tension, order_ - 1);
+    } else {
+      make(cables_[index].gap, terms);
+    }
+  }
+}
+
+/// Sets the coefficients 0 and 1, which the state gives.
+template <class Real>
+void TautSeries<Real>::start_at(const BasicState<Real>& start) {
   position_[0] = start.position;
   position_[1] = start.velocity;
   heading_[0] = Point(cos(start.angle), sin(start.angle));
-  angle_[0] = start.angle;
+  set_angle(0, start.angle);
   set_angle(1, start.spin);
-  expand_heading(1);
-  for (std::size_t index = 0; index < cables; ++index) {
-    CableSeries& cable = cables_[index];
-    if (taut_.contains(index)) {
-      for (Channel* channel : {&cable.lever, &cable.pull, &cable.tension}) {
-        make(*channel, order_ - 1);
-      }
-    } else {
-      make(cable.gap, terms);
-    }
-    expand_cable(index, 0);
-    expand_cable(index, 1);
+  heading_[1] = turned(1);
+  for (const std::size_t index : taut_) {
+    const BasicCable<Real>& cable = case_->cables[index];
+    Points<Real>& from = cables_[index].from;
+    from[0] = position_[0] + series::in_the_world<Real>(cable.attachment, heading_[0]);
+    from[0] -= cable.anchor;
+    from[1] = position_[1] + series::in_the_world<Real>(cable.attachment, heading_[1]);
   }
 }
 
@@ -130,106 +165,137 @@ template <class Real>
 void TautSeries<Real>::couple() {
   weight_ = root_of_inverse_mass(case_->body);
   std::array<Vector3<Real>, 3> rows;
-  std::size_t count = 0;
-  for (const std::size_t index : taut_) {
-    CableSeries& cable = cables_[index];
-    cable.lever[0] = cross<Real>(cable.arm[0], cable.from[0]);
-    rows[count++] = {cable.from[0].x() * weight_[0], cable.from[0].y() * weight_[1],
-                     cable.lever[0] * weight_[2]};
+  for (std::size_t i = 0; i < taut_.size(); ++i) {
+    const Point from = held_[i].from[0];
+    held_[i].leverage = series::moment<Real>(held_[i].at, from);
+    const Real lever = cross<Real>(series::in_the_world<Real>(held_[i].at, heading_[0]), from);
+    rows[i] = {from.x() * weight_[0], from.y() * weight_[1], lever * weight_[2]};
   }
-  coupled_ = RowSpace<Real>(rows, count);
+  coupled_ = RowSpace<Real>(rows, taut_.size());
 }
 
 template <class Real>
 void TautSeries<Real>::set_angle(std::size_t k, const Real& value) {
   angle_[k] = value;
-  turn_[k] = value * static_cast<double>(k);
+  turn_[k].setConstant(Real(value * series::number(k)));
 }
 
-/// heading' = angle' heading turned by 90 degrees. Coefficient k needs the angle's up to k.
+/// Coefficient k of the heading, of which heading' = angle' heading turned by 90 degrees; for k > 1
+/// without the term of the angle's own.
 template <class Real>
-void TautSeries<Real>::expand_heading(std::size_t k) {
-  Point sum = Point::Zero();
-  for (std::size_t j = 1; j <= k; ++j) {
-    sum += turn_[j] * heading_[k - j];
-  }
-  heading_[k] = perpendicular<Real>(sum) / static_cast<double>(k);
+typename TautSeries<Real>::Point TautSeries<Real>::turned(std::size_t k) const {
+  const std::size_t end = k > 1 ? k : k + 1;
+  return perpendicular<Real>(series::products(turn_, heading_, k, 1, end)) / series::number(k);
 }
 
 template <class Real>
-void TautSeries<Real>::expand_cable(std::size_t index, std::size_t k) {
-  const BasicCable<Real>& cable = case_->cables[index];
-  CableSeries& series = cables_[index];
-  const Point& at = cable.attachment;
-  series.arm[k] = at.x() * heading_[k] + at.y() * perpendicular<Real>(heading_[k]);
-  series.from[k] = position_[k] + series.arm[k];
-  if (k == 0) {
-    series.from[0] -= cable.anchor;
+template <std::size_t held>
+void TautSeries<Real>::expand_motion() {
+  for (std::size_t k = 0; k + 2 <= order_; ++k) {
+    expand_motion<held>(k);
   }
 }
 
-/// From coefficients up to k + 1 of the pose, the tensions' k and the pose's k + 2 (Eqs. 22-24).
+/// From coefficients up to k + 1 of the pose, the tensions' k and the pose's k + 2 (Eqs. 22-24) of
+/// so many taut cables.
 template <class Real>
+template <std::size_t held>
 void TautSeries<Real>::expand_motion(std::size_t k) {
-  const double per_second = static_cast<double>((k + 1) * (k + 2));
-  // coefficient k of the force over the root of the mass, without the unknown tensions
+  const double per_second = series::number((k + 1) * (k + 2));
+  heading_[k + 2] = turned(k + 2);
+  // what is known of coefficient k of the pulls' sum, and by the cables, to keep their lengths
+  Point force = Point::Zero();
+  Point moment = Point::Zero();
+  Vector3<Real> kept = Vector3<Real>::Zero();
+  for (std::size_t i = 0; i < held; ++i) {
+    const HeldCable& cable = held_[i];
+    const Point pull = series::products(cable.pull, cable.from, k, 0, k);
+    force += pull;
+    moment += series::moment<Real>(cable.at, pull);
+    cable.from[k + 2] = series::in_the_world<Real>(cable.at, heading_[k + 2]);
+    const Real stretch = series::half_square<Real>(cable.from, k + 2);
+    kept += Real(per_second * stretch) * coupled_.dual(i);
+  }
+  moment_[k] = moment;
+  // over the root of the mass
   Vector3<Real> known = Vector3<Real>::Zero();
   if (k == 0) {
     known.template head<2>() = case_->gravity * sqrt(case_->body.mass);
-  } else {
-    for (const std::size_t index : taut_) {
-      CableSeries& cable = cables_[index];
-      cable.lever[k] = series::cross_product<Real>(cable.arm, cable.from, k);
-      known -= series::known_products<Real>(cable.pull, cable.from, cable.lever, k)
-                   .cwiseProduct(weight_);
-    }
-  }
-  // the heading's coefficient k + 2 but for the angle's, which is still zero
-  expand_heading(k + 2);
-  // by the cables, to keep their lengths
-  Vector3<Real> kept = Vector3<Real>::Zero();
-  std::size_t row = 0;
-  for (const std::size_t index : taut_) {
-    expand_cable(index, k + 2);  // the arm's known part only: the position is still zero, too
-    const Real stretch = series::half_square<Real>(cables_[index].from, k + 2);
-    kept += Real(per_second * stretch) * coupled_.dual(row++);
-  }
-  row = 0;
-  for (const std::size_t index : taut_) {
-    cables_[index].pull[k] = coupled_.dual(row++).dot(known + kept);
+  } else if (held > 0) {
+    const Real torque = series::products(heading_, moment_, k, 0, k + 1).sum();
+    known = -Vector3<Real>(force.x(), force.y(), torque).cwiseProduct(weight_);
   }
   // not the known force less the tensions: of a light body both are large, and cancel
   const Vector3<Real> acceleration = (coupled_.across(known) - kept).cwiseProduct(weight_);
   position_[k + 2] = acceleration.template head<2>() / per_second;
   set_angle(k + 2, acceleration[2] / per_second);
-  heading_[k + 2] += angle_[k + 2] * perpendicular<Real>(heading_[0]);
-  for (std::size_t index = 0; index < case_->cables.size(); ++index) {
-    expand_cable(index, k + 2);
+  const Point turn = angle_[k + 2] * perpendicular<Real>(heading_[0]);
+  heading_[k + 2] += turn;
+  for (std::size_t i = 0; i < held; ++i) {
+    const HeldCable& cable = held_[i];
+    const Real pull = coupled_.dual(i).dot(known + kept);
+    cable.pull[k].setConstant(pull);
+    moment_[k] += pull * cable.leverage;
+    cable.from[k + 2] += position_[k + 2] + series::in_the_world<Real>(cable.at, turn);
   }
 }
 
+/// Of a slack cable.
 template <class Real>
 void TautSeries<Real>::expand_gap(std::size_t index) {
-  const Real& length = case_->cables[index].length;
-  CableSeries& cable = cables_[index];
-  if (taut_.contains(index)) {
-    for (std::size_t k = 0; k + 2 <= order_; ++k) {
-      cable.tension[k] = cable.pull[k] * length;
-    }
-    return;
+  const BasicCable<Real>& cable = case_->cables[index];
+  CableSeries& slack = cables_[index];
+  for (std::size_t k = 0; k <= order_; ++k) {
+    slack.from[k] = position_[k] + series::in_the_world<Real>(cable.attachment, heading_[k]);
   }
+  slack.from[0] -= cable.anchor;
   for (std::size_t k = 1; k <= order_; ++k) {
-    cable.gap[k] = -series::half_square<Real>(cable.from, k) / length;
+    slack.gap[k] = -series::half_square<Real>(slack.from, k) / cable.length;
   }
-  const Point from = cable.from[0];
-  cable.gap[0] = (length * length - from.x() * from.x() - from.y() * from.y()) / (2 * length);
+  const Real& length = cable.length;
+  const Point from = slack.from[0];
+  slack.gap[0] = (length * length - from.x() * from.x() - from.y() * from.y()) / (2 * length);
+}
+
+template <class Real>
+bool TautSeries<Real>::fits() const {
+  using Numbers = Eigen::Map<const Eigen::Array<Real, Eigen::Dynamic, 1>>;
+  const auto terms = static_cast<Eigen::Index>(order_ + 1);
+  const auto sum = [](const Real* numbers, Eigen::Index size) {
+    return Real((Numbers(numbers, size) * Real(0)).sum());  // NaN, where one is not finite
+  };
+  // an infinite number of another channel would be in these, times something
+  Real all = sum(position_.data(), 2 * terms) + sum(angle_.data(), terms);
+  for (std::size_t index = 0; index < case_->cables.size(); ++index) {
+    const CableSeries& cable = cables_[index];
+    const Channel& answer = taut_.contains(index) ? cable.tension : cable.gap;
+    all += sum(answer.data(), static_cast<Eigen::Index>(answer.size()));
+  }
+  return all == Real(0);
 }
 
 template <class Real>
 Eigen::Matrix<Real, Eigen::Dynamic, 3> TautSeries<Real>::pose() const {
-  Eigen::Matrix<Real, Eigen::Dynamic, 3> result(static_cast<Eigen::Index>(order_ + 1), 3);
-  for (std::size_t k = 0; k <= order_; ++k) {
-    result.row(static_cast<Eigen::Index>(k)) << position_[k].transpose(), angle_[k];
+  const auto terms = static_cast<Eigen::Index>(order_ + 1);
+  Eigen::Matrix<Real, Eigen::Dynamic, 3> result(terms, 3);
+  using Numbers = Eigen::Map<const Eigen::Matrix<Real, Eigen::Dynamic, 1>, 0, Eigen::InnerStride<>>;
+  result.col(0) = Numbers(position_.data(), terms, Eigen::InnerStride<>(2));
+  result.col(1) = Numbers(position_.data() + 1, terms, Eigen::InnerStride<>(2));
+  result.col(2) = Numbers(angle_.data(), terms, Eigen::InnerStride<>(1));
+  return result;
+}
+
+template <class Real>
+std::vector<Real> TautSeries<Real>::lever(std::size_t index) const {
+  std::vector<Real> result;
+  result.reserve(order_ - 1);
+  for (std::size_t k = 0; k + 2 <= order_; ++k) {
+    Real sum(0);
+    for (std::size_t j = 0; j <= k; ++j) {
+      const Point arm = series::in_the_world<Real>(case_->cables[index].attachment, heading_[j]);
+      sum += cross<Real>(arm, cables_[index].from[k - j]);
+    }
+    result.push_back(sum);
   }
   return result;
 }
@@ -247,10 +313,12 @@ std::vector<Real> TautSeries<Real>::height(std::size_t index) const {
 
 template <class Real>
 Real TautSeries<Real>::reach(const Real& error) const {
-  Real reach = infinity<Real>();
+  using std::exp;
+  using std::log;
+  Real least = infinity<Real>();  // logarithm of the reach
   const auto limit = [&](const Real& last, const Real& scale, std::size_t k) {
     if (last > 0 && scale > 0) {
-      reach = min(reach, Real(pow(Real(error * scale / last), Real(1) / static_cast<double>(k))));
+      least = min(least, Real(log(Real(error * scale / last)) / series::number(k)));
     }
   };
   for (const std::size_t k : {order_ - 1, order_}) {
@@ -268,7 +336,7 @@ Real TautSeries<Real>::reach(const Real& error) const {
     }
     limit(pull, pull_scale, k - 2);
   }
-  return reach;
+  return exp(least);
 }
 
 }  // namespace tautline

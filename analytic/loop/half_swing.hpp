@@ -1,0 +1,215 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tautline/geometry.hpp"
+#include "tautline/root_search.hpp"
+#include "tautline/series.hpp"
+#include "tautline/solution.hpp"
+
+namespace tautline {
+
+/// The arcs of a motion from one turning point to another.
+template <class Real>
+struct HalfSwing {
+  std::size_t first;  // arc with the first turning point
+  Real from;          // [s], of that point, after the start of that arc
+  Real to;            // [s], of the other, after the start of the last arc
+
+  /// The instant of the second turning point [s].
+  [[nodiscard]] Real end(const std::vector<BasicArc<Real>>& arcs) const {
+    return arcs.back().start + to;
+  }
+
+  /// [s]
+  [[nodiscard]] Real period(const std::vector<BasicArc<Real>>& arcs) const {
+    return 2 * (end(arcs) - (arcs[first].start + from));
+  }
+};
+
+/// Watches motion on taut cables that leave one degree of freedom for its turning points, at which
+/// the whole body is still for an instant. From there it goes back the way it has come, at the same
+/// speeds, as time reversed shows, up to the turning point before; and so to and fro for ever. It
+/// meets nothing on its way that it has not met on half a swing.
+template <class Real>
+class HalfSwingWatch {
+ public:
+  /// Goes on with the last of `arcs`, which leads to `end` and which `events` events precede: the
+  /// first of others begins anew. The half swing that this arc completes, if it does.
+  std::optional<HalfSwing<Real>> follow(const BasicCase<Real>& the_case,
+                                        const std::vector<BasicArc<Real>>& arcs,
+                                        const BasicState<Real>& end, std::size_t events) {
+    if (events_ != events) {
+      *this = {};
+      events_ = events;
+    }
+    const BasicArc<Real>& arc = arcs.back();
+    most_ = max(most_, kinetic_energy(the_case.body, arc.initial));
+    const auto turn = turning_point(the_case, arc, end);
+    if (turn && turn_) {
+      return HalfSwing<Real>{turn_->first, turn_->from, *turn};
+    }
+    if (turn) {
+      turn_ = HalfSwing<Real>{arcs.size() - 1, *turn, Real(0)};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Where in `arc`, in the time since its start [s], it turns: an arc is a small part of a swing,
+  /// so that the velocity at its end is then against that at its start.
+  std::optional<Real> turning_point(const BasicCase<Real>& the_case, const BasicArc<Real>& arc,
+                                    const BasicState<Real>& end) const {
+    const BasicState<Real>& start = arc.initial;
+    const Vector3<Real> along(the_case.body.mass * start.velocity.x(),
+                              the_case.body.mass * start.velocity.y(),
+                              the_case.body.inertia * start.spin);
+    if (!(along.dot(Vector3<Real>(end.velocity.x(), end.velocity.y(), end.spin)) < 0)) {
+      return std::nullopt;
+    }
+    std::vector<Real> speed;  // along that at the start, which is twice the kinetic energy there
+    for (Eigen::Index k = 1; k < arc.series.rows(); ++k) {
+      speed.push_back(static_cast<double>(k) * arc.series.row(k).dot(along));
+    }
+    const auto turn = first_root(Polynomial<Real>(speed), Real(arc.end - arc.start)).root;
+    if (!turn || isnan(*turn)) {
+      return std::nullopt;
+    }
+    constexpr double rest =
+        1e-9;  // [-], of the kinetic energy: or it has but changed its direction
+    const BasicState<Real> state = arc.after(*turn, the_case.gravity);
+    return kinetic_energy(the_case.body, state) <= rest * most_ ? turn : std::nullopt;
+  }
+
+  std::optional<std::size_t> events_;
+  std::optional<HalfSwing<Real>> turn_;  // its first turning point
+  Real most_ = Real(0);                  // [J], of the kinetic energies where arcs start
+};
+
+/// The Taylor coefficients of an arc, one row each, in the time since `start` [s], by Horner's
+/// scheme.
+template <class Real>
+[[nodiscard]] Eigen::Matrix<Real, Eigen::Dynamic, 3> series_from(
+    const Eigen::Matrix<Real, Eigen::Dynamic, 3>& series, const Real& start) {
+  using Columns = Eigen::Matrix<Real, 4, Eigen::Dynamic>;  // of three numbers, and a zero for speed
+  const Eigen::Index terms = series.rows();
+  Columns given = Columns::Zero(4, terms);
+  given.template topRows<3>() = series.transpose();
+  Columns from = Columns::Zero(4, terms);
+  for (Eigen::Index left = terms; left-- > 0;) {  // what is there, times start + the new time
+    for (Eigen::Index k = terms - 1 - left; k > 0; --k) {
+      from.col(k) = from.col(k - 1) + start * from.col(k);
+    }
+    from.col(0) = given.col(left) + start * from.col(0);
+  }
+  return from.template topRows<3>().transpose();
+}
+
+/// `arc` from `low` [s] after its start on, but for its instants.
+template <class Real>
+[[nodiscard]] BasicArc<Real> part_of(const BasicArc<Real>& arc, const Real& low) {
+  BasicArc<Real> result = arc;
+  if (low > 0) {
+    result.series = series_from(arc.series, low);
+    result.initial = arc.after(low, BasicVec2<Real>(BasicVec2<Real>::Zero()));
+  }
+  return result;
+}
+
+/// `arc` from `high` [s] after its start back to it, but for its instants.
+template <class Real>
+[[nodiscard]] BasicArc<Real> back_along(const BasicArc<Real>& arc, const Real& high) {
+  BasicArc<Real> result = part_of(arc, high);
+  for (Eigen::Index k = 1; k < result.series.rows(); k += 2) {
+    result.series.row(k) *= Real(-1);
+  }
+  result.initial.velocity = -result.initial.velocity;
+  result.initial.spin = -result.initial.spin;
+  return result;
+}
+
+/// The arcs of the swing that follows `half`, the end of `arcs`: the way back, and forth again.
+template <class Real>
+[[nodiscard]] std::vector<BasicArc<Real>> swing_after(const HalfSwing<Real>& half,
+                                                      const std::vector<BasicArc<Real>>& arcs) {
+  const Real turn = half.end(arcs);
+  const Real period = half.period(arcs);
+  const std::size_t last = arcs.size() - 1;
+  std::vector<BasicArc<Real>> result;
+  Real now = turn;
+  const auto add = [&](BasicArc<Real> arc, const Real& end) {
+    arc.start = now;
+    arc.end = end;
+    now = end;
+    result.push_back(std::move(arc));
+  };
+  for (std::size_t i = last + 1; i-- > half.first;) {
+    const BasicArc<Real>& arc = arcs[i];
+    add(back_along(arc, i == last ? half.to : Real(arc.end - arc.start)),
+        i == half.first ? Real(turn + period / 2) : Real(turn + (turn - arc.start)));
+  }
+  for (std::size_t i = half.first; i <= last; ++i) {
+    add(part_of(arcs[i], i == half.first ? half.from : Real(0)),
+        i == last ? Real(turn + period) : Real(arcs[i].end + period));
+  }
+  return result;
+}
+
+/// True where the cables `pulling` leave one way to move, and no limit of the case but those on it.
+template <class Real>
+[[nodiscard]] bool leaves_one_way(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                  CableSet pulling) {
+  if (is_point_mass(the_case)) {  // which may turn on and on to the angle's limit
+    return pulling.size() == 1 && (!the_case.angle_limit || state.spin == 0);
+  }
+  return pulling.size() == 2;
+}
+
+/// The arcs of a swing from the end of half a swing on, for ever.
+template <class Real>
+class EndlessSwing {
+ public:
+  /// After `half`, the end of `arcs`.
+  EndlessSwing(const HalfSwing<Real>& half, const std::vector<BasicArc<Real>>& arcs)
+      : arcs_(swing_after(half, arcs)),
+        period_(half.period(arcs)),
+        shown_(half.end(arcs) + third_turn * period_),
+        started_(arcs.back().start),
+        angle_(arcs.back().initial.angle),
+        spin_(arcs.back().initial.spin) {}
+
+  /// From then on [s] a period of it, with three turning points, has been seen.
+  [[nodiscard]] const Real& shown() const { return shown_; }
+
+  /// The next arc, which starts `now` [s] and ends with the case at the latest.
+  [[nodiscard]] BasicArc<Real> next(const BasicCase<Real>& the_case, const Real& now) {
+    BasicArc<Real> arc = arcs_[next_ % arcs_.size()];
+    const Real later = period_ * static_cast<double>(next_ / arcs_.size());
+    ++next_;
+    arc.start = now;
+    arc.end = min(the_case.duration, Real(arc.end + later));
+    if (is_point_mass(the_case)) {  // its own turn is never turned back
+      arc.initial.angle = angle_ + spin_ * (now - started_);
+      arc.initial.spin = spin_;
+      arc.series(0, 2) = arc.initial.angle;
+      arc.series(1, 2) = spin_;
+    }
+    return arc;
+  }
+
+ private:
+  static constexpr double third_turn = 9.0 / 16.0;  // [-] of a period later, and on
+
+  std::vector<BasicArc<Real>> arcs_;  // of a period
+  Real period_;                       // [s]
+  Real shown_;                        // [s]
+  // of the arc that the half swing ends on
+  Real started_;  // [s]
+  Real angle_;    // [rad]
+  Real spin_;     // [rad/s]
+  std::size_t next_ = 0;
+};
+
+}  // namespace tautline

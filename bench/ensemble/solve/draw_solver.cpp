@@ -23,23 +23,33 @@ std::string exact_problem(const Solution& solution) {
   }
 }
 
-/// The exact motion of a draw, or why there is none. The horizon of a draw is not asked for.
-std::pair<std::optional<ReferenceCase>, std::string> reference_of(const EnsembleSpec& spec,
-                                                                  const EnsembleSetup& setup,
-                                                                  std::size_t draw) {
-  Case the_case = case_of(spec, setup, draw);
+/// The exact motion of `the_case`, or why there is none.
+std::pair<std::optional<Solution>, std::string> exact_motion(const Case& the_case,
+                                                             const SolveOptions& options) {
   const std::vector<std::string> broken = problems(the_case);
   if (!broken.empty()) {
     return {std::nullopt, "no such case: " + broken.front()};
   }
-  const ImpactLaw law = setup.exact.law;
-  Solution solution = solve(the_case, {.law = law, .until_locked = !setup.engine.has_value()});
+  Solution solution = solve(the_case, options);
   std::string problem = exact_problem(solution);
   if (!problem.empty()) {
     return {std::nullopt, std::move(problem)};
   }
-  Settling settled = settling(the_case, solution);
-  return {ReferenceCase{std::move(the_case), std::move(solution), std::move(settled), 0.0, law},
+  return {std::move(solution), ""};
+}
+
+/// The exact side of a draw, or why there is none. The horizon of a draw is not asked for.
+std::pair<std::optional<ReferenceCase>, std::string> reference_of(const EnsembleSpec& spec,
+                                                                  const EnsembleSetup& setup,
+                                                                  std::size_t draw) {
+  Case the_case = case_of(spec, setup, draw);
+  const ImpactLaw law = setup.exact.law;
+  auto [solution, problem] = exact_motion(the_case, {.law = law});
+  if (!solution) {
+    return {std::nullopt, std::move(problem)};
+  }
+  Settling settled = settling(the_case, *solution);
+  return {ReferenceCase{std::move(the_case), std::move(*solution), std::move(settled), 0.0, law},
           ""};
 }
 
@@ -50,11 +60,15 @@ class ExactSolver final : public DrawSolver {
 
   std::vector<DrawResult> solve(std::size_t first, std::size_t end) override {
     std::vector<DrawResult> results;
+    results.reserve(end - first);
     for (std::size_t draw = first; draw < end && !interruption(); ++draw) {
-      auto [reference, problem] = reference_of(request_.spec, setup_, draw);
+      const Case the_case = case_of(request_.spec, setup_, draw);
+      auto [solution, problem] =
+          exact_motion(the_case, {.law = setup_.exact.law, .until_locked = true});
       results.push_back({draw, std::move(problem), {}});
-      if (reference) {
-        results.back().values = exact_statistics(request_.spec, *reference);
+      if (solution) {
+        results.back().values =
+            exact_statistics(request_.spec, the_case, *solution, last_lock(the_case, *solution));
       }
     }
     return results;

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "tautline/case.hpp"
@@ -20,6 +22,22 @@ std::string text(double value) {
 }
 
 std::string cable_name(std::size_t index) { return "cable " + std::to_string(index); }
+
+/// What a number is of. It is put into words only where the number is wrong: an ensemble asks of
+/// every draw.
+struct What {
+  std::string_view number;
+  std::optional<std::size_t> cable = std::nullopt;
+  std::optional<std::size_t> point = std::nullopt;  // of its restitution over speed
+
+  [[nodiscard]] std::string words() const {
+    std::string result = cable ? cable_name(*cable) + ": " : "";
+    if (point) {
+      result += "restitution_table[" + std::to_string(*point) + "]: ";
+    }
+    return result.append(number);
+  }
+};
 
 /// Collects the sentences; each check adds at most one.
 class Checker {
@@ -43,39 +61,40 @@ class Checker {
  private:
   void add(std::string sentence) { found_.push_back(std::move(sentence)); }
 
-  void finite(const std::string& what, std::initializer_list<double> values) {
+  void finite(const What& what, std::initializer_list<double> values) {
     for (const double value : values) {
       if (!std::isfinite(value)) {
-        add(what + " " + text(value) + " is not a finite number");
+        add(what.words() + " " + text(value) + " is not a finite number");
         return;
       }
     }
     for (const double value : values) {
       if (std::abs(value) > largest_number) {
-        add(what + " " + text(value) + " is larger in size than " + text(largest_number));
+        add(what.words() + " " + text(value) + " is larger in size than " + text(largest_number));
         return;
       }
     }
   }
 
-  void positive(const std::string& what, double value, const std::string& unit) {
+  void positive(const What& what, double value, std::string_view unit) {
     if (!std::isfinite(value) || value <= 0.0) {
-      add(what + " " + text(value) + " must be a finite number above 0 " + unit);
+      add(what.words() + " " + text(value) + " must be a finite number above 0 " +
+          std::string(unit));
     } else {
       finite(what, {value});
     }
   }
 
   /// A positive number that others are divided by.
-  void divisor(const std::string& what, double value, const std::string& unit) {
+  void divisor(const What& what, double value, std::string_view unit) {
     positive(what, value, unit);
     if (value > 0.0 && value < smallest_divisor) {
-      add(what + " " + text(value) + " is smaller than " + text(smallest_divisor));
+      add(what.words() + " " + text(value) + " is smaller than " + text(smallest_divisor));
     }
   }
 
   void check_body() {
-    divisor("body: mass", case_.body.mass, "[kg]");
+    divisor({"body: mass"}, case_.body.mass, "[kg]");
     const double inertia = case_.body.inertia;
     if (!std::isfinite(inertia) || inertia < 0.0) {
       add("body: inertia " + text(inertia) + " must be a finite number, 0 or above [kg m^2]");
@@ -83,7 +102,7 @@ class Checker {
       add("body: inertia 0 is for a point mass, whose attachments are all [0, 0]; give an inertia "
           "above 0 [kg m^2]");
     } else if (inertia > 0.0) {
-      divisor("body: inertia", inertia, "[kg m^2]");
+      divisor({"body: inertia"}, inertia, "[kg m^2]");
     }
   }
 
@@ -95,37 +114,36 @@ class Checker {
     }
     for (std::size_t index = 0; index < count; ++index) {
       const Cable& cable = case_.cables[index];
-      const std::string name = cable_name(index);
-      finite(name + ": anchor", {cable.anchor.x(), cable.anchor.y()});
-      finite(name + ": attachment", {cable.attachment.x(), cable.attachment.y()});
-      divisor(name + ": length", cable.length, "[m]");
+      finite({"anchor", index}, {cable.anchor.x(), cable.anchor.y()});
+      finite({"attachment", index}, {cable.attachment.x(), cable.attachment.y()});
+      divisor({"length", index}, cable.length, "[m]");
       if (!(cable.restitution >= 0.0 && cable.restitution <= 1.0)) {
-        add(name + ": restitution " + text(cable.restitution) + " is outside [0, 1]");
+        add(What{"restitution ", index}.words() + text(cable.restitution) + " is outside [0, 1]");
       }
-      check_speeds(name, cable);
+      check_speeds(index, cable);
     }
   }
 
   /// What makes the restitution depend on the speed.
-  void check_speeds(const std::string& name, const Cable& cable) {
-    speed(name + ": capture_speed", cable.capture_speed);
+  void check_speeds(std::size_t index, const Cable& cable) {
+    speed({"capture_speed", index}, cable.capture_speed);
     const auto& table = cable.restitution_table;
     for (std::size_t point = 0; point < table.size(); ++point) {
-      const std::string entry = name + ": restitution_table[" + std::to_string(point) + "]";
-      speed(entry + ": speed", table[point].speed);
+      speed({"speed", index, point}, table[point].speed);
       if (point > 0 && table[point].speed <= table[point - 1].speed) {
-        add(entry + ": speed " + text(table[point].speed) + " must be above the one before, " +
-            text(table[point - 1].speed) + " [m/s]");
+        add(What{"speed ", index, point}.words() + text(table[point].speed) +
+            " must be above the one before, " + text(table[point - 1].speed) + " [m/s]");
       }
       if (!(table[point].restitution >= 0.0 && table[point].restitution <= 1.0)) {
-        add(entry + ": restitution " + text(table[point].restitution) + " is outside [0, 1]");
+        add(What{"restitution ", index, point}.words() + text(table[point].restitution) +
+            " is outside [0, 1]");
       }
     }
   }
 
-  void speed(const std::string& what, double value) {
+  void speed(const What& what, double value) {
     if (!std::isfinite(value) || value < 0.0) {
-      add(what + " " + text(value) + " must be a finite number, 0 or above [m/s]");
+      add(what.words() + " " + text(value) + " must be a finite number, 0 or above [m/s]");
     } else {
       finite(what, {value});
     }
@@ -133,24 +151,24 @@ class Checker {
 
   void check_motion() {
     const State& state = case_.initial;
-    finite("gravity", {case_.gravity.x(), case_.gravity.y()});
-    finite("initial: position", {state.position.x(), state.position.y()});
-    finite("initial: angle", {state.angle});
-    finite("initial: velocity", {state.velocity.x(), state.velocity.y()});
-    finite("initial: spin", {state.spin});
-    positive("duration", case_.duration, "[s]");
+    finite({"gravity"}, {case_.gravity.x(), case_.gravity.y()});
+    finite({"initial: position"}, {state.position.x(), state.position.y()});
+    finite({"initial: angle"}, {state.angle});
+    finite({"initial: velocity"}, {state.velocity.x(), state.velocity.y()});
+    finite({"initial: spin"}, {state.spin});
+    positive({"duration"}, case_.duration, "[s]");
   }
 
   void check_limits() {
     if (case_.angle_limit) {
-      positive("angle_limit", *case_.angle_limit, "[rad]");
+      positive({"angle_limit"}, *case_.angle_limit, "[rad]");
       if (std::abs(case_.initial.angle) > *case_.angle_limit) {
         add("initial: angle " + text(case_.initial.angle) + " is beyond angle_limit " +
             text(*case_.angle_limit));
       }
     }
     if (case_.ceiling) {
-      finite("ceiling", {*case_.ceiling});
+      finite({"ceiling"}, {*case_.ceiling});
       for (std::size_t index = 0; index < case_.cables.size(); ++index) {
         const double height = attachment_point(case_.initial, case_.cables[index]).y();
         if (height > *case_.ceiling) {
@@ -169,12 +187,14 @@ class Checker {
         const Cable& two = case_.cables[j];
         const double apart = (one.anchor - two.anchor).norm();
         const double span = one.length + two.length + (one.attachment - two.attachment).norm();
-        const std::string both = "cables " + std::to_string(i) + " and " + std::to_string(j);
+        const auto both = [&] {
+          return "cables " + std::to_string(i) + " and " + std::to_string(j);
+        };
         if (span < apart) {
-          add(both + " cannot reach: their anchors are " + text(apart) +
+          add(both() + " cannot reach: their anchors are " + text(apart) +
               " m apart, lengths and body span only " + text(span) + " m; the body cannot float");
         } else if (span == apart) {
-          add(both + " have no slack: their anchors are " + text(apart) +
+          add(both() + " have no slack: their anchors are " + text(apart) +
               " m apart, which is all that lengths and body span; the body cannot float");
         }
       }

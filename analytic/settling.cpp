@@ -80,23 +80,12 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
 }
 
 template <class Real>
-BasicSettling<Real> settling(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution) {
-  BasicSettling<Real> result;
-  result.last_impacts = {{Real(1) / 100, std::nullopt}, {Real(1) / 1000, std::nullopt}};
-  for (const BasicEvent<Real>& event : solution.events()) {
-    if (event.kind == EventKind::impact) {
-      const Real fastest = -gap_rates(the_case, event.before, event.cables).minCoeff();
-      for (BasicLastImpact<Real>& last : result.last_impacts) {
-        if (fastest > last.speed) {
-          last.time = event.time;
-        }
-      }
-    }
-  }
+std::optional<BasicLock<Real>> last_lock(const BasicCase<Real>& the_case,
+                                         const BasicSolution<Real>& solution) {
   const bool whole = solution.ending() == Ending::reached_duration ||
                      solution.ending() == Ending::locked || solution.ending() == Ending::rest;
   if (!whole || solution.events().empty() || solution.events().back().kind != EventKind::taut) {
-    return result;
+    return std::nullopt;
   }
   const BasicEvent<Real>& last = solution.events().back();
   BasicLock<Real> lock{last.time, Real(0), solution.arcs().back().taut, false, false, {}};
@@ -110,12 +99,31 @@ BasicSettling<Real> settling(const BasicCase<Real>& the_case, const BasicSolutio
                                                      : swing(the_case, last.after);
   }
   lock.permanent = lock.rests || lock.swing.has_value();
-  result.lock = std::move(lock);
+  return lock;
+}
+
+template <class Real>
+BasicSettling<Real> settling(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution) {
+  BasicSettling<Real> result;
+  result.last_impacts = {{Real(1) / 100, std::nullopt}, {Real(1) / 1000, std::nullopt}};
+  for (const BasicEvent<Real>& event : solution.events()) {
+    if (event.kind == EventKind::impact) {
+      const Real fastest = -gap_rates(the_case, event.before, event.cables).minCoeff();
+      for (BasicLastImpact<Real>& last : result.last_impacts) {
+        if (fastest > last.speed) {
+          last.time = event.time;
+        }
+      }
+    }
+  }
+  result.lock = last_lock(the_case, solution);
   return result;
 }
 
 template std::optional<BasicSwing<Instance>> swing(const BasicCase<Instance>&,
                                                    const BasicState<Instance>&);
+template std::optional<BasicLock<Instance>> last_lock(const BasicCase<Instance>&,
+                                                      const BasicSolution<Instance>&);
 template BasicSettling<Instance> settling(const BasicCase<Instance>&,
                                           const BasicSolution<Instance>&);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -24,10 +25,11 @@ class Swinging {
       events_ = events;
       swings_ = !arc.taut.empty() && has_one_freedom(the_case, arc);
     }
+    const std::size_t known = extremes_.size();
     if (swings_) {
       add_extremes(the_case, arc);
     }
-    return swings_ && swing().has_value();
+    return extremes_.size() > known && swing().has_value();
   }
 
   /// The swing that is shown so far; none with less than a period of it.
@@ -36,13 +38,14 @@ class Swinging {
     for (const Extreme& extreme : extremes_) {
       result.energy = max(result.energy, extreme.kinetic);
     }
-    std::vector<const Extreme*> turns;
+    std::array<const Extreme*, 3> turns{};
+    std::size_t count = 0;
     for (const Extreme& extreme : extremes_) {
-      if (extreme.kinetic <= turning * result.energy) {
-        turns.push_back(&extreme);
+      if (extreme.kinetic <= turning * result.energy && count < turns.size()) {
+        turns[count++] = &extreme;
       }
     }
-    if (turns.size() < 3) {
+    if (count < turns.size()) {
       return std::nullopt;
     }
     result.period = turns[2]->time - turns[0]->time;
@@ -112,6 +115,58 @@ class Swinging {
     return high;
   }
 
+  /// Whether the power is below zero at the start of an arc and at the ends of its pieces. Tensions
+  /// do no work, so that gravity's power is all of it: one polynomial, a fraction of the cost.
+  /// Where it is near zero the sign is that of `power`.
+  static std::array<bool, pieces + 1> falls_along(const BasicCase<Real>& the_case,
+                                                  const BasicArc<Real>& arc) {
+    const Real length = arc.end - arc.start;
+    std::array<Real, pieces> at;         // the ends of the pieces
+    std::array<Real, pieces> work_rate;  // there, of a body of mass 1
+    for (int piece = 1; piece <= pieces; ++piece) {
+      at[static_cast<std::size_t>(piece - 1)] = length * piece / pieces;
+    }
+    work_rate.fill(Real(0));
+    Real term(0);  // in the end that at the start of the arc
+    for (Eigen::Index k = arc.series.rows() - 1; k >= 1; --k) {
+      term = static_cast<double>(k) *
+             (the_case.gravity[0] * arc.series(k, 0) + the_case.gravity[1] * arc.series(k, 1));
+      for (std::size_t place = 0; place < at.size(); ++place) {
+        work_rate[place] = work_rate[place] * at[place] + term;
+      }
+    }
+    const Real sure = least_sure_power(the_case, arc);
+    const auto falls = [&](const Real& dt, const Real& rate) {
+      const Real by_gravity = the_case.body.mass * rate;
+      return (abs(by_gravity) > sure ? by_gravity : power(the_case.body, arc, dt)) < 0;
+    };
+    std::array<bool, pieces + 1> result{falls(Real(0), term)};
+    for (std::size_t place = 0; place < at.size(); ++place) {
+      result[place + 1] = falls(at[place], work_rate[place]);
+    }
+    return result;
+  }
+
+  /// Above this gravity's power and `power` are of one sign [W]. They differ by the rate of what
+  /// rounding, and the end of the series, add to the energy of an arc: its rounding times some
+  /// hundreds, for a series of thirty terms, over the length of the arc.
+  static Real least_sure_power(const BasicCase<Real>& the_case, const BasicArc<Real>& arc) {
+    constexpr double margin = 1e-9;     // [-], a million times as much in a double
+    constexpr double too_short = 1e-4;  // [-]: there one more factor of 1 / length counts
+    Real reach = arc.initial.position.norm();
+    for (const BasicCable<Real>& cable : the_case.cables) {
+      reach = max(reach, Real(cable.length + cable.attachment.norm()));
+    }
+    const Real gravity = the_case.gravity.norm();
+    const Real length = arc.end - arc.start;
+    if (!(length * length * gravity > too_short * reach)) {
+      return infinity<Real>();
+    }
+    return margin *
+           (kinetic_energy(the_case.body, arc.initial) + the_case.body.mass * gravity * reach) /
+           length;
+  }
+
   /// The stationary kinetic energies of `arc`.
   void add_extremes(const BasicCase<Real>& the_case, const BasicArc<Real>& arc) {
     const Real length = arc.end - arc.start;
@@ -126,21 +181,20 @@ class Swinging {
       }
       extremes_.push_back({arc.start + dt, state.angle, kinetic_energy(the_case.body, state)});
     };
-    Real low(0);
-    Real at_low = power(the_case.body, arc, low);
-    if (falling_ && *falling_ != (at_low < 0)) {
-      add(low);  // rounding between two arcs hides the change of sign
+    const auto falls = falls_along(the_case, arc);
+    if (falling_ && *falling_ != falls.front()) {
+      add(Real(0));  // rounding between two arcs hides the change of sign
     }
     for (int piece = 1; piece <= pieces; ++piece) {
-      const Real high = length * piece / pieces;
-      const Real at_high = power(the_case.body, arc, high);
-      if ((at_low < 0) != (at_high < 0)) {
-        add(stationary(the_case.body, arc, low, at_low, high, at_high));
+      const auto place = static_cast<std::size_t>(piece);
+      if (falls[place - 1] != falls[place]) {
+        const Real low = length * (piece - 1) / pieces;
+        const Real high = length * piece / pieces;
+        add(stationary(the_case.body, arc, low, power(the_case.body, arc, low), high,
+                       power(the_case.body, arc, high)));
       }
-      low = high;
-      at_low = at_high;
     }
-    falling_ = at_low < 0;
+    falling_ = falls.back();
   }
 
   std::optional<std::size_t> events_;

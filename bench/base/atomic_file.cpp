@@ -101,7 +101,14 @@ void write_in_place(const fs::path& path, std::string_view content) {
   }
 }
 
-void replace(const fs::path& path, const fs::path& target, std::string_view content) {
+/// When a file has its name.
+enum class Naming {
+  on_the_disk,  // once its content is there, so that a power cut does not leave an empty file
+  at_once,
+};
+
+void replace(const fs::path& path, const fs::path& target, std::string_view content,
+             Naming naming) {
   TemporaryFile temporary(target.parent_path());
   if (!temporary.created()) {
     fail(path, errno);
@@ -110,8 +117,7 @@ void replace(const fs::path& path, const fs::path& target, std::string_view cont
   if (const int reason = write_all(file.get(), content)) {
     fail(path, reason);
   }
-  // on the disk before it has its name, so that a power cut does not leave an empty file
-  if (::fsync(file.get()) != 0) {
+  if (naming == Naming::on_the_disk && ::fsync(file.get()) != 0) {
     fail(path, errno);
   }
   if (const int reason = file.close()) {
@@ -122,9 +128,7 @@ void replace(const fs::path& path, const fs::path& target, std::string_view cont
   }
 }
 
-}  // namespace
-
-void write_file(const fs::path& path, std::string_view content) {
+void write_as(const fs::path& path, std::string_view content, Naming naming) {
   std::error_code error;
   if (path.has_parent_path()) {
     fs::create_directories(path.parent_path(), error);
@@ -146,7 +150,17 @@ void write_file(const fs::path& path, std::string_view content) {
       fail(path, error);
     }
   }
-  replace(path, target, content);
+  replace(path, target, content, naming);
+}
+
+}  // namespace
+
+void write_file(const fs::path& path, std::string_view content) {
+  write_as(path, content, Naming::on_the_disk);
+}
+
+void write_file_soon(const fs::path& path, std::string_view content) {
+  write_as(path, content, Naming::at_once);
 }
 
 }  // namespace tautline::bench

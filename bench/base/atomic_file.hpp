@@ -18,4 +18,8 @@ class FileError : public std::runtime_error {
 /// A device, a pipe or what is open already (`/dev/stdout`) is written to as it is.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// The same, but does not wait for the disk: after a power cut the file may have lost its content,
+/// or a part of it. For what its reader can tell from a whole one, and make again.
+void write_file_soon(const std::filesystem::path& path, std::string_view content);
+
 }  // namespace tautline::bench

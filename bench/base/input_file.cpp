@@ -70,12 +70,15 @@ std::string near_misses(const fs::path& path) {
 
 InputFile refused(std::string problem) { return {"", std::move(problem)}; }
 
-/// Reads until the end or `longest` + 1 bytes.
-InputFile read_to_end(int descriptor, std::size_t longest) {
+/// Reads until the end or `longest` + 1 bytes. As long as it `seems`, no more room is taken.
+InputFile read_to_end(int descriptor, std::size_t seems, std::size_t longest) {
   InputFile result;
-  result.content.resize(longest + 1);
+  result.content.resize(std::min(seems, longest) + 1);
   std::size_t length = 0;
   while (length <= longest) {
+    if (length == result.content.size()) {
+      result.content.resize(std::min(2 * length, longest + 1));
+    }
     const std::span<char> rest = std::span(result.content).subspan(length);
     const ssize_t count = ::read(descriptor, rest.data(), rest.size());
     if (count < 0 && errno == EINTR) {
@@ -109,15 +112,16 @@ InputFile read_input_file(const fs::path& path, std::size_t longest) {
   if (auto kind = other_kind(status)) {
     return refused(std::move(*kind));
   }
-  if (static_cast<std::size_t>(status.st_size) > longest) {
-    return refused(too_long(std::to_string(status.st_size), longest));
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > longest) {
+    return refused(too_long(std::to_string(size), longest));
   }
   // should a pipe have taken the file's place since, O_NONBLOCK does not wait for its writer
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) {
     return refused("cannot be read: " + reason(errno));
   }
-  InputFile result = read_to_end(descriptor, longest);
+  InputFile result = read_to_end(descriptor, size, longest);
   ::close(descriptor);
   if (result.content.size() > longest) {  // it grew, or it is one of the files without a size
     return refused(too_long("over " + std::to_string(longest), longest));

@@ -40,17 +40,17 @@ std::vector<LastImpactMatch> match_last_impacts(const Settling& settling, double
   return result;
 }
 
-std::optional<Swing> measured_swing(const Solution& solution, const Settling& settling) {
-  if (!settling.lock || !settling.lock->permanent || !settling.lock->swing ||
-      solution.end_time() - settling.lock->swing->period < settling.lock->time) {
+std::optional<Swing> measured_swing(const Solution& solution, const std::optional<Lock>& lock) {
+  if (!lock || !lock->permanent || !lock->swing ||
+      solution.end_time() - lock->swing->period < lock->time) {
     return std::nullopt;
   }
-  return settling.lock->swing;
+  return lock->swing;
 }
 
 std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,
                                       const Settling& settling, const Trajectory& run) {
-  const std::optional<Swing> measured = measured_swing(solution, settling);
+  const std::optional<Swing> measured = measured_swing(solution, settling.lock);
   if (run.diverged || !measured) {
     return std::nullopt;
   }

@@ -18,9 +18,9 @@ namespace tautline::bench {
                                                               double horizon, const Trajectory& run,
                                                               double end);
 
-/// The swing that `solution` ends in, if it has one and lasts for a period of it.
+/// The swing that `solution` ends in, with its `lock`, if it has one and lasts for a period of it.
 [[nodiscard]] std::optional<Swing> measured_swing(const Solution& solution,
-                                                  const Settling& settling);
+                                                  const std::optional<Lock>& lock);
 
 /// The swing of `run` next to the one that `settling` of `solution` ends in.
 [[nodiscard]] std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,

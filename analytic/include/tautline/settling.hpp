@@ -45,6 +45,11 @@ template <class Real>
 [[nodiscard]] BasicSettling<Real> settling(const BasicCase<Real>& the_case,
                                            const BasicSolution<Real>& solution);
 
+/// The lock alone, which asks far less of a solution than all of its settling.
+template <class Real>
+[[nodiscard]] std::optional<BasicLock<Real>> last_lock(const BasicCase<Real>& the_case,
+                                                       const BasicSolution<Real>& solution);
+
 /// The swing on the cables that are taut at `state`; none if one becomes slack or is hit, or if the
 /// motion has not one degree of freedom.
 template <class Real>

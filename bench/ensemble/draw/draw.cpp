@@ -4,6 +4,8 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "bench/ensemble/draw/random.hpp"
 #include "bench/ensemble/spec/quantity.hpp"
@@ -11,34 +13,35 @@
 namespace tautline::bench {
 namespace {
 
-/// Numbers in (0, 1), one for each quantity that is drawn.
-std::vector<double> random_parts(std::uint64_t seed, std::size_t index, std::size_t count) {
-  std::vector<double> parts;
-  parts.reserve(count);
-  for (std::size_t place = 0; place < count; ++place) {
-    parts.push_back(random_part(seed, Purpose::draw, index, place));
-  }
-  return parts;
-}
+/// The points of Sobol's sequence in so many dimensions.
+class SobolPoints {
+ public:
+  explicit SobolPoints(std::size_t dimensions) : sequence_(dimensions) {}
 
-/// The same from Sobol's sequence, turned by a random shift (Cranley and Patterson 1976): so that a
-/// seed has its say, and no number is 0.
-std::vector<double> sobol_parts(std::uint64_t seed, std::size_t index, std::size_t count) {
-  if (count == 0) {
-    return {};
-  }
-  boost::random::sobol sequence(count);
-  sequence.seed(index);
-  constexpr double points = 0x1p64;  // of the sequence's numbers, which are integers
-  std::vector<double> parts;
-  parts.reserve(count);
-  for (std::size_t place = 0; place < count; ++place) {
+  [[nodiscard]] std::size_t dimensions() const { return sequence_.dimension(); }
+  void go_to(std::size_t index) { sequence_.seed(index); }
+
+  /// The next number of the point, turned by a random shift (Cranley and Patterson 1976): so that a
+  /// seed has its say, and no number is 0.
+  double next(std::uint64_t seed, std::size_t place) {
+    constexpr double points = 0x1p64;  // of the sequence's numbers, which are integers
     const double shift = random_part(seed, Purpose::shift, 0, place);
-    const double part = static_cast<double>(sequence()) / points + shift;
+    const double part = static_cast<double>(sequence_()) / points + shift;
     const double turned = part - std::floor(part);
-    parts.push_back(std::clamp(turned, 0x1p-54, 1.0 - 0x1p-53));
+    return std::clamp(turned, 0x1p-54, 1.0 - 0x1p-53);
   }
-  return parts;
+
+ private:
+  boost::random::sobol sequence_;
+};
+
+/// The points of the last draw of this thread: the numbers that the sequence begins from are many.
+SobolPoints& sobol_points(std::size_t dimensions) {
+  static thread_local std::optional<SobolPoints> kept;
+  if (!kept || kept->dimensions() != dimensions) {
+    kept.emplace(dimensions);
+  }
+  return *kept;
 }
 
 /// What a number in (0, 1) stands for.
@@ -64,21 +67,31 @@ std::size_t grid_point(const EnsembleSpec& spec, std::size_t index) {
 }
 
 DrawnValues drawn_values(const EnsembleSpec& spec, std::uint64_t seed, std::size_t index) {
-  const std::size_t drawn = spec.varied.size() - grid_axes(spec).size();
-  const std::vector<double> parts = spec.sampling == Sampling::sobol
-                                        ? sobol_parts(seed, index, drawn)
-                                        : random_parts(seed, index, drawn);
-  auto part = parts.begin();
-  std::size_t rest = grid_point(spec, index);  // the first grid goes fastest
+  const auto is_grid = [](const Varied& one) {
+    return one.distribution.kind == Distribution::Kind::grid;
+  };
+  const auto drawn = static_cast<std::size_t>(
+      std::count_if(spec.varied.begin(), spec.varied.end(), std::not_fn(is_grid)));
+  SobolPoints* const sobol =
+      spec.sampling == Sampling::sobol && drawn > 0 ? &sobol_points(drawn) : nullptr;
+  if (sobol != nullptr) {
+    sobol->go_to(index);
+  }
+  std::size_t place = 0;  // among those that are drawn
+  std::size_t rest = drawn < spec.varied.size() ? grid_point(spec, index) : 0;
   DrawnValues values;
   values.reserve(spec.varied.size());
-  for (const auto& [name, distribution] : spec.varied) {
-    if (distribution.kind == Distribution::Kind::grid) {
+  for (const Varied& one : spec.varied) {
+    const auto& [name, distribution] = one;
+    if (is_grid(one)) {  // the first grid goes fastest
       values.push_back(distribution.numbers[rest % distribution.numbers.size()]);
       rest /= distribution.numbers.size();
-    } else {
-      values.push_back(value_at(distribution, quantity(spec.the_case, name), *part++));
+      continue;
     }
+    const double part = sobol != nullptr ? sobol->next(seed, place)
+                                         : random_part(seed, Purpose::draw, index, place);
+    values.push_back(value_at(distribution, quantity(spec.the_case, name), part));
+    ++place;
   }
   return values;
 }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/roots.hpp>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "bench/measure/impact_match.hpp"
 #include "bench/measure/settling_match.hpp"
@@ -14,12 +16,24 @@
 namespace tautline::bench {
 namespace {
 
-/// A counted impact of either side on one cable.
-struct Impact {
-  double time;         // [s]
-  std::size_t cable;   //
-  double speed;        // [m/s], of closing
-  double energy_lost;  // [J]
+/// The places of the statistics, in the order of `statistics_of`: a value for each of them is put
+/// there for every draw, and a name would be looked up as often.
+struct Place {
+  enum : std::size_t {
+    settled_fast,
+    settled_slow,
+    lock,
+    impacts,
+    swing_energy,
+    swing_amplitude,
+    largest_angle,
+    first_loss,  // of each cable one
+  };
+  enum AfterLosses : std::size_t { overstretch, captured, first_cable, end };
+
+  static std::size_t of(const EnsembleSpec& spec, AfterLosses statistic) {
+    return first_loss + spec.the_case.cables.size() + statistic;
+  }
 };
 
 /// What the impulse on one cable takes [J]: the work of the mean rate. Summed over the cables of an
@@ -28,49 +42,167 @@ double work_of(double impulse, double rate_before, double rate_after) {
   return -0.5 * impulse * (rate_before + rate_after);
 }
 
-std::vector<Impact> impacts_of(const Case& the_case, const Solution& solution, double slowest) {
-  std::vector<Impact> result;
+/// What the impacts of either side say, one after another.
+class ImpactSums {
+ public:
+  explicit ImpactSums(const EnsembleSpec& spec)
+      : spec_(spec), values_(Place::of(spec, Place::end)) {}
+
+  /// An impact on `cable` that is faster than the second speed, `speed` [m/s], of closing.
+  void add(double time, std::size_t cable, double speed, double energy_lost) {
+    values_[Place::settled_slow] = time;
+    if (speed > spec_.speeds[0]) {
+      values_[Place::settled_fast] = time;
+      count_ += 1.0;
+    }
+    lost_[cable] += energy_lost;
+    sum_ += energy_lost;
+    if (!first_cable_) {
+      first_cable_ = cable;
+    }
+  }
+
+  /// The values that impacts say; the rest is none.
+  StatisticValues values() && {
+    values_[Place::impacts] = count_;
+    if (first_cable_) {
+      values_[Place::of(spec_, Place::first_cable)] = static_cast<double>(*first_cable_);
+    }
+    for (std::size_t cable = 0; cable < spec_.the_case.cables.size() && sum_ > 0.0; ++cable) {
+      values_[Place::first_loss + cable] = lost_[cable] / sum_;
+    }
+    return std::move(values_);
+  }
+
+ private:
+  const EnsembleSpec& spec_;
+  StatisticValues values_;
+  std::array<double, max_cables> lost_{};  // [J]
+  double count_ = 0.0;                     // of those faster than the first speed
+  double sum_ = 0.0;                       // [J]
+  std::optional<std::size_t> first_cable_;
+};
+
+/// No impact on one cable alone is faster than this many times its impulse [1/kg]: a speed v before
+/// it takes an impulse of m (1 + e) v, of the mass m of the attachment along the cable, with
+/// 1/m = 1/M + (arm x direction)^2 / I.
+double speed_of_impulse(const Case& the_case) {
+  constexpr double rounding = 1.0 + 1e-9;
+  const auto weight = inverse_mass(the_case.body);
+  double most = 0.0;
+  for (const Cable& cable : the_case.cables) {
+    const bool constant = cable.capture_speed == 0.0 && cable.restitution_table.empty();
+    const double mobile = weight[0] + cable.attachment.squaredNorm() * weight[2];
+    most = std::max(most, mobile / (1.0 + (constant ? cable.restitution : 0.0)));
+  }
+  return rounding * most;
+}
+
+/// The gap rates of `cable` before and after an impact [m/s].
+struct Rates {
+  double before;
+  double after;
+};
+
+/// What `gap_rate` says of both: they are at one pose, which is the greater part of the work.
+Rates rates_at(const Cable& cable, const Event& event) {
+  assert(event.before.angle == event.after.angle && "an impact changes velocities alone");
+  const Vec2 arm = attachment_arm(event.before, cable);
+  const Vec2 from_anchor = event.before.position + arm - cable.anchor;
+  const double distance = from_anchor.norm();
+  const auto rate = [&](const State& state) {
+    const Vec2 velocity = state.velocity + state.spin * perpendicular(arm);
+    return -from_anchor.dot(velocity) / distance;
+  };
+  return {rate(event.before), rate(event.after)};
+}
+
+void add_impacts(ImpactSums& sums, const Case& the_case, const Solution& solution, double slowest) {
+  const double least_impulse = slowest / speed_of_impulse(the_case);
   for (const Event& event : solution.events()) {
+    const bool slow = event.impulses.size() == 1 && event.impulses[0] <= least_impulse;
+    if (slow || event.kind != EventKind::impact) {
+      continue;
+    }
     Eigen::Index place = 0;
     for (const std::size_t cable : event.cables) {
-      const double before = gap_rate(the_case.cables[cable], event.before);
-      if (event.kind == EventKind::impact && -before > slowest) {
-        const double after = gap_rate(the_case.cables[cable], event.after);
-        result.push_back(
-            {event.time, cable, -before, work_of(event.impulses[place], before, after)});
+      const auto [before, after] = rates_at(the_case.cables[cable], event);
+      if (-before > slowest) {
+        sums.add(event.time, cable, -before, work_of(event.impulses[place], before, after));
       }
       ++place;
     }
   }
-  return result;
 }
 
-std::vector<Impact> impacts_of(const Trajectory& run, double slowest) {
-  std::vector<Impact> result;
+void add_impacts(ImpactSums& sums, const Trajectory& run, double slowest) {
   for (const RecordedImpact* impact : counted(run, slowest)) {
-    result.push_back({impact->time, impact->cable, -impact->rate_before,
-                      work_of(impact->impulse, impact->rate_before, impact->rate_after)});
+    sums.add(impact->time, impact->cable, -impact->rate_before,
+             work_of(impact->impulse, impact->rate_before, impact->rate_after));
   }
-  return result;
 }
 
-/// The largest |angle| of an exact motion: at an end of an arc, or where the spin changes its sign
-/// on one of those on taut cables, which are far shorter than a swing.
+/// How a body has turned.
+struct Turning {
+  double angle;  // [rad]
+  double spin;   // [rad/s]
+};
+
+/// What `arc.after(dt)` says of the angle of an arc on taut cables, without the rest of it.
+Turning turn_after(const Arc& arc, double dt) {
+  Turning turn{0.0, 0.0};
+  for (Eigen::Index k = arc.series.rows() - 1; k >= 0; --k) {
+    turn.spin = turn.spin * dt + turn.angle;
+    turn.angle = turn.angle * dt + arc.series(k, 2);
+  }
+  return turn;
+}
+
+/// A bound of |angle| along such an arc [rad], which its rounding is within, too.
+double most_angle(const Arc& arc, double length) {
+  constexpr double rounding = 1.0 + 1e-12;
+  const Eigen::Index terms = arc.series.rows();
+  const double* const coefficients = arc.series.data() + 2 * terms;  // of the angle
+  const double square = length * length;
+  // two sums side by side, of even and of odd powers
+  double even = 0.0;
+  double odd = 0.0;
+  Eigen::Index k = terms - 1;
+  if (k % 2 == 0) {
+    even = std::abs(coefficients[k--]);
+  }
+  for (; k > 0; k -= 2) {
+    odd = odd * square + std::abs(coefficients[k]);
+    even = even * square + std::abs(coefficients[k - 1]);
+  }
+  return rounding * (even + length * odd);
+}
+
+/// The largest |angle| of such an arc: at its end, or where the spin changes its sign. It is far
+/// shorter than a swing.
+double largest_angle(const Arc& arc, double length) {
+  const Turning end = turn_after(arc, length);
+  if (!(arc.initial.spin * end.spin < 0.0)) {
+    return std::abs(end.angle);
+  }
+  const boost::math::tools::eps_tolerance<double> half_of_digits(26);  // the angle is flat there
+  std::uintmax_t most = 100;  // bisection alone needs no more
+  const auto [low, high] =
+      boost::math::tools::toms748_solve([&](double dt) { return turn_after(arc, dt).spin; }, 0.0,
+                                        length, arc.initial.spin, end.spin, half_of_digits, most);
+  return std::max(std::abs(end.angle), std::abs(turn_after(arc, 0.5 * (low + high)).angle));
+}
+
+/// The largest |angle| of an exact motion.
 double largest_angle(const Solution& solution) {
   double largest = 0.0;
   for (const Arc& arc : solution.arcs()) {
-    const auto state = [&](double dt) { return arc.after(dt, solution.gravity()); };
     const double length = arc.end - arc.start;
-    const State end = state(length);
-    largest = std::max({largest, std::abs(arc.initial.angle), std::abs(end.angle)});
-    if (arc.initial.spin * end.spin < 0.0) {
-      const boost::math::tools::eps_tolerance<double> half_of_digits(
-          26);                    // the angle is flat there
-      std::uintmax_t most = 100;  // bisection alone needs no more
-      const auto [low, high] =
-          boost::math::tools::toms748_solve([&](double dt) { return state(dt).spin; }, 0.0, length,
-                                            arc.initial.spin, end.spin, half_of_digits, most);
-      largest = std::max(largest, std::abs(state(0.5 * (low + high)).angle));
+    if (arc.series.rows() == 0) {  // in flight the spin is constant
+      largest = std::max({largest, std::abs(arc.initial.angle),
+                          std::abs(arc.initial.angle + length * arc.initial.spin)});
+    } else if (most_angle(arc, length) > largest) {
+      largest = std::max({largest, std::abs(arc.initial.angle), largest_angle(arc, length)});
     }
   }
   return largest;
@@ -85,35 +217,6 @@ double largest_angle(const Trajectory& run) {
     largest = std::max({largest, std::abs(impact.before.angle), std::abs(impact.after.angle)});
   }
   return largest;
-}
-
-/// What the impacts of either side say; the rest of the values is none.
-StatisticValues impact_statistics(const EnsembleSpec& spec, const std::vector<Impact>& impacts) {
-  const std::vector<Statistic> all = statistics_of(spec);
-  StatisticValues values(all.size());
-  const auto value = [&](const std::string& name) -> std::optional<double>& {
-    return values[place_of_statistic(all, name)];
-  };
-  std::vector<double> lost(spec.the_case.cables.size(), 0.0);
-  double count = 0.0;
-  double sum = 0.0;
-  for (const Impact& impact : impacts) {
-    value("settled_slow") = impact.time;
-    if (impact.speed > spec.speeds[0]) {
-      value("settled_fast") = impact.time;
-      count += 1.0;
-    }
-    lost[impact.cable] += impact.energy_lost;
-    sum += impact.energy_lost;
-  }
-  value("impacts") = count;
-  if (!impacts.empty()) {
-    value("first_cable") = static_cast<double>(impacts.front().cable);
-  }
-  for (std::size_t cable = 0; cable < lost.size() && sum > 0.0; ++cable) {
-    value(fmt::format("loss_{}", cable)) = lost[cable] / sum;
-  }
-  return values;
 }
 
 }  // namespace
@@ -157,38 +260,34 @@ std::size_t place_of_statistic(const std::vector<Statistic>& all, const std::str
   return static_cast<std::size_t>(place - all.begin());
 }
 
-StatisticValues exact_statistics(const EnsembleSpec& spec, const ReferenceCase& reference) {
-  const auto& [the_case, solution, settled, horizon, law] = reference;
-  StatisticValues values = impact_statistics(spec, impacts_of(the_case, solution, spec.speeds[1]));
-  const std::vector<Statistic> all = statistics_of(spec);
-  const auto value = [&](const std::string& name) -> std::optional<double>& {
-    return values[place_of_statistic(all, name)];
-  };
-  value("largest_angle") = largest_angle(solution);
-  value("captured") = settled.lock && settled.lock->permanent ? 1.0 : 0.0;
-  if (settled.lock) {
-    value("lock") = settled.lock->time;
+StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
+                                 const Solution& solution, const std::optional<Lock>& lock) {
+  ImpactSums sums(spec);
+  add_impacts(sums, the_case, solution, spec.speeds[1]);
+  StatisticValues values = std::move(sums).values();
+  values[Place::largest_angle] = largest_angle(solution);
+  values[Place::of(spec, Place::captured)] = lock && lock->permanent ? 1.0 : 0.0;
+  if (lock) {
+    values[Place::lock] = lock->time;
   }
-  if (const auto swing = measured_swing(solution, settled)) {
-    value("swing_energy") = swing->energy;
-    value("swing_amplitude") = swing->amplitude;
+  if (const auto swing = measured_swing(solution, lock)) {
+    values[Place::swing_energy] = swing->energy;
+    values[Place::swing_amplitude] = swing->amplitude;
   }
   return values;
 }
 
 StatisticValues run_statistics(const EnsembleSpec& spec, const ReferenceCase& reference,
                                const Trajectory& run) {
-  StatisticValues values = impact_statistics(spec, impacts_of(run, spec.speeds[1]));
-  const std::vector<Statistic> all = statistics_of(spec);
-  const auto value = [&](const std::string& name) -> std::optional<double>& {
-    return values[place_of_statistic(all, name)];
-  };
-  value("largest_angle") = largest_angle(run);
-  value("overstretch") = run.overstretch;
+  ImpactSums sums(spec);
+  add_impacts(sums, run, spec.speeds[1]);
+  StatisticValues values = std::move(sums).values();
+  values[Place::largest_angle] = largest_angle(run);
+  values[Place::of(spec, Place::overstretch)] = run.overstretch;
   if (const auto swing =
           match_swing(reference.the_case, reference.solution, reference.settling, run)) {
-    value("swing_energy") = swing->energy.found;
-    value("swing_amplitude") = swing->amplitude.found;
+    values[Place::swing_energy] = swing->energy.found;
+    values[Place::swing_amplitude] = swing->amplitude.found;
   }
   return values;
 }

@@ -35,9 +35,10 @@ struct Statistic {
 /// A value for each statistic; none where the motion has none of it.
 using StatisticValues = std::vector<std::optional<double>>;
 
-/// Of the exact motion of one draw.
-[[nodiscard]] StatisticValues exact_statistics(const EnsembleSpec& spec,
-                                               const ReferenceCase& reference);
+/// Of the exact motion of one draw, which solves `the_case`, and of its `lock`.
+[[nodiscard]] StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
+                                               const Solution& solution,
+                                               const std::optional<Lock>& lock);
 
 /// Of an engine's run of it.
 [[nodiscard]] StatisticValues run_statistics(const EnsembleSpec& spec,

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <string_view>
+#include <system_error>
 
 #include "bench/base/input_file.hpp"
 #include "bench/base/text.hpp"
@@ -50,10 +52,19 @@ std::string cell(const std::string& text) {
   return result;
 }
 
+/// Adds the shortest decimal that reads back as the same number.
+template <class Number>
+void add_number(std::string& line, Number number) {
+  std::array<char, 32> digits{};  // the longest is 24 characters, as in -1.7976931348623157e+308
+  const auto [end, error] = std::to_chars(digits.begin(), digits.end(), number);
+  line.append(digits.begin(), end);
+}
+
 /// A line as a draw; none if it is not one.
 std::optional<DrawResult> draw_in(std::string_view line, std::size_t values) {
   const auto draw = number_in<std::size_t>(take(line, ','));
   DrawResult result{draw.value_or(0), std::string(take(line, ',')), {}};
+  result.values.reserve(values);
   if (!draw) {
     return std::nullopt;
   }
@@ -97,11 +108,16 @@ std::string chunk_csv(const EnsembleSpec& spec, std::uint64_t fingerprint,
                       const std::vector<DrawResult>& results) {
   std::string csv = heading(spec, fingerprint);
   for (const auto& [draw, problem, values] : results) {
-    csv += fmt::format("{},{}", draw, cell(problem));
+    add_number(csv, draw);
+    csv += ',';
+    csv += problem.empty() ? problem : cell(problem);
     for (const std::optional<double>& value : values) {
-      csv += "," + (value ? shortest(*value) : "");
+      csv += ',';
+      if (value) {
+        add_number(csv, *value);
+      }
     }
-    csv += "\n";
+    csv += '\n';
   }
   return csv;
 }
@@ -110,14 +126,20 @@ std::optional<std::vector<DrawResult>> read_chunk(const std::filesystem::path& f
                                                   const EnsembleSpec& spec,
                                                   std::uint64_t fingerprint, std::size_t first,
                                                   std::size_t end) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    return std::nullopt;  // at once: a file that should be there is looked for under other names
+  }
   const InputFile input = read_input_file(file, longest_chunk);
   const std::string head = heading(spec, fingerprint);
-  if (input.problem || !input.content.starts_with(head)) {
+  // a power cut may have left a part
+  if (input.problem || !input.content.starts_with(head) || !input.content.ends_with('\n')) {
     return std::nullopt;
   }
   std::string_view rest = std::string_view(input.content).substr(head.size());
   const std::size_t values = statistics_of(spec).size();
   std::vector<DrawResult> results;
+  results.reserve(end - first);
   for (std::size_t draw = first; draw < end; ++draw) {
     auto result = draw_in(take(rest, '\n'), values);
     if (!result || result->draw != draw) {

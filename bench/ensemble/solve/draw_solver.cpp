@@ -1,10 +1,12 @@
 #include "bench/ensemble/solve/draw_solver.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "bench/base/process.hpp"
 #include "bench/run/workplace.hpp"
+#include "tautline/batch/solve_batch.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 
@@ -23,19 +25,23 @@ std::string exact_problem(const Solution& solution) {
   }
 }
 
-/// The exact motion of a draw, or why there is none. The horizon of a draw is not asked for.
+/// Why there is no such case, or empty.
+std::string case_problem(const Case& the_case) {
+  const std::vector<std::string> broken = problems(the_case);
+  return broken.empty() ? "" : "no such case: " + broken.front();
+}
+
+/// The exact side of a draw, or why there is none. The horizon of a draw is not asked for.
 std::pair<std::optional<ReferenceCase>, std::string> reference_of(const EnsembleSpec& spec,
                                                                   const EnsembleSetup& setup,
                                                                   std::size_t draw) {
   Case the_case = case_of(spec, setup, draw);
-  const std::vector<std::string> broken = problems(the_case);
-  if (!broken.empty()) {
-    return {std::nullopt, "no such case: " + broken.front()};
+  if (std::string problem = case_problem(the_case); !problem.empty()) {
+    return {std::nullopt, std::move(problem)};
   }
   const ImpactLaw law = setup.exact.law;
-  Solution solution = solve(the_case, {.law = law, .until_locked = !setup.engine.has_value()});
-  std::string problem = exact_problem(solution);
-  if (!problem.empty()) {
+  Solution solution = solve(the_case, {.law = law});
+  if (std::string problem = exact_problem(solution); !problem.empty()) {
     return {std::nullopt, std::move(problem)};
   }
   Settling settled = settling(the_case, solution);
@@ -43,6 +49,7 @@ std::pair<std::optional<ReferenceCase>, std::string> reference_of(const Ensemble
           ""};
 }
 
+/// The exact motions of a chunk of draws, side by side.
 class ExactSolver final : public DrawSolver {
  public:
   ExactSolver(const EnsembleRequest& request, const EnsembleSetup& setup)
@@ -50,17 +57,40 @@ class ExactSolver final : public DrawSolver {
 
   std::vector<DrawResult> solve(std::size_t first, std::size_t end) override {
     std::vector<DrawResult> results;
-    for (std::size_t draw = first; draw < end && !interruption(); ++draw) {
-      auto [reference, problem] = reference_of(request_.spec, setup_, draw);
-      results.push_back({draw, std::move(problem), {}});
-      if (reference) {
-        results.back().values = exact_statistics(request_.spec, *reference);
-      }
+    results.reserve(end - first);
+    for (std::size_t start = first; start < end && !interruption(); start += at_once) {
+      solve_some(start, std::min(end, start + at_once), results);
     }
     return results;
   }
 
  private:
+  /// An interruption waits for so many, some hundredths of a second.
+  static constexpr std::size_t at_once = 100;
+
+  void solve_some(std::size_t first, std::size_t end, std::vector<DrawResult>& results) const {
+    std::vector<Case> cases;
+    std::vector<std::size_t> places;  // of their results
+    for (std::size_t draw = first; draw < end; ++draw) {
+      Case the_case = case_of(request_.spec, setup_, draw);
+      results.push_back({draw, case_problem(the_case), {}});
+      if (results.back().problem.empty()) {
+        cases.push_back(std::move(the_case));
+        places.push_back(results.size() - 1);
+      }
+    }
+    solve_batch(cases, {.law = setup_.exact.law, .until_locked = true},
+                [&](std::size_t index, const Solution& solution) {
+                  const Case& the_case = cases[index];
+                  DrawResult& result = results[places[index]];
+                  result.problem = exact_problem(solution);
+                  if (result.problem.empty()) {
+                    result.values = exact_statistics(request_.spec, the_case, solution,
+                                                     last_lock(the_case, solution));
+                  }
+                });
+  }
+
   const EnsembleRequest& request_;
   const EnsembleSetup& setup_;
 };

@@ -64,7 +64,7 @@ class Solving {
     std::vector<DrawResult> results = solver->solve(chunk.first, chunk.end);
     const bool whole = results.size() == chunk.end - chunk.first;
     if (whole && !options_.out.empty()) {
-      write_file(file, chunk_csv(request_.spec, mark, results));
+      write_file_soon(file, chunk_csv(request_.spec, mark, results));
     }
     return {std::move(results), false};
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <charconv>
+#include <optional>
 
 #include "bench/base/listed.hpp"
 
@@ -12,65 +13,80 @@ namespace {
 struct CaseQuantity {
   std::string_view name;
   std::string_view unit;
-  double& (*of)(Case& the_case);
+  const double& (*of)(const Case& the_case);
 };
 
 constexpr std::array case_quantities = {
-    CaseQuantity{"x", "m", [](Case& c) -> double& { return c.initial.position.x(); }},
-    CaseQuantity{"y", "m", [](Case& c) -> double& { return c.initial.position.y(); }},
-    CaseQuantity{"angle", "rad", [](Case& c) -> double& { return c.initial.angle; }},
-    CaseQuantity{"velocity_x", "m/s", [](Case& c) -> double& { return c.initial.velocity.x(); }},
-    CaseQuantity{"velocity_y", "m/s", [](Case& c) -> double& { return c.initial.velocity.y(); }},
-    CaseQuantity{"spin", "rad/s", [](Case& c) -> double& { return c.initial.spin; }},
-    CaseQuantity{"mass", "kg", [](Case& c) -> double& { return c.body.mass; }},
-    CaseQuantity{"inertia", "kg m^2", [](Case& c) -> double& { return c.body.inertia; }},
-    CaseQuantity{"gravity_x", "m/s^2", [](Case& c) -> double& { return c.gravity.x(); }},
-    CaseQuantity{"gravity_y", "m/s^2", [](Case& c) -> double& { return c.gravity.y(); }},
+    CaseQuantity{"x", "m", [](const Case& c) -> const double& { return c.initial.position.x(); }},
+    CaseQuantity{"y", "m", [](const Case& c) -> const double& { return c.initial.position.y(); }},
+    CaseQuantity{"angle", "rad", [](const Case& c) -> const double& { return c.initial.angle; }},
+    CaseQuantity{"velocity_x", "m/s",
+                 [](const Case& c) -> const double& { return c.initial.velocity.x(); }},
+    CaseQuantity{"velocity_y", "m/s",
+                 [](const Case& c) -> const double& { return c.initial.velocity.y(); }},
+    CaseQuantity{"spin", "rad/s", [](const Case& c) -> const double& { return c.initial.spin; }},
+    CaseQuantity{"mass", "kg", [](const Case& c) -> const double& { return c.body.mass; }},
+    CaseQuantity{"inertia", "kg m^2",
+                 [](const Case& c) -> const double& { return c.body.inertia; }},
+    CaseQuantity{"gravity_x", "m/s^2",
+                 [](const Case& c) -> const double& { return c.gravity.x(); }},
+    CaseQuantity{"gravity_y", "m/s^2",
+                 [](const Case& c) -> const double& { return c.gravity.y(); }},
 };
 
 struct CableQuantity {
   std::string_view name;
   std::string_view unit;
-  double& (*of)(Cable& cable);
+  const double& (*of)(const Cable& cable);
 };
 
 constexpr std::array cable_quantities = {
-    CableQuantity{"restitution", "", [](Cable& c) -> double& { return c.restitution; }},
-    CableQuantity{"length", "m", [](Cable& c) -> double& { return c.length; }},
-    CableQuantity{"capture_speed", "m/s", [](Cable& c) -> double& { return c.capture_speed; }},
+    CableQuantity{"restitution", "", [](const Cable& c) -> const double& { return c.restitution; }},
+    CableQuantity{"length", "m", [](const Cable& c) -> const double& { return c.length; }},
+    CableQuantity{"capture_speed", "m/s",
+                  [](const Cable& c) -> const double& { return c.capture_speed; }},
 };
+
+/// True for "length_0" and "length", but not for "lengths".
+bool begins_with_word(std::string_view name, std::string_view word) {
+  return name.starts_with(word) && (name.size() == word.size() || name[word.size()] == '_');
+}
 
 /// What "length" and "length_0" both begin with; null for the quantities of a case.
 const CableQuantity* cable_quantity(std::string_view name) {
   for (const CableQuantity& one : cable_quantities) {
-    if (name == one.name || name.starts_with(std::string(one.name) + "_")) {
+    if (begins_with_word(name, one.name)) {
       return &one;
     }
   }
   return nullptr;
 }
 
-/// The numbers that a name stands for: one, or one of each cable.
-std::vector<double*> numbers(Case& the_case, std::string_view name) {
+/// Calls `visit` with the numbers that a name stands for: one, or one of each cable.
+template <class Visit>
+void visit_numbers(const Case& the_case, std::string_view name, const Visit& visit) {
   for (const CaseQuantity& one : case_quantities) {
     if (name == one.name) {
-      return {&one.of(the_case)};
+      return visit(one.of(the_case));
     }
   }
   const CableQuantity* of_cable = cable_quantity(name);
   assert(of_cable != nullptr && "the name is one of quantities_of");
-  std::vector<double*> result;
   if (name == of_cable->name) {
-    result.reserve(the_case.cables.size());
-    for (Cable& cable : the_case.cables) {
-      result.push_back(&of_cable->of(cable));
+    for (const Cable& cable : the_case.cables) {
+      visit(of_cable->of(cable));
     }
   } else {
     std::size_t index = 0;
     std::from_chars(name.data() + of_cable->name.size() + 1, name.data() + name.size(), index);
-    result.push_back(&of_cable->of(the_case.cables.at(index)));
+    visit(of_cable->of(the_case.cables.at(index)));
   }
-  return result;
+}
+
+/// The same for a case that may be written to.
+template <class Visit>
+void change_numbers(Case& the_case, std::string_view name, const Visit& change) {
+  visit_numbers(the_case, name, [&](const double& number) { change(const_cast<double&>(number)); });
 }
 
 }  // namespace
@@ -97,20 +113,17 @@ std::string_view unit_of_quantity(std::string_view name) {
 }
 
 double quantity(const Case& the_case, std::string_view name) {
-  Case copy = the_case;  // `numbers` is for writing, too
-  return *numbers(copy, name).front();
+  std::optional<double> first;
+  visit_numbers(the_case, name, [&](const double& number) { first = first.value_or(number); });
+  return first.value();
 }
 
 void set_quantity(Case& the_case, std::string_view name, double value) {
-  for (double* const number : numbers(the_case, name)) {
-    *number = value;
-  }
+  change_numbers(the_case, name, [&](double& number) { number = value; });
 }
 
 void scale_quantity(Case& the_case, std::string_view name, double factor) {
-  for (double* const number : numbers(the_case, name)) {
-    *number *= factor;
-  }
+  change_numbers(the_case, name, [&](double& number) { number *= factor; });
 }
 
 }  // namespace tautline::bench

@@ -56,6 +56,16 @@ TEST(WriteFile, CreatesParentFoldersAndLeavesNothingElse) {
   EXPECT_EQ(names_in(folder.path() / "a" / "b"), Strings{"c.txt"});
 }
 
+TEST(WriteFile, WritesTheSameWithoutWaitingForTheDisk) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a" / "old.txt";
+  write_file_soon(path, "content\n");
+  EXPECT_EQ(content_of(path), "content\n");
+  write_file_soon(path, "new");
+  EXPECT_EQ(content_of(path), "new");
+  EXPECT_EQ(names_in(folder.path() / "a"), Strings{"old.txt"});
+}
+
 TEST(WriteFile, ReplacesWhatIsThere) {
   const TemporaryFolder folder;
   const fs::path path = folder.file("old.txt", "a longer content than the new one");

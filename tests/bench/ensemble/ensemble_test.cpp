@@ -234,6 +234,62 @@ TEST(Ensemble, StatisticsOfADrawAreThoseOfItsMotion) {
   }
 }
 
+// a long way round: every impact's speed, every arc's whole state
+TEST(Ensemble, WhatIsPassedOverChangesNoStatistic) {
+  const EnsembleRequest request = request_of("until = 3\n" + perturbed("1910121100", 20));
+  const EnsembleResult result = solved(request);
+  for (std::size_t draw = 0; draw < 20; ++draw) {
+    const Case the_case = case_of(request.spec, request.setups.front(), draw);
+    const Solution solution = solve(the_case, {.until_locked = true});
+    double fast = 0.0;
+    std::vector<double> lost(the_case.cables.size(), 0.0);
+    for (const Event& event : solution.events()) {
+      Eigen::Index place = 0;
+      for (const std::size_t cable : event.cables) {
+        const double before = gap_rate(the_case.cables[cable], event.before);
+        const double after = gap_rate(the_case.cables[cable], event.after);
+        if (event.kind == EventKind::impact && -before > request.spec.speeds[1]) {
+          fast += -before > request.spec.speeds[0] ? 1.0 : 0.0;
+          lost[cable] += -0.5 * event.impulses[place] * (before + after);
+        }
+        ++place;
+      }
+    }
+    EXPECT_EQ(value_of(request, result, draw, "impacts"), fast);
+    EXPECT_DOUBLE_EQ(value_of(request, result, draw, "loss_1"), lost[1] / (lost[0] + lost[1]));
+    double at_ends = 0.0;
+    double sampled = 0.0;
+    for (const Arc& arc : solution.arcs()) {
+      const double length = arc.end - arc.start;
+      at_ends = std::max({at_ends, std::abs(arc.initial.angle),
+                          std::abs(arc.after(length, solution.gravity()).angle)});
+      for (int sample = 0; sample <= 200; ++sample) {
+        const State state = arc.after(length * sample / 200, solution.gravity());
+        sampled = std::max(sampled, std::abs(state.angle));
+      }
+    }
+    const double largest = value_of(request, result, draw, "largest_angle");
+    EXPECT_GE(largest, std::max(at_ends, sampled)) << "draw " << draw;
+    EXPECT_LE(largest, std::max(at_ends, sampled) + 1e-3) << "of a spin of 5 for a two hundredth";
+  }
+}
+
+TEST(Ensemble, PartOfAFileOfDrawsIsNone) {
+  const test::TemporaryFolder folder;
+  const EnsembleRequest request = request_of("until = 1\n" + perturbed("1510121100", 3));
+  const std::vector<DrawResult> draws = draw_solver(request, request.setups.front())->solve(0, 3);
+  const std::string whole = chunk_csv(request.spec, 7, draws);
+  const auto read = [&](const std::string& text) {
+    return read_chunk(folder.file("draws.csv", text), request.spec, 7, 0, 3);
+  };
+  EXPECT_TRUE(read(whole));
+  for (const std::size_t lost : {1U, 2U, 40U}) {  // a power cut leaves a part, or zeros
+    const std::string part = whole.substr(0, whole.size() - lost);
+    EXPECT_FALSE(read(part)) << lost;
+    EXPECT_FALSE(read(part + std::string(lost, '\0'))) << lost;
+  }
+}
+
 TEST(Ensemble, WhatImpactsOfASingleCableLoseIsTheWholeLoss) {
   const EnsembleRequest request = request_of(
       "case = \"bouncing-ball\"\ncount = 1\n[[vary]]\nquantities = [\"spin\"]\n"

@@ -27,16 +27,16 @@ Json schema_of(const Holds& /*value*/) { return {{"type", {"boolean", "null"}}};
 
 /// Of an enumeration: the words for its enumerators.
 template <class Enum, std::size_t count>
-Json words_of(const std::array<Enum, count>& all) {
+Json schema_of_words(const std::array<Enum, count>& all) {
   Json words = Json::array();
   for (const Enum one : all) {
     words.push_back(to_string(one));
   }
   return {{"enum", std::move(words)}};
 }
-Json schema_of(const Status& /*value*/) { return words_of(statuses); }
-Json schema_of(const Maker& /*value*/) { return words_of(makers); }
-Json schema_of(const Word& /*value*/) { return words_of(all_words); }
+Json schema_of(const Status& /*value*/) { return schema_of_words(statuses); }
+Json schema_of(const Maker& /*value*/) { return schema_of_words(makers); }
+Json schema_of(const Word& /*value*/) { return schema_of_words(all_words); }
 
 Json list_of(Json one) { return {{"type", "array"}, {"items", std::move(one)}}; }
 Json schema_of(const CableSet& /*value*/) { return list_of(schema_of(std::size_t())); }

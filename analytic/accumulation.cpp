@@ -164,8 +164,8 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
 template <class Real>
 bool may_be_slow(const BasicCable<Real>& cable, const BasicState<Real>& state, const Real& rebound,
                  const CompletionLimits& limits, const Scales<Real>& scale) {
-  return is_slow(restitution_up_to(cable, rebound), rounding_of_gap(cable, state), rebound,
-                 scale.acceleration, limits, scale);
+  return is_slow(restitution_up_to(cable, rebound), rounding_of_gap(cable, state), rebound, limits,
+                 scale);
 }
 
 /// The touching cables slow enough to be candidates; empty if one of them is still closing.

@@ -37,18 +37,18 @@ template <class V>
 }
 
 /// Where bounces that begin with `rebound` [m/s] and keep at most the part `kept` of their speed
-/// may meet `limits` (CompletionLimits), if `pull` [m/s^2] is what closes the cable: from Eq. 20.
+/// may meet `limits` (CompletionLimits): where they would with a pull as large as the accelerations
+/// of the motion (Eq. 20). A stronger one has to wait a little.
 template <class V, class Limits>
-[[nodiscard]] auto is_slow(const V& kept, const V& rounding, const V& rebound, const V& pull,
-                           const Limits& limits, const Scales<V>& scale) {
+[[nodiscard]] auto is_slow(const V& kept, const V& rounding, const V& rebound, const Limits& limits,
+                           const Scales<V>& scale) {
   if (limits.speed) {
     return rebound <= V(*limits.speed);
   }
   const V lost = select(kept < V(1), V(1 - kept * kept * kept), V(1));
-  const V change = rebound * scale.rate;
-  const V error = 2 * error_margin * change * change * change;
+  const V ratio = rebound * scale.rate / scale.acceleration;
   return is_low(rounding, rebound, scale) ||
-         (pull > V(0) && error <= V(3 * lost * limits.error * scale.acceleration * pull * pull));
+         V(2 * error_margin * ratio * ratio * ratio) <= V(3 * lost * limits.error);
 }
 
 }  // namespace tautline

@@ -149,7 +149,7 @@ class Motion final : public PausedMotion<Real> {
       return false;
     }
     if (!leaves_) {
-      leaves_ = ordinary_.leave(case_, state_, touching_, touching_.cables, true);
+      leaves_ = ordinary_.leave(case_, state_, touching_, touching_.cables);
     }
     return *leaves_;
   }
@@ -170,8 +170,7 @@ class Motion final : public PausedMotion<Real> {
   /// Where the bounces of the touching cables accumulate, their end. False where they do not.
   bool complete_accumulation() {
     const CableSet bouncing = touching_.cables - taut_;
-    if (bouncing.empty() ||
-        ordinary_.leave(case_, state_, touching_, bouncing, touching_.cables.size() == 1)) {
+    if (bouncing.empty() || ordinary_.leave(case_, state_, touching_, bouncing)) {
       return false;
     }
     const auto done = completion(case_, state_, touching_, options_.completion);

@@ -91,11 +91,7 @@ void rebound(const FlightWorld<V>& world, const FlightCable<V>& cable,
   const V speed = norm(bounce.velocity) + abs(bounce.spin) * world.radius;
   const Scales<V> scale(world.gravity_size, world.radius, world.shortest, speed, bounce.spin,
                         limits.margin);
-  const Pair<V> attachment = bounce.velocity + bounce.spin * turned_left(arm);
-  const V across = u.x * attachment.y - u.y * attachment.x;
-  const Pair<V> acceleration = world.gravity - V(bounce.spin * bounce.spin) * arm;
-  const V pull = dot(u, acceleration) + across * across / distance;  // Eq. 5
-  const Mask slow = is_slow(cable.restitution, height_rounding, rebound, pull, limits, scale);
+  const Mask slow = is_slow(cable.restitution, height_rounding, rebound, limits, scale);
   bounce.tried = select(slow, cable.tried, infinity<V>());
   bounce.leaves = rebound > rate_rounding && !is_low(height_rounding, rebound, scale) &&
                   !(slow && rebound <= cable.tried);

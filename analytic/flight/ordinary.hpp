@@ -57,18 +57,16 @@ class OrdinaryBounces {
   void set_tried(std::size_t index, const Real& tried) { cables_[index].tried = tried; }
 
   /// True where the touching `cables` open, and their bounces are not to be tried as the end of an
-  /// accumulation. `alone`: no tension changes how they close.
+  /// accumulation.
   [[nodiscard]] bool leave(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                           const BasicTouching<Real>& touching, CableSet cables, bool alone) {
+                           const BasicTouching<Real>& touching, CableSet cables) {
     const Scales<Real> scale(the_case, state, limits_.margin);
     for (const std::size_t index : cables) {
       const BasicCable<Real>& cable = the_case.cables[index];
       const Real rebound = gap_rate(cable, state);
       const Real rounding = rounding_of_gap(cable, state);
-      const Real pull =
-          alone ? Real(-free_gap_acceleration(the_case, index, state)) : scale.acceleration;
       const bool slow =
-          is_slow(restitution_up_to(cable, rebound), rounding, rebound, pull, limits_, scale);
+          is_slow(restitution_up_to(cable, rebound), rounding, rebound, limits_, scale);
       if (!slow) {
         set_tried(index, infinity<Real>());
       }

@@ -27,7 +27,7 @@ using std::sqrt;
 /// The type of the number in `Real`: itself, where it is not several side by side.
 template <class Real>
 struct NumberOf {
-  using type = Real;
+  using type = Real;  ///< one number of it
 };
 
 /// The limits of that type.

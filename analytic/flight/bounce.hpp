@@ -122,7 +122,7 @@ template <class V, class Mask, class Cables>
                               V(from.rate_rounding + from.spin_rounding * one.radius));
     const V root = first_roots(f, least(horizon, V(earliest * together)), at_zero).root;
     const Mask first = root < earliest;
-    known = known && root == root;
+    known = known && root <= infinity<V>();  // not NaN
     next = least(next, select(first, earliest, root));
     earliest = select(first, root, earliest);
     place = select(first, V(static_cast<double>(k)), place);

@@ -60,8 +60,9 @@ class HalfSwingWatch {
  private:
   /// Where in `arc`, in the time since its start [s], it turns: an arc is a small part of a swing,
   /// so that the velocity at its end is then against that at its start.
-  std::optional<Real> turning_point(const BasicCase<Real>& the_case, const BasicArc<Real>& arc,
-                                    const BasicState<Real>& end) const {
+  [[nodiscard]] std::optional<Real> turning_point(const BasicCase<Real>& the_case,
+                                                  const BasicArc<Real>& arc,
+                                                  const BasicState<Real>& end) const {
     const BasicState<Real>& start = arc.initial;
     const Vector3<Real> along(the_case.body.mass * start.velocity.x(),
                               the_case.body.mass * start.velocity.y(),
@@ -186,7 +187,8 @@ class EndlessSwing {
   /// The next arc, which starts `now` [s] and ends with the case at the latest.
   [[nodiscard]] BasicArc<Real> next(const BasicCase<Real>& the_case, const Real& now) {
     BasicArc<Real> arc = arcs_[next_ % arcs_.size()];
-    const Real later = period_ * static_cast<double>(next_ / arcs_.size());
+    const std::size_t periods = next_ / arcs_.size();
+    const Real later = period_ * static_cast<double>(periods);
     ++next_;
     arc.start = now;
     arc.end = min(the_case.duration, Real(arc.end + later));

@@ -166,8 +166,8 @@ template <class Function, class Real, class Mask>
   BasicSample<Real> now = f.at(s);
   now.value = select(at_zero, Real(0), now.value);
   Real least_step(0);
-  Mask open = s == s;     // still on its way
-  Mask certain = s != s;  // at a simple root, from where Newton finishes
+  Mask open(true);      // still on its way
+  Mask certain(false);  // at a simple root, from where Newton finishes
   BasicSample<Real> at_root = now;
   Real root_near(0);
   const auto end = [&](const Mask& where, const Real& root) {

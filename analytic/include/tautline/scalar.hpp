@@ -81,7 +81,7 @@ template <class V>
 /// Where `v` is neither infinite nor NaN.
 template <class V>
 [[nodiscard]] auto is_finite(const V& v) {
-  return v - v == V(0);
+  return V(abs(v)) < infinity<V>();
 }
 
 }  // namespace tautline

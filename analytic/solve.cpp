@@ -56,8 +56,10 @@ class Motion final : public PausedMotion<Real> {
   /// end of the motion.
   [[nodiscard]] bool advance() override {
     while (true) {
-      if (const auto ending = limit_reached()) {
-        return finish(*ending);
+      if (!std::exchange(refused_, false)) {  // or this round has been counted
+        if (const auto ending = limit_reached()) {
+          return finish(*ending);
+        }
       }
       if (may_bounce()) {
         return true;
@@ -83,7 +85,8 @@ class Motion final : public PausedMotion<Real> {
         return finish(*stop.ending);
       }
       if (stop.is_step && held_ && leaves_one_way(case_, state_, held_->pulling)) {
-        if (const auto half = swing_.follow(case_, record_.arcs, state_, record_.events.size())) {
+        if (const auto half =
+                swing_.follow(case_, record_.arcs, state_, stop.dt, record_.events.size())) {
           return swing_on(*half);
         }
       }
@@ -96,16 +99,15 @@ class Motion final : public PausedMotion<Real> {
   }
 
   [[nodiscard]] Flyer<Real> flyer() const override { return flyer_of(state_, touching_); }
-  [[nodiscard]] std::optional<std::size_t> last_hit() const override {
-    return touching_.cables.empty() ? std::nullopt : std::optional(*touching_.cables.begin());
-  }
+  [[nodiscard]] std::optional<std::size_t> last_hit() const override { return touching_.first(); }
   [[nodiscard]] Real time_left() const override { return case_.duration - time_; }
   [[nodiscard]] const OrdinaryBounces<Real>& ordinary() const override { return ordinary_; }
 
   /// Goes on with `bounce`, or, where it is no ordinary one, with the general way.
   void take(const BasicBounce<Real>& bounce) override {
     leaves_ = bounce.ordinary && bounce.leaves;
-    if (!bounce.ordinary) {
+    refused_ = !bounce.ordinary;
+    if (refused_) {
       return;
     }
     const std::size_t index =
@@ -115,11 +117,8 @@ class Motion final : public PausedMotion<Real> {
     state_ = state_of(bounce.before);
     touching_ = {CableSet::of(index), bounce.before.rate_rounding, bounce.before.spin_rounding,
                  epsilon<Real>() * time_};
-    BasicState<Real> after = state_;
-    after.velocity = {bounce.velocity.x, bounce.velocity.y};
-    after.spin = bounce.spin;
     record(EventKind::impact, touching_.cables, BasicCableVector<Real>::Constant(1, bounce.impulse),
-           after);
+           state_after(bounce));
     ordinary_.set_tried(index, bounce.tried);
     progress_.note_hit(touching_.cables);
   }
@@ -163,6 +162,7 @@ class Motion final : public PausedMotion<Real> {
     record(EventKind::impact, cables,
            -multipliers<Real>(case_, state_, cables, gap_rates(case_, state_, cables)), *after);
     touching_.cables = touching_.cables | cables;
+    leaves_.reset();
     held_.reset();
     return true;
   }
@@ -359,6 +359,7 @@ class Motion final : public PausedMotion<Real> {
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
   OrdinaryBounces<Real> ordinary_;
+  bool refused_ = false;          // the short way, in this round
   std::optional<bool> leaves_;    // the cable last hit, for good; none: to be found out
   std::size_t steps_ = 0;         // without an event
   std::size_t spring_steps_ = 0;  // within impacts

@@ -73,6 +73,7 @@ class Batch {
       }
     }
     body.motion.reset();
+    set(lane, question_.horizon, 0.0);  // nothing is searched for
     return false;
   }
 

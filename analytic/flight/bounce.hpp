@@ -113,14 +113,17 @@ template <class V, class Mask, class Cables>
   V next = earliest;
   V place(0);
   FlightCable<V> hit = cable(0);
-  Mask known =
-      V(abs(from.spin) * horizon) <= V(many_turns) && V(abs(from.angle)) <= V(farthest_turn);
+  Mask known = V(abs(from.angle)) <= V(farthest_turn);
+  // what lies beyond many turns, or turns beyond count, the general way finds out
+  const V spin = abs(from.spin);
+  const V turns = select(V(spin * horizon) <= V(many_turns), horizon, V(many_turns / spin));
+  const V reach = select(known, turns, V(0));
   for (std::size_t k = 0; k < count; ++k) {
     const FlightCable<V> one = cable(k);
     const Mask at_zero = touches && V(static_cast<double>(k)) == V(0);
     const GapAlongFlight<V> f(flight, one, at_zero,
                               V(from.rate_rounding + from.spin_rounding * one.radius));
-    const V root = first_roots(f, least(horizon, V(earliest * together)), at_zero).root;
+    const V root = first_roots(f, least(reach, V(earliest * together)), at_zero).root;
     const Mask first = root < earliest;
     known = known && root <= infinity<V>();  // not NaN
     next = least(next, select(first, earliest, root));
@@ -135,17 +138,14 @@ template <class V, class Mask, class Cables>
   bounce.dt = dt;
   bounce.place = place;
   const Pair<V> velocity = from.velocity + dt * world.gravity;
+  const double rounding = few_roundings * epsilon<double>();  // of the fastest speeds so far
   bounce.before = {from.position + (dt * from.velocity + V(dt * dt / 2) * world.gravity),
                    from.angle + dt * from.spin,
                    velocity,
                    from.spin,
-                   from.rate_rounding,
-                   from.spin_rounding};
+                   most(from.rate_rounding, V(rounding * norm(velocity))),
+                   most(from.spin_rounding, V(rounding * spin))};
   rebound(world, hit, limits, bounce);
-  const double rounding = few_roundings * epsilon<double>();  // of the fastest speeds so far
-  Flyer<V>& before = bounce.before;
-  before.rate_rounding = most(before.rate_rounding, V(rounding * norm(velocity)));
-  before.spin_rounding = most(before.spin_rounding, V(rounding * abs(before.spin)));
   return bounce;
 }
 

@@ -103,4 +103,13 @@ template <class Real>
           BasicVec2<Real>(flyer.velocity.x, flyer.velocity.y), flyer.spin};
 }
 
+/// The state that a bounce leads to.
+template <class Real>
+[[nodiscard]] BasicState<Real> state_after(const BasicBounce<Real>& bounce) {
+  BasicState<Real> after = state_of(bounce.before);
+  after.velocity = {bounce.velocity.x, bounce.velocity.y};
+  after.spin = bounce.spin;
+  return after;
+}
+
 }  // namespace tautline

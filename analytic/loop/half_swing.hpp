@@ -17,15 +17,11 @@ struct HalfSwing {
   std::size_t first;  // arc with the first turning point
   Real from;          // [s], of that point, after the start of that arc
   Real to;            // [s], of the other, after the start of the last arc
+  Real period;  // [s]: of the arcs' own lengths, as instants are rounded and its error adds up
 
   /// The instant of the second turning point [s].
   [[nodiscard]] Real end(const std::vector<BasicArc<Real>>& arcs) const {
     return arcs.back().start + to;
-  }
-
-  /// [s]
-  [[nodiscard]] Real period(const std::vector<BasicArc<Real>>& arcs) const {
-    return 2 * (end(arcs) - (arcs[first].start + from));
   }
 };
 
@@ -36,11 +32,13 @@ struct HalfSwing {
 template <class Real>
 class HalfSwingWatch {
  public:
-  /// Goes on with the last of `arcs`, which leads to `end` and which `events` events precede: the
-  /// first of others begins anew. The half swing that this arc completes, if it does.
+  /// Goes on with the last of `arcs`, of `length` [s], which leads to `end` and which `events`
+  /// events precede: the first of others begins anew. The half swing that this arc completes, if it
+  /// does.
   std::optional<HalfSwing<Real>> follow(const BasicCase<Real>& the_case,
                                         const std::vector<BasicArc<Real>>& arcs,
-                                        const BasicState<Real>& end, std::size_t events) {
+                                        const BasicState<Real>& end, const Real& length,
+                                        std::size_t events) {
     if (events_ != events) {
       *this = {};
       events_ = events;
@@ -49,10 +47,12 @@ class HalfSwingWatch {
     most_ = max(most_, kinetic_energy(the_case.body, arc.initial));
     const auto turn = turning_point(the_case, arc, end);
     if (turn && turn_) {
-      return HalfSwing<Real>{turn_->first, turn_->from, *turn};
+      return HalfSwing<Real>{turn_->first, turn_->from, *turn, Real(2 * (since_ + *turn))};
     }
+    since_ += length;
     if (turn) {
-      turn_ = HalfSwing<Real>{arcs.size() - 1, *turn, Real(0)};
+      turn_ = HalfSwing<Real>{arcs.size() - 1, *turn, Real(0), Real(0)};
+      since_ = length - *turn;
     }
     return std::nullopt;
   }
@@ -78,14 +78,15 @@ class HalfSwingWatch {
     if (!turn || isnan(*turn)) {
       return std::nullopt;
     }
-    constexpr double rest =
-        1e-9;  // [-], of the kinetic energy: or it has but changed its direction
     const BasicState<Real> state = arc.after(*turn, the_case.gravity);
-    return kinetic_energy(the_case.body, state) <= rest * most_ ? turn : std::nullopt;
+    const Real moving = kinetic_energy(the_case.body, state);
+    return moving <= epsilon<Real>() * most_ ? turn
+                                             : std::nullopt;  // or it has but changed direction
   }
 
   std::optional<std::size_t> events_;
   std::optional<HalfSwing<Real>> turn_;  // its first turning point
+  Real since_ = Real(0);                 // [s], from there to the end of the last arc
   Real most_ = Real(0);                  // [J], of the kinetic energies where arcs start
 };
 
@@ -136,14 +137,14 @@ template <class Real>
 [[nodiscard]] std::vector<BasicArc<Real>> swing_after(const HalfSwing<Real>& half,
                                                       const std::vector<BasicArc<Real>>& arcs) {
   const Real turn = half.end(arcs);
-  const Real period = half.period(arcs);
+  const Real period = half.period;
   const std::size_t last = arcs.size() - 1;
   std::vector<BasicArc<Real>> result;
   Real now = turn;
   const auto add = [&](BasicArc<Real> arc, const Real& end) {
     arc.start = now;
-    arc.end = end;
-    now = end;
+    arc.end = max(now, end);
+    now = arc.end;
     result.push_back(std::move(arc));
   };
   for (std::size_t i = last + 1; i-- > half.first;) {
@@ -175,7 +176,7 @@ class EndlessSwing {
   /// After `half`, the end of `arcs`.
   EndlessSwing(const HalfSwing<Real>& half, const std::vector<BasicArc<Real>>& arcs)
       : arcs_(swing_after(half, arcs)),
-        period_(half.period(arcs)),
+        period_(half.period),
         shown_(half.end(arcs) + third_turn * period_),
         started_(arcs.back().start),
         angle_(arcs.back().initial.angle),

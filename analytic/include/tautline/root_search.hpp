@@ -206,7 +206,7 @@ template <class Function, class Real, class Mask>
       end(fine && !is_finite(f.snap_bound(s, Real(0))), not_a_number<Real>());
       const Real finest = epsilon<Real>() * most(s, Real(epsilon<Real>() * horizon));
       const Real coarser = most(most(step, finest), Real(2 * least_step));
-      step = select(fine, coarser, step);
+      step = select(fine, least(coarser, rest), step);
       least_step = select(fine, step, least_step);
     }
     end(open && !is_finite(step), not_a_number<Real>());

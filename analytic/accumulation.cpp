@@ -67,23 +67,25 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
                                        const BasicState<Real>& state, CableSet touching,
                                        CableSet cables, const BasicCableVector<Real>& tension,
                                        const Scales<Real>& scale) {
-  const BasicCableMatrix<Real> g = delassus(the_case, state, cables);
-  const BasicCableVector<Real> pull = tension.cwiseProduct(g.diagonal());  // [m/s^2], closes it
   const Real energy = twice_normal_energy(the_case, state, touching, cables, tension);
   Bouncing<Real> result{true, Real(0), Real(0), Real(0), Real(0)};
   Real heights(0);  // [m s], the largest integral over time of a gap (Eq. 20)
+  Real weakest = infinity<Real>();
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    const Real speed = sqrt(Real(energy * g(row, row)));
+    const Real g = delassus(the_case, state, index);
+    const Real pull = tension[row++] * g;  // [m/s^2], closes it
+    const Real speed = sqrt(Real(energy * g));
     const Real kept = most_kept(the_case, index, speed);
-    if (!(pull[row] > 0)) {
+    if (!(pull > 0)) {
       return std::nullopt;
     }
-    const Real flight = 2 * speed / pull[row];
+    weakest = min(weakest, pull);
+    const Real flight = 2 * speed / pull;
     const Real height = speed * flight / 4;
     result.speed = max(result.speed, speed);
     const Real series = flight / (1 - kept);  // [s], infinite for an elastic cable
-    const bool is_over = is_steady(pull[row], series, scale);
+    const bool is_over = is_steady(pull, series, scale);
     if (!is_over && height <= rounding_of_gap(the_case.cables[index], state)) {
       result.ends = false;  // it bounces on, too low for a gap to tell
       result.remaining = max(result.remaining, flight);
@@ -95,10 +97,9 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
       result.remaining = max(result.remaining, flight);
       heights = max(heights, Real(height / scale.rate));
     }
-    ++row;
   }
   result.error = error_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
-  if (!is_steady(Real(pull.minCoeff()), result.remaining, scale)) {
+  if (!is_steady(weakest, result.remaining, scale)) {
     return std::nullopt;
   }
   if (cables.size() > 1) {  // how the cables hand the energy to each other is open
@@ -138,7 +139,10 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
                       CableSet cables, const Bouncing<Real>& bounces, const Scales<Real>& scale) {
   const Real remaining = bounces.remaining + bounces.uncertainty;
   const Real change = scale.margin * scale.acceleration * remaining;  // [m/s], of a rate
-  const Real weakest = delassus(the_case, state, cables).diagonal().minCoeff();
+  Real weakest = infinity<Real>();
+  for (const std::size_t index : cables) {
+    weakest = min(weakest, delassus(the_case, state, index));
+  }
   CableSet result;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     if (cables.contains(index)) {
@@ -146,7 +150,7 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
     }
     const BasicCable<Real>& cable = the_case.cables[index];
     const Real rate = gap_rate(cable, state);
-    const Real own = delassus(the_case, state, CableSet::of(index))(0, 0);
+    const Real own = delassus(the_case, state, index);
     // what the impulses of the bounces change its rate by, of which each turns one of them round
     const Real shaken = 2 * bounces.speed * sqrt(Real(own / weakest));
     const bool opens = rate > shaken + change;  // all the time

@@ -90,6 +90,9 @@ BasicCableVector<Real> multipliers(const BasicCase<Real>& the_case, const BasicS
   if (cables.empty()) {
     return right;
   }
+  if (cables.size() == 1) {
+    return right / delassus(the_case, state, *cables.begin());
+  }
   const CableRows<Real> rows(the_case, state, cables);
   if (rows.independent(rows.all())) {
     return multipliers_of(rows, rows.all(), right);

@@ -1,7 +1,6 @@
 #include "tautline/settling.hpp"
 
 #include "instantiate.hpp"
-#include "swinging.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/hold.hpp"
 #include "tautline/projection.hpp"
@@ -9,19 +8,6 @@
 
 namespace tautline {
 namespace {
-
-/// The swing that the motion of `solution` after its last event shows, if it shows a period of it.
-template <class Real>
-std::optional<BasicSwing<Real>> swing_along(const BasicCase<Real>& the_case,
-                                            const BasicSolution<Real>& solution) {
-  Swinging<Real> swinging;
-  for (const BasicArc<Real>& arc : solution.arcs()) {
-    if (arc.start >= solution.events().back().time && arc.taut == solution.arcs().back().taut) {
-      swinging.follow(the_case, arc, solution.events().size());
-    }
-  }
-  return swinging.swing();
-}
 
 /// The cables at zero gap and rate at `state`, beyond rounding.
 template <class Real>
@@ -75,8 +61,7 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
   limited.max_steps = 20'000;  // steps of its series; a period of a usual swing takes a hundred
   limited.until_locked = true;
   free.duration = 256 * time_scale(the_case);  // near-critical swings are slow
-  const BasicSolution<Real> motion = solve(free, limited);
-  return motion.ending() == Ending::locked ? swing_along(the_case, motion) : std::nullopt;
+  return solve(free, limited).swing();
 }
 
 template <class Real>
@@ -95,8 +80,7 @@ std::optional<BasicLock<Real>> last_lock(const BasicCase<Real>& the_case,
   }
   lock.rests = solution.ending() == Ending::rest;
   if (!lock.rests) {
-    lock.swing = solution.ending() == Ending::locked ? swing_along(the_case, solution)
-                                                     : swing(the_case, last.after);
+    lock.swing = solution.swing() ? solution.swing() : swing(the_case, last.after);
   }
   lock.permanent = lock.rests || lock.swing.has_value();
   return lock;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "tautline/geometry.hpp"
 #include "tautline/scalar.hpp"
 
@@ -49,6 +51,29 @@ template <class V, class Limits>
   const V ratio = rebound * scale.rate / scale.acceleration;
   return is_low(rounding, rebound, scale) ||
          V(2 * error_margin * ratio * ratio * ratio) <= V(3 * lost * limits.error);
+}
+
+/// How a cable that rebounds is dealt with.
+template <class V, class Mask>
+struct Leaving {
+  Mask leaves;  // its bounces are not to be tried now as the end of an accumulation
+  V tried;      // [m/s], the rebound of the last attempt, from now on; infinite: there was none
+};
+
+/// Of a cable that begins bounces with `rebound` [m/s], of which the rate's rounding tells
+/// `rate_rounding` [m/s]. An attempt costs as much as several bounces: slow ones are worth it once
+/// they are half as fast as at the last one, `tried`, and those too low for a gap to tell four
+/// bounces later. Where they are faster than at the last one they are others.
+template <class V, class Limits>
+[[nodiscard]] auto leaving(const V& kept, const V& rounding, const V& rate_rounding,
+                           const V& rebound, const V& tried, const Limits& limits,
+                           const Scales<V>& scale) {
+  const auto slow = is_slow(kept, rounding, rebound, limits, scale);
+  const V last = select(slow && rebound <= tried, tried, infinity<V>());
+  const V square = kept * kept;
+  const V left = select(is_low(rounding, rebound, scale), most(V(0.5), V(square * square)), V(0.5));
+  const auto leaves = rebound > rate_rounding && !(slow && rebound <= V(left * last));
+  return Leaving<V, std::remove_const_t<decltype(leaves)>>{leaves, last};
 }
 
 }  // namespace tautline

@@ -27,12 +27,14 @@ BasicState<Real> BasicArc<Real>::after(const Real& dt, const BasicVec2<Real>& gr
 template <class Real>
 BasicSolution<Real>::BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc<Real>> arcs,
                                    std::vector<BasicEvent<Real>> events, Ending ending,
-                                   std::vector<BasicAccumulation<Real>> accumulations)
+                                   std::vector<BasicAccumulation<Real>> accumulations,
+                                   std::optional<BasicSwing<Real>> swing)
     : gravity_(std::move(gravity)),
       arcs_(std::move(arcs)),
       events_(std::move(events)),
       ending_(ending),
-      accumulations_(std::move(accumulations)) {
+      accumulations_(std::move(accumulations)),
+      swing_(std::move(swing)) {
   if (arcs_.empty()) {
     throw std::invalid_argument("a solution needs at least one arc");
   }

@@ -20,12 +20,12 @@
 #include "tautline/projection.hpp"
 #include "tautline/rounding.hpp"
 
-// Everything here is a template on the scalar `Real` because one text serves two arithmetics:
-// double, for the answers, and numbers of any length, which say how far those answers are right
-// (instantiate.hpp). Three members of `Motion` say how the cables stand. `touching_` are the cables
-// at zero gap, which may close, rest or open, and the rate that counts as rest. `taut_` are those
-// of them that a recorded event has made taut. `held_` is the motion that their tensions give from
-// the present on; it holds up to the next stop, and without it the body flies freely.
+// Everything is a template on the scalar `Real`: one text serves double, for the answers, and
+// numbers of any length, which say how far those answers are right (instantiate.hpp). Three members
+// of `Motion` say how the cables stand. `touching_` are the cables at zero gap, which may close,
+// rest or open, and the rate that counts as rest. `taut_` are those of them that a recorded event
+// has made taut. `held_` is the motion that their tensions give from the present on; it holds up to
+// the next stop, and without it the body flies freely.
 
 namespace tautline {
 namespace {
@@ -52,8 +52,7 @@ class Motion final : public PausedMotion<Real> {
     return solution();
   }
 
-  /// The loop. True where an ordinary bounce may follow, which is to be taken then; false at the
-  /// end of the motion.
+  /// The loop.
   [[nodiscard]] bool advance() override {
     while (true) {
       if (!std::exchange(refused_, false)) {  // or this round has been counted
@@ -69,6 +68,8 @@ class Motion final : public PausedMotion<Real> {
       if (stop.cables.empty()) {
         if (complete_accumulation()) {
           resting = contacts(case_, state_, touching_).resting;
+        } else if (resting.empty() && may_bounce()) {  // it was too early
+          return true;
         }
         if (!held_ && !hold_resting(resting)) {
           return finish(Ending::singular);
@@ -175,9 +176,8 @@ class Motion final : public PausedMotion<Real> {
     }
     const auto done = completion(case_, state_, touching_, options_.completion);
     if (!done) {
-      for (const std::size_t index : bouncing) {
-        ordinary_.note_attempt(index, gap_rate(case_.cables[index], state_));
-      }
+      ordinary_.note_attempt(case_, state_, bouncing);
+      leaves_.reset();
       return false;
     }
     record(EventKind::taut, done->cables,
@@ -278,8 +278,7 @@ class Motion final : public PausedMotion<Real> {
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
-  /// Where the rebound is not to be computed nothing is done, and the ending that says why
-  /// returned.
+  /// The ending that says why, and nothing done, where the rebound is not to be computed.
   [[nodiscard]] std::optional<Ending> hit() {
     const auto [closing, resting] = contacts(case_, state_, touching_);
     const CableSet cables = closing | resting;
@@ -308,17 +307,18 @@ class Motion final : public PausedMotion<Real> {
   /// Swings to and fro on the arcs of half a swing, from its end on. The motion meets nothing new.
   /// False, as `finish`.
   bool swing_on(const HalfSwing<Real>& half) {
-    EndlessSwing<Real> swing(half, record_.arcs);
     record_.arcs.back().end = half.end(record_.arcs);
+    if (options_.until_locked) {
+      record_.swing = swing_of(case_, half, record_.arcs);
+      return end(Ending::locked);
+    }
+    EndlessSwing<Real> swing(half, record_.arcs);
     while (true) {
       time_ = record_.arcs.back().end;
       BasicArc<Real> arc = swing.next(case_, time_);
       state_ = arc.initial;
       if (time_ >= case_.duration) {
         return finish(Ending::reached_duration);
-      }
-      if (options_.until_locked && time_ > swing.shown()) {
-        return end(Ending::locked);
       }
       if (const auto ending = limit_reached()) {
         return finish(*ending);

@@ -91,10 +91,10 @@ void rebound(const FlightWorld<V>& world, const FlightCable<V>& cable,
   const V speed = norm(bounce.velocity) + abs(bounce.spin) * world.radius;
   const Scales<V> scale(world.gravity_size, world.radius, world.shortest, speed, bounce.spin,
                         limits.margin);
-  const Mask slow = is_slow(cable.restitution, height_rounding, rebound, limits, scale);
-  bounce.tried = select(slow, cable.tried, infinity<V>());
-  bounce.leaves = rebound > rate_rounding && !is_low(height_rounding, rebound, scale) &&
-                  !(slow && rebound <= cable.tried);
+  const auto next = leaving(cable.restitution, height_rounding, rate_rounding, rebound, cable.tried,
+                            limits, scale);
+  bounce.leaves = next.leaves;
+  bounce.tried = next.tried;
 }
 
 /// The next impact of bodies that fly within `horizon` [s], each on the cables `cable(k)`, k <

@@ -50,10 +50,13 @@ class OrdinaryBounces {
     }
   }
 
-  /// After an attempt to complete the bounces that begin with `rebound` [m/s] on a cable has come
-  /// too early: the next one is worth its while once they are half as fast. An attempt costs as
-  /// much as several bounces.
-  void note_attempt(std::size_t index, const Real& rebound) { cables_[index].tried = rebound / 2; }
+  /// After the bounces on `cables` have been tried as the end of an accumulation, in vain.
+  void note_attempt(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                    CableSet cables) {
+    for (const std::size_t index : cables) {
+      set_tried(index, gap_rate(the_case.cables[index], state));
+    }
+  }
   void set_tried(std::size_t index, const Real& tried) { cables_[index].tried = tried; }
 
   /// True where the touching `cables` open, and their bounces are not to be tried as the end of an
@@ -64,14 +67,11 @@ class OrdinaryBounces {
     for (const std::size_t index : cables) {
       const BasicCable<Real>& cable = the_case.cables[index];
       const Real rebound = gap_rate(cable, state);
-      const Real rounding = rounding_of_gap(cable, state);
-      const bool slow =
-          is_slow(restitution_up_to(cable, rebound), rounding, rebound, limits_, scale);
-      if (!slow) {
-        set_tried(index, infinity<Real>());
-      }
-      if (!(rebound > touching.rounding(cable)) || is_low(rounding, rebound, scale) ||
-          (slow && rebound <= cables_[index].tried)) {
+      const auto next =
+          leaving(restitution_up_to(cable, rebound), rounding_of_gap(cable, state),
+                  touching.rounding(cable), rebound, cables_[index].tried, limits_, scale);
+      set_tried(index, next.tried);
+      if (!next.leaves) {
         return false;
       }
     }

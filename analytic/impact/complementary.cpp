@@ -31,17 +31,42 @@ Complementary<Real> trial(const CableRows<Real>& cables, const BasicCableVector<
   }
   error += rounding_margin * epsilon<Real>() * change.cwiseAbs();
   const BasicCableVector<Real> zero = BasicCableVector<Real>::Zero(q.size());
-  Complementary<Real> result{active, zero, q + cables.rows() * change, zero,
-                             rounding + cables.rows().cwiseAbs() * error};
+  Complementary<Real> result{active, zero, zero, zero, zero};
+  for (Eigen::Index row = 0; row < q.size(); ++row) {
+    const Vector3<Real> a = cables.rows().row(row).transpose();
+    const bool at_zero = active.contains(static_cast<std::size_t>(row));
+    result.left[row] = at_zero ? Real(0) : Real(q[row] + a.dot(change));
+    result.left_error[row] = rounding[row] + a.cwiseAbs().dot(error);
+  }
   i = 0;
   for (const std::size_t row : active) {
     const auto k = static_cast<Eigen::Index>(row);
     result.multipliers[k] = space.dual(i).dot(change);
     result.multiplier_error[k] = space.dual(i).cwiseAbs().dot(error);
-    result.left[k] = Real(0);
     ++i;
   }
   return result;
+}
+
+/// The same of one row, whose sign of q says which of its two trials is the solution.
+template <class Real>
+std::optional<Complementary<Real>> of_one(const CableRows<Real>& cables, const Real& q,
+                                          const Real& rounding) {
+  if (isnan(q)) {
+    return std::nullopt;
+  }
+  const auto one = [](const Real& number) { return BasicCableVector<Real>::Constant(1, number); };
+  if (!(q < 0)) {
+    return Complementary<Real>{{}, one(Real(0)), one(q), one(Real(0)), one(rounding)};
+  }
+  const Vector3<Real> a = cables.rows().row(0).transpose();
+  const Vector3<Real> dual = a / a.squaredNorm();
+  const Vector3<Real> change = -q * dual;
+  const Vector3<Real> error =
+      rounding * dual.cwiseAbs() + rounding_margin * epsilon<Real>() * change.cwiseAbs();
+  return Complementary<Real>{CableSet::of(0), one(dual.dot(change)), one(Real(0)),
+                             one(dual.cwiseAbs().dot(error)),
+                             one(Real(rounding + a.cwiseAbs().dot(error)))};
 }
 
 /// By how much a trial breaks a sign [in units of w]; none where that is more than rounding.
@@ -67,6 +92,9 @@ template <class Real>
 std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
                                                  const BasicCableVector<Real>& q,
                                                  const BasicCableVector<Real>& rounding) {
+  if (q.size() == 1) {
+    return of_one(cables, q[0], rounding[0]);
+  }
   // A solution with independent active rows always exists (Caratheodory), so the at most
   // 1 + 8 + 28 + 56 sets of up to three rows are all there is to try. In exact arithmetic one of
   // them violates nothing; rounding decides between neighbours, so the smallest violation wins.

@@ -25,6 +25,21 @@ struct HalfSwing {
   }
 };
 
+/// Where in the first `horizon` [s] of `arc`, which is on taut cables, the product of its rates and
+/// `weights` falls to zero, in the time since its start [s]; none: nowhere, or overflow.
+template <class Real>
+[[nodiscard]] std::optional<Real> first_zero_of_rate(const BasicArc<Real>& arc,
+                                                     const Vector3<Real>& weights,
+                                                     const Real& horizon) {
+  std::vector<Real> rate;
+  rate.reserve(static_cast<std::size_t>(arc.series.rows()));
+  for (Eigen::Index k = 1; k < arc.series.rows(); ++k) {
+    rate.push_back(static_cast<double>(k) * arc.series.row(k).dot(weights));
+  }
+  const auto zero = first_root(Polynomial<Real>(rate), horizon).root;
+  return zero && !isnan(*zero) ? zero : std::nullopt;
+}
+
 /// Watches motion on taut cables that leave one degree of freedom for its turning points, at which
 /// the whole body is still for an instant. From there it goes back the way it has come, at the same
 /// speeds, as time reversed shows, up to the turning point before; and so to and fro for ever. It
@@ -70,12 +85,9 @@ class HalfSwingWatch {
     if (!(along.dot(Vector3<Real>(end.velocity.x(), end.velocity.y(), end.spin)) < 0)) {
       return std::nullopt;
     }
-    std::vector<Real> speed;  // along that at the start, which is twice the kinetic energy there
-    for (Eigen::Index k = 1; k < arc.series.rows(); ++k) {
-      speed.push_back(static_cast<double>(k) * arc.series.row(k).dot(along));
-    }
-    const auto turn = first_root(Polynomial<Real>(speed), Real(arc.end - arc.start)).root;
-    if (!turn || isnan(*turn)) {
+    // the speed along that at the start, which is twice the kinetic energy there
+    const auto turn = first_zero_of_rate(arc, along, Real(arc.end - arc.start));
+    if (!turn) {
       return std::nullopt;
     }
     const BasicState<Real> state = arc.after(*turn, the_case.gravity);
@@ -118,6 +130,40 @@ template <class Real>
     result.initial = arc.after(low, BasicVec2<Real>(BasicVec2<Real>::Zero()));
   }
   return result;
+}
+
+/// The swing of which `half` are the last of `arcs`. Tensions do no work: it is fastest where
+/// gravity, having sped it up, begins to slow it down.
+template <class Real>
+[[nodiscard]] BasicSwing<Real> swing_of(const BasicCase<Real>& the_case,
+                                        const HalfSwing<Real>& half,
+                                        const std::vector<BasicArc<Real>>& arcs) {
+  const BasicVec2<Real>& gravity = the_case.gravity;
+  const Vector3<Real> down(gravity.x(), gravity.y(), Real(0));
+  Real fastest(0);  // [J]
+  const auto note = [&](const BasicState<Real>& state) {
+    fastest = max(fastest, kinetic_energy(the_case.body, state));
+  };
+  for (std::size_t i = half.first; i < arcs.size(); ++i) {
+    const bool is_first = i == half.first;
+    const bool is_last = i + 1 == arcs.size();
+    const bool falls = is_first || gravity.dot(arcs[i].initial.velocity) > 0;
+    const bool rises = is_last || gravity.dot(arcs[i + 1].initial.velocity) <= 0;
+    if (falls && rises) {
+      const BasicArc<Real> arc = part_of(arcs[i], is_first ? half.from : Real(0));
+      const Real length =
+          (is_last ? half.to : Real(arc.end - arc.start)) - (is_first ? half.from : Real(0));
+      if (const auto lowest = first_zero_of_rate(arc, down, length)) {
+        note(arc.after(*lowest, gravity));
+      }
+    }
+    if (!is_first) {
+      note(arcs[i].initial);
+    }
+  }
+  const Real start = arcs[half.first].after(half.from, gravity).angle;
+  const Real end = arcs.back().after(half.to, gravity).angle;
+  return {fastest, half.period, min(start, end), max(start, end), Real(abs(Real(end - start)) / 2)};
 }
 
 /// `arc` from `high` [s] after its start back to it, but for its instants.
@@ -177,13 +223,9 @@ class EndlessSwing {
   EndlessSwing(const HalfSwing<Real>& half, const std::vector<BasicArc<Real>>& arcs)
       : arcs_(swing_after(half, arcs)),
         period_(half.period),
-        shown_(half.end(arcs) + third_turn * period_),
         started_(arcs.back().start),
         angle_(arcs.back().initial.angle),
         spin_(arcs.back().initial.spin) {}
-
-  /// From then on [s] a period of it, with three turning points, has been seen.
-  [[nodiscard]] const Real& shown() const { return shown_; }
 
   /// The next arc, which starts `now` [s] and ends with the case at the latest.
   [[nodiscard]] BasicArc<Real> next(const BasicCase<Real>& the_case, const Real& now) {
@@ -203,11 +245,8 @@ class EndlessSwing {
   }
 
  private:
-  static constexpr double third_turn = 9.0 / 16.0;  // [-] of a period later, and on
-
   std::vector<BasicArc<Real>> arcs_;  // of a period
   Real period_;                       // [s]
-  Real shown_;                        // [s]
   // of the arc that the half swing ends on
   Real started_;  // [s]
   Real angle_;    // [rad]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,10 +30,12 @@ struct Record {
   std::vector<BasicArc<Real>> arcs;
   std::vector<BasicEvent<Real>> events;
   std::vector<BasicAccumulation<Real>> accumulations;
+  std::optional<BasicSwing<Real>> swing;  // to and fro at its end, for ever
 
   /// Its end: the record is then empty.
   [[nodiscard]] BasicSolution<Real> solution(const BasicVec2<Real>& gravity, Ending ending) {
-    return {gravity, std::move(arcs), std::move(events), ending, std::move(accumulations)};
+    return {gravity, std::move(arcs), std::move(events), ending, std::move(accumulations),
+            std::move(swing)};
   }
 };
 

@@ -129,13 +129,14 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// The order with which the completed state converges, over rates from 1e-4 to 1e-9.
-double completion_order(BasicCase<Multi> the_case, double time) {
+/// The order with which the completed state converges, over rates from 1e-4 to 1e-9, each `ratio`
+/// times the one before.
+double completion_order(BasicCase<Multi> the_case, double time, double ratio) {
   the_case.duration = Multi(time);
   const auto exact = completed(the_case, 1e-14).end;
   std::vector<double> rates;
   std::vector<double> errors;
-  for (double speed = 1e-4; speed > 1e-9; speed *= 0.5) {
+  for (double speed = 1e-4; speed > 1e-9; speed *= ratio) {
     const auto [state, rate] = completed(the_case, speed);
     const Multi change = (state.position - exact.position).norm() + abs(state.angle - exact.angle) +
                          (state.velocity - exact.velocity).norm() + abs(state.spin - exact.spin);
@@ -156,7 +157,7 @@ TEST_P(CompletionOrder, IsThreeOnOneCable) {
   the_case.initial.position = {Multi(0), Multi(0)};
   the_case.initial.angle = Multi(0);
   the_case.initial.velocity = {Multi(1) / 10, Multi(1) / 20};
-  const double order = completion_order(the_case, 2.0);
+  const double order = completion_order(the_case, 2.0, 0.5);
   std::cout << "  order " << order << '\n';
   EXPECT_GE(order, 2.9);
   EXPECT_LE(order, 3.1);
@@ -169,7 +170,9 @@ TEST_P(CompletionOrder, IsThreeOnTwoCables) {
   row.initial = {};
   row.initial.velocity = {Multi(0), Multi(1) / 20};
   row.initial.spin = Multi(1) / 5;
-  const double order = completion_order(breakwater(row, "two cables"), 6.0);
+  // which cable bounces last, and how high the other is then, scatters the error by a factor of
+  // ten: three times as many rates as on one cable make the order sure to 0.05
+  const double order = completion_order(breakwater(row, "two cables"), 6.0, 0.8);
   std::cout << "  order " << order << '\n';
   EXPECT_GE(order, 2.9);
   EXPECT_LE(order, 3.1);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -138,13 +139,30 @@ template <class Real>
 template <class Real>
 [[nodiscard]] BasicCableMatrix<Real> delassus(const BasicCase<Real>& the_case,
                                               const BasicState<Real>& state, CableSet cables) {
+  std::array<Eigen::Matrix<Real, 3, 1>, max_cables> gradients;
+  const Eigen::Matrix<Real, 3, 1> weight = inverse_mass(the_case.body);
   const auto count = static_cast<Eigen::Index>(cables.size());
-  Eigen::Matrix<Real, Eigen::Dynamic, 3, 0, max_cables, 3> jacobian(count, 3);
+  BasicCableMatrix<Real> result(count, count);
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    jacobian.row(row++) = gap_gradient(the_case.cables[index], state).transpose();
+    Eigen::Matrix<Real, 3, 1>& gradient = gradients[static_cast<std::size_t>(row)];
+    gradient = gap_gradient(the_case.cables[index], state);
+    const Eigen::Matrix<Real, 3, 1> response = gradient.cwiseProduct(weight);
+    for (Eigen::Index column = 0; column <= row; ++column) {
+      result(row, column) = response.dot(gradients[static_cast<std::size_t>(column)]);
+      result(column, row) = result(row, column);
+    }
+    ++row;
   }
-  return jacobian * inverse_mass(the_case.body).asDiagonal() * jacobian.transpose();
+  return result;
+}
+
+/// Its entry for one cable with itself [1/kg].
+template <class Real>
+[[nodiscard]] Real delassus(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                            std::size_t index) {
+  const Eigen::Matrix<Real, 3, 1> row = gap_gradient(the_case.cables[index], state);
+  return row.dot(row.cwiseProduct(inverse_mass(the_case.body)));
 }
 
 /// Applies `impulses` [N s], one per cable of `cables`, at the state's pose (Eq. 8).

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/swing.hpp"
 
 namespace tautline {
 
@@ -52,15 +53,15 @@ enum class Ending {
   rest,              // the body has come to rest for good, or to a steady spin about the centre it
                      // hangs at; the last arc lasts to the duration
   unstable_rest,     // the same, at an equilibrium that the smallest push ends
-  locked,            // the body has swung through a period on its last cables, as it will for ever;
-                     // where SolveOptions::until_locked asks for it
-  angle_limit,       // |angle| reached the case's limit
-  ceiling,           // an attachment reached the case's ceiling
-  singular,          // touching cables came into one line: no tension or impulse can be told there
-  event_limit,       // as many events as SolveOptions allows
-  step_limit,        // as many steps of taut motion and of springs as SolveOptions allows
-  no_progress,       // event follows event and time does not advance
-  overflow,          // the numbers of the motion no longer fit a double
+  locked,       // the body has swung on its last cables from one turning point to the other, and
+                // will for ever; where SolveOptions::until_locked asks for it
+  angle_limit,  // |angle| reached the case's limit
+  ceiling,      // an attachment reached the case's ceiling
+  singular,     // touching cables came into one line: no tension or impulse can be told there
+  event_limit,  // as many events as SolveOptions allows
+  step_limit,   // as many steps of taut motion and of springs as SolveOptions allows
+  no_progress,  // event follows event and time does not advance
+  overflow,     // the numbers of the motion no longer fit a double
 };
 
 /// Infinitely many impacts within a finite time, followed one by one up to `start` and completed at
@@ -82,7 +83,8 @@ class BasicSolution {
   /// Made by solve(): arcs in order, each from the end of the one before.
   BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc<Real>> arcs,
                 std::vector<BasicEvent<Real>> events, Ending ending,
-                std::vector<BasicAccumulation<Real>> accumulations);
+                std::vector<BasicAccumulation<Real>> accumulations,
+                std::optional<BasicSwing<Real>> swing = std::nullopt);
 
   /// The state at `time` in [0, end_time()], exact; at an event, the state after it.
   /// Throws std::out_of_range outside.
@@ -101,12 +103,16 @@ class BasicSolution {
     return accumulations_;
   }
 
+  /// The swing that goes on for ever where it ends with Ending::locked, else none.
+  [[nodiscard]] const std::optional<BasicSwing<Real>>& swing() const { return swing_; }
+
  private:
   BasicVec2<Real> gravity_;
   std::vector<BasicArc<Real>> arcs_;  // never empty; each starts where the one before ends
   std::vector<BasicEvent<Real>> events_;
   Ending ending_;
   std::vector<BasicAccumulation<Real>> accumulations_;
+  std::optional<BasicSwing<Real>> swing_;
 };
 using Solution = BasicSolution<double>;
 

@@ -29,7 +29,7 @@ struct SolveOptions {
   std::size_t max_steps = 200'000;
 
   /// The run ends with Ending::locked where nothing else can happen: its taut cables leave one
-  /// degree of freedom, and a whole period has passed without an event.
+  /// degree of freedom, and it has swung from one turning point to the other without an event.
   bool until_locked = false;
 };
 

@@ -72,11 +72,12 @@ class RowSpace {
   RowSpace(const std::array<Vector3<Real>, 3>& rows, std::size_t size) : size_(size) {
     if (size_ == 1) {
       dual_[0] = rows[0] / rows[0].squaredNorm();
+      per_square_ = Real(1) / dual_[0].squaredNorm();
     } else if (size_ == 2) {
       normal_ = rows[0].cross(rows[1]);
-      const Real square = normal_.squaredNorm();
-      dual_[0] = rows[1].cross(normal_) / square;
-      dual_[1] = normal_.cross(rows[0]) / square;
+      per_square_ = Real(1) / normal_.squaredNorm();
+      dual_[0] = rows[1].cross(normal_) * per_square_;
+      dual_[1] = normal_.cross(rows[0]) * per_square_;
     } else if (size_ == 3) {
       const Vector3<Real> last = rows[0].cross(rows[1]);
       const Real volume = last.dot(rows[2]);
@@ -96,10 +97,10 @@ class RowSpace {
   /// products that it is made of: what the rows leave of a force.
   [[nodiscard]] Vector3<Real> across(const Vector3<Real>& v) const {
     if (size_ == 1) {
-      return dual_[0].cross(v.cross(dual_[0])) / dual_[0].squaredNorm();
+      return dual_[0].cross(v.cross(dual_[0])) * per_square_;
     }
     if (size_ == 2) {
-      return normal_ * (normal_.dot(v) / normal_.squaredNorm());
+      return normal_ * (normal_.dot(v) * per_square_);
     }
     return size_ == 3 ? Vector3<Real>(Vector3<Real>::Zero()) : v;
   }
@@ -107,10 +108,10 @@ class RowSpace {
   /// The part of `v` in the space. Its error is rounding of `v`, however near to dependence.
   [[nodiscard]] Vector3<Real> part(const Vector3<Real>& v) const {
     if (size_ == 1) {
-      return dual_[0] * (dual_[0].dot(v) / dual_[0].squaredNorm());
+      return dual_[0] * (dual_[0].dot(v) * per_square_);
     }
     if (size_ == 2) {
-      return v - normal_ * (normal_.dot(v) / normal_.squaredNorm());
+      return v - normal_ * (normal_.dot(v) * per_square_);
     }
     return size_ == 3 ? v : Vector3<Real>(Vector3<Real>::Zero());
   }
@@ -120,6 +121,7 @@ class RowSpace {
   std::array<Vector3<Real>, 3> dual_{Vector3<Real>::Zero(), Vector3<Real>::Zero(),
                                      Vector3<Real>::Zero()};
   Vector3<Real> normal_;  // of the plane of two rows
+  Real per_square_;       // of it, or of the dual of one row: 1 / its square
 };
 
 /// The rows A = J M^-1/2 of `cables`, which know which of them are independent: by their geometry,

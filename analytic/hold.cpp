@@ -42,11 +42,11 @@ Leading leading(std::span<const Real> coefficients, std::size_t known_zeros, con
 
 /// The series of full order, or of a lower one where its coefficients overflow: a body that turns a
 /// million times in its unit of time. A cable that `bounces` on the motion returns long before
-/// the end of the series: a third of the order does.
+/// the end of the series: half of the order does.
 template <class Real>
 TautSeries<Real> longest_series(const BasicCase<Real>& the_case, const BasicState<Real>& state,
                                 CableSet pulling, bool bounces) {
-  std::size_t order = bounces ? series_order<Real>() / 3 : series_order<Real>();
+  std::size_t order = bounces ? series_order<Real>() / 2 : series_order<Real>();
   constexpr std::size_t least_order = 6;
   for (; order > least_order; order /= 2) {
     TautSeries<Real> motion(the_case, state, pulling, order);

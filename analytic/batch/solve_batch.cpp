@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "batch/bounce_lanes.hpp"
+#include "batch/in_lane.hpp"
 #include "local_origin.hpp"
 #include "loop/paused_motion.hpp"
 #include "loop/standing.hpp"
@@ -67,13 +67,13 @@ class Batch {
       body.motion =
           paused_motion(moved ? body.near : the_case, options_, touching_at_start(the_case));
       if (advance(lane)) {
-        set_world(lane);
+        InLane{lane}(question_.world, body.motion->ordinary().world());
         set_cables(lane);
         return true;
       }
     }
     body.motion.reset();
-    set(lane, question_.horizon, 0.0);  // nothing is searched for
+    InLane{lane}(question_.horizon, 0.0);  // nothing is searched for
     return false;
   }
 
@@ -117,18 +117,12 @@ class Batch {
       return false;
     }
     body.last_hit = body.motion->last_hit();
-    const Flyer<double> flyer = body.motion->flyer();
-    Flyer<LaneNumbers>& from = question_.from;
-    set(lane, from.position, flyer.position);
-    set(lane, from.angle, flyer.angle);
-    set(lane, from.velocity, flyer.velocity);
-    set(lane, from.spin, flyer.spin);
-    set(lane, from.rate_rounding, flyer.rate_rounding);
-    set(lane, from.spin_rounding, flyer.spin_rounding);
-    set(lane, question_.touches, body.last_hit ? 1.0 : 0.0);
-    set(lane, question_.horizon, body.motion->time_left());
+    const InLane set{lane};
+    set(question_.from, body.motion->flyer());
+    set(question_.touches, body.last_hit ? 1.0 : 0.0);
+    set(question_.horizon, body.motion->time_left());
     for (std::size_t place = 0; place < count_; ++place) {
-      set(lane, question_.cables[place].tried, cable_at(place, body).tried);
+      set(question_.cables[place].tried, cable_at(place, body).tried);
     }
     return true;
   }
@@ -139,40 +133,10 @@ class Batch {
         .cables()[OrdinaryBounces<double>::cable_at(place, body.last_hit)];
   }
 
-  static void set(std::size_t lane, LaneNumbers& numbers, double number) {
-    numbers.of[lane] = number;
-  }
-  static void set(std::size_t lane, Pair<LaneNumbers>& numbers, const Pair<double>& pair) {
-    numbers.x.of[lane] = pair.x;
-    numbers.y.of[lane] = pair.y;
-  }
-
-  void set_world(std::size_t lane) {
-    const FlightWorld<double>& world = bodies_[lane].motion->ordinary().world();
-    FlightWorld<LaneNumbers>& into = question_.world;
-    set(lane, into.gravity, world.gravity);
-    set(lane, into.gravity_size, world.gravity_size);
-    set(lane, into.mass, world.mass);
-    set(lane, into.inertia, world.inertia);
-    set(lane, into.per_mass, world.per_mass);
-    set(lane, into.per_inertia, world.per_inertia);
-    set(lane, into.radius, world.radius);
-    set(lane, into.shortest, world.shortest);
-  }
-
   /// The cables in the order in which they are searched now.
   void set_cables(std::size_t lane) {
-    const Body& body = bodies_[lane];
     for (std::size_t place = 0; place < count_; ++place) {
-      const FlightCable<double>& cable = cable_at(place, body);
-      FlightCable<LaneNumbers>& into = question_.cables[place];
-      set(lane, into.anchor, cable.anchor);
-      set(lane, into.attachment, cable.attachment);
-      set(lane, into.length, cable.length);
-      set(lane, into.per_length, cable.per_length);
-      set(lane, into.radius, cable.radius);
-      set(lane, into.operand, cable.operand);
-      set(lane, into.restitution, cable.restitution);
+      InLane{lane}(question_.cables[place], cable_at(place, bodies_[lane]));
     }
   }
 

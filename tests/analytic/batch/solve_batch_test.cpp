@@ -4,10 +4,11 @@
 
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
-#include "batch/bounce_lanes.hpp"
+#include "batch/in_lane.hpp"
 #include "flight/ordinary.hpp"
 #include "hard/hard_families.hpp"
 #include "support.hpp"
@@ -51,6 +52,14 @@ bool same(const Accumulation& a, const Accumulation& b) {
          a.cables == b.cables && same(a.energy_lost, b.energy_lost);
 }
 
+bool same(const std::optional<Swing>& a, const std::optional<Swing>& b) {
+  if (!a || !b) {
+    return a.has_value() == b.has_value();
+  }
+  return same(a->energy, b->energy) && same(a->period, b->period) && same(a->least, b->least) &&
+         same(a->largest, b->largest) && same(a->amplitude, b->amplitude);
+}
+
 template <class Part>
 void expect_same(const std::vector<Part>& batch, const std::vector<Part>& alone,
                  const std::string& what) {
@@ -68,6 +77,7 @@ void expect_same_solutions(const std::vector<Case>& cases, const SolveOptions& o
     const Solution alone = solve(cases[index], options);
     const std::string name = "case " + std::to_string(index) + " " + cases[index].name;
     EXPECT_EQ(solution.ending(), alone.ending()) << name;
+    EXPECT_TRUE(same(solution.swing(), alone.swing())) << name;
     expect_same(solution.events(), alone.events(), name + ", event");
     expect_same(solution.arcs(), alone.arcs(), name + ", arc");
     expect_same(solution.accumulations(), alone.accumulations(), name + ", accumulation");
@@ -140,47 +150,16 @@ TEST(SolveBatch, WhatTheTakerThrowsReachesTheCaller) {
                std::runtime_error);
 }
 
-/// Sets the numbers of one lane in everything that has numbers of lanes.
-struct InLane {
-  std::size_t lane;
-  void operator()(LaneNumbers& into, double number) const { into.of[lane] = number; }
-  void operator()(Pair<LaneNumbers>& into, const Pair<double>& pair) const {
-    into.x.of[lane] = pair.x;
-    into.y.of[lane] = pair.y;
-  }
-};
-
 /// Asks for a flight of `the_case` in a lane.
 void ask(LaneQuestion& question, std::size_t lane, const Case& the_case, bool touches) {
   const InLane set{lane};
   const OrdinaryBounces<double> ordinary(the_case, question.limits);
-  const FlightWorld<double>& world = ordinary.world();
-  set(question.world.gravity, world.gravity);
-  set(question.world.gravity_size, world.gravity_size);
-  set(question.world.mass, world.mass);
-  set(question.world.inertia, world.inertia);
-  set(question.world.per_mass, world.per_mass);
-  set(question.world.per_inertia, world.per_inertia);
-  set(question.world.radius, world.radius);
-  set(question.world.shortest, world.shortest);
-  const Flyer<double> flyer = flyer_of(the_case.initial, Touching{});
-  set(question.from.position, flyer.position);
-  set(question.from.angle, flyer.angle);
-  set(question.from.velocity, flyer.velocity);
-  set(question.from.spin, flyer.spin);
+  set(question.world, ordinary.world());
+  set(question.from, flyer_of(the_case.initial, Touching{}));
   set(question.from.rate_rounding, 1e-15);
   set(question.from.spin_rounding, 1e-15);
   for (std::size_t place = 0; place < question.count; ++place) {
-    const FlightCable<double>& cable = ordinary.cables()[place];
-    FlightCable<LaneNumbers>& into = question.cables[place];
-    set(into.anchor, cable.anchor);
-    set(into.attachment, cable.attachment);
-    set(into.length, cable.length);
-    set(into.per_length, cable.per_length);
-    set(into.radius, cable.radius);
-    set(into.operand, cable.operand);
-    set(into.restitution, cable.restitution);
-    set(into.tried, cable.tried);
+    set(question.cables[place], ordinary.cables()[place]);
   }
   set(question.touches, touches ? 1.0 : 0.0);
   set(question.horizon, the_case.duration);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "support.hpp"
+#include "tautline/geometry.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 
@@ -70,6 +71,35 @@ TEST(HalfSwing, ComesRoundAfterHundredsOfPeriods) {
   expect_within("distance from a motion started anew near the end",
                 farthest_from_the_equations(the_case, solution, *lock->swing, 1400.0, 20),
                 as_if_anew);
+}
+
+// energy and angles of the motion that has gone on, sampled over a period
+TEST(HalfSwing, IsTheSwingThatTheWholeMotionShows) {
+  for (const char* const number : {"1910121100", "1510121100", "2910121100", "1710121100"}) {
+    const Case the_case = table_case(number);
+    const Solution part = solve(the_case, {.until_locked = true});
+    ASSERT_EQ(part.ending(), Ending::locked) << number;
+    ASSERT_TRUE(part.swing()) << number;
+    const Solution whole = solve(the_case);
+    EXPECT_FALSE(whole.swing()) << "it has gone on to the end";
+    constexpr int samples = 20'000;
+    double energy = 0.0;
+    double least = 10.0;
+    double largest = -10.0;
+    for (int sample = 0; sample < samples; ++sample) {
+      const State state = whole.at(part.end_time() + sample * part.swing()->period / samples);
+      energy = std::max(energy, kinetic_energy(the_case.body, state));
+      least = std::min(least, state.angle);
+      largest = std::max(largest, state.angle);
+    }
+    // between samples a cosine of 1 falls by pi^2 / samples^2 / 2, in twice the phase for the
+    // energy
+    EXPECT_NEAR(part.swing()->energy / energy, 1.0, 1e-7) << number;
+    const double range = part.swing()->largest - part.swing()->least;
+    EXPECT_NEAR((largest - part.swing()->largest) / range, 0.0, 1e-7) << number;
+    EXPECT_NEAR((least - part.swing()->least) / range, 0.0, 1e-7) << number;
+    EXPECT_DOUBLE_EQ(part.swing()->amplitude, range / 2.0) << number;
+  }
 }
 
 }  // namespace

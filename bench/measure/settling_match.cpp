@@ -40,9 +40,11 @@ std::vector<LastImpactMatch> match_last_impacts(const Settling& settling, double
   return result;
 }
 
-std::optional<Swing> measured_swing(const Solution& solution, const std::optional<Lock>& lock) {
-  if (!lock || !lock->permanent || !lock->swing ||
-      solution.end_time() - lock->swing->period < lock->time) {
+std::optional<Swing> measured_swing(const Case& the_case, const Solution& solution,
+                                    const std::optional<Lock>& lock) {
+  // a solution that ends with a lock would have gone on
+  const double end = solution.swing() ? the_case.duration : solution.end_time();
+  if (!lock || !lock->permanent || !lock->swing || end - lock->swing->period < lock->time) {
     return std::nullopt;
   }
   return lock->swing;
@@ -50,7 +52,7 @@ std::optional<Swing> measured_swing(const Solution& solution, const std::optiona
 
 std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,
                                       const Settling& settling, const Trajectory& run) {
-  const std::optional<Swing> measured = measured_swing(solution, settling.lock);
+  const std::optional<Swing> measured = measured_swing(the_case, solution, settling.lock);
   if (run.diverged || !measured) {
     return std::nullopt;
   }

@@ -19,7 +19,7 @@ namespace tautline::bench {
                                                               double end);
 
 /// The swing that `solution` ends in, with its `lock`, if it has one and lasts for a period of it.
-[[nodiscard]] std::optional<Swing> measured_swing(const Solution& solution,
+[[nodiscard]] std::optional<Swing> measured_swing(const Case& the_case, const Solution& solution,
                                                   const std::optional<Lock>& lock);
 
 /// The swing of `run` next to the one that `settling` of `solution` ends in.

@@ -270,7 +270,7 @@ StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
   if (lock) {
     values[Place::lock] = lock->time;
   }
-  if (const auto swing = measured_swing(solution, lock)) {
+  if (const auto swing = measured_swing(the_case, solution, lock)) {
     values[Place::swing_energy] = swing->energy;
     values[Place::swing_amplitude] = swing->amplitude;
   }

@@ -4,11 +4,12 @@
 
 #include <cstdio>
 #include <string_view>
+#include <vector>
 
 #include "bench/ensemble/solve/draw_files.hpp"
 #include "bench/ensemble/solve/draw_table.hpp"
 #include "bench/ensemble/spec/spec_file.hpp"
-#include "tautline/solve.hpp"
+#include "tautline/batch/solve_batch.hpp"
 
 using namespace tautline;         // NOLINT(google-build-using-namespace): a program of one page
 using namespace tautline::bench;  // NOLINT(google-build-using-namespace)
@@ -32,11 +33,16 @@ int main(int argc, char** argv) {
     count = table.ended() - table.problems();
     std::printf("%zu bytes\n", chunk_csv(request.spec, 0, results).size());
   } else if (what != "nothing") {
+    std::vector<Case> cases;
     for (std::size_t draw = 0; draw < draws; ++draw) {
-      const Case the_case = case_of(request.spec, request.setups.front(), draw);
-      const bool moves =
-          what != "motions" || solve(the_case, {.until_locked = true}).arcs().size() > 1;
-      count += moves ? 1U : 0U;
+      cases.push_back(case_of(request.spec, request.setups.front(), draw));
+    }
+    count = cases.size();
+    if (what == "motions") {
+      count = 0;
+      solve_batch(cases, {.until_locked = true}, [&](std::size_t, const Solution& solution) {
+        count += solution.arcs().size() > 1 ? 1U : 0U;
+      });
     }
   }
   std::printf("%zu draws\n", count);

@@ -52,8 +52,8 @@ template <class Real>
     event.before.position -= origin;
     event.after.position -= origin;
   }
-  return {solution.gravity(), std::move(arcs),          std::move(events),
-          solution.ending(),  solution.accumulations(), solution.swing()};
+  return {solution.gravity(),       std::move(arcs),  std::move(events),    solution.ending(),
+          solution.accumulations(), solution.swing(), solution.repetition()};
 }
 
 }  // namespace tautline

@@ -28,13 +28,15 @@ template <class Real>
 BasicSolution<Real>::BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc<Real>> arcs,
                                    std::vector<BasicEvent<Real>> events, Ending ending,
                                    std::vector<BasicAccumulation<Real>> accumulations,
-                                   std::optional<BasicSwing<Real>> swing)
+                                   std::optional<BasicSwing<Real>> swing,
+                                   std::optional<BasicRepetition<Real>> repetition)
     : gravity_(std::move(gravity)),
       arcs_(std::move(arcs)),
       events_(std::move(events)),
       ending_(ending),
       accumulations_(std::move(accumulations)),
-      swing_(std::move(swing)) {
+      swing_(std::move(swing)),
+      repetition_(std::move(repetition)) {
   if (arcs_.empty()) {
     throw std::invalid_argument("a solution needs at least one arc");
   }

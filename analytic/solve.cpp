@@ -304,8 +304,7 @@ class Motion final : public PausedMotion<Real> {
     state_ = std::move(after);
   }
 
-  /// Swings to and fro on the arcs of half a swing, from its end on. The motion meets nothing new.
-  /// False, as `finish`.
+  /// Swings to and fro on the arcs of half a swing, meeting nothing new. False, as `finish`.
   bool swing_on(const HalfSwing<Real>& half) {
     record_.arcs.back().end = half.end(record_.arcs);
     if (options_.until_locked) {
@@ -313,6 +312,7 @@ class Motion final : public PausedMotion<Real> {
       return end(Ending::locked);
     }
     EndlessSwing<Real> swing(half, record_.arcs);
+    record_.repetition = swing.from(record_.arcs.size());
     while (true) {
       time_ = record_.arcs.back().end;
       BasicArc<Real> arc = swing.next(case_, time_);

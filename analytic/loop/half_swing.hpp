@@ -227,6 +227,11 @@ class EndlessSwing {
         angle_(arcs.back().initial.angle),
         spin_(arcs.back().initial.spin) {}
 
+  /// How its arcs come again, of which `first` is the place of the next.
+  [[nodiscard]] BasicRepetition<Real> from(std::size_t first) const {
+    return {first, arcs_.size(), period_};
+  }
+
   /// The next arc, which starts `now` [s] and ends with the case at the latest.
   [[nodiscard]] BasicArc<Real> next(const BasicCase<Real>& the_case, const Real& now) {
     BasicArc<Real> arc = arcs_[next_ % arcs_.size()];

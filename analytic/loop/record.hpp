@@ -31,11 +31,13 @@ struct Record {
   std::vector<BasicEvent<Real>> events;
   std::vector<BasicAccumulation<Real>> accumulations;
   std::optional<BasicSwing<Real>> swing;  // to and fro at its end, for ever
+  std::optional<BasicRepetition<Real>> repetition;
 
   /// Its end: the record is then empty.
   [[nodiscard]] BasicSolution<Real> solution(const BasicVec2<Real>& gravity, Ending ending) {
-    return {gravity, std::move(arcs), std::move(events), ending, std::move(accumulations),
-            std::move(swing)};
+    return {
+        gravity,          std::move(arcs),      std::move(events), ending, std::move(accumulations),
+        std::move(swing), std::move(repetition)};
   }
 };
 

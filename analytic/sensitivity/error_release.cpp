@@ -68,7 +68,7 @@ bool ErrorTracker::release(const Event& event) {
   const StateVector rate = rate_at(*before_, length, event.before, case_.gravity);
   now_ = delayed(now_, delay, rate);
   now_(6, 6) += rounding * rounding;
-  now_.topLeftCorner<6, 6>() += rounding * rounding * rate * rate.transpose();
+  add_late(now_, rounding * rounding, rate);
   return true;
 }
 

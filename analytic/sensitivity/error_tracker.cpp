@@ -140,10 +140,51 @@ void ErrorTracker::follow(std::size_t index) {
   }
   followed_ = &arc;
   now_ = along(now_, case_, sizes_, arc, basis_, dt, last);
+  if (!arc.taut.empty()) {
+    add_late(now_, late_at_end(index), rate_at(arc, dt, last, case_.gravity));
+  }
   fastest_ = std::max({fastest_, sizes_.speed(arc.initial), sizes_.speed(last)});
   if (!is_sure()) {
     lose();
   }
+}
+
+/// The square of what the instants of this taut arc add to how late a state is [s^2]: their
+/// rounding; where a swing comes again for the n-th time the error of its period, which is the same
+/// every time, so that the square of n times it grows by 2 n - 1.
+double ErrorTracker::late_at_end(std::size_t index) {
+  const auto& again = solution_.repetition();
+  if (!again || index < again->first) {
+    const double tick = one_rounding * solution_.arcs()[index].end;
+    return tick * tick;
+  }
+  if (!period_error_) {
+    period_error_ = period_error(*again);
+  }
+  const std::size_t times = (index - again->first) / again->arcs + 1;
+  return static_cast<double>(2 * times - 1) / static_cast<double>(again->arcs) * *period_error_ *
+         *period_error_;
+}
+
+/// By how much the period is off [s], the root of its square: twice what the arcs of half a swing
+/// make of their own rounding.
+double ErrorTracker::period_error(const Repetition& again) const {
+  const auto& arcs = solution_.arcs();
+  Spread own = Spread::Zero();
+  for (std::size_t k = again.first - again.arcs / 2; k < again.first; ++k) {
+    const double dt = arcs[k].end - arcs[k].start;
+    own = along(own, case_, sizes_, arcs[k], basis_, dt, arcs[k + 1].initial);
+  }
+  // at the turning point nothing moves: an error of the velocities is one of the instant
+  const Arc& turned = arcs[again.first];
+  const Eigen::Vector3d acceleration =
+      rate_at(turned, 0.0, turned.initial, case_.gravity).tail<3>();
+  const Eigen::Vector3d force =
+      Eigen::Vector3d(case_.body.mass, case_.body.mass, case_.body.inertia)
+          .cwiseProduct(acceleration);
+  const double square = force.dot(own.block<3, 3>(3, 3) * force);
+  const double late = std::sqrt(std::max(square, 0.0)) / force.dot(acceleration);
+  return std::hypot(2.0 * late, one_rounding * again.period);
 }
 
 /// From here on the solution is one of many.

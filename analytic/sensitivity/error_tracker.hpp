@@ -59,6 +59,8 @@ class ErrorTracker {
   [[nodiscard]] bool order_is_sure(const Event& event) const;
   [[nodiscard]] bool is_sure() const;
   void follow(std::size_t arc);
+  [[nodiscard]] double late_at_end(std::size_t arc);
+  [[nodiscard]] double period_error(const Repetition& again) const;
   void lose();
   [[nodiscard]] std::optional<Meeting> meeting() const;
   [[nodiscard]] std::optional<Meeting> meeting_from(std::size_t arc) const;
@@ -84,6 +86,7 @@ class ErrorTracker {
   CableSet basis_;                      // independent ones of the arc before's taut cables
   std::size_t next_ = 0;                // event
   std::size_t accumulation_ = 0;        // not before that event
+  std::optional<double> period_error_;  // [s], of a swing that comes again
   double curvature_ = square_rounding;  // [-], square of the largest part that is not first order
   bool lost_ = false;
   double sure_to_ = 0.0;              // [s], whatever comes of the next event

@@ -82,6 +82,11 @@ inline double bound(const StateRow& row, const StateMatrix& squares,
   return bound(std::max(square, 0.0) + cancels * largest);
 }
 
+/// Adds that of a state which comes late, where the `square` of that [s^2] is independent.
+inline void add_late(Spread& spread, double square, const StateVector& rate) {
+  spread.topLeftCorner<6, 6>() += square * rate * rate.transpose();
+}
+
 /// Adds the squares of independent errors of the six numbers.
 inline void add_errors(Spread& spread, const StateVector& errors) {
   spread.diagonal().head<6>() += errors.cwiseAbs2();

@@ -36,7 +36,10 @@ std::optional<Uncertainty::Spread> Uncertainty::spread(double time) const {
   const State state = arc.after(dt, case_->gravity);
   Spread result = along(starts_[index], *case_, Sizes(*case_), arc,
                         basis(*case_, arc.initial, arc.taut), dt, state);
-  result.topLeftCorner<6, 6>() = at_instant(result, rate_at(arc, dt, state, case_->gravity));
+  const StateVector rate = rate_at(arc, dt, state, case_->gravity);
+  const double tick = one_rounding * time;  // of the start of the arc
+  add_late(result, tick * tick, rate);
+  result.topLeftCorner<6, 6>() = at_instant(result, rate);
   return result;
 }
 

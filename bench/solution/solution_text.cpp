@@ -10,6 +10,7 @@
 
 #include "bench/solution/digits/summary.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/rounding.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -44,8 +45,8 @@ void swing_errors(const Case& the_case, const State& state, const Swing& found,
     errors.period = found.period / found.energy * errors.energy;
   }
   // turning points are found to the root of rounding at worst, and the series to rounding
-  constexpr double measured = 1e-11;  // [-]
-  errors.amplitude += measured * found.amplitude;
+  constexpr double measured = 1e-11;                                                   // [-]
+  errors.amplitude += measured * found.amplitude + few_roundings * epsilon<double>();  // of a rad
   errors.period += measured * found.period;
 }
 

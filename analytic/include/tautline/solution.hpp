@@ -76,6 +76,16 @@ struct BasicAccumulation {
 };
 using Accumulation = BasicAccumulation<double>;
 
+/// A swing that comes again for ever: from arc `first` on each is that of so many `arcs` before,
+/// but for its instants. Half of them, just before, are those that were computed.
+template <class Real>
+struct BasicRepetition {
+  std::size_t first;  // arc
+  std::size_t arcs;   // of a period
+  Real period;        // [s]
+};
+using Repetition = BasicRepetition<double>;
+
 /// The exact motion of a case: its arcs and events in rising time.
 template <class Real>
 class BasicSolution {
@@ -84,7 +94,8 @@ class BasicSolution {
   BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc<Real>> arcs,
                 std::vector<BasicEvent<Real>> events, Ending ending,
                 std::vector<BasicAccumulation<Real>> accumulations,
-                std::optional<BasicSwing<Real>> swing = std::nullopt);
+                std::optional<BasicSwing<Real>> swing = std::nullopt,
+                std::optional<BasicRepetition<Real>> repetition = std::nullopt);
 
   /// The state at `time` in [0, end_time()], exact; at an event, the state after it.
   /// Throws std::out_of_range outside.
@@ -106,6 +117,11 @@ class BasicSolution {
   /// The swing that goes on for ever where it ends with Ending::locked, else none.
   [[nodiscard]] const std::optional<BasicSwing<Real>>& swing() const { return swing_; }
 
+  /// How its last arcs repeat themselves, if they do.
+  [[nodiscard]] const std::optional<BasicRepetition<Real>>& repetition() const {
+    return repetition_;
+  }
+
  private:
   BasicVec2<Real> gravity_;
   std::vector<BasicArc<Real>> arcs_;  // never empty; each starts where the one before ends
@@ -113,6 +129,7 @@ class BasicSolution {
   Ending ending_;
   std::vector<BasicAccumulation<Real>> accumulations_;
   std::optional<BasicSwing<Real>> swing_;
+  std::optional<BasicRepetition<Real>> repetition_;
 };
 using Solution = BasicSolution<double>;
 

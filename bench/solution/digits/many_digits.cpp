@@ -147,7 +147,9 @@ class Solver {
     // the limit of an accumulation is as good as the bounces are small, whose cube is the error
     options_.completion.error = std::pow(10.0, -std::min(300, 3 * asked.digits + 4));
     const Settling settled = settling(the_case, solution);
-    if (settled.lock && settled.lock->permanent && !settled.lock->rests) {
+    // one from the start is no time to end at
+    if (settled.lock && settled.lock->permanent && !settled.lock->rests &&
+        settled.lock->time > 0.0) {
       constexpr double margin = 0.02;  // [-], of the time of the lock: other motions lock later
       locked_by_ = settled.lock->time * (1.0 + margin) + 2.0 * settled.lock->uncertainty;
     }

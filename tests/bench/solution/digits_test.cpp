@@ -266,6 +266,70 @@ TEST(Digits, AMotionThatStartsOnATautCableHasBounds) {
   EXPECT_TRUE(Uncertainty(hung, unstable).at(0.0));
 }
 
+/// A pendulum of 1.25 m, of two parallel cables or of one and a point mass: 3, 4 and 5 are exact.
+Case exact_pendulum(bool parallel) {
+  Case result;
+  result.name = parallel ? "two parallel cables" : "one cable";
+  result.gravity = {0.0, -9.81};
+  result.body = {1.0, parallel ? 0.125 : 0.0};
+  result.initial.position = {0.75, 0.0};
+  result.cables = {{{0.0, 1.0}, {0.0, 0.0}, 1.25, 0.5}};
+  if (parallel) {
+    result.cables = {{{-0.5, 1.0}, {-0.5, 0.0}, 1.25, 0.5}, {{0.5, 1.0}, {0.5, 0.0}, 1.25, 0.5}};
+  }
+  return result;
+}
+
+// of period 4 K(sin(a / 2)) sqrt(L / g), by the arithmetic-geometric mean in 40 digits
+TEST(Digits, ASwingFromTheStartHasItsPeriod) {
+  Case swing = exact_pendulum(true);
+  swing.duration = 20.0;
+  const Solution solution = solve(swing);
+  const std::string text = many_digits_text(swing, {}, solution, {15, false, false, {}}, unlimited);
+  EXPECT_NE(text.find("period 2.30231329089341"), std::string::npos) << text;
+  const std::string doubles =
+      solution_text(swing, solution, settling(swing, solution), Uncertainty(swing, solution));
+  EXPECT_NE(doubles.find("amplitude – rad"), std::string::npos) << "it does not turn: " << doubles;
+}
+
+// an error of the period comes again with it, some 650 times
+TEST(Digits, ASwingThatComesAgainForLongStaysWithinItsBounds) {
+  std::vector<Case> swings = {exact_pendulum(true), exact_pendulum(false)};
+  for (const char* const number : {"1510121100", "1710121100"}) {
+    swings.push_back(test::table_case(number));
+  }
+  for (Case& swing : swings) {
+    swing.duration = 1500.0;
+    const Solution solution = solve(swing);
+    ASSERT_TRUE(solution.repetition()) << swing.name;
+    const Uncertainty uncertainty(swing, solution);
+    const tautline::Digits precision(40);
+    SolveOptions sharper;
+    sharper.completion.error = true_completion;
+    const BasicSolution<Multi> truth = solve(in_digits(swing), sharper);
+    double worst = 0.0;   // error, as a part of its bound
+    double widest = 0.0;  // bound [m]
+    for (int sample = 1; sample < 400; ++sample) {
+      const double time = swing.duration * sample / 400;
+      const auto bounds = uncertainty.at(time);
+      ASSERT_TRUE(bounds) << swing.name << " at " << time;
+      const auto right = truth.at(Multi(time));
+      const Vec2 found = solution.at(time).position;
+      for (const Eigen::Index axis : {0, 1}) {
+        const auto error = static_cast<double>(abs(Multi(right.position[axis] - found[axis])));
+        worst = std::max(worst, error / bounds->position[axis]);
+        widest = std::max(widest, bounds->position[axis]);
+      }
+    }
+    std::printf("%s: errors up to %.2f of their bounds, which are up to %.1e m\n",
+                swing.name.c_str(), worst, widest);
+    EXPECT_LE(worst, 1.0) << swing.name;
+    if (solution.accumulations().empty()) {  // else the doubt of their end grows with time
+      EXPECT_LE(widest, 1e-10) << swing.name;
+    }
+  }
+}
+
 TEST(Digits, AFileIsReadWhateverTheNameOfItsCase) {
   const std::string file = R"(name = "breakwater/1910121100"
 duration = 1.5

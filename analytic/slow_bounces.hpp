@@ -60,10 +60,11 @@ struct Leaving {
   V tried;      // [m/s], the rebound of the last attempt, from now on; infinite: there was none
 };
 
-/// Of a cable that begins bounces with `rebound` [m/s], of which the rate's rounding tells
-/// `rate_rounding` [m/s]. An attempt costs as much as several bounces: slow ones are worth it once
-/// they are half as fast as at the last one, `tried`, and those too low for a gap to tell four
-/// bounces later. Where they are faster than at the last one they are others.
+/// Of a cable that begins bounces with `rebound` [m/s], of which each keeps the part `kept`; it
+/// rests where that is within `rate_rounding` [m/s]. An attempt costs as much as several bounces:
+/// slow ones are worth it once they are half as fast as at the last one, `tried`; those too low for
+/// a gap to tell after four bounces, too, and elastic ones at each. Where they are faster than at
+/// the last one they are others.
 template <class V, class Limits>
 [[nodiscard]] auto leaving(const V& kept, const V& rounding, const V& rate_rounding,
                            const V& rebound, const V& tried, const Limits& limits,

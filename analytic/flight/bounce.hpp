@@ -12,7 +12,7 @@ namespace tautline {
 
 // What happens most, written for one body or several side by side: a body in free flight is caught
 // by one cable and leaves it. It is the loop's own flight and impact (solve.cpp), without the
-// questions whose answers are known here: nothing rests, no accumulation is near its end.
+// questions whose answers are known here: nothing rests, and no accumulation is to be completed.
 
 /// What all flights of a case have in common.
 template <class V>
@@ -98,8 +98,8 @@ void rebound(const FlightWorld<V>& world, const FlightCable<V>& cable,
 }
 
 /// The next impact of bodies that fly within `horizon` [s], each on the cables `cable(k)`, k <
-/// count, of its own, of which it has left the first where `touches`. Requires that they open
-/// there, and are not slow.
+/// count, of its own, of which it has left the first where `touches`. Requires that they leave it
+/// (`leaving`).
 template <class V, class Mask, class Cables>
 [[nodiscard]] Bounce<V, Mask> next_bounce(const FlightWorld<V>& world, const Flyer<V>& from,
                                           const Cables& cable, std::size_t count,

@@ -23,7 +23,7 @@ struct FlightCable {
   V radius;            // [m], attachment to centre of mass
   V operand;           // [m], the largest number of its own that its gap is computed from
   V restitution;       // [-]
-  V tried;             // [m/s]: faster rebounds are known to be no end of an accumulation
+  V tried;             // [m/s], as in `Leaving`
 };
 
 /// `yes` where the mask is set, else `no`.

@@ -25,83 +25,6 @@ struct HalfSwing {
   }
 };
 
-/// Where in the first `horizon` [s] of `arc`, which is on taut cables, the product of its rates and
-/// `weights` falls to zero, in the time since its start [s]; none: nowhere, or overflow.
-template <class Real>
-[[nodiscard]] std::optional<Real> first_zero_of_rate(const BasicArc<Real>& arc,
-                                                     const Vector3<Real>& weights,
-                                                     const Real& horizon) {
-  std::vector<Real> rate;
-  rate.reserve(static_cast<std::size_t>(arc.series.rows()));
-  for (Eigen::Index k = 1; k < arc.series.rows(); ++k) {
-    rate.push_back(static_cast<double>(k) * arc.series.row(k).dot(weights));
-  }
-  const auto zero = first_root(Polynomial<Real>(rate), horizon).root;
-  return zero && !isnan(*zero) ? zero : std::nullopt;
-}
-
-/// Watches motion on taut cables that leave one degree of freedom for its turning points, at which
-/// the whole body is still for an instant. From there it goes back the way it has come, at the same
-/// speeds, as time reversed shows, up to the turning point before; and so to and fro for ever. It
-/// meets nothing on its way that it has not met on half a swing.
-template <class Real>
-class HalfSwingWatch {
- public:
-  /// Goes on with the last of `arcs`, of `length` [s], which leads to `end` and which `events`
-  /// events precede: the first of others begins anew. The half swing that this arc completes, if it
-  /// does.
-  std::optional<HalfSwing<Real>> follow(const BasicCase<Real>& the_case,
-                                        const std::vector<BasicArc<Real>>& arcs,
-                                        const BasicState<Real>& end, const Real& length,
-                                        std::size_t events) {
-    if (events_ != events) {
-      *this = {};
-      events_ = events;
-    }
-    const BasicArc<Real>& arc = arcs.back();
-    most_ = max(most_, kinetic_energy(the_case.body, arc.initial));
-    const auto turn = turning_point(the_case, arc, end);
-    if (turn && turn_) {
-      return HalfSwing<Real>{turn_->first, turn_->from, *turn, Real(2 * (since_ + *turn))};
-    }
-    since_ += length;
-    if (turn) {
-      turn_ = HalfSwing<Real>{arcs.size() - 1, *turn, Real(0), Real(0)};
-      since_ = length - *turn;
-    }
-    return std::nullopt;
-  }
-
- private:
-  /// Where in `arc`, in the time since its start [s], it turns: an arc is a small part of a swing,
-  /// so that the velocity at its end is then against that at its start.
-  [[nodiscard]] std::optional<Real> turning_point(const BasicCase<Real>& the_case,
-                                                  const BasicArc<Real>& arc,
-                                                  const BasicState<Real>& end) const {
-    const BasicState<Real>& start = arc.initial;
-    const Vector3<Real> along(the_case.body.mass * start.velocity.x(),
-                              the_case.body.mass * start.velocity.y(),
-                              the_case.body.inertia * start.spin);
-    if (!(along.dot(Vector3<Real>(end.velocity.x(), end.velocity.y(), end.spin)) < 0)) {
-      return std::nullopt;
-    }
-    // the speed along that at the start, which is twice the kinetic energy there
-    const auto turn = first_zero_of_rate(arc, along, Real(arc.end - arc.start));
-    if (!turn) {
-      return std::nullopt;
-    }
-    const BasicState<Real> state = arc.after(*turn, the_case.gravity);
-    const Real moving = kinetic_energy(the_case.body, state);
-    return moving <= epsilon<Real>() * most_ ? turn
-                                             : std::nullopt;  // or it has but changed direction
-  }
-
-  std::optional<std::size_t> events_;
-  std::optional<HalfSwing<Real>> turn_;  // its first turning point
-  Real since_ = Real(0);                 // [s], from there to the end of the last arc
-  Real most_ = Real(0);                  // [J], of the kinetic energies where arcs start
-};
-
 /// The Taylor coefficients of an arc, one row each, in the time since `start` [s], by Horner's
 /// scheme.
 template <class Real>
@@ -131,6 +54,91 @@ template <class Real>
   }
   return result;
 }
+
+/// Where in the first `horizon` [s] of `arc`, which is on taut cables, the product of its rates and
+/// `weights` falls to zero, in the time since its start [s]; none: nowhere, or overflow. `zeros`: 1
+/// where it is zero at the start, else 0.
+template <class Real>
+[[nodiscard]] std::optional<Real> first_zero_of_rate(const BasicArc<Real>& arc,
+                                                     const Vector3<Real>& weights,
+                                                     const Real& horizon, std::size_t zeros = 0) {
+  std::vector<Real> rate;
+  rate.reserve(static_cast<std::size_t>(arc.series.rows()));
+  for (Eigen::Index k = 1; k < arc.series.rows(); ++k) {
+    rate.push_back(static_cast<double>(k) * arc.series.row(k).dot(weights));
+  }
+  const Polynomial<Real> f(rate, zeros);
+  if (f.least(horizon) > 0) {
+    return std::nullopt;
+  }
+  const auto zero = first_root(f, horizon).root;
+  return zero && !isnan(*zero) ? zero : std::nullopt;
+}
+
+/// Watches motion on taut cables that leave one degree of freedom for its turning points, at which
+/// the whole body is still for an instant. From there it goes back the way it has come, at the same
+/// speeds, as time reversed shows, up to the turning point before; and so to and fro for ever. It
+/// meets nothing on its way that it has not met on half a swing.
+template <class Real>
+class HalfSwingWatch {
+ public:
+  /// Goes on with the last of `arcs`, of `length` [s], which leads to `end` and which `events`
+  /// events precede: the first of others begins anew. The half swing that this arc completes, if it
+  /// does.
+  std::optional<HalfSwing<Real>> follow(const BasicCase<Real>& the_case,
+                                        const std::vector<BasicArc<Real>>& arcs,
+                                        const BasicState<Real>& end, const Real& length,
+                                        std::size_t events) {
+    if (events_ != events) {
+      *this = {};
+      events_ = events;
+    }
+    const BasicArc<Real>& arc = arcs.back();
+    most_ = max(
+        most_, max(kinetic_energy(the_case.body, arc.initial), kinetic_energy(the_case.body, end)));
+    auto turn = turning_point(the_case, arc, length);
+    if (turn && !turn_) {
+      turn_ = HalfSwing<Real>{arcs.size() - 1, *turn, Real(0), Real(0)};
+      since_ = -*turn;
+      // an arc of a small swing may be longer than half of it
+      const auto next = turning_point(the_case, part_of(arc, *turn), Real(length - *turn));
+      turn = next ? std::optional(Real(*turn + *next)) : std::nullopt;
+    }
+    if (turn) {
+      return HalfSwing<Real>{turn_->first, turn_->from, *turn, Real(2 * (since_ + *turn))};
+    }
+    since_ += length;
+    return std::nullopt;
+  }
+
+ private:
+  /// Where in the first `length` [s] of `arc`, in the time since its start [s], it turns next.
+  [[nodiscard]] std::optional<Real> turning_point(const BasicCase<Real>& the_case,
+                                                  const BasicArc<Real>& arc,
+                                                  const Real& length) const {
+    const BasicBody<Real>& body = the_case.body;
+    const Vector3<Real> mass(body.mass, body.mass, body.inertia);
+    // it turns where its velocity is against that at the start, or against where it goes from there
+    const bool still = is_still(body, arc.initial);
+    const Vector3<Real> along = arc.series.row(still ? 2 : 1).transpose().cwiseProduct(mass);
+    const auto turn = first_zero_of_rate(arc, along, length, still ? 1 : 0);
+    if (!turn || is_still(body, arc.after(*turn, the_case.gravity))) {
+      return turn;
+    }
+    // it has but changed direction
+    const auto next = turning_point(the_case, part_of(arc, *turn), Real(length - *turn));
+    return next ? std::optional(Real(*turn + *next)) : std::nullopt;
+  }
+
+  [[nodiscard]] bool is_still(const BasicBody<Real>& body, const BasicState<Real>& state) const {
+    return kinetic_energy(body, state) <= epsilon<Real>() * most_;
+  }
+
+  std::optional<std::size_t> events_;
+  std::optional<HalfSwing<Real>> turn_;  // its first turning point
+  Real since_ = Real(0);                 // [s], from there to the start of the next arc
+  Real most_ = Real(0);                  // [J], of the kinetic energies where arcs start and end
+};
 
 /// The swing of which `half` are the last of `arcs`. Tensions do no work: it is fastest where
 /// gravity, having sped it up, begins to slow it down.

@@ -184,6 +184,21 @@ TEST(Swing, HasTheKnownPeriods) {
   expect_within("period at 1.5 rad", std::abs(period(1.5) - 3.45272097), 0.5e-8);
 }
 
+// a step of a small swing is longer than half of it, and may hold both turning points
+TEST(Swing, HasTheSamePeriodHoweverSmall) {
+  for (const char* const number : {"1910121100", "1911121100", "1930121100"}) {
+    const Case the_case = table_case(number);
+    const auto known = swing(the_case, on_linkage(the_case, 1e-4));
+    ASSERT_TRUE(known) << number;
+    for (const double angle : {1e-5, 1e-6, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9}) {
+      const auto found = swing(the_case, on_linkage(the_case, angle));
+      ASSERT_TRUE(found) << number << " " << angle;
+      // it grows with the square of the angle, and a rounding of 1e-16 is a part of 1e-9
+      EXPECT_NEAR(found->period / known->period, 1.0, 1e-6) << number << " " << angle;
+    }
+  }
+}
+
 TEST(Swing, MeasuresItsAmplitudeAndEnergy) {
   const Case the_case = table_case("1910121100");
   for (const double angle : {1e-6, 1e-3, 0.3, 1.2}) {

@@ -110,7 +110,7 @@ class Summary {
             "equilibrium: the smallest push would end it.",
             since_when(), shortest(static_cast<double>(case_.duration)));
       case Ending::locked:
-        return fmt::format("The run ended at t = {}, after a whole period of its swing.", end);
+        return fmt::format("The run ended at t = {}, once its swing had turned twice.", end);
       case Ending::singular:
         return fmt::format(
             "Stopped at t = {}: the touching cables come so near to one line there that their "

@@ -87,12 +87,21 @@ TEST(HalfSwing, IsTheSwingThatTheWholeMotionShows) {
     double energy = 0.0;
     double least = 10.0;
     double largest = -10.0;
+    const double turned = part.arcs()
+                              .back()
+                              .after(part.end_time() - part.arcs().back().start, the_case.gravity)
+                              .angle;
+    double nearest = 10.0;
     for (int sample = 0; sample < samples; ++sample) {
       const State state = whole.at(part.end_time() + sample * part.swing()->period / samples);
       energy = std::max(energy, kinetic_energy(the_case.body, state));
       least = std::min(least, state.angle);
       largest = std::max(largest, state.angle);
+      if (sample > samples / 20 && sample < samples - samples / 20) {
+        nearest = std::min(nearest, std::abs(state.angle - turned));
+      }
     }
+    EXPECT_GT(nearest, 0.01 * (largest - least)) << number << " comes back before its period ends";
     // between samples a cosine of 1 falls by pi^2 / samples^2 / 2, in twice the phase for the
     // energy
     EXPECT_NEAR(part.swing()->energy / energy, 1.0, 1e-7) << number;

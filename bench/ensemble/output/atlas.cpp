@@ -65,22 +65,34 @@ std::string axes_svg(const Atlas& atlas) {
              left - 60.0, top + map_size / 2.0, xml_text(axis_title(atlas.axes[1])));
 }
 
-/// The colours, with the numbers at both ends.
+/// The colour of a number, of those that are known.
+std::string colour_between(double number, double least, double most) {
+  return colour_of(most > least ? (number - least) / (most - least) : 0.5);
+}
+
+/// The colours, with the numbers at both ends; a single one, where all cells have the same number.
 std::string bar_svg(double least, double most) {
   const double x = left + map_size + bar_gap;
   std::string out;
-  const int parts = 32;
+  const int parts = most > least ? 32 : 1;
   for (int part = 0; part < parts; ++part) {
     out += fmt::format(
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.2f}\" "
         "fill=\"{}\"/>\n",
-        x, top + map_size * (parts - 1 - part) / parts, bar_width, map_size / parts + 0.5,
-        colour_of((part + 0.5) / parts));
+        x, top + map_size * (parts - 1 - part) / parts, bar_width,
+        map_size / parts + (parts > 1 ? 0.5 : 0.0), colour_of((part + 0.5) / parts));
   }
-  return out + fmt::format(
-                   "<text class=\"muted\" x=\"{0:.1f}\" y=\"{1:.1f}\">{2:.4g}</text>\n"
-                   "<text class=\"muted\" x=\"{0:.1f}\" y=\"{3:.1f}\">{4:.4g}</text>\n",
-                   x + bar_width + 6.0, top + 12.0, most, top + map_size, least);
+  const auto number = [&](double y, double value) {
+    out += fmt::format("<text class=\"muted\" x=\"{:.1f}\" y=\"{:.1f}\">{:.4g}</text>\n",
+                       x + bar_width + 6.0, y, value);
+  };
+  if (parts == 1) {
+    number(top + map_size / 2 + 4.0, most);
+  } else {
+    number(top + 12.0, most);
+    number(top + map_size, least);
+  }
+  return out;
 }
 
 std::string cell_svg(const Atlas& atlas, std::size_t cell, std::optional<double> value,
@@ -150,12 +162,10 @@ std::string atlas_svg(const Atlas& atlas, std::size_t index, const Statistic& st
     }
   }
   const auto [least, most] = std::minmax_element(known.begin(), known.end());
-  const double low = known.empty() ? 0.0 : *least;
-  const double high = known.empty() ? 1.0 : *most;
   std::string cells;
   for (std::size_t cell = 0; cell < means.size(); ++cell) {
-    const double part = high > low ? (means[cell].value_or(low) - low) / (high - low) : 0.5;
-    cells += cell_svg(atlas, cell, means[cell], means[cell] ? colour_of(part) : "#8a8a8a");
+    const std::optional<double>& mean = means[cell];
+    cells += cell_svg(atlas, cell, mean, mean ? colour_between(*mean, *least, *most) : "#8a8a8a");
   }
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
@@ -164,7 +174,7 @@ std::string atlas_svg(const Atlas& atlas, std::size_t index, const Statistic& st
              "x=\"{4}\" y=\"24\">{2}</text>\n",
              left + map_size + bar_gap + bar_width + numbers_room, top + map_size + labels_room,
              xml_text(statistic_title(statistic)), plot_style, left) +
-         cells + axes_svg(atlas) + bar_svg(low, high) + "</svg>\n";
+         cells + axes_svg(atlas) + (known.empty() ? "" : bar_svg(*least, *most)) + "</svg>\n";
 }
 
 }  // namespace tautline::bench

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -121,6 +123,18 @@ TEST(EnsembleProgram, MakesAnAtlasOfAGridWithAPictureForEachCell) {
   EXPECT_EQ(atlas["means"]["impacts"].size(), 6U);
   EXPECT_GT(atlas["means"]["impacts"][2], atlas["means"]["impacts"][0])
       << "the more, the more elastic";
+  EXPECT_EQ(atlas["means"]["captured"], json::array({1.0, 1.0, 1.0, 1.0, 1.0, 1.0}));
+  const std::string page = content_of(ensembles.out() / "index.html");
+  const std::size_t captured = page.find(">captured</text>");
+  ASSERT_NE(captured, std::string::npos);
+  const std::string map = page.substr(captured, page.find("</svg>", captured) - captured);
+  const std::regex fill("fill=\"(rgb[^\"]*)\"");
+  std::set<std::string> colours;
+  for (std::sregex_iterator next(map.begin(), map.end(), fill), end; next != end; ++next) {
+    colours.insert((*next)[1]);
+  }
+  EXPECT_EQ(colours.size(), 1U) << "of all cells and of the bar beside them";
+  EXPECT_NE(map.find(">1</text>"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(ensembles.out() / "cells/0005.svg"));
   EXPECT_NE(content_of(ensembles.out() / "index.html").find("href=\"cells/0005.svg\""),
             std::string::npos);

@@ -23,6 +23,7 @@ struct Bouncing {
   Real error;        // [-], of later velocities, if the bounces are replaced by their end
   Real remaining;    // [s] until all bounces are over
   Real uncertainty;  // [s] of `remaining`
+  Real weakest;      // [1/kg], the least response of a cable to an impulse of its own
 };
 
 /// The normal energy of `cables`, twice, per mass of the normal coordinates (Eq. 17).
@@ -68,9 +69,9 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
                                        CableSet cables, const BasicCableVector<Real>& tension,
                                        const Scales<Real>& scale) {
   const Real energy = twice_normal_energy(the_case, state, touching, cables, tension);
-  Bouncing<Real> result{true, Real(0), Real(0), Real(0), Real(0)};
+  Bouncing<Real> result{true, Real(0), Real(0), Real(0), Real(0), infinity<Real>()};
   Real heights(0);  // [m s], the largest integral over time of a gap (Eq. 20)
-  Real weakest = infinity<Real>();
+  Real least_pull = infinity<Real>();
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
     const Real g = delassus(the_case, state, index);
@@ -80,7 +81,8 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
     if (!(pull > 0)) {
       return std::nullopt;
     }
-    weakest = min(weakest, pull);
+    least_pull = min(least_pull, pull);
+    result.weakest = min(result.weakest, g);
     const Real flight = 2 * speed / pull;
     const Real height = speed * flight / 4;
     result.speed = max(result.speed, speed);
@@ -99,7 +101,7 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
     }
   }
   result.error = error_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
-  if (!is_steady(weakest, result.remaining, scale)) {
+  if (!is_steady(least_pull, result.remaining, scale)) {
     return std::nullopt;
   }
   if (cables.size() > 1) {  // how the cables hand the energy to each other is open
@@ -139,10 +141,6 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
                       CableSet cables, const Bouncing<Real>& bounces, const Scales<Real>& scale) {
   const Real remaining = bounces.remaining + bounces.uncertainty;
   const Real change = scale.margin * scale.acceleration * remaining;  // [m/s], of a rate
-  Real weakest = infinity<Real>();
-  for (const std::size_t index : cables) {
-    weakest = min(weakest, delassus(the_case, state, index));
-  }
   CableSet result;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     if (cables.contains(index)) {
@@ -152,7 +150,7 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
     const Real rate = gap_rate(cable, state);
     const Real own = delassus(the_case, state, index);
     // what the impulses of the bounces change its rate by, of which each turns one of them round
-    const Real shaken = 2 * bounces.speed * sqrt(Real(own / weakest));
+    const Real shaken = 2 * bounces.speed * sqrt(Real(own / bounces.weakest));
     const bool opens = rate > shaken + change;  // all the time
     const Real reach = (max(Real(0), Real(-rate)) + change) * remaining;
     if (!opens && gap(cable, state) <= reach) {

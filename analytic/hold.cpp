@@ -216,10 +216,7 @@ BasicFirstContact<Real> first_change(const BasicCase<Real>& the_case, const Basi
     const Polynomial<Real> f(pulls ? held.motion.tension(index) : held.motion.gap(index),
                              held.zeros[index]);
     const Real until = result.dt * (1 + simultaneous<Real>());
-    if (f.least(until) > 0) {
-      continue;
-    }
-    const BasicRootSearch<Real> search = first_root(f, until);
+    const BasicRootSearch<Real> search = first_root_if_any(f, until);
     if (search.root && isnan(*search.root)) {
       return {*search.root, {}};
     }

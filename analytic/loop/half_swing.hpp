@@ -67,11 +67,7 @@ template <class Real>
   for (Eigen::Index k = 1; k < arc.series.rows(); ++k) {
     rate.push_back(static_cast<double>(k) * arc.series.row(k).dot(weights));
   }
-  const Polynomial<Real> f(rate, zeros);
-  if (f.least(horizon) > 0) {
-    return std::nullopt;
-  }
-  const auto zero = first_root(f, horizon).root;
+  const auto zero = first_root_if_any(Polynomial<Real>(rate, zeros), horizon).root;
   return zero && !isnan(*zero) ? zero : std::nullopt;
 }
 
@@ -158,10 +154,10 @@ template <class Real>
     const bool falls = is_first || gravity.dot(arcs[i].initial.velocity) > 0;
     const bool rises = is_last || gravity.dot(arcs[i + 1].initial.velocity) <= 0;
     if (falls && rises) {
-      const BasicArc<Real> arc = part_of(arcs[i], is_first ? half.from : Real(0));
-      const Real length =
-          (is_last ? half.to : Real(arc.end - arc.start)) - (is_first ? half.from : Real(0));
-      if (const auto lowest = first_zero_of_rate(arc, down, length)) {
+      const Real from = is_first ? half.from : Real(0);
+      const Real to = is_last ? half.to : Real(arcs[i].end - arcs[i].start);
+      const BasicArc<Real> arc = part_of(arcs[i], from);
+      if (const auto lowest = first_zero_of_rate(arc, down, Real(to - from))) {
         note(arc.after(*lowest, gravity));
       }
     }

@@ -122,8 +122,7 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
     }
     curvature_ = std::max(curvature_, error / rate * (error / rate));
   }
-  const double tick = one_rounding * event.time;
-  now_(6, 6) += tick * tick;
+  now_(6, 6) += tick_square(event.time);
   return true;
 }
 

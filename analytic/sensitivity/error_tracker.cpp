@@ -155,8 +155,7 @@ void ErrorTracker::follow(std::size_t index) {
 double ErrorTracker::late_at_end(std::size_t index) {
   const auto& again = solution_.repetition();
   if (!again || index < again->first) {
-    const double tick = one_rounding * solution_.arcs()[index].end;
-    return tick * tick;
+    return tick_square(solution_.arcs()[index].end);
   }
   if (!period_error_) {
     period_error_ = period_error(*again);

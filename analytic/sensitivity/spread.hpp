@@ -82,6 +82,12 @@ inline double bound(const StateRow& row, const StateMatrix& squares,
   return bound(std::max(square, 0.0) + cancels * largest);
 }
 
+/// The square of the rounding of an instant [s^2].
+inline double tick_square(double time) {
+  const double tick = one_rounding * time;
+  return tick * tick;
+}
+
 /// Adds that of a state which comes late, where the `square` of that [s^2] is independent.
 inline void add_late(Spread& spread, double square, const StateVector& rate) {
   spread.topLeftCorner<6, 6>() += square * rate * rate.transpose();

@@ -37,8 +37,7 @@ std::optional<Uncertainty::Spread> Uncertainty::spread(double time) const {
   Spread result = along(starts_[index], *case_, Sizes(*case_), arc,
                         basis(*case_, arc.initial, arc.taut), dt, state);
   const StateVector rate = rate_at(arc, dt, state, case_->gravity);
-  const double tick = one_rounding * time;  // of the start of the arc
-  add_late(result, tick * tick, rate);
+  add_late(result, tick_square(time), rate);  // of the start of the arc
   result.topLeftCorner<6, 6>() = at_instant(result, rate);
   return result;
 }

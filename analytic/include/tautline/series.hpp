@@ -60,6 +60,13 @@ class Polynomial {
   std::span<const Real> coefficients_;
 };
 
+/// `first_root`, without a search where a bound says that there is no root.
+template <class Real>
+[[nodiscard]] BasicRootSearch<Real> first_root_if_any(const Polynomial<Real>& f,
+                                                      const Real& horizon) {
+  return f.least(horizon) > 0 ? BasicRootSearch<Real>{} : first_root(f, horizon);
+}
+
 /// Points of the plane one after the other among numbers that another owns.
 template <class Real>
 class Points {

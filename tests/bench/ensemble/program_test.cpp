@@ -136,8 +136,7 @@ TEST(EnsembleProgram, MakesAnAtlasOfAGridWithAPictureForEachCell) {
   EXPECT_EQ(colours.size(), 1U) << "of all cells and of the bar beside them";
   EXPECT_NE(map.find(">1</text>"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(ensembles.out() / "cells/0005.svg"));
-  EXPECT_NE(content_of(ensembles.out() / "index.html").find("href=\"cells/0005.svg\""),
-            std::string::npos);
+  EXPECT_NE(page.find("href=\"cells/0005.svg\""), std::string::npos);
 }
 
 TEST(EnsembleProgram, AnInterruptionKeepsWhatIsDoneAndResumeDoesTheRest) {

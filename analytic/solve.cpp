@@ -34,12 +34,14 @@ namespace {
 template <class Real>
 class Motion final : public PausedMotion<Real> {
  public:
-  /// `touching` are the cables at zero gap.
-  Motion(const BasicCase<Real>& the_case, const SolveOptions& options, CableSet touching)
+  /// `touching` are the cables at zero gap, `record` is empty.
+  Motion(const BasicCase<Real>& the_case, const SolveOptions& options, CableSet touching,
+         Record<Real> record = {})
       : case_(the_case),
         options_(options),
         state_(the_case.initial),
-        ordinary_(the_case, options.completion) {
+        ordinary_(the_case, options.completion),
+        record_(std::move(record)) {
     touching_.cables = touching;
     touching_.note_speed(state_);
   }
@@ -391,9 +393,9 @@ template BasicSolution<Instance> solve(const BasicCase<Instance>&, const SolveOp
 
 #ifndef TAUTLINE_MULTIPRECISION
 std::unique_ptr<PausedMotion<double>> paused_motion(const Case& the_case,
-                                                    const SolveOptions& options,
-                                                    CableSet touching) {
-  return std::make_unique<Motion<double>>(the_case, options, touching);
+                                                    const SolveOptions& options, CableSet touching,
+                                                    Record<double> record) {
+  return std::make_unique<Motion<double>>(the_case, options, touching, std::move(record));
 }
 #endif
 

@@ -47,6 +47,7 @@ class Batch {
     Vec2 origin = Vec2::Zero();
     std::unique_ptr<PausedMotion<double>> motion;
     std::optional<std::size_t> last_hit;
+    Record<double> room;  // of the motion before
   };
 
   /// Puts the next case that flies into `lane`; false where there is none left.
@@ -64,8 +65,8 @@ class Batch {
       if (moved) {
         body.near = seen_from(body.origin, the_case);
       }
-      body.motion =
-          paused_motion(moved ? body.near : the_case, options_, touching_at_start(the_case));
+      body.motion = paused_motion(moved ? body.near : the_case, options_,
+                                  touching_at_start(the_case), std::move(body.room));
       if (advance(lane)) {
         InLane{lane}(question_.world, body.motion->ordinary().world());
         set_cables(lane);
@@ -112,8 +113,11 @@ class Batch {
     Body& body = bodies_[lane];
     if (!body.motion->advance()) {
       Solution solution = body.motion->solution();
-      take_(body.index, body.origin.isZero(0) ? std::move(solution)
-                                              : seen_from<double>(-body.origin, solution));
+      if (!body.origin.isZero(0)) {
+        solution = seen_from<double>(-body.origin, solution);
+      }
+      take_(body.index, solution);
+      body.room = Record<double>::in_room_of(std::move(solution));
       return false;
     }
     body.last_hit = body.motion->last_hit();

@@ -99,8 +99,8 @@ class GapAlongFlight {
         value_(select(at_zero, V(0),
                       V((cable.length * cable.length - dot(from_anchor_, from_anchor_)) *
                         (per_length_ / 2)))) {
-    const Pair<V> velocity = flight.velocity + flight.spin * turned_left(arm_);
-    const V rate = -dot(from_anchor_, velocity) * per_length_;
+    const V rate =
+        -dot(from_anchor_, flight.velocity + flight.spin * turned_left(arm_)) * per_length_;
     drift_ = select(at_zero && rate < V(0) && rate >= V(-rate_rounding), V(-rate), V(0));
     const V turning = flight.spin_squared * cable.radius;
     const V acceleration = flight.gravity_size + turning;
@@ -117,16 +117,14 @@ class GapAlongFlight {
     const Pair<V> turned = sine * turned_left(arm_) - versine * arm_;
     const Pair<V> fallen = s * flight_.gravity;
     const Pair<V> way = s * (flight_.velocity + V(0.5) * fallen) + turned;
-    const Pair<V> arm = arm_ + turned;
-    const Pair<V> across = flight_.spin * turned_left(arm);
     const Pair<V> from_anchor = from_anchor_ + way;
-    const Pair<V> velocity = flight_.velocity + fallen + across;
-    const Pair<V> acceleration = flight_.gravity - flight_.spin_squared * arm;
-    return {value_ + s * drift_ - dot(from_anchor_ + from_anchor, way) * (per_length_ / 2),
-            drift_ - dot(from_anchor, velocity) * per_length_,
-            -(dot(velocity, velocity) + dot(from_anchor, acceleration)) * per_length_,
-            (flight_.spin_squared * dot(from_anchor, across) - 3 * dot(velocity, acceleration)) *
-                per_length_};
+    return sample(value_ + s * drift_ - dot(from_anchor_ + from_anchor, way) * (per_length_ / 2),
+                  from_anchor, flight_.velocity + fallen, arm_ + turned);
+  }
+
+  /// at(0), which takes no turn.
+  [[nodiscard]] BasicSample<V> at_start() const {
+    return sample(value_, from_anchor_, flight_.velocity, arm_);
   }
 
   /// |f''''| <= (3 A^2 + 4 V Y + D Z) / length (Eq. 12): V, A, Y, Z bound the attachment's speed,
@@ -138,6 +136,18 @@ class GapAlongFlight {
   }
 
  private:
+  /// Where the centre has the velocity `of_centre` and the attachment is at `arm` from it.
+  [[nodiscard]] BasicSample<V> sample(const V& value, const Pair<V>& from_anchor,
+                                      const Pair<V>& of_centre, const Pair<V>& arm) const {
+    const Pair<V> across = flight_.spin * turned_left(arm);
+    const Pair<V> velocity = of_centre + across;
+    const Pair<V> acceleration = flight_.gravity - flight_.spin_squared * arm;
+    return {value, drift_ - dot(from_anchor, velocity) * per_length_,
+            -(dot(velocity, velocity) + dot(from_anchor, acceleration)) * per_length_,
+            (flight_.spin_squared * dot(from_anchor, across) - 3 * dot(velocity, acceleration)) *
+                per_length_};
+  }
+
   const Flight<V>& flight_;
   Pair<V> arm_;          // [m], centre of mass to attachment at the start
   Pair<V> from_anchor_;  // [m], anchor to attachment at the start

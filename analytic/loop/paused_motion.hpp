@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "flight/ordinary.hpp"
+#include "loop/record.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline {
@@ -38,9 +39,10 @@ class PausedMotion {
 };
 
 /// At the start of `the_case`, which has no problems and has to stay where it is; `touching` are
-/// the cables at zero gap.
+/// the cables at zero gap, `record` an empty one.
 [[nodiscard]] std::unique_ptr<PausedMotion<double>> paused_motion(const Case& the_case,
                                                                   const SolveOptions& options,
-                                                                  CableSet touching);
+                                                                  CableSet touching,
+                                                                  Record<double> record);
 
 }  // namespace tautline

@@ -33,6 +33,20 @@ struct Record {
   std::optional<BasicSwing<Real>> swing;  // to and fro at its end, for ever
   std::optional<BasicRepetition<Real>> repetition;
 
+  /// An empty one with the room that a solution has had: memory comes and goes in pages, which cost
+  /// more than what is written there.
+  [[nodiscard]] static Record in_room_of(BasicSolution<Real>&& solution) {
+    Record record{std::move(solution.arcs_),
+                  std::move(solution.events_),
+                  std::move(solution.accumulations_),
+                  {},
+                  {}};
+    record.arcs.clear();
+    record.events.clear();
+    record.accumulations.clear();
+    return record;
+  }
+
   /// Its end: the record is then empty.
   [[nodiscard]] BasicSolution<Real> solution(const BasicVec2<Real>& gravity, Ending ending) {
     return {

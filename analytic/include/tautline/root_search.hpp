@@ -131,6 +131,16 @@ template <class Function, class Real, class Mask>
   return s;
 }
 
+/// f at 0, by a shorter way where it offers one.
+template <class Real, class Function>
+[[nodiscard]] BasicSample<Real> sample_at_start(const Function& f) {
+  if constexpr (requires { f.at_start(); }) {
+    return f.at_start();
+  } else {
+    return f.at(Real(0));
+  }
+}
+
 /// After so many steps f is within rounding of zero all the way: roots 1e-7 apart take under a
 /// hundred [-].
 inline constexpr int most_fine_steps = 1000;
@@ -156,14 +166,15 @@ struct FirstRoots {
 /// NaN, never none.
 ///
 /// `Function` offers at(s) -> Sample, and snap_bound(s, w), an upper bound of |f''''| on [s, s + w]
-/// as long as f >= 0 there; it must not shrink when w grows. It may offer clear(s, w), a time up to
+/// as long as f >= 0 there; it must not shrink when w grows. It may offer at_start(), the same as
+/// at(0), and clear(s, w), a time up to
 /// w from s on in which it knows of no root, where it oscillates many times before the first.
 template <class Function, class Real, class Mask>
 [[nodiscard]] FirstRoots<Real> first_roots(const Function& f, const Real& horizon,
                                            const Mask& at_zero) {
   FirstRoots<Real> result{infinity<Real>(), 1};
   Real s(0);
-  BasicSample<Real> now = f.at(s);
+  BasicSample<Real> now = sample_at_start<Real>(f);
   now.value = select(at_zero, Real(0), now.value);
   Real least_step(0);
   Mask open(true);      // still on its way

@@ -36,6 +36,14 @@ class Polynomial {
     return {value, rate, 2 * half_curvature, 6 * sixth_jerk};
   }
 
+  /// at(0), of the first coefficients alone.
+  [[nodiscard]] BasicSample<Real> at_start() const {
+    const auto coefficient = [&](std::size_t k) {
+      return k < coefficients_.size() ? coefficients_[k] : Real(0);
+    };
+    return {coefficient(0), coefficient(1), 2 * coefficient(2), 6 * coefficient(3)};
+  }
+
   /// The fourth derivative's bound on [0, s + w]: the sum of the sizes of its terms.
   [[nodiscard]] Real snap_bound(const Real& s, const Real& window) const {
     const Real end = s + window;

@@ -86,6 +86,9 @@ struct BasicRepetition {
 };
 using Repetition = BasicRepetition<double>;
 
+template <class Real>
+struct Record;
+
 /// The exact motion of a case: its arcs and events in rising time.
 template <class Real>
 class BasicSolution {
@@ -123,6 +126,8 @@ class BasicSolution {
   }
 
  private:
+  friend struct Record<Real>;  // whose room it may have, and gives back
+
   BasicVec2<Real> gravity_;
   std::vector<BasicArc<Real>> arcs_;  // never empty; each starts where the one before ends
   std::vector<BasicEvent<Real>> events_;

@@ -10,8 +10,9 @@
 
 namespace tautline {
 
-/// What is given each solution of a batch, with the index of its case.
-using TakeSolution = std::function<void(std::size_t, Solution)>;
+/// What is given each solution of a batch, with the index of its case. It has to copy what is to
+/// stay: the next ones are solved in the room of this one.
+using TakeSolution = std::function<void(std::size_t, const Solution&)>;
 
 /// Solves many cases side by side: the flights and impacts of several at once by the processor's
 /// widest registers, what happens seldom one by one. Every solution is, event by event and bit by

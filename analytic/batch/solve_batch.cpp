@@ -81,22 +81,7 @@ class Batch {
   /// Takes the answer for `lane`; false where its motion has ended.
   bool goes_on(std::size_t lane) {
     Body& body = bodies_[lane];
-    const auto number = [lane](const LaneNumbers& numbers) { return numbers.of[lane]; };
-    const auto pair = [&](const Pair<LaneNumbers>& both) {
-      return Pair<double>{number(both.x), number(both.y)};
-    };
-    const Flyer<LaneNumbers>& before = answer_.before;
-    body.motion->take(
-        {number(answer_.ordinary) > 0.0,
-         number(answer_.dt),
-         number(answer_.place),
-         {pair(before.position), number(before.angle), pair(before.velocity), number(before.spin),
-          number(before.rate_rounding), number(before.spin_rounding)},
-         number(answer_.impulse),
-         pair(answer_.velocity),
-         number(answer_.spin),
-         number(answer_.leaves) > 0.0,
-         number(answer_.tried)});
+    body.motion->take(InLane{lane}.get<BasicBounce<double>>(answer_));
     const std::optional<std::size_t> last = body.last_hit;
     if (!advance(lane)) {
       return false;

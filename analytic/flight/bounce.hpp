@@ -25,17 +25,30 @@ struct FlightWorld {
   V per_inertia;    // [1/(kg m^2)]; 0 for a point mass
   V radius;         // [m], of the farthest attachment
   V shortest;       // [m], the length of the shortest cable
+
+  static constexpr auto members() {
+    using W = FlightWorld;
+    return std::tuple(&W::gravity, &W::gravity_size, &W::mass, &W::inertia, &W::per_mass,
+                      &W::per_inertia, &W::radius, &W::shortest);
+  }
 };
 
 /// A body between two impacts.
 template <class V>
 struct Flyer {
-  Pair<V> position;  // [m]
-  V angle;           // [rad], at most `farthest_turn` in size
-  Pair<V> velocity;  // [m/s]
-  V spin;            // [rad/s]
-  V rate_rounding;   // as in BasicTouching [m/s]
-  V spin_rounding;   // [rad/s]
+  Pair<V> position;     // [m]
+  V angle;              // [rad], at most `farthest_turn` in size
+  Direction<V> facing;  // `direction` of it
+  Pair<V> velocity;     // [m/s]
+  V spin;               // [rad/s]
+  V rate_rounding;      // as in BasicTouching [m/s]
+  V spin_rounding;      // [rad/s]
+
+  static constexpr auto members() {
+    using F = Flyer;
+    return std::tuple(&F::position, &F::angle, &F::facing, &F::velocity, &F::spin,
+                      &F::rate_rounding, &F::spin_rounding);
+  }
 };
 
 /// An impact on one cable at the end of a flight.
@@ -50,6 +63,12 @@ struct Bounce {
   V spin;            // [rad/s]
   Mask leaves;       // not to be tried as the end of an accumulation
   V tried;           // of the cable, from now on
+
+  static constexpr auto members() {
+    using B = Bounce;
+    return std::tuple(&B::ordinary, &B::dt, &B::place, &B::before, &B::impulse, &B::velocity,
+                      &B::spin, &B::leaves, &B::tried);
+  }
 };
 
 /// Where numbers of a motion and their squares fit a double.
@@ -68,7 +87,7 @@ template <class V, class Mask>
 void rebound(const FlightWorld<V>& world, const FlightCable<V>& cable,
              const CompletionLimits& limits, Bounce<V, Mask>& bounce) {
   const Flyer<V>& before = bounce.before;
-  const Pair<V> arm = arm_of(cable.attachment, direction(before.angle));
+  const Pair<V> arm = arm_of(cable.attachment, before.facing);
   const Pair<V> from_anchor = before.position + arm - cable.anchor;
   const V distance = norm(from_anchor);
   const Pair<V> u = V(1.0 / distance) * from_anchor;
@@ -105,9 +124,9 @@ template <class V, class Mask, class Cables>
                                           const Cables& cable, std::size_t count,
                                           const Mask& touches, const V& horizon,
                                           const CompletionLimits& limits) {
-  const Flight<V> flight{from.position,       direction(from.angle),   from.velocity,
-                         from.spin,           world.gravity,           world.gravity_size,
-                         norm(from.velocity), V(from.spin * from.spin)};
+  const Flight<V> flight{
+      from.position, from.facing,        from.velocity,       from.spin,
+      world.gravity, world.gravity_size, norm(from.velocity), V(from.spin * from.spin)};
   const double together = 1.0 + simultaneous<double>();
   V earliest = infinity<V>();
   V next = earliest;
@@ -139,8 +158,10 @@ template <class V, class Mask, class Cables>
   bounce.place = place;
   const Pair<V> velocity = from.velocity + dt * world.gravity;
   const double rounding = few_roundings * epsilon<double>();  // of the fastest speeds so far
+  const V angle = from.angle + dt * from.spin;
   bounce.before = {from.position + (dt * from.velocity + V(dt * dt / 2) * world.gravity),
-                   from.angle + dt * from.spin,
+                   angle,
+                   direction(angle),
                    velocity,
                    from.spin,
                    most(from.rate_rounding, V(rounding * norm(velocity))),

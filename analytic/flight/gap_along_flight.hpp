@@ -24,6 +24,12 @@ struct FlightCable {
   V operand;           // [m], the largest number of its own that its gap is computed from
   V restitution;       // [-]
   V tried;             // [m/s], as in `Leaving`
+
+  static constexpr auto members() {
+    using C = FlightCable;
+    return std::tuple(&C::anchor, &C::attachment, &C::length, &C::per_length, &C::radius,
+                      &C::operand, &C::restitution, &C::tried);
+  }
 };
 
 /// `yes` where the mask is set, else `no`.

@@ -88,12 +88,29 @@ class OrdinaryBounces {
   bool exist_;
 };
 
-/// The body in `state`.
+/// The direction at an angle, kept: after a bounce the next flight begins with it.
+template <class Real>
+struct Facing {
+  Real angle = not_a_number<Real>();
+  Direction<Real> direction{};
+
+  [[nodiscard]] Direction<Real> at(const Real& now) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      return now == angle ? direction : tautline::direction(now);
+    } else {
+      return direction;  // which ordinary bounces alone ask for
+    }
+  }
+};
+
+/// The body in `state`, facing that way.
 template <class Real>
 [[nodiscard]] Flyer<Real> flyer_of(const BasicState<Real>& state,
-                                   const BasicTouching<Real>& touching) {
-  return {pair<Real>(state.position), state.angle,           pair<Real>(state.velocity), state.spin,
-          touching.rate_rounding,     touching.spin_rounding};
+                                   const BasicTouching<Real>& touching,
+                                   const Direction<Real>& facing) {
+  return {pair<Real>(state.position), state.angle, facing,
+          pair<Real>(state.velocity), state.spin,  touching.rate_rounding,
+          touching.spin_rounding};
 }
 
 /// The state of `flyer`.

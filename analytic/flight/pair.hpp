@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tuple>
+
 #include "tautline/scalar.hpp"
 
 namespace tautline {
@@ -8,6 +10,8 @@ namespace tautline {
 template <class V>
 struct Pair {
   V x, y;
+
+  static constexpr auto members() { return std::tuple(&Pair::x, &Pair::y); }
 
   friend Pair operator+(const Pair& a, const Pair& b) { return {a.x + b.x, a.y + b.y}; }
   friend Pair operator-(const Pair& a, const Pair& b) { return {a.x - b.x, a.y - b.y}; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tuple>
 #include <type_traits>
 
 #include "flight/pair.hpp"
@@ -22,6 +23,8 @@ template <class V>
 struct Direction {
   V cosine;
   V sine;
+
+  static constexpr auto members() { return std::tuple(&Direction::cosine, &Direction::sine); }
 };
 
 /// A turn beyond this has no sine by `turn` [rad].
@@ -64,11 +67,13 @@ template <class V>
   const auto [sine, versine] = small_turn(V(((angle - n * part_1) - n * part_2) - n * part_3));
   const V cosine = 1.0 - versine;
   const V k = n - 4.0 * nearest(V(n * 0.25));  // -2 to 2
-  const auto odd = k == V(1) || k == V(-1);
+  const auto left = k == V(1);
+  const auto right = k == V(-1);
+  const auto odd = left || right;
   const V x = select(odd, sine, cosine);
   const V y = select(odd, cosine, sine);
-  const V sign = select(V(abs(k)) == V(2), V(-1), V(1));
-  return {select(k == V(1), V(-x), V(sign * x)), select(k == V(-1), V(-y), V(sign * y))};
+  const auto back = V(abs(k)) == V(2);
+  return {select(left || back, V(-x), x), select(right || back, V(-y), y)};
 }
 
 /// A turn by `angle` [rad], in lanes at most `farthest_turn` in size.

@@ -61,9 +61,11 @@ template <class Function, class Real>
 [[nodiscard]] Real safe_step(const Function& f, const BasicSample<Real>& now, const Real& s,
                              const Real& window) {
   const Real falling = most(Real(0), Real(-now.jerk)) * third;
+  const auto bend = [&](const Real& w) {
+    return Real((falling + f.snap_bound(s, w) * w * (third / 4)) * w - now.curvature);
+  };
   const auto reach = [&](const Real& w) {
-    return first_quadratic_root<Real>(
-        now.value, now.rate, (falling + f.snap_bound(s, w) * w * (third / 4)) * w - now.curvature);
+    return first_quadratic_root<Real>(now.value, now.rate, bend(w));
   };
   Real trial = least(window, first_quadratic_root<Real>(now.value, now.rate, -now.curvature));
   // at the best w both limits agree; a geometric mean closes three quarters of the log distance.
@@ -79,24 +81,46 @@ template <class Function, class Real>
   return least(trial, found);
 }
 
-/// True where Newton's method from `now` must converge to the first root after s.
+/// True where Newton's method from `now` must converge to the first root after it. Over a time w
+/// the second derivative is at most `bend(w)` in size.
 ///
 /// Kantorovich: with |f''| <= M on [s, s + 2 f/|f'|] and M f <= f'^2 / 2 there is exactly one root
 /// in that interval, and Newton started at s converges to it. A quarter instead of a half saves
 /// steps.
-template <class Function, class Real>
-[[nodiscard]] auto newton_is_certain(const Function& f, const BasicSample<Real>& now,
-                                     const Real& s) {
+template <class Real, class Bend>
+[[nodiscard]] auto newton_is_certain(const BasicSample<Real>& now, const Bend& bend) {
   // the derivatives at s alone say no to most
   auto certain =
       now.rate < Real(0) && 4 * abs(now.curvature) * now.value <= Real(now.rate * now.rate);
   if (any(certain)) {
     const Real width = -2 * now.value / now.rate;
-    const Real bound =
-        abs(now.curvature) + (abs(now.jerk) + f.snap_bound(s, width) * width / 2) * width;
-    certain = certain && 4 * bound * now.value <= Real(now.rate * now.rate);
+    certain = certain && 4 * bend(width) * now.value <= Real(now.rate * now.rate);
   }
   return certain;
+}
+
+/// Of f at time s.
+template <class Function, class Real>
+[[nodiscard]] auto newton_is_certain(const Function& f, const BasicSample<Real>& now,
+                                     const Real& s) {
+  return newton_is_certain(now, [&](const Real& w) {
+    return Real(abs(now.curvature) + (abs(now.jerk) + f.snap_bound(s, w) * w / 2) * w);
+  });
+}
+
+/// Where f starts at zero and rises, of what is left of it with that root divided out: g(s) =
+/// f(s) / s, the integral of f'(s u) over u from 0 to 1, has f', f''/2 and f'''/3 at the start, and
+/// |g'''| <= Q / 4 where |f''''| <= Q.
+template <class Real>
+[[nodiscard]] BasicSample<Real> without_first_root(const BasicSample<Real>& start) {
+  return {start.rate, start.curvature / 2, start.jerk * third, Real(0)};
+}
+
+/// Of that, at the start.
+template <class Function, class Real>
+[[nodiscard]] auto newton_is_certain_of_return(const Function& f, const BasicSample<Real>& g) {
+  return newton_is_certain(
+      g, [&](const Real& w) { return Real(abs(g.curvature) + f.snap_bound(Real(0), w) * w / 4); });
 }
 
 /// Newton's method with the third derivative, inside its certified region, until a correction no
@@ -179,13 +203,17 @@ template <class Function, class Real, class Mask>
   Real least_step(0);
   Mask open(true);      // still on its way
   Mask certain(false);  // at a simple root, from where Newton finishes
-  BasicSample<Real> at_root = now;
+  BasicSample<Real> at_root = without_first_root(now);
   Real root_near(0);
   const auto end = [&](const Mask& where, const Real& root) {
     result.root = select(where, root, result.root);
     open = open && !where;
   };
-  while (true) {
+  if (any(at_zero)) {  // a short flight returns where its start says
+    certain = at_zero && at_root.value > Real(0) && newton_is_certain_of_return(f, at_root);
+    open = !certain;
+  }
+  while (any(open)) {
     // their sum is finite only where each is
     end(open && !is_finite(Real(now.value + now.rate + now.curvature + now.jerk)),
         not_a_number<Real>());

@@ -101,9 +101,7 @@ class Motion final : public PausedMotion<Real> {
     }
   }
 
-  [[nodiscard]] Flyer<Real> flyer() const override {
-    return flyer_of(state_, touching_, facing_.at(state_.angle));
-  }
+  [[nodiscard]] Flyer<Real> flyer() const override { return ordinary_.flyer(state_, touching_); }
   [[nodiscard]] std::optional<std::size_t> last_hit() const override { return touching_.first(); }
   [[nodiscard]] Real time_left() const override { return case_.duration - time_; }
   [[nodiscard]] const OrdinaryBounces<Real>& ordinary() const override { return ordinary_; }
@@ -115,8 +113,7 @@ class Motion final : public PausedMotion<Real> {
     if (refused_) {
       return;
     }
-    const std::size_t index =
-        ordinary_.cable_at(static_cast<std::size_t>(bounce.place), last_hit());
+    const std::size_t index = ordinary_.take(bounce, last_hit());
     record_.arcs.push_back({time_, time_ + bounce.dt, state_, {}, {}});
     time_ += bounce.dt;
     state_ = state_of(bounce.before);
@@ -124,8 +121,6 @@ class Motion final : public PausedMotion<Real> {
                  epsilon<Real>() * time_};
     record(EventKind::impact, touching_.cables, BasicCableVector<Real>::Constant(1, bounce.impulse),
            state_after(bounce));
-    ordinary_.set_tried(index, bounce.tried);
-    facing_ = {bounce.before.angle, bounce.before.facing};
     progress_.note_hit(touching_.cables);
   }
 
@@ -364,7 +359,6 @@ class Motion final : public PausedMotion<Real> {
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
   OrdinaryBounces<Real> ordinary_;
-  Facing<Real> facing_;           // at the last bounce
   bool refused_ = false;          // the short way, in this round
   std::optional<bool> leaves_;    // the cable last hit, for good; none: to be found out
   std::size_t steps_ = 0;         // without an event

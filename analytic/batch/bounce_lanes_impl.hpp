@@ -10,12 +10,12 @@ namespace tautline {
 // `Pack` says how numbers of lanes are computed with: its V, so many at once, from(LaneNumbers,
 // first) and to(V, LaneNumbers&, first), and Mask, from(...) > 0, to(Mask, ...).
 
-/// What so many lanes from `first` on have of `lanes`.
+/// What so many lanes from `first` on have of those of all.
 template <class Pack, template <class> class Parts>
-[[nodiscard]] Parts<typename Pack::V> part_of_lanes(const Parts<LaneNumbers>& lanes,
+[[nodiscard]] Parts<typename Pack::V> part_of_lanes(const Parts<LaneNumbers>& all,
                                                     std::size_t first) {
   Parts<typename Pack::V> part;
-  each_number(part, lanes, [first](typename Pack::V& v, const LaneNumbers& numbers) {
+  each_number(part, all, [first](typename Pack::V& v, const LaneNumbers& numbers) {
     v = Pack::from(numbers, first);
   });
   return part;

@@ -50,6 +50,27 @@ class OrdinaryBounces {
     }
   }
 
+  /// The cable of `bounce`, which follows those on `last`; keeps what it says about later ones.
+  std::size_t take(const BasicBounce<Real>& bounce, std::optional<std::size_t> last) {
+    const std::size_t index = cable_at(static_cast<std::size_t>(bounce.place), last);
+    set_tried(index, bounce.tried);
+    angle_ = bounce.before.angle;
+    facing_ = bounce.before.facing;
+    return index;
+  }
+
+  /// The body in `state`. The next flight begins as it faces at the last bounce.
+  [[nodiscard]] Flyer<Real> flyer(const BasicState<Real>& state,
+                                  const BasicTouching<Real>& touching) const {
+    Direction<Real> facing = facing_;
+    if constexpr (std::is_same_v<Real, double>) {
+      facing = state.angle == angle_ ? facing_ : direction(state.angle);
+    }
+    return {pair<Real>(state.position), state.angle, facing,
+            pair<Real>(state.velocity), state.spin,  touching.rate_rounding,
+            touching.spin_rounding};
+  }
+
   /// After the bounces on `cables` have been tried as the end of an accumulation, in vain.
   void note_attempt(const BasicCase<Real>& the_case, const BasicState<Real>& state,
                     CableSet cables) {
@@ -86,32 +107,9 @@ class OrdinaryBounces {
   FlightWorld<Real> world_;
   std::vector<FlightCable<Real>> cables_;
   bool exist_;
+  Real angle_ = not_a_number<Real>();  // [rad], at the last bounce
+  Direction<Real> facing_{};           // there
 };
-
-/// The direction at an angle, kept: after a bounce the next flight begins with it.
-template <class Real>
-struct Facing {
-  Real angle = not_a_number<Real>();
-  Direction<Real> direction{};
-
-  [[nodiscard]] Direction<Real> at(const Real& now) const {
-    if constexpr (std::is_same_v<Real, double>) {
-      return now == angle ? direction : tautline::direction(now);
-    } else {
-      return direction;  // which ordinary bounces alone ask for
-    }
-  }
-};
-
-/// The body in `state`, facing that way.
-template <class Real>
-[[nodiscard]] Flyer<Real> flyer_of(const BasicState<Real>& state,
-                                   const BasicTouching<Real>& touching,
-                                   const Direction<Real>& facing) {
-  return {pair<Real>(state.position), state.angle, facing,
-          pair<Real>(state.velocity), state.spin,  touching.rate_rounding,
-          touching.spin_rounding};
-}
 
 /// The state of `flyer`.
 template <class Real>

@@ -62,8 +62,10 @@ std::vector<Solution> neighbours(const Case& the_case, const Solution& solution,
   Case neighbour = the_case;
   neighbour.duration = origin.duration;
   std::vector<Solution> result;
-  for (const double way : {-1.0, 1.0}) {
-    neighbour.initial = displaced(the_case, arc.initial, way * largest, closed);
+  for (std::size_t k = 0; k < 2 * origin.pairs; ++k) {
+    const double part = static_cast<double>(k / 2 + 1) / static_cast<double>(origin.pairs);
+    const StateVector away = (k % 2 == 0 ? -part : part) * largest;
+    neighbour.initial = displaced(the_case, arc.initial, away, closed);
     if (!problems(neighbour).empty()) {
       return {};
     }

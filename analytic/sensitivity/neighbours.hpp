@@ -30,15 +30,17 @@ inline constexpr double neighbour_completion = 1e-9;
 /// The instant [s] of that event, or of the limit of the accumulation that it completes.
 [[nodiscard]] double lock_time(const Solution& solution);
 
-/// From where neighbours start, and how long they last [s].
+/// From where neighbours start, how long they last [s], and how many there are each way.
 struct Origin {
   std::size_t arc;
   const Uncertainty::Spread& spread;  // at the start of the arc
   double duration;
+  std::size_t pairs = 1;
 };
 
-/// Motions from starts at the bounds of the errors, each way along their largest axis, to which the
-/// others are small. None if one of them does not end on the taut cables of the solution.
+/// Motions from starts at the bounds of the errors, and at even parts of them, each way along their
+/// largest axis, to which the others are small. None if one of them does not end on the taut cables
+/// of the solution.
 [[nodiscard]] std::vector<Solution> neighbours(const Case& the_case, const Solution& solution,
                                                const SolveOptions& options, const Origin& origin);
 

@@ -10,8 +10,8 @@ namespace tautline {
 /// How small the remaining bounces must be before they are completed at once.
 struct CompletionLimits {
   /// Completing changes the later velocities by at most about this fraction of their scale [-].
-  /// The default is far below rounding: rebounds of some 1e-6 m/s in systems of sizes near one.
-  double error = 1e-17;
+  /// The default is below rounding: rebounds of some 1e-6 m/s in systems of sizes near one.
+  double error = 1e-16;
   /// Instead of `error`, if given: no remaining rebound is faster than this [m/s].
   std::optional<double> speed;
   /// How many times its scale a derivative may be while the bounces last [-].

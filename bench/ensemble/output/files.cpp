@@ -21,8 +21,7 @@ void write_pictures(const std::filesystem::path& out, const EnsembleReport& repo
     const EnsembleSetup& exact = report.request.setups.front();
     const Case the_case = case_of(report.request.spec, exact, atlas->draws[cell]);
     if (problems(the_case).empty()) {
-      write_file(out / picture_name(cell),
-                 plot_svg(the_case, solve(the_case, {.law = exact.exact.law})));
+      write_file(out / picture_name(cell), plot_svg(the_case, solve(the_case, options_of(exact))));
     }
   }
 }

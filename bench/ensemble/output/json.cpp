@@ -48,6 +48,7 @@ Json setup_json(const EnsembleReport& report, std::size_t place) {
   }
   return {{"name", printable(setup.name)},
           {"law", to_string(setup.exact.law)},
+          {"completion", setup.exact.completion},
           {"engine", std::move(engine)},
           {"draws", report.result.draws[place].ended()},
           {"problems", findings.problems[place]},

@@ -93,9 +93,10 @@ std::uint64_t draws_fingerprint(const EnsembleSpec& spec, const EnsembleSetup& s
     }
     text += "\n";
   }
-  text += fmt::format("{} {} {} {} {} {}", to_string(setup.exact.law),
+  text += fmt::format("{} {} {} {} {} {} {}", to_string(setup.exact.law),
                       setup.exact.seed.value_or(spec.seed), setup.exact.quantity,
-                      shortest(setup.exact.factor), setup.model, shortest(setup.step));
+                      shortest(setup.exact.factor), shortest(setup.exact.completion), setup.model,
+                      shortest(setup.step));
   return stable_hash(text);
 }
 

@@ -1,20 +1,46 @@
 #include "bench/ensemble/solve/draw_solver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "bench/base/process.hpp"
+#include "bench/base/text.hpp"
 #include "bench/run/workplace.hpp"
 #include "tautline/batch/solve_batch.hpp"
+#include "tautline/geometry.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
 
-/// Why the exact motion of a draw says nothing, or empty.
-std::string exact_problem(const Solution& solution) {
+/// The fastest rebound that can have followed where an accumulation was completed [m/s]: all of
+/// its energy in one cable, whose attachment gives way to a pull as it does across its arm.
+double fastest_completed(const Case& the_case, const Solution& solution) {
+  double fastest = 0.0;
+  for (const Accumulation& one : solution.accumulations()) {
+    for (const std::size_t index : one.cables) {
+      const double arm = the_case.cables[index].attachment.norm();
+      const auto weight = inverse_mass(the_case.body);
+      const double response = weight[0] + weight[2] * arm * arm;  // [1/kg], at most
+      fastest = std::max(fastest, std::sqrt(2.0 * std::max(0.0, one.energy_lost) * response));
+    }
+  }
+  return fastest;
+}
+
+/// Why the exact motion of a draw says nothing of impacts as slow as `slowest` [m/s], or empty.
+std::string exact_problem(const Case& the_case, const Solution& solution, double slowest) {
+  if (const double completed = fastest_completed(the_case, solution); completed > slowest) {
+    return fmt::format(
+        "an accumulation was completed where bounces may have had {:.2g} m/s; completion must be "
+        "smaller to count those of {} m/s",
+        completed, shortest(slowest));
+  }
   switch (solution.ending()) {
     case Ending::singular:
     case Ending::event_limit:
@@ -40,8 +66,8 @@ std::pair<std::optional<ReferenceCase>, std::string> reference_of(const Ensemble
     return {std::nullopt, std::move(problem)};
   }
   const ImpactLaw law = setup.exact.law;
-  Solution solution = solve(the_case, {.law = law});
-  if (std::string problem = exact_problem(solution); !problem.empty()) {
+  Solution solution = solve(the_case, options_of(setup));
+  if (std::string problem = exact_problem(the_case, solution, spec.speeds[1]); !problem.empty()) {
     return {std::nullopt, std::move(problem)};
   }
   Settling settled = settling(the_case, solution);
@@ -79,16 +105,17 @@ class ExactSolver final : public DrawSolver {
         places.push_back(results.size() - 1);
       }
     }
-    solve_batch(cases, {.law = setup_.exact.law, .until_locked = true},
-                [&](std::size_t index, const Solution& solution) {
-                  const Case& the_case = cases[index];
-                  DrawResult& result = results[places[index]];
-                  result.problem = exact_problem(solution);
-                  if (result.problem.empty()) {
-                    result.values = exact_statistics(request_.spec, the_case, solution,
-                                                     last_lock(the_case, solution));
-                  }
-                });
+    SolveOptions options = options_of(setup_);
+    options.until_locked = true;
+    solve_batch(cases, options, [&](std::size_t index, const Solution& solution) {
+      const Case& the_case = cases[index];
+      DrawResult& result = results[places[index]];
+      result.problem = exact_problem(the_case, solution, request_.spec.speeds[1]);
+      if (result.problem.empty()) {
+        result.values =
+            exact_statistics(request_.spec, the_case, solution, last_lock(the_case, solution));
+      }
+    });
   }
 
   const EnsembleRequest& request_;

@@ -10,7 +10,7 @@ namespace tautline::bench {
 
 std::vector<EnsembleSetup> setups_of(const EnsembleSpec& spec,
                                      const std::vector<RegisteredEngine>& engines) {
-  const ExactVariant first{"exact", spec.law, std::nullopt, "", 1.0};
+  const ExactVariant first{"exact", spec.law, std::nullopt, "", 1.0, spec.completion};
   std::vector<EnsembleSetup> result = {{first.name, first, std::nullopt, "", 0.0}};
   for (const ExactVariant& variant : spec.exact) {
     result.push_back({variant.name, variant, std::nullopt, "", 0.0});
@@ -28,6 +28,13 @@ std::vector<EnsembleSetup> setups_of(const EnsembleSpec& spec,
     }
   }
   return result;
+}
+
+SolveOptions options_of(const EnsembleSetup& setup) {
+  SolveOptions options;
+  options.law = setup.exact.law;
+  options.completion.error = setup.exact.completion;
+  return options;
 }
 
 Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {

@@ -8,6 +8,7 @@
 #include "bench/ensemble/spec/spec.hpp"
 #include "bench/run/registry.hpp"
 #include "tautline/case.hpp"
+#include "tautline/solve.hpp"
 
 namespace tautline::bench {
 
@@ -24,6 +25,9 @@ struct EnsembleSetup {
 /// engines that have answered what they are.
 [[nodiscard]] std::vector<EnsembleSetup> setups_of(const EnsembleSpec& spec,
                                                    const std::vector<RegisteredEngine>& engines);
+
+/// How the exact motion of `setup` is solved.
+[[nodiscard]] SolveOptions options_of(const EnsembleSetup& setup);
 
 /// The case that `setup` solves for draw `index`.
 [[nodiscard]] Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tautline/accumulation.hpp"
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
 
@@ -34,9 +35,10 @@ struct Varied {
 struct ExactVariant {
   std::string name;
   ImpactLaw law = ImpactLaw::simultaneous;
-  std::optional<std::uint64_t> seed;  // none: the draws of the spec
-  std::string quantity;               // that is another, or empty
-  double factor = 1.0;                // by which it is multiplied [-]
+  std::optional<std::uint64_t> seed;             // none: the draws of the spec
+  std::string quantity;                          // that is another, or empty
+  double factor = 1.0;                           // by which it is multiplied [-]
+  double completion = CompletionLimits{}.error;  // of accumulations (CompletionLimits) [-]
 };
 
 /// Where the numbers of a draw come from.
@@ -50,6 +52,7 @@ struct EnsembleSpec {
   Sampling sampling = Sampling::random;
   ImpactLaw law = ImpactLaw::simultaneous;   // of the exact motion and of engines that can choose
   std::array<double, 2> speeds{1e-2, 1e-3};  // [m/s], falling; slower impacts are not counted
+  double completion = CompletionLimits{}.error;  // of accumulations (CompletionLimits) [-]
   std::vector<Varied> varied;
   std::vector<ExactVariant> exact;   // beside the first
   std::vector<std::string> engines;  // names or paths

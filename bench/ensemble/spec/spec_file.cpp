@@ -37,6 +37,10 @@ const Range point_count = {"a whole number from 2 to 1000", [](double x) {
                              return x >= 2.0 && x <= most_points && x == std::floor(x);
                            }};
 
+/// More would leave out bounces that the slower of the speeds asks for.
+const Range completion_error = {"above 0 and at most 1e-10",
+                                [](double x) { return x > 0.0 && x <= 1e-10; }};
+
 ImpactLaw read_law(StrictTable& table) {
   const std::vector<std::string> names =
       listed<std::string>(impact_laws, [](ImpactLaw law) { return to_string(law); });
@@ -142,7 +146,9 @@ std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::strin
   return result;
 }
 
-ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& names) {
+/// `completion`: of the spec.
+ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& names,
+                          double completion) {
   ExactVariant result;
   result.name = table.text("name");
   result.law = read_law(table);
@@ -153,6 +159,8 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
   if (!result.quantity.empty()) {
     result.factor = table.number("factor", any_number, "");
   }
+  result.completion =
+      table.optional_number("completion", completion_error, "").value_or(completion);
   table.refuse_unknown_keys();
   return result;
 }
@@ -225,6 +233,8 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
                       : Sampling::random;
   spec.law = read_law(root);
   read_speeds(root, spec);
+  spec.completion =
+      root.optional_number("completion", completion_error, "").value_or(spec.completion);
   const std::vector<std::string> names = quantities_of(spec.the_case);
   for (StrictTable& table : root.tables("vary", most_tables, "must be tables [[vary]]")) {
     for (Varied& one : read_varied(table, names)) {
@@ -232,7 +242,7 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
     }
   }
   for (StrictTable& table : root.optional_tables("exact", most_tables, "must be [[exact]]")) {
-    spec.exact.push_back(read_variant(table, names));
+    spec.exact.push_back(read_variant(table, names, spec.completion));
   }
   if (root.has("engines")) {
     read_engines(root.table("engines"), source, spec);

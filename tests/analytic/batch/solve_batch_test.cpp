@@ -155,7 +155,7 @@ void ask(LaneQuestion& question, std::size_t lane, const Case& the_case, bool to
   const InLane set{lane};
   const OrdinaryBounces<double> ordinary(the_case, question.limits);
   set(question.world, ordinary.world());
-  set(question.from, flyer_of(the_case.initial, Touching{}, direction(the_case.initial.angle)));
+  set(question.from, ordinary.flyer(the_case.initial, Touching{}));
   set(question.from.rate_rounding, 1e-15);
   set(question.from.spin_rounding, 1e-15);
   for (std::size_t place = 0; place < question.count; ++place) {

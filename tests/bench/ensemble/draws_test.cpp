@@ -111,6 +111,7 @@ TEST(EnsembleSpec, NamesEveryMistakeWithItsLine) {
       "count = 2.5\n"
       "speeds = [0.001, 0.01]\n"
       "sampling = \"sobel\"\n"
+      "completion = 0.001\n"
       "[[vary]]\n"
       "quantities = [\"spinn\"]\n"
       "normal = 1\n"
@@ -130,17 +131,18 @@ TEST(EnsembleSpec, NamesEveryMistakeWithItsLine) {
   }
   for (const char* part :
        {"test.toml:2: count = 2.5: must be a whole number", "test.toml:3: speeds",
-        "test.toml:4: sampling", "did you mean sobol?", "test.toml:6: vary[0].quantities",
-        "spinn is none of this case; did you mean spin?", "test.toml:9: vary[1].quantities",
-        "several are given", "vary[2].points: is missing",
-        "test.toml:15: vary[2].colour = 3: unknown key"}) {
+        "test.toml:4: sampling", "did you mean sobol?",
+        "test.toml:5: completion = 0.001: must be above 0 and at most 1e-10",
+        "test.toml:7: vary[0].quantities", "spinn is none of this case; did you mean spin?",
+        "test.toml:10: vary[1].quantities", "several are given", "vary[2].points: is missing",
+        "test.toml:16: vary[2].colour = 3: unknown key"}) {
     EXPECT_NE(all.find(part), std::string::npos) << part << "\nis not in:\n" << all;
   }
 }
 
 TEST(EnsembleSpec, ThoseToStartFromAreSound) {
-  for (const char* name :
-       {"atlas.toml", "engines.toml", "laws.toml", "million.toml", "native.toml"}) {
+  for (const char* name : {"atlas.toml", "completion.toml", "engines.toml", "laws.toml",
+                           "million.toml", "native.toml"}) {
     const SpecReading reading = read_spec_file(std::filesystem::path(TAUTLINE_SPECS) / name);
     EXPECT_TRUE(reading.spec) << reading.problems.front();
   }

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -327,6 +329,34 @@ TEST(Digits, ASwingThatComesAgainForLongStaysWithinItsBounds) {
     if (solution.accumulations().empty()) {  // else the doubt of their end grows with time
       EXPECT_LE(widest, 1e-10) << swing.name;
     }
+  }
+}
+
+// each start one rounding from the case's may be the one that the decimals mean
+TEST(Digits, LocksOfStartsARoundingApartLieWithinWhatIsSaidOfEach) {
+  test::Random random(digit_seed);
+  for (const char* const number : {"1910121100", "19101211050", "1910121110"}) {
+    std::vector<double> locks;
+    std::vector<double> bounds;
+    for (int start = 0; start < 100; ++start) {
+      Case the_case = test::table_case(number);
+      State& from = the_case.initial;
+      for (double* const one : {&from.position.x(), &from.position.y(), &from.angle}) {
+        *one *=
+            1.0 + std::floor(random.uniform(-1.0, 2.0)) * std::numeric_limits<double>::epsilon();
+      }
+      const Solution solution = solve(the_case);
+      const auto lock = last_lock(the_case, solution);
+      const auto bound = Uncertainty(the_case, solution).lock();
+      ASSERT_TRUE(lock && bound) << number;
+      locks.push_back(lock->time);
+      bounds.push_back(*bound);
+    }
+    const auto [first, last] = std::minmax_element(locks.begin(), locks.end());
+    for (std::size_t start = 0; start < locks.size(); ++start) {
+      EXPECT_LE(std::max(*last - locks[start], locks[start] - *first), bounds[start]) << number;
+    }
+    EXPECT_LE(*std::max_element(bounds.begin(), bounds.end()), 0.03) << number << " [s]";
   }
 }
 

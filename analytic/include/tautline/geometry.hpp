@@ -82,8 +82,10 @@ template <class Real>
 /// d gap / dt [m/s]; negative when closing (Eq. 4).
 template <class Real>
 [[nodiscard]] Real gap_rate(const BasicCable<Real>& cable, const BasicState<Real>& state) {
-  const BasicVec2<Real> from_anchor = attachment_point(state, cable) - cable.anchor;
-  return -from_anchor.dot(attachment_velocity(state, cable)) / from_anchor.norm();
+  const BasicVec2<Real> arm = attachment_arm(state, cable);
+  const BasicVec2<Real> from_anchor = state.position + arm - cable.anchor;
+  const BasicVec2<Real> velocity = state.velocity + state.spin * perpendicular(arm);
+  return -from_anchor.dot(velocity) / from_anchor.norm();
 }
 
 /// d^2 gap / dt^2 in free flight [m/s^2] (Eq. 5); negative when gravity closes the cable.

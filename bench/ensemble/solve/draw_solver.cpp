@@ -91,8 +91,9 @@ class ExactSolver final : public DrawSolver {
   }
 
  private:
-  /// An interruption waits for so many, some hundredths of a second.
-  static constexpr std::size_t at_once = 100;
+  /// An interruption waits for so many, some hundredths of a second. With fewer the last ones of
+  /// each, of which some are long, fly alone for longer.
+  static constexpr std::size_t at_once = 200;
 
   void solve_some(std::size_t first, std::size_t end, std::vector<DrawResult>& results) const {
     std::vector<Case> cases;

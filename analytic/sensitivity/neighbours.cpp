@@ -62,10 +62,13 @@ std::vector<Solution> neighbours(const Case& the_case, const Solution& solution,
   Case neighbour = the_case;
   neighbour.duration = origin.duration;
   std::vector<Solution> result;
-  for (std::size_t k = 0; k < 2 * origin.pairs; ++k) {
-    const double part = static_cast<double>(k / 2 + 1) / static_cast<double>(origin.pairs);
-    const StateVector away = (k % 2 == 0 ? -part : part) * largest;
-    neighbour.initial = displaced(the_case, arc.initial, away, closed);
+  std::vector<double> parts;
+  for (std::size_t pair = 1; pair <= origin.pairs; ++pair) {
+    const double part = static_cast<double>(pair) / static_cast<double>(origin.pairs);
+    parts.insert(parts.end(), {-part, part});
+  }
+  for (const double part : parts) {
+    neighbour.initial = displaced(the_case, arc.initial, part * largest, closed);
     if (!problems(neighbour).empty()) {
       return {};
     }

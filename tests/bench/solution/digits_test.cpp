@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -340,11 +339,8 @@ TEST(Digits, LocksOfStartsARoundingApartLieWithinWhatIsSaidOfEach) {
     std::vector<double> bounds;
     for (int start = 0; start < 100; ++start) {
       Case the_case = test::table_case(number);
-      State& from = the_case.initial;
-      for (double* const one : {&from.position.x(), &from.position.y(), &from.angle}) {
-        *one *=
-            1.0 + std::floor(random.uniform(-1.0, 2.0)) * std::numeric_limits<double>::epsilon();
-      }
+      the_case.initial.position *= 1.0 + std::floor(random.uniform(-1.0, 2.0)) * epsilon<double>();
+      the_case.initial.angle *= 1.0 + std::floor(random.uniform(-1.0, 2.0)) * epsilon<double>();
       const Solution solution = solve(the_case);
       const auto lock = last_lock(the_case, solution);
       const auto bound = Uncertainty(the_case, solution).lock();

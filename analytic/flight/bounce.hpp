@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <tuple>
 
 #include "flight/gap_along_flight.hpp"
 #include "slow_bounces.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tuple>
+
 #include "flight/turn.hpp"
 #include "tautline/case.hpp"
 #include "tautline/geometry.hpp"

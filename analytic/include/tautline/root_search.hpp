@@ -61,11 +61,9 @@ template <class Function, class Real>
 [[nodiscard]] Real safe_step(const Function& f, const BasicSample<Real>& now, const Real& s,
                              const Real& window) {
   const Real falling = most(Real(0), Real(-now.jerk)) * third;
-  const auto bend = [&](const Real& w) {
-    return Real((falling + f.snap_bound(s, w) * w * (third / 4)) * w - now.curvature);
-  };
   const auto reach = [&](const Real& w) {
-    return first_quadratic_root<Real>(now.value, now.rate, bend(w));
+    return first_quadratic_root<Real>(
+        now.value, now.rate, (falling + f.snap_bound(s, w) * w * (third / 4)) * w - now.curvature);
   };
   Real trial = least(window, first_quadratic_root<Real>(now.value, now.rate, -now.curvature));
   // at the best w both limits agree; a geometric mean closes three quarters of the log distance.
@@ -84,8 +82,8 @@ template <class Function, class Real>
 /// True where Newton's method from `now` must converge to the first root after it. Over a time w
 /// the second derivative is at most `bend(w)` in size.
 ///
-/// Kantorovich: with |f''| <= M on [s, s + 2 f/|f'|] and M f <= f'^2 / 2 there is exactly one root
-/// in that interval, and Newton started at s converges to it. A quarter instead of a half saves
+/// Kantorovich: with |f''| <= M over 2 f/|f'| and M f <= f'^2 / 2 there is exactly one root in that
+/// time, and Newton started at its begin converges to it. A quarter instead of a half saves
 /// steps.
 template <class Real, class Bend>
 [[nodiscard]] auto newton_is_certain(const BasicSample<Real>& now, const Bend& bend) {
@@ -126,7 +124,8 @@ template <class Function, class Real>
 /// Newton's method with the third derivative, inside its certified region, until a correction no
 /// longer changes the time. Each is the first root of the Taylor parabola, at most 2 f/|f'|, and
 /// from there one step of Newton's to that of the Taylor cubic. In the lanes `open`; the others
-/// stay at `s`.
+/// stay at `s`. `now` may be of f(s) / s, with the same root: it is within a twentieth then, where
+/// Newton's method is certain of f, too.
 template <class Function, class Real, class Mask>
 [[nodiscard]] Real finish_by_newton(const Function& f, BasicSample<Real> now, Real s, Mask open,
                                     int& steps) {
@@ -179,23 +178,10 @@ struct FirstRoots {
   int steps = 0;  // evaluations of the functions
 };
 
-/// The first time in [0, horizon] at which f, which starts >= 0, falls through zero.
-///
-/// Conservative advancement: every step is one `safe_step`, so the search never passes a root, from
-/// the left and at second order or better; within rounding of a simple root Newton finishes.
-/// From a start at zero only a later return counts, unless f is falling at once. A value <= 0 that
-/// is rising is rounding: f touches zero and leaves (a graze), which is no root. Where f stays
-/// within rounding of zero, below the resolution of time or for very many steps, the steps double,
-/// so the search ends there too. Where a sample or a bound is too large for a double the root is
-/// NaN, never none.
-///
-/// `Function` offers at(s) -> Sample, and snap_bound(s, w), an upper bound of |f''''| on [s, s + w]
-/// as long as f >= 0 there; it must not shrink when w grows. It may offer at_start(), the same as
-/// at(0), and clear(s, w), a time up to
-/// w from s on in which it knows of no root, where it oscillates many times before the first.
+/// As `first_roots`. `may_return`: where Newton may finish from a start at zero.
 template <class Function, class Real, class Mask>
-[[nodiscard]] FirstRoots<Real> first_roots(const Function& f, const Real& horizon,
-                                           const Mask& at_zero) {
+[[nodiscard]] FirstRoots<Real> search_first_roots(const Function& f, const Real& horizon,
+                                                  const Mask& at_zero, const Mask& may_return) {
   FirstRoots<Real> result{infinity<Real>(), 1};
   Real s(0);
   BasicSample<Real> now = sample_at_start<Real>(f);
@@ -209,8 +195,8 @@ template <class Function, class Real, class Mask>
     result.root = select(where, root, result.root);
     open = open && !where;
   };
-  if (any(at_zero)) {  // a short flight returns where its start says
-    certain = at_zero && at_root.value > Real(0) && newton_is_certain_of_return(f, at_root);
+  if (any(may_return)) {  // a short flight returns where its start says
+    certain = may_return && at_root.value > Real(0) && newton_is_certain_of_return(f, at_root);
     open = !certain;
   }
   while (any(open)) {
@@ -262,6 +248,43 @@ template <class Function, class Real, class Mask>
     const Real within = select(root <= horizon, root, infinity<Real>());
     const Real found = select(is_finite(root), within, not_a_number<Real>());
     result.root = select(certain, found, result.root);
+  }
+  return result;
+}
+
+/// The same by safe steps alone, apart from what is asked in every flight.
+template <class Function, class Real, class Mask>
+[[nodiscard, gnu::noinline]] FirstRoots<Real> step_to_first_roots(const Function& f,
+                                                                  const Real& horizon,
+                                                                  const Mask& at_zero) {
+  return search_first_roots(f, horizon, at_zero, Mask(false));
+}
+
+/// The first time in [0, horizon] at which f, which starts >= 0, falls through zero.
+///
+/// Conservative advancement: every step is one `safe_step`, so the search never passes a root, from
+/// the left and at second order or better; near a simple root Newton finishes. From a start at zero
+/// only a later return counts, unless f is falling at once; Newton finishes from there where the
+/// return is certain (`without_first_root`). A value <= 0 that
+/// is rising is rounding: f touches zero and leaves (a graze), which is no root. Where f stays
+/// within rounding of zero, below the resolution of time or for very many steps, the steps double,
+/// so the search ends there too. Where a sample or a bound is too large for a double the root is
+/// NaN, never none.
+///
+/// `Function` offers at(s) -> Sample, and snap_bound(s, w), an upper bound of |f''''| on [s, s + w]
+/// as long as f >= 0 there; it must not shrink when w grows. It may offer at_start(), the same as
+/// at(0), and clear(s, w), a time up to w from s on in which it knows of no root, where it
+/// oscillates many times before the first.
+template <class Function, class Real, class Mask>
+[[nodiscard]] FirstRoots<Real> first_roots(const Function& f, const Real& horizon,
+                                           const Mask& at_zero) {
+  FirstRoots<Real> result = search_first_roots(f, horizon, at_zero, at_zero);
+  // Newton's method gets lost where the start rises by no more than rounding
+  const Mask lost = at_zero && !(result.root >= Real(0));
+  if (any(lost)) {
+    const FirstRoots<Real> stepped = step_to_first_roots(f, horizon, at_zero);
+    result.root = select(lost, stepped.root, result.root);
+    result.steps += stepped.steps;
   }
   return result;
 }

@@ -37,7 +37,8 @@ const Range point_count = {"a whole number from 2 to 1000", [](double x) {
                              return x >= 2.0 && x <= most_points && x == std::floor(x);
                            }};
 
-/// More would leave out bounces that the slower of the speeds asks for.
+/// More would leave out bounces that the slower of the speeds asks for, in systems of sizes near
+/// one.
 const Range completion_error = {"above 0 and at most 1e-10",
                                 [](double x) { return x > 0.0 && x <= 1e-10; }};
 

@@ -32,6 +32,13 @@ struct LeavingBody {
     state.velocity += (gap_rate(cable, state) - random.log_uniform(1e-9, 1.0)) * along;
   }
 
+  [[nodiscard]] Flight<double> flight() const {
+    return {pair<double>(state.position), direction(state.angle),
+            pair<double>(state.velocity), state.spin,
+            pair<double>(gravity),        gravity.norm(),
+            state.velocity.norm(),        state.spin * state.spin};
+  }
+
   /// What rounding leaves of the gap after a way of `t` [s].
   [[nodiscard]] double rounding(double t) const {
     const double speed = state.velocity.norm() + std::abs(state.spin) * cable.attachment.norm();
@@ -45,11 +52,7 @@ TEST(ShortReturn, IsTheFirstOne) {
   int short_ones = 0;
   for (int k = 0; k < flights; ++k) {
     const LeavingBody body(random);
-    const State& state = body.state;
-    const Flight<double> flight{pair<double>(state.position), direction(state.angle),
-                                pair<double>(state.velocity), state.spin,
-                                pair<double>(body.gravity),   body.gravity.norm(),
-                                state.velocity.norm(),        state.spin * state.spin};
+    const Flight<double> flight = body.flight();
     const GapAlongFlight<double> f(flight, flight_cable(body.cable), true, 0.0);
     if (!newton_is_certain_of_return(f, without_first_root(f.at_start()))) {
       continue;
@@ -67,6 +70,24 @@ TEST(ShortReturn, IsTheFirstOne) {
     }
   }
   EXPECT_GT(short_ones, flights / 4) << "the short way is worth its lines";
+}
+
+// where rounding is all that there is, f may rise at its root, and Newton's method gets lost
+TEST(ShortReturn, OfARateOfRoundingIsAnInstant) {
+  Random random(return_seed);
+  for (int k = 0; k < 20'000; ++k) {
+    LeavingBody body(random);
+    const double rate = gap_rate(body.cable, body.state);
+    const Vec2 along =
+        (attachment_point(body.state, body.cable) - body.cable.anchor) / body.cable.length;
+    body.state.velocity += (rate - random.log_uniform(1e-18, 1e-14)) * along;
+    const Flight<double> flight = body.flight();
+    const GapAlongFlight<double> f(flight, flight_cable(body.cable), true, 0.0);
+    for (const double horizon : {0.0, 1e-20, 1.0}) {
+      EXPECT_GE(first_roots(f, horizon, true).root, 0.0)
+          << "flight " << k << " of rate " << gap_rate(body.cable, body.state) << " to " << horizon;
+    }
+  }
 }
 
 }  // namespace

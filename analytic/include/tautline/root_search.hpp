@@ -252,7 +252,7 @@ template <class Function, class Real, class Mask>
   return result;
 }
 
-/// The same by safe steps alone, apart from what is asked in every flight.
+/// The same without a return that is certain from the start.
 template <class Function, class Real, class Mask>
 [[nodiscard, gnu::noinline]] FirstRoots<Real> step_to_first_roots(const Function& f,
                                                                   const Real& horizon,
@@ -279,8 +279,8 @@ template <class Function, class Real, class Mask>
 [[nodiscard]] FirstRoots<Real> first_roots(const Function& f, const Real& horizon,
                                            const Mask& at_zero) {
   FirstRoots<Real> result = search_first_roots(f, horizon, at_zero, at_zero);
-  // Newton's method gets lost where the start rises by no more than rounding
-  const Mask lost = at_zero && !(result.root >= Real(0));
+  // Newton's method gets lost where the start rises by no more than rounding, or squares overflow
+  const Mask lost = at_zero && !(result.root > Real(0));
   if (any(lost)) {
     const FirstRoots<Real> stepped = step_to_first_roots(f, horizon, at_zero);
     result.root = select(lost, stepped.root, result.root);

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "flight/gap_along_flight.hpp"
+#include "flight/members.hpp"
 #include "slow_bounces.hpp"
 #include "tautline/accumulation.hpp"
 #include "tautline/first_contact.hpp"
@@ -149,7 +150,8 @@ template <class V, class Mask, class Cables>
     next = least(next, select(first, earliest, root));
     earliest = select(first, root, earliest);
     place = select(first, V(static_cast<double>(k)), place);
-    hit = selected(first, one, hit);
+    each_number(hit, one,
+                [&](V& of_hit, const V& of_one) { of_hit = select(first, of_one, of_hit); });
   }
   Bounce<V, Mask> bounce;
   bounce.ordinary =

@@ -34,23 +34,6 @@ struct FlightCable {
   }
 };
 
-/// `yes` where the mask is set, else `no`.
-template <class V, class Mask>
-[[nodiscard]] FlightCable<V> selected(const Mask& mask, const FlightCable<V>& yes,
-                                      const FlightCable<V>& no) {
-  const auto either = [&](const Pair<V>& a, const Pair<V>& b) {
-    return Pair<V>{select(mask, a.x, b.x), select(mask, a.y, b.y)};
-  };
-  return {either(yes.anchor, no.anchor),
-          either(yes.attachment, no.attachment),
-          select(mask, yes.length, no.length),
-          select(mask, yes.per_length, no.per_length),
-          select(mask, yes.radius, no.radius),
-          select(mask, yes.operand, no.operand),
-          select(mask, yes.restitution, no.restitution),
-          select(mask, yes.tried, no.tried)};
-}
-
 template <class Real>
 [[nodiscard]] FlightCable<Real> flight_cable(const BasicCable<Real>& cable) {
   const Real radius = cable.attachment.norm();

@@ -83,8 +83,7 @@ template <class Function, class Real>
 /// the second derivative is at most `bend(w)` in size.
 ///
 /// Kantorovich: with |f''| <= M over 2 f/|f'| and M f <= f'^2 / 2 there is exactly one root in that
-/// time, and Newton started at its begin converges to it. A quarter instead of a half saves
-/// steps.
+/// time, and Newton started at its begin converges to it. A quarter instead of a half saves steps.
 template <class Real, class Bend>
 [[nodiscard]] auto newton_is_certain(const BasicSample<Real>& now, const Bend& bend) {
   // the derivatives at s alone say no to most
@@ -265,11 +264,10 @@ template <class Function, class Real, class Mask>
 /// Conservative advancement: every step is one `safe_step`, so the search never passes a root, from
 /// the left and at second order or better; near a simple root Newton finishes. From a start at zero
 /// only a later return counts, unless f is falling at once; Newton finishes from there where the
-/// return is certain (`without_first_root`). A value <= 0 that
-/// is rising is rounding: f touches zero and leaves (a graze), which is no root. Where f stays
-/// within rounding of zero, below the resolution of time or for very many steps, the steps double,
-/// so the search ends there too. Where a sample or a bound is too large for a double the root is
-/// NaN, never none.
+/// return is certain (`without_first_root`). A value <= 0 that is rising is rounding: f touches
+/// zero and leaves (a graze), which is no root. Where f stays within rounding of zero, below the
+/// resolution of time or for very many steps, the steps double, so the search ends there too. Where
+/// a sample or a bound is too large for a double the root is NaN, never none.
 ///
 /// `Function` offers at(s) -> Sample, and snap_bound(s, w), an upper bound of |f''''| on [s, s + w]
 /// as long as f >= 0 there; it must not shrink when w grows. It may offer at_start(), the same as

@@ -88,12 +88,11 @@ class ImpactSums {
 /// 1/m = 1/M + (arm x direction)^2 / I.
 double speed_of_impulse(const Case& the_case) {
   constexpr double rounding = 1.0 + 1e-9;
-  const auto weight = inverse_mass(the_case.body);
   double most = 0.0;
   for (const Cable& cable : the_case.cables) {
     const bool constant = cable.capture_speed == 0.0 && cable.restitution_table.empty();
-    const double mobile = weight[0] + cable.attachment.squaredNorm() * weight[2];
-    most = std::max(most, mobile / (1.0 + (constant ? cable.restitution : 0.0)));
+    most = std::max(most,
+                    most_response(the_case, cable) / (1.0 + (constant ? cable.restitution : 0.0)));
   }
   return rounding * most;
 }
@@ -220,6 +219,11 @@ double largest_angle(const Trajectory& run) {
 }
 
 }  // namespace
+
+double most_response(const Case& the_case, const Cable& cable) {
+  const auto weight = inverse_mass(the_case.body);
+  return weight[0] + cable.attachment.squaredNorm() * weight[2];
+}
 
 std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
   const auto& [fast, slow] = spec.speeds;

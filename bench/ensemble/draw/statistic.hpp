@@ -32,6 +32,9 @@ struct Statistic {
 [[nodiscard]] std::size_t place_of_statistic(const std::vector<Statistic>& all,
                                              const std::string& name);
 
+/// The response of the attachment of `cable` to a pull is at most this, as across its arm [1/kg].
+[[nodiscard]] double most_response(const Case& the_case, const Cable& cable);
+
 /// A value for each statistic; none where the motion has none of it.
 using StatisticValues = std::vector<std::optional<double>>;
 

@@ -18,10 +18,9 @@
 namespace tautline::bench {
 namespace {
 
-/// The fastest rebound that can have followed where bounces were completed [m/s]: all that this has
-/// taken from the energy in one cable, whose attachment gives way as to a pull across its arm.
+/// The fastest rebound that can have followed where bounces were completed [m/s], to leading order:
+/// all that this has taken from the energy in one cable.
 double fastest_completed(const Case& the_case, const Solution& solution) {
-  const auto weight = inverse_mass(the_case.body);
   double fastest = 0.0;
   for (const Event& event : solution.events()) {
     if (event.kind != EventKind::taut) {
@@ -29,8 +28,7 @@ double fastest_completed(const Case& the_case, const Solution& solution) {
     }
     const double lost = energy(the_case, event.before) - energy(the_case, event.after);
     for (const std::size_t index : event.cables) {
-      const double arm = the_case.cables[index].attachment.norm();
-      const double response = weight[0] + weight[2] * arm * arm;  // [1/kg], at most
+      const double response = most_response(the_case, the_case.cables[index]);
       fastest = std::max(fastest, std::sqrt(2.0 * std::max(0.0, lost) * response));
     }
   }

@@ -61,6 +61,67 @@ Real most_kept(const BasicCase<Real>& the_case, std::size_t index, const Real& s
   return most;
 }
 
+/// What the bounces of all cables come to.
+template <class Real>
+class BouncingSum {
+ public:
+  BouncingSum(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+              const Scales<Real>& scale)
+      : case_(the_case), state_(state), scale_(scale) {}
+
+  /// Those of a cable that its `pull` [m/s^2] closes and that rebounds with up to `speed` [m/s];
+  /// `response` [1/kg] is its own to an impulse. False where nothing pulls.
+  [[nodiscard]] bool add(std::size_t index, const Real& response, const Real& pull,
+                         const Real& speed) {
+    if (!(pull > 0)) {
+      return false;
+    }
+    least_pull_ = min(least_pull_, pull);
+    sum_.weakest = min(sum_.weakest, response);
+    sum_.speed = max(sum_.speed, speed);
+    const Real kept = most_kept(case_, index, speed);
+    const Real flight = 2 * speed / pull;
+    const Real height = speed * flight / 4;
+    const Real series = flight / (1 - kept);  // [s], infinite for an elastic cable
+    const bool is_over = is_steady(pull, series, scale_);
+    if (!is_over && height <= rounding_of_gap(case_.cables[index], state_)) {
+      sum_.ends = false;  // it bounces on, too low for a gap to tell
+      sum_.remaining = max(sum_.remaining, flight);
+    } else if (kept < 1) {
+      sum_.remaining = max(sum_.remaining, series);
+      heights_ = max(heights_, Real(2 * height * flight / (3 * (1 - kept * kept * kept))));
+    } else {  // it bounces for ever, at this height
+      sum_.ends = false;
+      sum_.remaining = max(sum_.remaining, flight);
+      heights_ = max(heights_, Real(height / scale_.rate));
+    }
+    return true;
+  }
+
+  /// None if a pull is not certain to stay > 0 until the bounces are over.
+  [[nodiscard]] std::optional<Bouncing<Real>> of_all(std::size_t cables) {
+    sum_.error =
+        error_margin * scale_.rate * scale_.rate * scale_.rate * heights_ / scale_.acceleration;
+    if (!is_steady(least_pull_, sum_.remaining, scale_)) {
+      return std::nullopt;
+    }
+    if (cables > 1) {  // how the cables hand the energy to each other is open
+      sum_.error *= several_cables;
+      sum_.remaining *= several_cables / 2;
+      sum_.uncertainty = sum_.remaining;
+    }
+    return sum_;
+  }
+
+ private:
+  const BasicCase<Real>& case_;
+  const BasicState<Real>& state_;
+  const Scales<Real>& scale_;
+  Bouncing<Real> sum_{true, Real(0), Real(0), Real(0), Real(0), infinity<Real>()};
+  Real heights_ = Real(0);  // [m s], the largest integral over time of a gap (Eq. 20)
+  Real least_pull_ = infinity<Real>();
+};
+
 /// From the normal energy of `cables` and the tensions that will hold them; none if a tension is
 /// not certain to stay > 0 until the bounces are over.
 template <class Real>
@@ -69,47 +130,28 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
                                        CableSet cables, const BasicCableVector<Real>& tension,
                                        const Scales<Real>& scale) {
   const Real energy = twice_normal_energy(the_case, state, touching, cables, tension);
-  Bouncing<Real> result{true, Real(0), Real(0), Real(0), Real(0), infinity<Real>()};
-  Real heights(0);  // [m s], the largest integral over time of a gap (Eq. 20)
-  Real least_pull = infinity<Real>();
+  BouncingSum<Real> sum(the_case, state, scale);
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
     const Real g = delassus(the_case, state, index);
-    const Real pull = tension[row++] * g;  // [m/s^2], closes it
-    const Real speed = sqrt(Real(energy * g));
-    const Real kept = most_kept(the_case, index, speed);
-    if (!(pull > 0)) {
+    if (!sum.add(index, g, Real(tension[row++] * g), Real(sqrt(Real(energy * g))))) {
       return std::nullopt;
     }
-    least_pull = min(least_pull, pull);
-    result.weakest = min(result.weakest, g);
-    const Real flight = 2 * speed / pull;
-    const Real height = speed * flight / 4;
-    result.speed = max(result.speed, speed);
-    const Real series = flight / (1 - kept);  // [s], infinite for an elastic cable
-    const bool is_over = is_steady(pull, series, scale);
-    if (!is_over && height <= rounding_of_gap(the_case.cables[index], state)) {
-      result.ends = false;  // it bounces on, too low for a gap to tell
-      result.remaining = max(result.remaining, flight);
-    } else if (kept < 1) {
-      result.remaining = max(result.remaining, series);
-      heights = max(heights, Real(2 * height * flight / (3 * (1 - kept * kept * kept))));
-    } else {  // it bounces for ever, at this height
-      result.ends = false;
-      result.remaining = max(result.remaining, flight);
-      heights = max(heights, Real(height / scale.rate));
-    }
   }
-  result.error = error_margin * scale.rate * scale.rate * scale.rate * heights / scale.acceleration;
-  if (!is_steady(least_pull, result.remaining, scale)) {
-    return std::nullopt;
-  }
-  if (cables.size() > 1) {  // how the cables hand the energy to each other is open
-    result.error *= several_cables;
-    result.remaining *= several_cables / 2;
-    result.uncertainty = result.remaining;
-  }
-  return result;
+  return sum.of_all(cables.size());
+}
+
+/// The same of one touching cable: its energy is that of its own rate, and its pull what closes it
+/// in flight.
+template <class Real>
+std::optional<Bouncing<Real>> bouncing_alone(const BasicCase<Real>& the_case,
+                                             const BasicState<Real>& state, std::size_t index,
+                                             const Scales<Real>& scale) {
+  BouncingSum<Real> sum(the_case, state, scale);
+  const bool pulls = sum.add(index, delassus(the_case, state, index),
+                             Real(-free_gap_acceleration(the_case, index, state)),
+                             Real(abs(gap_rate(the_case.cables[index], state))));
+  return pulls ? sum.of_all(1) : std::nullopt;
 }
 
 /// One cable's bounces: their geometric series with the first order of the change of the pull
@@ -290,15 +332,20 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
     if (moving(the_case, state, touching, cables).empty()) {
       return std::nullopt;
     }
-    const auto held = resting_tensions(the_case, state, cables);
-    if (!held || !held->tension.allFinite() || !held->acceleration.allFinite()) {
-      return std::nullopt;
+    std::optional<Bouncing<Real>> bounces;
+    if (cables.size() == 1 && touching.cables.contains(*cables.begin())) {
+      bounces = bouncing_alone(the_case, state, *cables.begin(), scale);
+    } else {
+      const auto held = resting_tensions(the_case, state, cables);
+      if (!held || !held->tension.allFinite() || !held->acceleration.allFinite()) {
+        return std::nullopt;
+      }
+      if (const CableSet rest = pulled(cables, *held); rest != cables) {
+        cables = rest;
+        continue;
+      }
+      bounces = bouncing(the_case, state, touching.cables, cables, held->tension, scale);
     }
-    if (const CableSet rest = pulled(cables, *held); rest != cables) {
-      cables = rest;
-      continue;
-    }
-    auto bounces = bouncing(the_case, state, touching.cables, cables, held->tension, scale);
     if (!bounces ||
         (limits.speed ? bounces->speed > *limits.speed : !(bounces->error <= limits.error))) {
       return std::nullopt;

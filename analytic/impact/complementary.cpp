@@ -95,6 +95,12 @@ std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
   if (q.size() == 1) {
     return of_one(cables, q[0], rounding[0]);
   }
+  if (q.size() <= 3 && cables.independent(cables.all())) {
+    Complementary<Real> all = trial(cables, q, rounding, cables.all());
+    if ((all.multipliers - all.multiplier_error).minCoeff() > 0) {
+      return all;
+    }
+  }
   // A solution with independent active rows always exists (Caratheodory), so the at most
   // 1 + 8 + 28 + 56 sets of up to three rows are all there is to try. In exact arithmetic one of
   // them violates nothing; rounding decides between neighbours, so the smallest violation wins.
@@ -102,7 +108,7 @@ std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
   Real smallest = infinity<Real>();
   for (unsigned bits = 0; bits < (1U << static_cast<unsigned>(q.size())); ++bits) {
     const CableSet active = rows_of(bits);
-    if (!cables.independent(active)) {
+    if (active.empty() ? !((q + rounding).minCoeff() >= 0) : !cables.independent(active)) {
       continue;
     }
     Complementary<Real> found = trial(cables, q, rounding, active);

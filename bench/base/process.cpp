@@ -20,6 +20,10 @@
 #include <system_error>
 #include <utility>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
 namespace tautline::bench {
@@ -135,6 +139,14 @@ std::string content_of(const Descriptor& file) {
 std::atomic<bool>& interruption() {
   static std::atomic<bool> flag{false};
   return flag;
+}
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int most = 32 << 20;  // [bytes], the most that either takes
+  mallopt(M_TRIM_THRESHOLD, most);
+  mallopt(M_MMAP_THRESHOLD, most);
+#endif
 }
 
 void catch_interruption() {

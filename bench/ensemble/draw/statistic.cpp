@@ -48,7 +48,8 @@ class ImpactSums {
   explicit ImpactSums(const EnsembleSpec& spec)
       : spec_(spec), values_(Place::of(spec, Place::end)) {}
 
-  /// An impact on `cable` that is faster than the second speed, `speed` [m/s], of closing.
+  /// An impact on `cable` that is faster than the second speed: as fast as `speed` [m/s], of
+  /// closing, or somewhat faster, but on the same side of the first.
   void add(double time, std::size_t cable, double speed, double energy_lost) {
     values_[Place::settled_slow] = time;
     if (speed > spec_.speeds[0]) {
@@ -83,19 +84,20 @@ class ImpactSums {
   std::optional<std::size_t> first_cable_;
 };
 
-/// No impact on one cable alone is faster than this many times its impulse [1/kg]: a speed v before
-/// it takes an impulse of m (1 + e) v, of the mass m of the attachment along the cable, with
+/// Between which speeds an impact on one cable alone was [m/s], by its impulse: a speed v before it
+/// takes an impulse of m (1 + e) v, of the mass m of the attachment along the cable, with
 /// 1/m = 1/M + (arm x direction)^2 / I.
-double speed_of_impulse(const Case& the_case) {
-  constexpr double rounding = 1.0 + 1e-9;
-  double most = 0.0;
-  for (const Cable& cable : the_case.cables) {
-    const bool constant = cable.capture_speed == 0.0 && cable.restitution_table.empty();
-    most = std::max(most,
-                    most_response(the_case, cable) / (1.0 + (constant ? cable.restitution : 0.0)));
+struct SpeedPerImpulse {
+  double least;  // [1/kg]
+  double most;
+
+  SpeedPerImpulse(const Case& the_case, const Cable& cable) {
+    constexpr double rounding = 1.0 + 1e-9;
+    const bool constant = !depends_on_speed(cable);
+    least = 1.0 / (the_case.body.mass * (1.0 + (constant ? cable.restitution : 1.0)) * rounding);
+    most = rounding * most_response(the_case, cable) / (1.0 + (constant ? cable.restitution : 0.0));
   }
-  return rounding * most;
-}
+};
 
 /// The gap rates of `cable` before and after an impact [m/s].
 struct Rates {
@@ -116,17 +118,40 @@ Rates rates_at(const Cable& cable, const Event& event) {
   return {rate(event.before), rate(event.after)};
 }
 
-void add_impacts(ImpactSums& sums, const Case& the_case, const Solution& solution, double slowest) {
-  const double least_impulse = slowest / speed_of_impulse(the_case);
+/// Adds the impacts on one cable of which the impulse alone says between which of the two `speeds`
+/// they are: most of them. False where their pose has to be asked.
+bool add_by_impulse(ImpactSums& sums, const Case& the_case, const Event& event,
+                    const SpeedPerImpulse& speed, const std::array<double, 2>& speeds) {
+  const double least = speed.least * event.impulses[0];
+  const double most = speed.most * event.impulses[0];
+  if (most <= speeds[1]) {
+    return true;
+  }
+  if (!(least > speeds[1]) || (least <= speeds[0] && most > speeds[0])) {
+    return false;
+  }
+  const double lost =
+      kinetic_energy(the_case.body, event.before) - kinetic_energy(the_case.body, event.after);
+  sums.add(event.time, *event.cables.begin(), least, lost);
+  return true;
+}
+
+void add_impacts(ImpactSums& sums, const Case& the_case, const Solution& solution,
+                 const std::array<double, 2>& speeds) {
+  std::vector<SpeedPerImpulse> per_impulse;
+  for (const Cable& cable : the_case.cables) {
+    per_impulse.emplace_back(the_case, cable);
+  }
   for (const Event& event : solution.events()) {
-    const bool slow = event.impulses.size() == 1 && event.impulses[0] <= least_impulse;
-    if (slow || event.kind != EventKind::impact) {
+    if (event.kind != EventKind::impact ||
+        (event.impulses.size() == 1 &&
+         add_by_impulse(sums, the_case, event, per_impulse[*event.cables.begin()], speeds))) {
       continue;
     }
     Eigen::Index place = 0;
     for (const std::size_t cable : event.cables) {
       const auto [before, after] = rates_at(the_case.cables[cable], event);
-      if (-before > slowest) {
+      if (-before > speeds[1]) {
         sums.add(event.time, cable, -before, work_of(event.impulses[place], before, after));
       }
       ++place;
@@ -192,9 +217,10 @@ double largest_angle(const Arc& arc, double length) {
   return std::max(std::abs(end.angle), std::abs(turn_after(arc, 0.5 * (low + high)).angle));
 }
 
-/// The largest |angle| of an exact motion.
+/// The largest |angle| of an exact motion, also of a swing that has not been followed.
 double largest_angle(const Solution& solution) {
-  double largest = 0.0;
+  const std::optional<Swing>& swing = solution.swing();
+  double largest = swing ? std::max(std::abs(swing->least), std::abs(swing->largest)) : 0.0;
   for (const Arc& arc : solution.arcs()) {
     const double length = arc.end - arc.start;
     if (arc.series.rows() == 0) {  // in flight the spin is constant
@@ -267,7 +293,7 @@ std::size_t place_of_statistic(const std::vector<Statistic>& all, const std::str
 StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
                                  const Solution& solution, const std::optional<Lock>& lock) {
   ImpactSums sums(spec);
-  add_impacts(sums, the_case, solution, spec.speeds[1]);
+  add_impacts(sums, the_case, solution, spec.speeds);
   StatisticValues values = std::move(sums).values();
   values[Place::largest_angle] = largest_angle(solution);
   values[Place::of(spec, Place::captured)] = lock && lock->permanent ? 1.0 : 0.0;

@@ -118,6 +118,7 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
       }
     }
   };
+  keep_freed_memory();
   {
     std::vector<std::jthread> workers;
     for (unsigned job = 0; job < options.jobs; ++job) {

@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "equilibrium.hpp"
 #include "instantiate.hpp"
 #include "local_origin.hpp"
 #include "loop/half_swing.hpp"
@@ -11,6 +10,7 @@
 #include "loop/paused_motion.hpp"
 #include "loop/record.hpp"
 #include "loop/standing.hpp"
+#include "loop/swing_ahead.hpp"
 #include "progress.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
@@ -37,10 +37,10 @@ class Motion final : public PausedMotion<Real> {
   /// `touching` are the cables at zero gap, `record` is empty.
   Motion(const BasicCase<Real>& the_case, const SolveOptions& options, CableSet touching,
          Record<Real> record = {})
-      : case_(the_case),
+      : PausedMotion<Real>(OrdinaryBounces<Real>(the_case, options.completion)),
+        case_(the_case),
         options_(options),
         state_(the_case.initial),
-        ordinary_(the_case, options.completion),
         record_(std::move(record)) {
     touching_.cables = touching;
     touching_.note_speed(state_);
@@ -49,7 +49,7 @@ class Motion final : public PausedMotion<Real> {
   /// The whole algorithm.
   BasicSolution<Real> run() {
     while (advance()) {
-      take(ordinary_.next(flyer(), last_hit(), time_left()));
+      take(ordinary_.next(search()));
     }
     return solution();
   }
@@ -73,11 +73,19 @@ class Motion final : public PausedMotion<Real> {
         } else if (resting.empty() && may_bounce()) {  // it was too early
           return true;
         }
-        if (!held_ && !hold_resting(resting)) {
-          return finish(Ending::singular);
+        if (!held_) {
+          if (!hold_resting(resting)) {
+            return finish(Ending::singular);
+          }
+          if (options_.until_locked && options_.swing_ahead) {
+            record_.swing = told_swing(case_, state_, held_, time_left());
+          }
         }
-        if (const auto ending = rest()) {
+        if (const auto ending = rest(case_, state_, touching_, taut_, held_)) {
           return come_to_rest(*ending);
+        }
+        if (record_.swing) {
+          return finish(Ending::locked);
         }
         stop = next_stop(case_, state_, touching_, held_, time_left());
       }
@@ -101,10 +109,9 @@ class Motion final : public PausedMotion<Real> {
     }
   }
 
-  [[nodiscard]] Flyer<Real> flyer() const override { return ordinary_.flyer(state_, touching_); }
-  [[nodiscard]] std::optional<std::size_t> last_hit() const override { return touching_.first(); }
-  [[nodiscard]] Real time_left() const override { return case_.duration - time_; }
-  [[nodiscard]] const OrdinaryBounces<Real>& ordinary() const override { return ordinary_; }
+  [[nodiscard]] BounceSearch<Real> search() const override {
+    return {ordinary_.flyer(state_, touching_), touching_.cables, time_left()};
+  }
 
   /// Goes on with `bounce`, or, where it is no ordinary one, with the general way.
   void take(const BasicBounce<Real>& bounce) override {
@@ -113,7 +120,7 @@ class Motion final : public PausedMotion<Real> {
     if (refused_) {
       return;
     }
-    const std::size_t index = ordinary_.take(bounce, last_hit());
+    const std::size_t index = ordinary_.take(bounce, touching_.cables);
     record_.arcs.push_back({time_, time_ + bounce.dt, state_, {}, {}});
     time_ += bounce.dt;
     state_ = state_of(bounce.before);
@@ -129,6 +136,10 @@ class Motion final : public PausedMotion<Real> {
   }
 
  private:
+  using PausedMotion<Real>::ordinary_;
+
+  [[nodiscard]] Real time_left() const { return case_.duration - time_; }
+
   /// Why to give up, if there is a reason.
   [[nodiscard]] std::optional<Ending> limit_reached() {
     if (record_.events.size() >= options_.max_events) {
@@ -198,7 +209,7 @@ class Motion final : public PausedMotion<Real> {
   [[nodiscard]] bool hold_resting(CableSet resting) {
     if (!resting.empty()) {
       held_ = hold(case_, state_, touching_, resting);
-      if (!held_ && is_caught()) {
+      if (!held_ && is_caught(case_, state_, touching_)) {
         state_.velocity.setZero();
         state_.spin = Real(0);
         held_ = hold(case_, state_, touching_, contacts(case_, state_, touching_).resting);
@@ -217,24 +228,6 @@ class Motion final : public PausedMotion<Real> {
     }
     taut_ = taut;
     return true;
-  }
-
-  /// True where what is left of the motion is rounding of the motion before, between cables that
-  /// leave it nowhere to go.
-  [[nodiscard]] bool is_caught() const {
-    constexpr double of_rounding = 100.0;  // [-], left by a long row of impacts within an instant
-    return speed_scale(case_, state_) <= of_rounding * touching_.rounding_of_all(case_);
-  }
-
-  /// The ending where held cables keep the body from moving, now and so for ever. A spin about the
-  /// centre that it hangs at is no motion.
-  [[nodiscard]] std::optional<Ending> rest() const {
-    if (taut_.empty() || state_.velocity.norm() > touching_.rounding_of_all(case_)) {
-      return std::nullopt;
-    }
-    const bool still = speed_scale(case_, state_) <= touching_.rounding_of_all(case_) ||
-                       turns_freely(case_, state_, taut_);
-    return still ? equilibrium(case_, state_, *held_) : std::nullopt;
   }
 
   /// Appends the arc up to `stop` and moves to its end. False, and nothing done, on overflow.
@@ -358,7 +351,6 @@ class Motion final : public PausedMotion<Real> {
   Real time_ = Real(0);
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
-  OrdinaryBounces<Real> ordinary_;
   bool refused_ = false;          // the short way, in this round
   std::optional<bool> leaves_;    // the cable last hit, for good; none: to be found out
   std::size_t steps_ = 0;         // without an event

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "batch/in_lane.hpp"
@@ -32,6 +31,9 @@ class Batch {
     while (flying > 0) {
       bounce_lanes(question_, answer_);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
+        bounces_[lane] = InLane{lane}.get<BasicBounce<double>>(answer_);
+      }
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
         if (bodies_[lane].motion && !goes_on(lane)) {
           flying -= start_next(lane) ? 0U : 1U;
         }
@@ -46,7 +48,7 @@ class Batch {
     Case near;              // seen from `origin`, where that is not the world's
     Vec2 origin = Vec2::Zero();
     std::unique_ptr<PausedMotion<double>> motion;
-    std::optional<std::size_t> last_hit;
+    CableSet left;        // as in BounceSearch
     Record<double> room;  // of the motion before
   };
 
@@ -81,12 +83,12 @@ class Batch {
   /// Takes the answer for `lane`; false where its motion has ended.
   bool goes_on(std::size_t lane) {
     Body& body = bodies_[lane];
-    body.motion->take(InLane{lane}.get<BasicBounce<double>>(answer_));
-    const std::optional<std::size_t> last = body.last_hit;
+    body.motion->take(bounces_[lane]);
+    const CableSet left = body.left;
     if (!advance(lane)) {
       return false;
     }
-    if (body.last_hit != last) {
+    if (body.left != left) {
       set_cables(lane);
     }
     return true;
@@ -105,11 +107,12 @@ class Batch {
       body.room = Record<double>::in_room_of(std::move(solution));
       return false;
     }
-    body.last_hit = body.motion->last_hit();
+    const BounceSearch<double> search = body.motion->search();
+    body.left = search.left;
     const InLane set{lane};
-    set(question_.from, body.motion->flyer());
-    set(question_.touches, body.last_hit ? 1.0 : 0.0);
-    set(question_.horizon, body.motion->time_left());
+    set(question_.from, search.from);
+    set(question_.touches, search.left.empty() ? 0.0 : 1.0);
+    set(question_.horizon, search.horizon);
     for (std::size_t place = 0; place < count_; ++place) {
       set(question_.cables[place].tried, cable_at(place, body).tried);
     }
@@ -118,8 +121,7 @@ class Batch {
 
   /// The cable in this place of the body's search.
   static const FlightCable<double>& cable_at(std::size_t place, const Body& body) {
-    return body.motion->ordinary()
-        .cables()[OrdinaryBounces<double>::cable_at(place, body.last_hit)];
+    return body.motion->ordinary().cables()[OrdinaryBounces<double>::cable_at(place, body.left)];
   }
 
   /// The cables in the order in which they are searched now.
@@ -137,6 +139,8 @@ class Batch {
   std::array<Body, lanes> bodies_;
   LaneQuestion question_;
   LaneAnswer answer_;
+  // of each body: at once, as what has just been written number by number is slow to read as pairs
+  std::array<BasicBounce<double>, lanes> bounces_;
 };
 
 }  // namespace

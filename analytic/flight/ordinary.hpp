@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -10,6 +9,14 @@ namespace tautline {
 
 template <class Real>
 using BasicBounce = Bounce<Real, bool>;
+
+/// What the search for one starts from.
+template <class Real>
+struct BounceSearch {
+  Flyer<Real> from;
+  CableSet left;  // the cable that the body has just left, or none
+  Real horizon;   // [s], how long it may fly
+};
 
 /// The ordinary bounces of one case (bounce.hpp), in double. Many digits go the general way alone,
 /// so that either is held against the other.
@@ -33,26 +40,31 @@ class OrdinaryBounces {
   /// False where a limit of the case may end a flight, or restitutions depend on speed.
   [[nodiscard]] bool exist() const { return exist_; }
 
-  /// The cable in this place of the search: first `last`, which the body has just left, as it is
-  /// likely to return before any other closes; then the others in their order.
-  [[nodiscard]] static std::size_t cable_at(std::size_t place, std::optional<std::size_t> last) {
-    return !last || place > *last ? place : place == 0 ? *last : place - 1;
+  /// The cable in this place of a search: first the one that the body has just `left`, if any, as
+  /// it is likely to return before any other closes; then the others in their order.
+  [[nodiscard]] static std::size_t cable_at(std::size_t place, CableSet left) {
+    if (left.empty()) {
+      return place;
+    }
+    const std::size_t last = *left.begin();
+    return place > last ? place : place == 0 ? last : place - 1;
   }
 
-  /// The next one of `from`, which has left the cable `last`, if any, within `horizon` [s].
-  [[nodiscard]] BasicBounce<Real> next(const Flyer<Real>& from, std::optional<std::size_t> last,
-                                       const Real& horizon) const {
+  /// What `search` finds.
+  [[nodiscard]] BasicBounce<Real> next(const BounceSearch<Real>& search) const {
     if constexpr (std::is_same_v<Real, double>) {
-      const auto cable = [&](std::size_t place) { return cables_[cable_at(place, last)]; };
-      return next_bounce(world_, from, cable, cables_.size(), last.has_value(), horizon, limits_);
+      const auto cable = [&](std::size_t place) { return cables_[cable_at(place, search.left)]; };
+      return next_bounce(world_, search.from, cable, cables_.size(), !search.left.empty(),
+                         search.horizon, limits_);
     } else {
       return {};
     }
   }
 
-  /// The cable of `bounce`, which follows those on `last`; keeps what it says about later ones.
-  std::size_t take(const BasicBounce<Real>& bounce, std::optional<std::size_t> last) {
-    const std::size_t index = cable_at(static_cast<std::size_t>(bounce.place), last);
+  /// The cable of `bounce`, found by a search that has `left` a cable; keeps what it says about
+  /// later ones.
+  std::size_t take(const BasicBounce<Real>& bounce, CableSet left) {
+    const std::size_t index = cable_at(static_cast<std::size_t>(bounce.place), left);
     set_tried(index, bounce.tried);
     angle_ = bounce.before.angle;
     facing_ = bounce.before.facing;

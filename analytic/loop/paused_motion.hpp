@@ -1,7 +1,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <utility>
 
 #include "flight/ordinary.hpp"
 #include "loop/record.hpp"
@@ -16,7 +16,6 @@ struct SolveOptions;
 template <class Real>
 class PausedMotion {
  public:
-  PausedMotion() = default;
   PausedMotion(const PausedMotion&) = delete;
   PausedMotion& operator=(const PausedMotion&) = delete;
   virtual ~PausedMotion() = default;
@@ -25,17 +24,20 @@ class PausedMotion {
   /// of the motion.
   [[nodiscard]] virtual bool advance() = 0;
 
-  /// What asks for that bounce: the body, the cable that it has left, and how long it may fly [s].
-  [[nodiscard]] virtual Flyer<Real> flyer() const = 0;
-  [[nodiscard]] virtual std::optional<std::size_t> last_hit() const = 0;
-  [[nodiscard]] virtual Real time_left() const = 0;
-  [[nodiscard]] virtual const OrdinaryBounces<Real>& ordinary() const = 0;
+  /// The search for that bounce, among the bounces of the case.
+  [[nodiscard]] virtual BounceSearch<Real> search() const = 0;
+  [[nodiscard]] const OrdinaryBounces<Real>& ordinary() const { return ordinary_; }
 
   /// Takes `bounce`, or, where it is no ordinary one, the general way from here.
   virtual void take(const BasicBounce<Real>& bounce) = 0;
 
   /// After the end: the motion, which is then no longer here.
   [[nodiscard]] virtual BasicSolution<Real> solution() = 0;
+
+ protected:
+  explicit PausedMotion(OrdinaryBounces<Real> ordinary) : ordinary_(std::move(ordinary)) {}
+
+  OrdinaryBounces<Real> ordinary_;
 };
 
 /// At the start of `the_case`, which has no problems and has to stay where it is; `touching` are

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "equilibrium.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/hold.hpp"
@@ -40,6 +43,30 @@ template <class Real>
     }
   }
   return result;
+}
+
+/// True where what is left of the motion is rounding of the motion before, between cables that
+/// leave it nowhere to go.
+template <class Real>
+[[nodiscard]] bool is_caught(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                             const BasicTouching<Real>& touching) {
+  constexpr double of_rounding = 100.0;  // [-], left by a long row of impacts within an instant
+  return speed_scale(the_case, state) <= of_rounding * touching.rounding_of_all(the_case);
+}
+
+/// The ending where the `taut` cables, of which `held` pulls, keep the body from moving, now and so
+/// for ever. A spin about the centre that it hangs at is no motion.
+template <class Real>
+[[nodiscard]] std::optional<Ending> rest(const BasicCase<Real>& the_case,
+                                         const BasicState<Real>& state,
+                                         const BasicTouching<Real>& touching, CableSet taut,
+                                         const std::optional<BasicHold<Real>>& held) {
+  if (taut.empty() || state.velocity.norm() > touching.rounding_of_all(the_case)) {
+    return std::nullopt;
+  }
+  const bool still = speed_scale(the_case, state) <= touching.rounding_of_all(the_case) ||
+                     turns_freely(the_case, state, taut);
+  return still ? equilibrium(the_case, state, *held) : std::nullopt;
 }
 
 /// `state` with what rounding has left of the gaps and rates of taut cables taken away, and of the

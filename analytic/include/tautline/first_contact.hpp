@@ -42,11 +42,6 @@ struct BasicTouching {
     spin_rounding = max(spin_rounding, Real(rounding * abs(state.spin)));
   }
 
-  /// The cable that touches, the first of them if several do; none if none does.
-  [[nodiscard]] std::optional<std::size_t> first() const {
-    return cables.empty() ? std::nullopt : std::optional(*cables.begin());
-  }
-
   /// A rate up to this is rounding of the fastest attachment's [m/s].
   [[nodiscard]] Real rounding_of_all(const BasicCase<Real>& the_case) const {
     return rate_rounding + spin_rounding * attachment_radius(the_case);

@@ -106,6 +106,7 @@ class ExactSolver final : public DrawSolver {
     }
     SolveOptions options = options_of(setup_);
     options.until_locked = true;
+    options.swing_ahead = true;
     solve_batch(cases, options, [&](std::size_t index, const Solution& solution) {
       const Case& the_case = cases[index];
       DrawResult& result = results[places[index]];

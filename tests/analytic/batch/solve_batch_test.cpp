@@ -88,6 +88,7 @@ void expect_same_solutions(const std::vector<Case>& cases, const SolveOptions& o
 TEST(SolveBatch, ShippedCasesHaveTheirOwnSolutionsToTheBit) {
   expect_same_solutions(shipped_cases());
   expect_same_solutions(shipped_cases(), {.law = ImpactLaw::sequential, .until_locked = true});
+  expect_same_solutions(shipped_cases(), {.until_locked = true, .swing_ahead = true});
 }
 
 TEST(SolveBatch, CopiesOfACaseHaveTheirOwnSolutionsToTheBit) {

@@ -40,9 +40,10 @@ int main(int argc, char** argv) {
     count = cases.size();
     if (what == "motions") {
       count = 0;
-      solve_batch(cases, {.until_locked = true}, [&](std::size_t, const Solution& solution) {
-        count += solution.arcs().size() > 1 ? 1U : 0U;
-      });
+      solve_batch(cases, {.until_locked = true, .swing_ahead = true},
+                  [&](std::size_t, const Solution& solution) {
+                    count += solution.arcs().size() > 1 ? 1U : 0U;
+                  });
     }
   }
   std::printf("%zu draws\n", count);

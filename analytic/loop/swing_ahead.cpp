@@ -1,0 +1,193 @@
+#include "loop/swing_ahead.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "loop/cosine_sum.hpp"
+#include "loop/two_cable_curve.hpp"
+#include "tautline/rounding.hpp"
+
+namespace tautline {
+namespace {
+
+/// The way between the turning points of a swing.
+struct Way {
+  double fastest;                   // [J], the kinetic energy at the equilibrium
+  std::array<CurvePoint, 2> turns;  // at rising s
+  double middle;                    // s between them
+  double half;                      // and of their distance
+};
+
+/// What is looked at on the way.
+struct Along {
+  CosineSum::Values pace;     // [s], of time by phase (Eq. 25)
+  CosineSum::Values turning;  // of the angle, in s
+  std::array<CosineSum::Values, max_cables> tensions_and_gaps;
+};
+
+class Watch {
+ public:
+  Watch(const Case& the_case, const State& state, CableSet pulling)
+      : case_(the_case),
+        pulling_(pulling),
+        curve_(the_case, state, pulling),
+        start_energy_(kinetic_energy(the_case.body, state)),
+        speed_(curve_.direction().dot(mass_velocity(the_case.body, state))) {
+    const double root = std::sqrt(the_case.body.mass);
+    force_ = {root * the_case.gravity.x(), root * the_case.gravity.y(), 0.0};
+  }
+
+  [[nodiscard]] std::optional<Swing> swing(double left) const {
+    const auto way = find_way();
+    const auto along = way ? look_along(*way) : std::nullopt;
+    if (!along || !is_undisturbed(*along)) {
+      return std::nullopt;
+    }
+    const CosineSum pace(along->pace);
+    if (!pace.has_no_zero()) {
+      return std::nullopt;
+    }
+    const double half_period = pace.mean() * std::numbers::pi;
+    const double phase = std::acos(std::clamp(-way->middle / way->half, -1.0, 1.0));
+    const double since = pace.integral(phase);  // or until: the turning point at phase 0
+    const double until = speed_ > 0.0 ? since : half_period - since;
+    constexpr double clearly = 1.0 - 1e-5;  // [-], beyond what is open of the time until then
+    if (!(until + half_period < clearly * left)) {
+      return std::nullopt;
+    }
+    const auto [least, largest] = std::minmax(way->turns[0].pose.angle, way->turns[1].pose.angle);
+    return Swing{way->fastest, 2.0 * half_period, least, largest, (largest - least) / 2.0};
+  }
+
+ private:
+  /// Kinetic, on the swing [J].
+  [[nodiscard]] double energy_at(const CurvePoint& point) const {
+    return start_energy_ + force_.dot(point.z);
+  }
+
+  /// Where the energy is largest, by Newton's method; none where that is not as near as in most
+  /// swings.
+  [[nodiscard]] std::optional<CurvePoint> equilibrium() const {
+    std::optional<CurvePoint> point = curve_.start();
+    double s = 0.0;
+    constexpr int enough = 8;
+    for (int iteration = 0; iteration < enough; ++iteration) {
+      const double curvature = force_.dot(point->bend);
+      if (!(curvature < 0.0)) {
+        return std::nullopt;
+      }
+      const double step = -force_.dot(point->way) / curvature;
+      s += step;
+      point = curve_.at(s, *point);
+      constexpr double part = 1e-8;  // [-]: the next step would gain the square of it
+      if (!point || -curvature * step * step <= part * energy_at(*point)) {
+        return point;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The turning points to both sides of that.
+  [[nodiscard]] std::optional<Way> find_way() const {
+    const auto middle = equilibrium();
+    const double fastest = middle ? energy_at(*middle) : 0.0;
+    constexpr double enough_roundings = 1e12;  // [-], for ten digits of the swing
+    if (!(fastest > enough_roundings * rounding_of_energy(case_, middle->pose))) {
+      return std::nullopt;
+    }
+    const double far = std::sqrt(2.0 * fastest / -force_.dot(middle->bend));
+    const auto turn = [&](double ds) {
+      return curve_.find(force_, -start_energy_, TwoCableCurve::onward(*middle, ds));
+    };
+    const auto low = turn(-far);
+    const auto high = turn(far);
+    if (!low || !high) {
+      return std::nullopt;
+    }
+    const double from = curve_.direction().dot(low->z);
+    const double to = curve_.direction().dot(high->z);
+    const double rounding = 1e-9 * (to - from);  // the start may be one of them
+    const double s = curve_.direction().dot(middle->z);
+    if (!(from < s && s < to && from <= rounding && to >= -rounding)) {
+      return std::nullopt;
+    }
+    return Way{fastest, {*low, *high}, (from + to) / 2.0, (to - from) / 2.0};
+  }
+
+  /// None where the curve between the turning points is another than that of the start, or the body
+  /// is faster there than at the equilibrium.
+  [[nodiscard]] std::optional<Along> look_along(const Way& way) const {
+    Along along;
+    const CosineSum::Nodes& nodes = CosineSum::nodes();
+    CurvePoint point = way.turns[1];
+    CurvePoint nearest = point;  // to the start
+    for (std::size_t k = 0; k < CosineSum::terms; ++k) {
+      const auto next = curve_.at(way.middle + way.half * nodes.cosine[k], point);
+      const double energy = next ? energy_at(*next) : 0.0;
+      constexpr double rounding = 1.0 + 1e-9;
+      if (!(energy > 0.0 && energy < rounding * way.fastest)) {
+        return std::nullopt;
+      }
+      point = *next;
+      nearest = point.z.squaredNorm() < nearest.z.squaredNorm() ? point : nearest;
+      along.pace[k] = point.way.norm() * way.half * nodes.sine[k] / std::sqrt(2.0 * energy);
+      along.turning[k] = point.way[2];
+      const std::array<double, 2> tensions = tensions_at(point, energy);
+      std::size_t row = 0;
+      for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+        along.tensions_and_gaps[index][k] =
+            pulling_.contains(index) ? tensions[row++] : gap(case_.cables[index], point.pose);
+      }
+    }
+    const bool is_one =
+        leads_to(curve_.start(), nearest, way) && leads_to(way.turns[0], point, way);
+    return is_one ? std::optional(along) : std::nullopt;
+  }
+
+  /// True where the curve leads from `near` to `point`, and not to another point of the same s.
+  [[nodiscard]] bool leads_to(const CurvePoint& point, const CurvePoint& near,
+                              const Way& way) const {
+    constexpr double same = 1e-6;  // [-], of the way
+    const auto found = curve_.at(curve_.direction().dot(point.z), near);
+    return found && (found->z - point.z).norm() <= same * way.half;
+  }
+
+  /// Of the two cables [N], where the body passes with the kinetic `energy` [J] (Eq. 26): they
+  /// carry its weight and bend its way.
+  [[nodiscard]] std::array<double, 2> tensions_at(const CurvePoint& point, double energy) const {
+    const RowSpace<double> space({point.rows[0], point.rows[1], Vector3<double>::Zero()}, 2);
+    const double square = 2.0 * energy / point.way.squaredNorm();  // of ds / dt
+    const Vector3<double> pull =
+        -force_ - square * (point.bends[0] * space.dual(0) + point.bends[1] * space.dual(1));
+    return {space.dual(0).dot(pull), space.dual(1).dot(pull)};
+  }
+
+  /// True where the cables pull all the way, no other closes, and the angle goes one way.
+  [[nodiscard]] bool is_undisturbed(const Along& along) const {
+    const auto all = along.tensions_and_gaps.begin();
+    return CosineSum(along.turning).has_no_zero() &&
+           std::all_of(all, all + static_cast<std::ptrdiff_t>(case_.cables.size()),
+                       [](const CosineSum::Values& values) {
+                         return values[0] > 0.0 && CosineSum(values).has_no_zero();
+                       });
+  }
+
+  const Case& case_;
+  CableSet pulling_;
+  TwoCableCurve curve_;
+  double start_energy_;    // [J], kinetic
+  double speed_;           // ds / dt at the start
+  Vector3<double> force_;  // M^-1/2 times the weight: the rate of the energy by z
+};
+
+}  // namespace
+
+std::optional<Swing> swing_ahead(const Case& the_case, const State& state, CableSet pulling,
+                                 double left) {
+  if (pulling.size() != 2 || is_point_mass(the_case) || the_case.angle_limit || the_case.ceiling) {
+    return std::nullopt;
+  }
+  return Watch(the_case, state, pulling).swing(left);
+}
+
+}  // namespace tautline

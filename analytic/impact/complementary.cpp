@@ -95,6 +95,8 @@ std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
   if (q.size() == 1) {
     return of_one(cables, q[0], rounding[0]);
   }
+  // Of independent rows A A^T is positive definite, and the solution one. Where all z are positive
+  // beyond their errors it is this; `rounding` is that of q and of the products here
   if (q.size() <= 3 && cables.independent(cables.all())) {
     Complementary<Real> all = trial(cables, q, rounding, cables.all());
     if ((all.multipliers - all.multiplier_error).minCoeff() > 0) {
@@ -102,8 +104,8 @@ std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
     }
   }
   // A solution with independent active rows always exists (Caratheodory), so the at most
-  // 1 + 8 + 28 + 56 sets of up to three rows are all there is to try. In exact arithmetic one of
-  // them violates nothing; rounding decides between neighbours, so the smallest violation wins.
+  // 1 + 8 + 28 + 56 sets of up to three rows are all that is left to try. In exact arithmetic one
+  // of them violates nothing; rounding decides between neighbours, so the smallest violation wins.
   std::optional<Complementary<Real>> best;
   Real smallest = infinity<Real>();
   for (unsigned bits = 0; bits < (1U << static_cast<unsigned>(q.size())); ++bits) {

@@ -63,9 +63,9 @@ class CosineSum {
     return sum;
   }
 
-  /// True where the function has no zero between the ends, for certain: its values at the nodes
-  /// have one sign, and it curves too little to reach zero between two of them, nor between the
-  /// first or last and an end, where it is symmetric.
+  /// True where the function has no zero between the ends, as far as the sum knows it: its values
+  /// at the nodes have one sign, and it curves too little to reach zero between two of them, nor
+  /// between the first or last and an end, where it is symmetric.
   [[nodiscard]] bool has_no_zero() const {
     constexpr double distance = std::numbers::pi / terms;
     return is_known() && nearest_to_zero_ > distance * distance / 8.0 * most_curvature_ + rest();
@@ -76,7 +76,7 @@ class CosineSum {
   /// where a value is not finite.
   [[nodiscard]] bool is_known() const {
     constexpr double part = 1e-6;  // [-], of the last quarter in all
-    return tail_ <= part * size_;
+    return std::isfinite(size_) && tail_ <= part * size_;
   }
 
  private:

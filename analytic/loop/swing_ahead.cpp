@@ -50,7 +50,8 @@ class Watch {
     const double half_period = pace.mean() * std::numbers::pi;
     const double phase = std::acos(std::clamp(-way->middle / way->half, -1.0, 1.0));
     const double since = pace.integral(phase);  // or until: the turning point at phase 0
-    const double until = speed_ > 0.0 ? since : half_period - since;
+    // a start at rest is no turning point to those who follow
+    const double until = speed_ == 0.0 ? half_period : speed_ > 0.0 ? since : half_period - since;
     constexpr double clearly = 1.0 - 1e-5;  // [-], beyond what is open of the time until then
     if (!(until + half_period < clearly * left)) {
       return std::nullopt;
@@ -87,12 +88,35 @@ class Watch {
     return std::nullopt;
   }
 
+  /// What a gap's rounding, and the angle's, make of a point of the curve.
+  struct Rounding {
+    double energy = 0.0;  // [J]: that on each cable is carried by its tension
+    double angle = 0.0;   // [rad]
+  };
+  [[nodiscard]] Rounding rounding_at(const CurvePoint& point) const {
+    const std::array<double, 2> static_tensions = tensions_at(point, 0.0);
+    const RowSpace<double> space = space_of(point);
+    const double weight = case_.body.mass * case_.gravity.norm();
+    const double turn = epsilon<double>() * std::abs(point.pose.angle);
+    Rounding result{epsilon<double>() * start_energy_, turn};
+    std::size_t row = 0;
+    for (const std::size_t index : pulling_) {
+      const Cable& cable = case_.cables[index];
+      const double of_gap = rounding_of_gap(cable, point.pose) + turn * cable.attachment.norm();
+      result.energy += (std::abs(static_tensions[row]) + weight) * of_gap;
+      result.angle += std::abs(space.dual(row)[2]) * root_of_inverse_mass(case_.body)[2] * of_gap;
+      ++row;
+    }
+    return result;
+  }
+
   /// The turning points to both sides of that.
   [[nodiscard]] std::optional<Way> find_way() const {
     const auto middle = equilibrium();
     const double fastest = middle ? energy_at(*middle) : 0.0;
-    constexpr double enough_roundings = 1e12;  // [-], for ten digits of the swing
-    if (!(fastest > enough_roundings * rounding_of_energy(case_, middle->pose))) {
+    const Rounding rounding = middle ? rounding_at(*middle) : Rounding{};
+    constexpr double enough = 1e12;  // [-], roundings, for ten digits of the swing
+    if (!(fastest > enough * rounding.energy)) {
       return std::nullopt;
     }
     const double far = std::sqrt(2.0 * fastest / -force_.dot(middle->bend));
@@ -106,9 +130,10 @@ class Watch {
     }
     const double from = curve_.direction().dot(low->z);
     const double to = curve_.direction().dot(high->z);
-    const double rounding = 1e-9 * (to - from);  // the start may be one of them
+    const double near = 1e-9 * (to - from);  // the start may be one of them
     const double s = curve_.direction().dot(middle->z);
-    if (!(from < s && s < to && from <= rounding && to >= -rounding)) {
+    if (!(from < s && s < to && from <= near && to >= -near) ||
+        !(std::abs(high->pose.angle - low->pose.angle) > enough * rounding.angle)) {
       return std::nullopt;
     }
     return Way{fastest, {*low, *high}, (from + to) / 2.0, (to - from) / 2.0};
@@ -152,10 +177,14 @@ class Watch {
     return found && (found->z - point.z).norm() <= same * way.half;
   }
 
+  [[nodiscard]] static RowSpace<double> space_of(const CurvePoint& point) {
+    return {{point.rows[0], point.rows[1], Vector3<double>::Zero()}, 2};
+  }
+
   /// Of the two cables [N], where the body passes with the kinetic `energy` [J] (Eq. 26): they
   /// carry its weight and bend its way.
   [[nodiscard]] std::array<double, 2> tensions_at(const CurvePoint& point, double energy) const {
-    const RowSpace<double> space({point.rows[0], point.rows[1], Vector3<double>::Zero()}, 2);
+    const RowSpace<double> space = space_of(point);
     const double square = 2.0 * energy / point.way.squaredNorm();  // of ds / dt
     const Vector3<double> pull =
         -force_ - square * (point.bends[0] * space.dual(0) + point.bends[1] * space.dual(1));

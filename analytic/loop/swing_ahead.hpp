@@ -11,11 +11,12 @@ namespace tautline {
 
 /// The swing for ever of a body that the cables `pulling` hold in `state`, where it is certain that
 /// it follows: two cables pull at a rigid body all the way between its turning points, no other
-/// closes, both turning points are reached within `left` [s], and the angle rises or falls all the
-/// way between them. None: it may follow or not, and steps of the motion find out.
+/// closes, two turning points are reached within `left` [s], not counting a start at rest, and the
+/// angle rises or falls all the way between them. None: it may follow or not, and steps of the
+/// motion find out.
 ///
 /// No step is made: on two cables the body's way is a curve, and its kinetic energy a function of
-/// the place on it (analytic/README.md section 6, "A swing ahead").
+/// the place on it (analytic/README.md section 6, "A swing told ahead").
 [[nodiscard]] std::optional<Swing> swing_ahead(const Case& the_case, const State& state,
                                                CableSet pulling, double left);
 

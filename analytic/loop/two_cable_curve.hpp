@@ -22,9 +22,9 @@ struct CurvePoint {
   Vector3<double> across;               // their cross product: along the curve
 
   // on the curve, by s, how far it has gone in the direction of its start [sqrt(kg) m]
-  Vector3<double> way;          // dz / ds
-  std::array<double, 2> bends;  // second derivatives of the gaps along `way`
-  Vector3<double> bend;         // d^2 z / ds^2
+  Vector3<double> way = Vector3<double>::Zero();   // dz / ds
+  std::array<double, 2> bends{};                   // second derivatives of the gaps along `way`
+  Vector3<double> bend = Vector3<double>::Zero();  // d^2 z / ds^2
 };
 
 /// The curve through `start` of a body on two independent cables.

@@ -31,8 +31,8 @@ struct ProcessEnd {
   std::size_t printed = 0;  // [bytes], all it printed
 };
 
-/// From here on freed memory stays with the program, up to 32 MiB a thread, where the C library
-/// can: what a chunk of work needs the next one needs too, and new pages cost a part of it.
+/// From here on the C library, where it can, gives freed memory back to the system in pieces of
+/// 32 MiB alone: what a chunk of work needs the next one needs too, and new pages cost a part of it.
 void keep_freed_memory();
 
 /// From here on Ctrl-C and a polite kill set `interruption` instead of ending the program; a second

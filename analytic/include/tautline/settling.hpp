@@ -23,8 +23,8 @@ struct BasicLock {
   Real time;         // [s], from which on they are taut; the limit of the last accumulation
   Real uncertainty;  // [s], of `time`; 0 where no accumulation led here
   CableSet cables;   // that stay taut
-  /// True where no tension falls to zero ever after: the body rests, or its swing has been followed
-  /// from one turning point to the other without a release.
+  /// True where no tension falls to zero ever after: the body rests, or its swing is known from one
+  /// turning point to the other, without a release.
   bool permanent;
   bool rests;                             // nothing is left to swing
   std::optional<BasicSwing<Real>> swing;  // with one degree of freedom left, and no rest
@@ -40,7 +40,7 @@ struct BasicSettling {
 using Settling = BasicSettling<double>;
 
 /// Settling of `solution`, which solves `the_case`. Looks past the end of the solution until
-/// the swing has turned twice.
+/// the swing has turned twice, if the solution does not say what swing it is.
 template <class Real>
 [[nodiscard]] BasicSettling<Real> settling(const BasicCase<Real>& the_case,
                                            const BasicSolution<Real>& solution);

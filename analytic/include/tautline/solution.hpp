@@ -53,15 +53,15 @@ enum class Ending {
   rest,              // the body has come to rest for good, or to a steady spin about the centre it
                      // hangs at; the last arc lasts to the duration
   unstable_rest,     // the same, at an equilibrium that the smallest push ends
-  locked,       // the body has swung on its last cables from one turning point to the other, and
-                // will for ever; where SolveOptions::until_locked asks for it
-  angle_limit,  // |angle| reached the case's limit
-  ceiling,      // an attachment reached the case's ceiling
-  singular,     // touching cables came into one line: no tension or impulse can be told there
-  event_limit,  // as many events as SolveOptions allows
-  step_limit,   // as many steps of taut motion and of springs as SolveOptions allows
-  no_progress,  // event follows event and time does not advance
-  overflow,     // the numbers of the motion no longer fit a double
+  locked,            // the body swings on its last cables from one turning point to the other, for
+                     // ever; where SolveOptions::until_locked asks for it
+  angle_limit,       // |angle| reached the case's limit
+  ceiling,           // an attachment reached the case's ceiling
+  singular,          // touching cables came into one line: no tension or impulse can be told there
+  event_limit,       // as many events as SolveOptions allows
+  step_limit,        // as many steps of taut motion and of springs as SolveOptions allows
+  no_progress,       // event follows event and time does not advance
+  overflow,          // the numbers of the motion no longer fit a double
 };
 
 /// Infinitely many impacts within a finite time, followed one by one up to `start` and completed at

@@ -48,8 +48,8 @@ class ImpactSums {
   explicit ImpactSums(const EnsembleSpec& spec)
       : spec_(spec), values_(Place::of(spec, Place::end)) {}
 
-  /// An impact on `cable` that is faster than the second speed: as fast as `speed` [m/s], of
-  /// closing, or somewhat faster, but on the same side of the first.
+  /// An impact on `cable` that is faster than the second speed; `speed` [m/s], of closing, is its
+  /// own or a lower bound on the same side of the first.
   void add(double time, std::size_t cable, double speed, double energy_lost) {
     values_[Place::settled_slow] = time;
     if (speed > spec_.speeds[0]) {
@@ -118,8 +118,9 @@ Rates rates_at(const Cable& cable, const Event& event) {
   return {rate(event.before), rate(event.after)};
 }
 
-/// Adds the impacts on one cable of which the impulse alone says between which of the two `speeds`
-/// they are: most of them. False where their pose has to be asked.
+/// Deals with an impact on one cable of which the impulse alone says where it is between the two
+/// `speeds`, as of most: adds it, or passes over one that is too slow. False where its pose has to
+/// be asked.
 bool add_by_impulse(ImpactSums& sums, const Case& the_case, const Event& event,
                     const SpeedPerImpulse& speed, const std::array<double, 2>& speeds) {
   const double least = speed.least * event.impulses[0];
@@ -130,9 +131,10 @@ bool add_by_impulse(ImpactSums& sums, const Case& the_case, const Event& event,
   if (!(least > speeds[1]) || (least <= speeds[0] && most > speeds[0])) {
     return false;
   }
-  const double lost =
-      kinetic_energy(the_case.body, event.before) - kinetic_energy(the_case.body, event.after);
-  sums.add(event.time, *event.cables.begin(), least, lost);
+  const double energy = kinetic_energy(the_case.body, event.before);
+  const double lost = energy - kinetic_energy(the_case.body, event.after);
+  constexpr double rounding = 1e-14;  // [-], of the difference: an elastic impact loses nothing
+  sums.add(event.time, *event.cables.begin(), least, lost > rounding * energy ? lost : 0.0);
   return true;
 }
 

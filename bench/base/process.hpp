@@ -32,7 +32,8 @@ struct ProcessEnd {
 };
 
 /// From here on the C library, where it can, gives freed memory back to the system in pieces of
-/// 32 MiB alone: what a chunk of work needs the next one needs too, and new pages cost a part of it.
+/// 32 MiB alone: what a chunk of work needs the next one needs too, and new pages cost a part of
+/// it.
 void keep_freed_memory();
 
 /// From here on Ctrl-C and a polite kill set `interruption` instead of ending the program; a second

@@ -120,8 +120,8 @@ class RowSpace {
   std::size_t size_ = 0;
   std::array<Vector3<Real>, 3> dual_{Vector3<Real>::Zero(), Vector3<Real>::Zero(),
                                      Vector3<Real>::Zero()};
-  Vector3<Real> normal_;  // of the plane of two rows
-  Real per_square_;       // of it, or of the dual of one row: 1 / its square
+  Vector3<Real> normal_;       // of the plane of two rows
+  Real per_square_ = Real(0);  // of it, or of the dual of one row: 1 / its square
 };
 
 /// The rows A = J M^-1/2 of `cables`, which know which of them are independent: by their geometry,

@@ -110,7 +110,7 @@ std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
   Real smallest = infinity<Real>();
   for (unsigned bits = 0; bits < (1U << static_cast<unsigned>(q.size())); ++bits) {
     const CableSet active = rows_of(bits);
-    if (active.empty() ? !((q + rounding).minCoeff() >= 0) : !cables.independent(active)) {
+    if (!cables.independent(active)) {
       continue;
     }
     Complementary<Real> found = trial(cables, q, rounding, active);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "loop/cosine_sum.hpp"
 #include "loop/two_cable_curve.hpp"
@@ -32,10 +33,9 @@ class Watch {
         pulling_(pulling),
         curve_(the_case, state, pulling),
         start_energy_(kinetic_energy(the_case.body, state)),
-        speed_(curve_.direction().dot(mass_velocity(the_case.body, state))) {
-    const double root = std::sqrt(the_case.body.mass);
-    force_ = {root * the_case.gravity.x(), root * the_case.gravity.y(), 0.0};
-  }
+        speed_(curve_.direction().dot(mass_velocity(the_case.body, state))),
+        force_(root_of_mass(the_case.body)[0] *
+               Vector3<double>(the_case.gravity.x(), the_case.gravity.y(), 0.0)) {}
 
   [[nodiscard]] std::optional<Swing> swing(double left) const {
     const auto way = find_way();
@@ -97,6 +97,7 @@ class Watch {
     const std::array<double, 2> static_tensions = tensions_at(point, 0.0);
     const RowSpace<double> space = space_of(point);
     const double weight = case_.body.mass * case_.gravity.norm();
+    const double angle_of_z = root_of_inverse_mass(case_.body)[2];
     const double turn = epsilon<double>() * std::abs(point.pose.angle);
     Rounding result{epsilon<double>() * start_energy_, turn};
     std::size_t row = 0;
@@ -104,7 +105,7 @@ class Watch {
       const Cable& cable = case_.cables[index];
       const double of_gap = rounding_of_gap(cable, point.pose) + turn * cable.attachment.norm();
       result.energy += (std::abs(static_tensions[row]) + weight) * of_gap;
-      result.angle += std::abs(space.dual(row)[2]) * root_of_inverse_mass(case_.body)[2] * of_gap;
+      result.angle += std::abs(space.dual(row)[2]) * angle_of_z * of_gap;
       ++row;
     }
     return result;

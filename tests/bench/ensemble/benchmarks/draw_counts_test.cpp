@@ -20,7 +20,7 @@ constexpr double most_beside_the_motion = 135'000.0;
 /// is followed instead of told ahead it takes 930,000 more.
 constexpr double most_of_the_motion = 4'500'000.0;
 
-TEST(Counts, ADrawTakesFewInstructionsBesideItsMotion) {
+TEST(Counts, ADrawAndItsMotionTakeTheirInstructions) {
   const auto counted = [](const std::string& what) {
     return test::counted(TAUTLINE_SOLVE_DRAWS, what, " draws");
   };

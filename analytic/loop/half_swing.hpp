@@ -117,7 +117,7 @@ class HalfSwingWatch {
     // it turns where its velocity is against that at the start, or against where it goes from there
     const bool still = is_still(body, arc.initial);
     const Vector3<Real> along = arc.series.row(still ? 2 : 1).transpose().cwiseProduct(mass);
-    const auto turn = first_zero_of_rate(arc, along, length, still ? 1 : 0);
+    auto turn = first_zero_of_rate(arc, along, length, still ? 1 : 0);
     if (!turn || is_still(body, arc.after(*turn, the_case.gravity))) {
       return turn;
     }

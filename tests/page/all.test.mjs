@@ -1,4 +1,5 @@
 // The tests of all parts of the page but the replay, in one process: they share one browser, and most one page.
+import './browser.test.mjs';
 import './opens.test.mjs';
 import './tables.test.mjs';
 import './charts.test.mjs';

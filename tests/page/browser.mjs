@@ -12,6 +12,8 @@ const program = process.env.TAUTLINE_CHROMIUM || '/usr/bin/chromium';
 /// How long anything is waited for [ms]: a busy machine is no defect of the page, and what never comes
 /// fails as well after two minutes as after Playwright's thirty seconds.
 const patience = 120_000;
+/// How long all that is done with one page may take [ms]: the slowest needs ten seconds, sixty on a busy machine.
+const longest = 2 * patience;
 
 /// Root may not use Chromium's sandbox, and a container's /dev/shm is too small for it.
 const options = { executablePath: program, timeout: patience,
@@ -38,10 +40,48 @@ const theBrowser = () => (browser ??= chromium.launch(options));
 export const closeBrowser = async () => (await browser)?.close();
 after(closeBrowser);
 
+/// Nothing came back from the browser in time: Playwright's `evaluate` waits for ever by itself.
+class Silence extends Error {}
+
+async function within(limit, promise) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Silence(`the browser has not answered for ${limit / 1000} s`)), limit);
+  });
+  try {
+    return await Promise.race([promise, late]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+/// `use` of the browser, in less than `limit` [ms]. Rarely Chromium stops answering for good; it is left then,
+/// and `use` begins anew in another one: a page that is to blame is silent there, too, and fails. What `use`
+/// asserts is not tried again.
+async function inBrowser(use, limit) {
+  try {
+    return await within(limit, use(await theBrowser()));
+  } catch (error) {
+    if (!(error instanceof Silence)) {
+      throw error;
+    }
+    console.error(`${error.message}: begun anew in another one`);
+    leaveBrowser();
+    return within(limit, use(await theBrowser()));
+  }
+}
+function leaveBrowser() {
+  browser.then((silent) => silent.close()).catch(() => {});
+  [browser, shared] = [null, null];
+}
+
 /// Opens `file` in a context of its own and passes {page, said, asked, dialogs, waited, worked}
-/// to `action`; the last two are what opening took by the clock and on the page's processor [ms]; `context` is Playwright's options of a context.
-export async function withPage(file, action, { width = 1280, height = 900, ...context } = {}) {
-  const view = await (await theBrowser()).newContext({ viewport: { width, height }, ...context });
+/// to `action`; the last two are what opening took by the clock and on the page's processor [ms]. All of it takes
+/// less than `limit` [ms]; `context` is Playwright's options of a context.
+export const withPage = (file, action, { limit = longest, ...context } = {}) =>
+  inBrowser((browser) => withPageOf(browser, file, action, context), limit);
+async function withPageOf(browser, file, action, { width = 1280, height = 900, ...context }) {
+  const view = await browser.newContext({ viewport: { width, height }, ...context });
   view.setDefaultTimeout(patience);
   try {
     const page = await view.newPage();
@@ -78,13 +118,13 @@ export async function withText(text, action, context) {
 /// The page that all tests of a process share, at 1280 px: a test that needs another one, or leaves
 /// it in another state than its address says, opens its own.
 let shared = null;
-export async function onSharedPage(action) {
-  shared ??= await openShared();
+export const onSharedPage = (action) => inBrowser(async (browser) => {
+  shared ??= await openShared(browser);
   await shared.page.evaluate(() => { location.hash = ''; });
   return action(shared);
-}
-async function openShared() {
-  const view = await (await theBrowser()).newContext({ viewport: { width: 1280, height: 900 } });
+}, longest);
+async function openShared(browser) {
+  const view = await browser.newContext({ viewport: { width: 1280, height: 900 } });
   view.setDefaultTimeout(patience);
   const page = await view.newPage();
   const said = [];

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "loop/cosine_sum.hpp"
 #include "support.hpp"
@@ -244,6 +245,29 @@ TEST(SwingAhead, HasTenDigitsOfWhatItTells) {
   std::printf("  %d swings\n", compared);
   EXPECT_GT(compared, 300);
   expect_within("difference from the swing followed", worst, right_to);
+}
+
+// Two cables let a body be on two curves, and a curve that turns back passes a place along its
+// start twice: there is a swing of the same energy there, too, with its angle from -10.9 to -9.5,
+// but it is not this body's.
+TEST(SwingAhead, IsNotToldOfAnotherCurveBesideThatOfTheStart) {
+  Case the_case;
+  the_case.body = {2.815, 0.0312};
+  the_case.gravity = {-0.534, 0.437};
+  the_case.initial = {{-1.1916, -0.9288}, -2.4182, {0.0378, 0.2056}, 0.382};
+  for (const auto& [anchor, attachment] : {std::pair{Vec2(1.429, -1.279), Vec2(-0.184, 0.182)},
+                                           std::pair{Vec2(-0.181, -1.647), Vec2(0.293, -0.313)}}) {
+    the_case.cables.push_back({anchor, attachment, 0.0, 0.0});
+    Cable& cable = the_case.cables.back();
+    const Vec2 attached = the_case.initial.position + attachment_arm(the_case.initial, cable);
+    cable.length = (attached - anchor).norm();
+  }
+  the_case.initial = projected(the_case, the_case.initial, all_cables(the_case));
+  the_case.duration = 100.0;
+  EXPECT_FALSE(swing_ahead(the_case, the_case.initial, all_cables(the_case), 100.0));
+  // a cable goes slack on the way
+  EXPECT_EQ(solve(the_case, told).ending(), Ending::reached_duration);
+  EXPECT_GT(solve(the_case, followed).events().size(), 100U);
 }
 
 TEST(SwingAhead, IsNotToldOfWhatIsNone) {

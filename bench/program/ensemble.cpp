@@ -8,10 +8,13 @@
 #include <optional>
 #include <thread>
 
+#include "bench/base/atomic_file.hpp"
 #include "bench/base/process.hpp"
+#include "bench/base/progress.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/ensemble/output/output.hpp"
+#include "bench/ensemble/output/results_so_far.hpp"
 #include "bench/ensemble/solve/visibly.hpp"
 #include "bench/ensemble/spec/spec_file.hpp"
 #include "bench/program/commands.hpp"
@@ -64,23 +67,26 @@ std::vector<std::string> command_problems(const EnsembleCommand& command) {
   return broken;
 }
 
-/// The engines that the spec names, all of which must be there.
-void read_engines_of(EnsembleReading& reading) {
+/// The engines that the spec, a `file`, names, all of which must be there.
+void read_engines_of(EnsembleReading& reading, const std::string& file) {
   const EnsembleSpec& spec = reading.request.spec;
   if (spec.engines.empty()) {
     return;
   }
   EngineChoice choice = choose_engines(spec.engines);
-  append(reading.problems, choice.problems);
+  std::vector<std::string> wrong = choice.problems;
   for (const RegisteredEngine& engine : choice.engines) {
     if (!engine.info && choice.problems.empty()) {
-      reading.problems.push_back(
+      wrong.push_back(
           fmt::format("engine {}: {}", engine.name,
                       printable(engine.failure.empty() ? engine.missing : engine.failure)));
     }
   }
-  if (reading.problems.empty()) {
-    append(reading.problems, unknown_models(choice.engines, spec.models));
+  if (wrong.empty()) {
+    wrong = unknown_models(choice.engines, spec.models);
+  }
+  for (const std::string& problem : wrong) {
+    reading.problems.push_back(fmt::format("{}, [engines]: {}", file, problem));
   }
   reading.request.engines = std::move(choice.engines);
 }
@@ -103,7 +109,7 @@ EnsembleReading read_ensemble(const EnsembleCommand& command) {
     reading.problems.push_back(fmt::format("--count: {} draws in all, must be at most {}",
                                            draw_count(request.spec), most_draws));
   }
-  read_engines_of(reading);
+  read_engines_of(reading, command.spec);
   if (reading.problems.empty()) {
     request.setups = setups_of(request.spec, request.engines);
     reading.options = {command.out,
@@ -125,14 +131,24 @@ void give(const EnsembleCommand& command, const EnsembleReport& report) {
   }
 }
 
+/// Alone, with the results so far in the folder.
+EnsembleResult solve_alone(const EnsembleCommand& command, const EnsembleReading& reading) {
+  const auto write = [&](const EnsembleResult& so_far) {
+    const Findings findings = findings_of(reading.request, so_far, reading.options.jobs);
+    write_ensemble(command.out, {reading.request, so_far, findings}, command.command_line);
+  };
+  ResultsSoFar results(write, error_screen().clock);
+  EnsembleOptions options = reading.options;
+  options.so_far = [&](const EnsembleResult& so_far) { results.offer(so_far); };
+  return solve_visibly(reading.request, options);
+}
+
 /// With others, all of whom leave their draws in the folder, where the leader then reads them.
 EnsembleResult solve_with(const EnsembleReading& reading, Team& team) {
-  if (team.size() == 1) {
-    return solve_visibly(reading.request, reading.options);
-  }
   EnsembleOptions options = reading.options;
   options.team = &team;
-  EnsembleResult result = solve_ensemble(reading.request, options, [](auto&&...) {});
+  EnsembleResult result = team.leads() ? solve_visibly(reading.request, options)
+                                       : solve_ensemble(reading.request, options, [](auto&&...) {});
   result.interrupted = !team.all(!result.interrupted);
   if (result.interrupted || !team.leads()) {
     return result;
@@ -164,6 +180,9 @@ int conclude(const EnsembleCommand& command, const EnsembleReading& reading,
     complain({"interrupted: the same command with --resume does the rest"});
     return exit_failed;
   }
+  if (findings.problems[0] == result.draws[0].ended()) {  // no draw is a case
+    return exit_failed;
+  }
   // draws that are no case are none of an engine's doing; what it fails at, is
   for (std::size_t setup = 1; setup < reading.request.setups.size(); ++setup) {
     if (findings.problems[setup] > findings.problems[0]) {
@@ -185,11 +204,19 @@ int take_part(const EnsembleCommand& command, Team& team) {
     tree = open_tree(command.out, !command.resume);
   }
   static_cast<void>(team.all(true));  // before that nobody may write to it
-  const EnsembleResult result = solve_with(reading, team);
-  if (!team.leads()) {
-    return result.interrupted ? exit_failed : exit_done;
+  try {
+    const EnsembleResult result =
+        team.size() == 1 ? solve_alone(command, reading) : solve_with(reading, team);
+    if (!team.leads()) {
+      return result.interrupted ? exit_failed : exit_done;
+    }
+    return conclude(command, reading, result, team);
+  } catch (const FileError& error) {
+    throw FileError(
+        fmt::format("{}; what is done is kept: the same command with --resume does the "
+                    "rest",
+                    error.what()));
   }
-  return conclude(command, reading, result, team);
 }
 
 int ensemble_command(const EnsembleCommand& command) {

@@ -279,7 +279,8 @@ std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
   all.push_back(
       {"overstretch", "overstretch", "m", as_error, false, false, true, "the largest of the run"});
   all.push_back({"captured", "captured", "", as_count, false, true, false,
-                 "1 where the cables that are taut in the end are never let go, else 0"});
+                 "1 where the cables that lock the motion are never let go, else 0; none before it "
+                 "is locked"});
   all.push_back({"first_cable", "first cable", "", as_count, false, true, true,
                  "the cable of the first impact that is counted"});
   return all;
@@ -298,9 +299,9 @@ StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
   add_impacts(sums, the_case, solution, spec.speeds);
   StatisticValues values = std::move(sums).values();
   values[Place::largest_angle] = largest_angle(solution);
-  values[Place::of(spec, Place::captured)] = lock && lock->permanent ? 1.0 : 0.0;
   if (lock) {
     values[Place::lock] = lock->time;
+    values[Place::of(spec, Place::captured)] = lock->permanent ? 1.0 : 0.0;
   }
   if (const auto swing = measured_swing(the_case, solution, lock)) {
     values[Place::swing_energy] = swing->energy;

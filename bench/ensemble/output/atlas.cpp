@@ -110,7 +110,7 @@ std::string cell_svg(const Atlas& atlas, std::size_t cell, std::optional<double>
       top + map_size - height * static_cast<double>(row + 1), width, height, fill,
       xml_text(atlas.axes[0].quantity), across[column], xml_text(atlas.axes[1].quantity), up[row],
       value ? fmt::format("{:.6g}", *value) : "none");
-  if (atlas.draws.size() > most_pictures) {
+  if (!atlas.pictured[cell]) {
     return rect + "\n";
   }
   return fmt::format("<a href=\"{}\">{}</a>\n", picture_name(cell), rect);
@@ -126,17 +126,20 @@ std::optional<Atlas> atlas_of(const EnsembleReport& report) {
   if (axes.size() < 2) {
     return std::nullopt;
   }
-  Atlas atlas{{spec.varied[axes[0]], spec.varied[axes[1]]}, {}, {}, {}};
+  Atlas atlas{{spec.varied[axes[0]], spec.varied[axes[1]]}, {}, {}, {}, {}};
   const std::size_t cells =
       atlas.axes[0].distribution.numbers.size() * atlas.axes[1].distribution.numbers.size();
   assert(cells > 0 && "a grid has two points at least");
   atlas.draws.resize(cells);
   std::iota(atlas.draws.begin(), atlas.draws.end(), std::size_t{0});  // two grids go fastest
+  const DrawTable& draws = report.result.draws.front();
+  for (const std::size_t draw : atlas.draws) {
+    atlas.pictured.push_back(cells <= most_pictures && draws.solved(draw));
+  }
   for (const char* name : {"impacts", "settled_fast", "swing_energy", "captured", "first_cable"}) {
     const std::size_t place = place_of_statistic(report.findings.statistics, name);
     std::vector<double> sums(cells, 0.0);
     std::vector<double> counts(cells, 0.0);
-    const DrawTable& draws = report.result.draws.front();
     for (std::size_t draw = 0; draw < draws.size(); ++draw) {
       if (const std::optional<double> value = draws.value(draw, place)) {
         const std::size_t cell = grid_point(spec, draw) % cells;

@@ -18,12 +18,13 @@ struct Atlas {
   /// By statistic, then by cell, the first axis fastest; none: no draw there has the number.
   std::vector<std::vector<std::optional<double>>> means;
   std::vector<std::size_t> draws;  // of each cell the first
+  std::vector<bool> pictured;      // of each cell: it has a picture of that draw's motion
 };
 
 /// None without two grids.
 [[nodiscard]] std::optional<Atlas> atlas_of(const EnsembleReport& report);
 
-/// More cells than this have no picture of their motion each.
+/// Of more cells than this none has a picture.
 inline constexpr std::size_t most_pictures = 625;
 
 /// Where the picture of the motion of a cell lies, from the page.

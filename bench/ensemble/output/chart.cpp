@@ -137,9 +137,15 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
   const std::vector<EnsembleSample> samples = listed(
       report.result.draws, [&](const DrawTable& draws) { return sample_of(draws, statistic); });
   const Axis axis = axis_of(samples);
+  const bool has_others = setups.size() > 1;
   const double right = left_edge + panel + between;
-  std::string curves =
-      fmt::format("<path class=\"frame\" d=\"M{}L{}\"/>\n", point(right, 0, 0), point(right, 1, 1));
+  std::string curves;
+  if (has_others) {
+    curves = frame_at(right, axis, axis) +
+             muted(right, top_edge - 10.0, "start", "quantiles over those of exact") +
+             fmt::format("<path class=\"frame\" d=\"M{}L{}\"/>\n", point(right, 0, 0),
+                         point(right, 1, 1));
+  }
   for (std::size_t setup = 0; setup < samples.size(); ++setup) {
     if (!samples[setup].values.empty()) {
       curves += distribution_curve(samples[setup], axis, setup);
@@ -148,7 +154,7 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
       }
     }
   }
-  const double width = right + panel + 24.0;
+  const double width = (has_others ? right : left_edge) + panel + 24.0;
   const double height =
       top_edge + panel + under + legend_line * static_cast<double>(setups.size() + 1);
   const std::string title = statistic_title(shown);
@@ -159,9 +165,7 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
              "x=\"{4}\" y=\"26\">{2}</text>\n",
              width, height, xml_text(title), plot_style, left_edge) +
          muted(left_edge, top_edge - 10.0, "start", "share of the draws below") +
-         muted(right, top_edge - 10.0, "start", "quantiles over those of exact") +
-         frame_at(left_edge, axis, {0.0, 1.0}) + frame_at(right, axis, axis) + curves +
-         legend_of(setups) + "</svg>\n";
+         frame_at(left_edge, axis, {0.0, 1.0}) + curves + legend_of(setups) + "</svg>\n";
 }
 
 }  // namespace tautline::bench

@@ -34,7 +34,7 @@ Json setup_json(const EnsembleReport& report, std::size_t place) {
   Json summaries = Json::object();
   for (std::size_t index = 0; index < findings.statistics.size(); ++index) {
     const Statistic& statistic = findings.statistics[index];
-    if (setup.engine ? statistic.of_engines : statistic.of_exact) {
+    if (tells(setup, statistic)) {
       summaries[statistic.name] = summary_json(findings.summaries[place][index]);
     }
   }
@@ -108,7 +108,7 @@ std::string ensemble_json(const EnsembleReport& report) {
                      {"seed", spec.seed},
                      {"sampling", spec.sampling == Sampling::sobol ? "sobol" : "random"},
                      {"speeds", spec.speeds},
-                     {"interrupted", report.result.interrupted},
+                     {"interrupted", report.result.interrupted || report.result.goes_on},
                      {"confidence", confidence},
                      {"error_rate", error_rate},
                      {"tests", report.findings.tests()},

@@ -35,8 +35,9 @@ void write_ensemble(const std::filesystem::path& out, const EnsembleReport& repo
 /// Each statistic of each setup but the first, held against it; empty without another.
 [[nodiscard]] Table comparison_table(const EnsembleReport& report);
 
-/// The distribution functions of one statistic, those of all setups over each other, and beside
-/// them their quantiles over those of the first setup: where both are alike, on the diagonal.
+/// The distribution functions of one statistic, those of all setups over each other, and, where
+/// there are several, beside them their quantiles over those of the first setup: where both are
+/// alike, on the diagonal.
 [[nodiscard]] std::string distribution_svg(const EnsembleReport& report, std::size_t statistic);
 
 }  // namespace tautline::bench

@@ -21,6 +21,11 @@ std::string figure(const std::string& svg, const std::string& label) {
       html_text(label), svg);
 }
 
+std::string meaning_note(const Statistic& statistic) {
+  return fmt::format("<p class=\"note\">{}: {}.</p>\n", html_text(statistic.heading),
+                     html_text(statistic.meaning));
+}
+
 std::string answers(const EnsembleReport& report) {
   std::string out;
   for (const std::string& sentence : ensemble_sentences(report)) {
@@ -44,8 +49,7 @@ std::string distributions(const EnsembleReport& report) {
     const Statistic& statistic = report.findings.statistics[place];
     if (statistic.compared) {
       out += figure(distribution_svg(report, place), "Distribution of " + statistic.heading) +
-             fmt::format("<p class=\"note\">{}: {}.</p>\n", html_text(statistic.heading),
-                         html_text(statistic.meaning));
+             meaning_note(statistic);
     }
   }
   return out + html_table(summary_table(report), "summary-table", "") +
@@ -59,11 +63,16 @@ std::string atlas(const EnsembleReport& report) {
   }
   std::string out =
       "<section id=\"atlas\">\n<h2>Atlas</h2>\n<p class=\"note\">Of the exact motion the mean over "
-      "the draws of each cell; grey: none has the number. A cell of a grid of up to " +
-      std::to_string(most_pictures) + " leads to a picture of its first motion.</p>\n";
+      "the draws of each cell; grey: none has the number. " +
+      (made->draws.size() <= most_pictures
+           ? std::string("A cell leads to a picture of the motion of its first draw.")
+           : fmt::format("Cells of up to {} lead to pictures of their motion; these are {}.",
+                         most_pictures, made->draws.size())) +
+      "</p>\n";
   for (std::size_t index = 0; index < made->statistics.size(); ++index) {
     const Statistic& statistic = report.findings.statistics[made->statistics[index]];
-    out += figure(atlas_svg(*made, index, statistic), "Atlas of " + statistic.heading);
+    out += figure(atlas_svg(*made, index, statistic), "Atlas of " + statistic.heading) +
+           meaning_note(statistic);
   }
   return out + "</section>\n";
 }

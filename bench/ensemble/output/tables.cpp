@@ -48,13 +48,12 @@ Table summary_table(const EnsembleReport& report) {
   const Findings& findings = report.findings;
   for (std::size_t place = 0; place < findings.statistics.size(); ++place) {
     const Statistic& statistic = findings.statistics[place];
-    if (is_constant(report, place)) {
+    if (common_value(report, place)) {
       continue;  // a sentence says so
     }
     bool is_first = true;
     for (std::size_t setup = 0; setup < report.request.setups.size(); ++setup) {
-      const bool of_engine = report.request.setups[setup].engine.has_value();
-      if (of_engine ? !statistic.of_engines : !statistic.of_exact) {
+      if (!tells(report.request.setups[setup], statistic)) {
         continue;
       }
       const Summary& summary = findings.summaries[setup][place];

@@ -36,7 +36,8 @@ std::string verdict_on(const EnsembleReport& report, std::size_t setup) {
   const std::string name = printable(report.request.setups[setup].name);
   const std::vector<const Comparison*> all = comparisons_of(findings, setup);
   if (all.empty()) {
-    return fmt::format("{}: too few draws to be compared; {} are needed.", name, least_sample);
+    return fmt::format("{}: too few draws with values to be compared; {} are needed.", name,
+                       least_sample);
   }
   std::vector<const Comparison*> different;
   std::copy_if(all.begin(), all.end(), std::back_inserter(different),
@@ -61,14 +62,57 @@ std::string verdict_on(const EnsembleReport& report, std::size_t setup) {
                      all.size(), joined(words, "and"));
 }
 
+/// "46 of 96 draws"; "1 of 1 draw".
+std::string part_of_draws(std::size_t part, std::size_t draws) {
+  return fmt::format("{} of {} {}", part, draws, draws == 1 ? "draw" : "draws");
+}
+
+/// Of the setups, in order, those with draws without values, and those whose motions have not
+/// locked.
+void add_incomplete(std::vector<std::string>& sentences, const EnsembleReport& report) {
+  const Findings& findings = report.findings;
+  const std::size_t lock = place_of_statistic(findings.statistics, "lock");
+  for (std::size_t setup = 0; setup < report.request.setups.size(); ++setup) {
+    const std::string name = printable(report.request.setups[setup].name);
+    if (const std::size_t count = findings.problems[setup]; count > 0) {
+      sentences.push_back(fmt::format("{}: {} have no values, the first one as: {}.", name,
+                                      part_of_draws(count, report.result.draws[setup].ended()),
+                                      printable(findings.first_problems[setup])));
+    }
+    const Summary& locks = findings.summaries[setup][lock];
+    if (tells(report.request.setups[setup], findings.statistics[lock]) && locks.without > 0) {
+      sentences.push_back(
+          fmt::format("{}: {} have not locked by {:g} s; their last impacts are the last until "
+                      "then.",
+                      name, part_of_draws(locks.without, locks.count + locks.without),
+                      report.request.spec.the_case.duration));
+    }
+  }
+}
+
+/// The engines that have none of the models asked for.
+void add_left_out(std::vector<std::string>& sentences, const EnsembleRequest& request) {
+  for (std::size_t place = 0; place < request.engines.size(); ++place) {
+    const bool has_part =
+        std::any_of(request.setups.begin(), request.setups.end(),
+                    [&](const EnsembleSetup& one) { return one.engine == place; });
+    const RegisteredEngine& engine = request.engines[place];
+    if (!has_part && engine.info) {
+      const auto names = listed<std::string>(
+          engine.info->models, [](const Model& model) { return printable(model.name); });
+      sentences.push_back(fmt::format("{} has no part: it has no model {}; it has {}.",
+                                      printable(engine.name), joined(request.spec.models, "or"),
+                                      joined(names, "and")));
+    }
+  }
+}
+
 /// "The same in all draws: captured (1) and first cable (0)."; empty where nothing is.
 std::string constant_words(const EnsembleReport& report) {
   std::vector<std::string> words;
   for (std::size_t place = 0; place < report.findings.statistics.size(); ++place) {
-    const Summary& summary = report.findings.summaries.front()[place];
-    if (is_constant(report, place) && summary.count > 0) {
-      words.push_back(
-          fmt::format("{} ({:g})", report.findings.statistics[place].heading, summary.mean));
+    if (const std::optional<double> value = common_value(report, place)) {
+      words.push_back(fmt::format("{} ({:g})", report.findings.statistics[place].heading, *value));
     }
   }
   return words.empty() ? "" : "The same in all draws: " + joined(words, "and") + ".";
@@ -76,21 +120,31 @@ std::string constant_words(const EnsembleReport& report) {
 
 }  // namespace
 
-bool is_constant(const EnsembleReport& report, std::size_t statistic) {
+bool tells(const EnsembleSetup& setup, const Statistic& statistic) {
+  return setup.engine ? statistic.of_engines : statistic.of_exact;
+}
+
+std::optional<double> common_value(const EnsembleReport& report, std::size_t statistic) {
+  const Findings& findings = report.findings;
   std::optional<double> value;
-  for (const DrawTable& draws : report.result.draws) {
-    if (!draws.holds_all() && draws.counts(statistic).values().size() > 1) {
-      return false;
+  for (std::size_t setup = 0; setup < report.request.setups.size(); ++setup) {
+    if (!tells(report.request.setups[setup], findings.statistics[statistic])) {
+      continue;
+    }
+    const DrawTable& draws = report.result.draws[setup];
+    if (findings.summaries[setup][statistic].without > 0 ||
+        (!draws.holds_all() && draws.counts(statistic).values().size() > 1)) {
+      return std::nullopt;
     }
     for (std::size_t draw = 0; draw < draws.size(); ++draw) {
       const std::optional<double> one = draws.value(draw, statistic);
       value = value ? value : one;
       if (one && *one != *value) {  // exactly: the same number
-        return false;
+        return std::nullopt;
       }
     }
   }
-  return true;
+  return value;
 }
 
 std::string statistic_title(const Statistic& statistic) {
@@ -100,25 +154,24 @@ std::string statistic_title(const Statistic& statistic) {
 std::string ensemble_title(const EnsembleReport& report) {
   const EnsembleSpec& spec = report.request.spec;
   const std::size_t points = grid_points(spec);
-  return fmt::format("{} to {:g} s, {} draws{}, seed {}", printable(spec.the_case.name),
-                     spec.the_case.duration, draw_count(spec),
+  const std::size_t draws = draw_count(spec);
+  return fmt::format("{} to {:g} s, {} {}{}, seed {}", printable(spec.the_case.name),
+                     spec.the_case.duration, draws, draws == 1 ? "draw" : "draws",
                      points > 1 ? fmt::format(" ({} points of a grid)", points) : "", spec.seed);
 }
 
 std::vector<std::string> ensemble_sentences(const EnsembleReport& report) {
   std::vector<std::string> sentences;
-  const std::vector<EnsembleSetup>& setups = report.request.setups;
-  for (std::size_t setup = 1; setup < setups.size(); ++setup) {
+  if (report.result.goes_on) {
+    sentences.emplace_back("Not done yet: these are the draws so far.");
+  } else if (report.result.interrupted) {
+    sentences.emplace_back("Interrupted: these are the draws that are finished.");
+  }
+  for (std::size_t setup = 1; setup < report.request.setups.size(); ++setup) {
     sentences.push_back(verdict_on(report, setup));
   }
-  for (std::size_t setup = 0; setup < setups.size(); ++setup) {
-    if (const std::size_t count = report.findings.problems[setup]; count > 0) {
-      sentences.push_back(fmt::format("{}: {} of {} draws have no values, the first one as: {}.",
-                                      printable(setups[setup].name), count,
-                                      report.result.draws[setup].ended(),
-                                      printable(report.findings.first_problems[setup])));
-    }
-  }
+  add_incomplete(sentences, report);
+  add_left_out(sentences, report.request);
   if (std::string constant = constant_words(report); !constant.empty()) {
     sentences.push_back(std::move(constant));
   }
@@ -127,9 +180,6 @@ std::vector<std::string> ensemble_sentences(const EnsembleReport& report) {
         fmt::format("Tests and curves are of the first {} draws, the numbers of each distribution "
                     "of all, rounded to {} binary digits.",
                     draws.size(), counted_digits));
-  }
-  if (report.result.interrupted) {
-    sentences.emplace_back("Interrupted: these are the draws that are finished.");
   }
   return sentences;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,18 @@ struct EnsembleReport {
 /// "breakwater/1910121100 to 12 s, 1000 draws, seed 1".
 [[nodiscard]] std::string ensemble_title(const EnsembleReport& report);
 
-/// A sentence for each setup but the first, or one that there is no other: which statistics differ,
-/// or that none can be told apart and how small a difference would have been seen; and a sentence
-/// for each with draws that have no values.
+/// First whether these are all draws. Then of each setup but the first which statistics differ, or
+/// that none can be told apart and how small a difference would have been seen; of each setup how
+/// many draws have no values or have not locked; which engines have no part; what all draws share.
 [[nodiscard]] std::vector<std::string> ensemble_sentences(const EnsembleReport& report);
 
-/// True where every draw of every setup has the same value of a statistic, or none has one.
-[[nodiscard]] bool is_constant(const EnsembleReport& report, std::size_t statistic);
+/// The value of a statistic that every draw has, of each setup that tells it; none where two differ
+/// or one has none.
+[[nodiscard]] std::optional<double> common_value(const EnsembleReport& report,
+                                                 std::size_t statistic);
+
+/// Whether a setup tells a statistic.
+[[nodiscard]] bool tells(const EnsembleSetup& setup, const Statistic& statistic);
 
 /// "last impact > 0.01 m/s [s]".
 [[nodiscard]] std::string statistic_title(const Statistic& statistic);
@@ -37,7 +43,8 @@ inline constexpr const char* how_to_read_comparisons =
     "D is the largest distance between the distribution functions (Kolmogorov and Smirnov), E the "
     "energy distance as a share of the largest it could be: both 0 for the same, 1 for samples "
     "apart. p is the smaller of the two probabilities of such a distance by chance, corrected for "
-    "all tests together (Holm). Visible is the smallest D that would be called a difference, and "
-    "the shift that would make it.";
+    "all tests together (Holm). Visible is the smallest D that this many draws would show as a "
+    "difference, and the shift of all values that would make it: a true shift of just that size "
+    "is seen about half of the time.";
 
 }  // namespace tautline::bench

@@ -81,6 +81,7 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
                               const DrawProgress& progress) {
   const std::vector<Chunk> chunks = chunks_of(request);
   EnsembleResult result;
+  result.goes_on = true;
   result.draws.reserve(request.setups.size());  // copies would take as much room again
   const bool collects = options.team == nullptr;
   const std::size_t count = collects ? draw_count(request.spec) : 0;
@@ -91,10 +92,22 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
                               maps ? count : std::min(count, most_held));
   }
   std::atomic<std::size_t> own{0};
-  const auto next = [&] { return options.team != nullptr ? options.team->next() : own++; };
   std::exception_ptr failure;
   std::atomic<bool> failed{false};
-  std::mutex guard;  // of `result`, `failure` and `progress`
+  std::mutex guard;      // of `result`, `failure`, `progress` and `told`
+  std::size_t told = 0;  // of a team's chunks, in their order
+  const auto next = [&] {
+    if (collects) {
+      return own++;
+    }
+    const std::size_t index = options.team->next();
+    const std::scoped_lock lock(guard);
+    for (; told < std::min(index, chunks.size()); ++told) {
+      const Chunk& chunk = chunks[told];
+      progress(request.setups[chunk.setup], chunk.end - chunk.first, false);
+    }
+    return index;
+  };
   const auto work = [&] {
     Solving solving(request, options);
     for (std::size_t index = next(); index < chunks.size() && !interruption() && !failed;
@@ -110,6 +123,7 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
           result.draws[chunk.setup].put(one);
         }
         progress(request.setups[chunk.setup], solved.results.size(), solved.kept);
+        options.so_far(result);
       } catch (...) {
         const std::scoped_lock lock(guard);
         failure = std::current_exception();
@@ -129,6 +143,7 @@ EnsembleResult solve_ensemble(const EnsembleRequest& request, const EnsembleOpti
     std::rethrow_exception(failure);
   }
   result.interrupted = interruption();
+  result.goes_on = false;
   return result;
 }
 

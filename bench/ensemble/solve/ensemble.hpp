@@ -11,6 +11,12 @@
 
 namespace tautline::bench {
 
+struct EnsembleResult {
+  std::vector<DrawTable> draws;  // of each setup
+  bool interrupted = false;
+  bool goes_on = false;  // these are the draws so far
+};
+
 /// How an ensemble is solved. None of it has a part in the results.
 struct EnsembleOptions {
   std::filesystem::path out;            // the folder that keeps the draws; empty: none does
@@ -19,15 +25,12 @@ struct EnsembleOptions {
   std::vector<std::uint64_t> programs;  // of each setup, a hash of the programs it depends on
   Team* team = nullptr;  // that shares the draws: each of its processes puts its own into `out`
                          // alone, and has none of them in its result
-};
-
-struct EnsembleResult {
-  std::vector<DrawTable> draws;  // of each setup
-  bool interrupted = false;
+  /// Shown what is there after each chunk, by one thread at a time. Not with a team.
+  std::function<void(const EnsembleResult&)> so_far = [](const EnsembleResult&) {};
 };
 
 /// Told of so many draws that ended, from one thread at a time; `kept` if they had been done
-/// before.
+/// before. Of a team's draws it is told when one of its processes begins what comes after them.
 using DrawProgress = std::function<void(const EnsembleSetup& setup, std::size_t draws, bool kept)>;
 
 /// Solves every draw for every setup, the setups side by side: what is there after an interruption

@@ -106,6 +106,9 @@ Vec2 rising_pair(StrictTable& table, std::string_view key) {
 Distribution read_distribution(StrictTable& table) {
   using Kind = Distribution::Kind;
   std::vector<Distribution> given;
+  const auto has = [&](const char* kind) { return table.has(kind); };
+  const auto kinds = {"normal", "uniform", "list", "grid"};
+  const auto count = std::count_if(kinds.begin(), kinds.end(), has);
   if (const auto deviation = table.optional_number("normal", above_zero, "")) {
     given.push_back({Kind::normal, {*deviation}});
   }
@@ -120,13 +123,12 @@ Distribution read_distribution(StrictTable& table) {
     const Vec2 ends = rising_pair(table, "grid");
     given.push_back({Kind::grid, evenly(ends, table.number("points", point_count, ""))});
   }
-  if (given.size() != 1) {
+  if (count != 1) {
     table.refuse_value("quantities", "needs one of normal, uniform, list and grid; " +
-                                         std::string(given.empty() ? "none is" : "several are") +
+                                         std::string(count == 0 ? "none is" : "several are") +
                                          " given");
-    return {Kind::list, {0.0}};
   }
-  return given.front();
+  return given.empty() ? Distribution{Kind::list, {0.0}} : given.front();
 }
 
 /// What one table [[vary]] varies, each of its quantities independent of the others.
@@ -179,7 +181,7 @@ void read_engines(StrictTable table, const std::filesystem::path& source, Ensemb
     spec.steps = {1e-3};  // the middle one of those that `tautline bench` takes
   }
   for (const double step : spec.steps) {
-    if (!(step > 0.0)) {
+    if (step <= 0.0) {  // what is no number has been refused
       table.refuse_value("steps", fmt::format("{} is not above 0 [s]", shortest(step)));
     }
   }

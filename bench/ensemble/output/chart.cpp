@@ -137,7 +137,9 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
   const std::vector<EnsembleSample> samples = listed(
       report.result.draws, [&](const DrawTable& draws) { return sample_of(draws, statistic); });
   const Axis axis = axis_of(samples);
-  const bool has_others = setups.size() > 1;
+  const bool has_others =
+      std::any_of(setups.begin() + 1, setups.end(),
+                  [&](const EnsembleSetup& setup) { return tells(setup, shown); });
   const double right = left_edge + panel + between;
   std::string curves;
   if (has_others) {

@@ -13,6 +13,7 @@
 #include "bench/base/progress.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
+#include "bench/cases/case_writer.hpp"
 #include "bench/ensemble/output/output.hpp"
 #include "bench/ensemble/output/results_so_far.hpp"
 #include "bench/ensemble/solve/visibly.hpp"
@@ -38,6 +39,7 @@ struct EnsembleCommand {
   bool resume = false;
   double time_limit = 60.0;  // [s]
   std::string json;
+  std::optional<long long> draw;  // to be written as a case, instead
 };
 
 /// An ensemble that can be solved, or what is wrong with it.
@@ -219,7 +221,28 @@ int take_part(const EnsembleCommand& command, Team& team) {
   }
 }
 
+/// Writes a draw of the exact motion as a case file.
+int write_draw(const EnsembleCommand& command) {
+  const SpecReading reading = read_spec_file(command.spec, command.the_case);
+  std::vector<std::string> broken = reading.problems;
+  if (broken.empty() &&
+      (*command.draw < 0 || *command.draw >= static_cast<long long>(most_draws))) {
+    broken.push_back(fmt::format("--draw {}: must be from 0 to {}", *command.draw, most_draws - 1));
+  }
+  if (!broken.empty()) {
+    complain(broken);
+    return exit_usage;
+  }
+  const EnsembleSetup exact = setups_of(*reading.spec, {}).front();
+  const auto draw = static_cast<std::size_t>(*command.draw);
+  fmt::print("{}", write_case(named_case_of(*reading.spec, exact, draw)));
+  return exit_done;
+}
+
 int ensemble_command(const EnsembleCommand& command) {
+  if (command.draw) {
+    return write_draw(command);
+  }
   Team team;
   if (team.size() == 1) {
     return take_part(command, team);
@@ -253,6 +276,8 @@ void add_ensemble(CLI::App& app, int& code, const std::string& command_line) {
   command->add_flag("--resume", asked->resume, "keep the draws that --out already has");
   command->add_option("--time-limit", asked->time_limit, "end an engine's run after this long [s]")
       ->capture_default_str();
+  command->add_option("--draw", asked->draw,
+                      "print this draw as a case file instead, for `tautline solve` and `run`");
   add_target(*command, "--json", asked->json, "also write the result as JSON");
   command->footer("tautline ensemble standard.toml --count 200");
   command->callback([asked, &code] { code = ensemble_command(*asked); });

@@ -1,35 +1,15 @@
 #include "bench/ensemble/output/output.hpp"
 
-#include <fmt/format.h>
-
 #include <optional>
-#include <vector>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/process.hpp"
-#include "bench/ensemble/draw/draw.hpp"
 #include "bench/ensemble/output/atlas.hpp"
 #include "bench/solution/plot_svg.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
-
-/// The case of a draw, named by what the draw varies: "..., draw 17: spin = 2, angle = 0.1".
-Case named_case_of(const EnsembleRequest& request, std::size_t draw) {
-  const EnsembleSpec& spec = request.spec;
-  const EnsembleSetup& exact = request.setups.front();
-  Case the_case = case_of(spec, exact, draw);
-  const std::vector<double> values = drawn_values(spec, exact.exact.seed.value_or(spec.seed), draw);
-  the_case.name += fmt::format(", draw {}", draw);
-  const char* separator = ": ";
-  for (const std::size_t axis : grid_axes(spec)) {
-    the_case.name +=
-        fmt::format("{}{} = {:.4g}", separator, spec.varied[axis].quantity, values[axis]);
-    separator = ", ";
-  }
-  return the_case;
-}
 
 /// A picture of the first motion of each cell of the atlas.
 void write_pictures(const std::filesystem::path& out, const EnsembleReport& report) {
@@ -39,7 +19,8 @@ void write_pictures(const std::filesystem::path& out, const EnsembleReport& repo
   }
   for (std::size_t cell = 0; cell < atlas->draws.size() && !interruption(); ++cell) {
     if (atlas->pictured[cell]) {
-      const Case the_case = named_case_of(report.request, atlas->draws[cell]);
+      const Case the_case =
+          named_case_of(report.request.spec, report.request.setups.front(), atlas->draws[cell]);
       const SolveOptions options = options_of(report.request.setups.front());
       write_file(out / picture_name(cell), plot_svg(the_case, solve(the_case, options)));
     }

@@ -1,5 +1,7 @@
 #include "bench/ensemble/solve/setup.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "bench/base/text.hpp"
@@ -41,6 +43,20 @@ Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t i
   Case the_case = case_of(spec, drawn_values(spec, setup.exact.seed.value_or(spec.seed), index));
   if (!setup.exact.quantity.empty()) {
     scale_quantity(the_case, setup.exact.quantity, setup.exact.factor);
+  }
+  return the_case;
+}
+
+Case named_case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {
+  Case the_case = case_of(spec, setup, index);
+  const std::vector<double> values =
+      drawn_values(spec, setup.exact.seed.value_or(spec.seed), index);
+  the_case.name += fmt::format(", draw {}", index);
+  const char* separator = ": ";
+  for (const std::size_t axis : grid_axes(spec)) {
+    the_case.name +=
+        fmt::format("{}{} = {:.4g}", separator, spec.varied[axis].quantity, values[axis]);
+    separator = ", ";
   }
   return the_case;
 }

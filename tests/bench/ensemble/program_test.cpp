@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "tests/bench/program.hpp"
 #include "tests/bench/schema.hpp"
@@ -161,6 +162,36 @@ TEST(EnsembleProgram, AnInterruptionKeepsWhatIsDoneAndResumeDoesTheRest) {
   EXPECT_EQ(content_of(first), kept);
   EXPECT_EQ(ensembles.run({"--count", "400"}).code, 0);
   EXPECT_EQ(ensembles.result(), resumed) << "as without an interruption";
+}
+
+TEST(EnsembleProgram, ADrawIsACaseOfItsOwn) {
+  const Ensembles ensembles(quick);
+  const Outcome drawn = ensembles.run({"--draw", "17"});
+  ASSERT_EQ(drawn.code, 0) << drawn.errors;
+  EXPECT_FALSE(std::filesystem::exists(ensembles.out())) << "nothing is solved";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.file("draw.toml", drawn.output);
+  const Outcome solved = program({"solve", file.string(), "--json", "-"});
+  ASSERT_EQ(solved.code, 0) << solved.errors;
+  EXPECT_NE(solved.output.find("breakwater/1510121100, draw 17"), std::string::npos);
+  // what the ensemble has of it is what one of that case alone has of its only draw
+  const auto values_of = [](const Ensembles& one, const std::string& draw) {
+    EXPECT_EQ(one.run().code, 0);
+    const std::string rows = content_of(one.out() / "draws/exact/00000000.csv");
+    const std::size_t start = rows.find("\n" + draw + ",,") + draw.size() + 3;
+    return rows.substr(start, rows.find('\n', start) - start);
+  };
+  const Ensembles alone("case = \"" + file.string() + "\"\ncount = 1\n" +
+                        "[[vary]]\nquantities = [\"gravity_x\"]\nlist = [0.0]\n");
+  const std::string values = values_of(ensembles, "17");
+  EXPECT_GT(values.size(), 50U);
+  EXPECT_EQ(values_of(alone, "0"), values);
+  for (const auto& [draw, sentence] : {std::pair{"-1", "--draw -1: must be from 0 to 9999999"},
+                                       std::pair{"10000000", "--draw 10000000: must be from 0"}}) {
+    const Outcome wrong = ensembles.run({"--draw", draw});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.errors.find(sentence), std::string::npos) << wrong.errors;
+  }
 }
 
 TEST(EnsembleProgram, NamesWhatIsWrongBeforeItStarts) {

@@ -49,6 +49,14 @@ struct EnsembleReading {
   std::vector<std::string> problems;
 };
 
+std::vector<std::string> count_problems(const EnsembleCommand& command) {
+  const bool is_sound = !command.count || (*command.count >= 1 &&
+                                           *command.count <= static_cast<long long>(most_draws));
+  return is_sound ? std::vector<std::string>()
+                  : std::vector{fmt::format("--count {}: must be from 1 to {}", *command.count,
+                                            most_draws)};
+}
+
 std::vector<std::string> command_problems(const EnsembleCommand& command) {
   std::vector<std::string> broken = missing_folder("--json", command.json, command.out);
   if (command.out.empty()) {
@@ -56,10 +64,7 @@ std::vector<std::string> command_problems(const EnsembleCommand& command) {
   } else if (const auto problem = tree_problem(command.out)) {
     broken.push_back(*problem);
   }
-  if (command.count &&
-      (*command.count < 1 || *command.count > static_cast<long long>(most_draws))) {
-    broken.push_back(fmt::format("--count {}: must be from 1 to {}", *command.count, most_draws));
-  }
+  append(broken, count_problems(command));
   if (command.jobs && (*command.jobs < 1 || *command.jobs > most_jobs)) {
     broken.push_back(fmt::format("--jobs {}: must be from 1 to {}", *command.jobs, most_jobs));
   }
@@ -223,19 +228,29 @@ int take_part(const EnsembleCommand& command, Team& team) {
 
 /// Writes a draw of the exact motion as a case file.
 int write_draw(const EnsembleCommand& command) {
-  const SpecReading reading = read_spec_file(command.spec, command.the_case);
-  std::vector<std::string> broken = reading.problems;
-  if (broken.empty() &&
-      (*command.draw < 0 || *command.draw >= static_cast<long long>(most_draws))) {
-    broken.push_back(fmt::format("--draw {}: must be from 0 to {}", *command.draw, most_draws - 1));
-  }
-  if (!broken.empty()) {
-    complain(broken);
+  SpecReading reading = read_spec_file(command.spec, command.the_case);
+  append(reading.problems, count_problems(command));
+  if (!reading.problems.empty()) {
+    complain(reading.problems);
     return exit_usage;
   }
-  const EnsembleSetup exact = setups_of(*reading.spec, {}).front();
-  const auto draw = static_cast<std::size_t>(*command.draw);
-  fmt::print("{}", write_case(named_case_of(*reading.spec, exact, draw)));
+  EnsembleSpec& spec = *reading.spec;
+  spec.count = command.count ? static_cast<std::size_t>(*command.count) : spec.count;
+  if (*command.draw < 0 || *command.draw >= static_cast<long long>(draw_count(spec))) {
+    complain({fmt::format("--draw {}: must be from 0 to {}, as --count says", *command.draw,
+                          draw_count(spec) - 1)});
+    return exit_usage;
+  }
+  const EnsembleSetup exact = setups_of(spec, {}).front();
+  const Case the_case = named_case_of(spec, exact, static_cast<std::size_t>(*command.draw));
+  if (const auto broken = problems(the_case); !broken.empty()) {
+    complain({fmt::format("--draw {}: no such case: {}", *command.draw, broken.front())});
+    return exit_failed;
+  }
+  const bool is_default = spec.law == SolveOptions{}.law;
+  fmt::print("# draw {} of {}{}\n{}", *command.draw, printable(command.spec),
+             is_default ? "" : fmt::format(", which is solved with --law {}", to_string(spec.law)),
+             write_case(the_case));
   return exit_done;
 }
 
@@ -276,9 +291,12 @@ void add_ensemble(CLI::App& app, int& code, const std::string& command_line) {
   command->add_flag("--resume", asked->resume, "keep the draws that --out already has");
   command->add_option("--time-limit", asked->time_limit, "end an engine's run after this long [s]")
       ->capture_default_str();
-  command->add_option("--draw", asked->draw,
-                      "print this draw as a case file instead, for `tautline solve` and `run`");
   add_target(*command, "--json", asked->json, "also write the result as JSON");
+  command
+      ->add_option("--draw", asked->draw,
+                   "print this draw as a case file instead, for `tautline solve` and `run`")
+      ->excludes("--json")
+      ->excludes("--resume");
   command->footer("tautline ensemble standard.toml --count 200");
   command->callback([asked, &code] { code = ensemble_command(*asked); });
 }

@@ -60,19 +60,26 @@ async function within(limit, promise) {
 /// asserts is not tried again.
 async function inBrowser(use, limit) {
   try {
-    return await within(limit, use(await theBrowser()));
+    return await inThisBrowser(use, limit);
   } catch (error) {
     if (!(error instanceof Silence)) {
       throw error;
     }
     console.error(`${error.message}: begun anew in another one`);
-    leaveBrowser();
-    return within(limit, use(await theBrowser()));
+    return inThisBrowser(use, limit);
   }
 }
-function leaveBrowser() {
-  browser.then((silent) => silent.close()).catch(() => {});
-  [browser, shared] = [null, null];
+/// The same, once; a browser that is silent is left.
+async function inThisBrowser(use, limit) {
+  try {
+    return await within(limit, use(await theBrowser()));
+  } catch (error) {
+    if (error instanceof Silence) {
+      browser.then((silent) => silent.close()).catch(() => {});
+      [browser, shared] = [null, null];
+    }
+    throw error;
+  }
 }
 
 /// Opens `file` in a context of its own and passes {page, said, asked, dialogs, waited, worked}

@@ -5,7 +5,7 @@ import { onSharedPage, withText } from './browser.mjs';
 
 const small = '<!DOCTYPE html><title>small</title>';
 /// Long enough for it to open on a busy machine [ms].
-const limit = 5_000;
+const limit = 10_000;
 const silent = (page) => page.evaluate(() => new Promise(() => {}));
 
 test('what is done with a page begins anew in another browser when one does not answer', async () => {
@@ -23,7 +23,7 @@ test('what is done with a page begins anew in another browser when one does not 
 test('a page that never answers fails, with how long was waited', async () => {
   let times = 0;
   await assert.rejects(withText(small, ({ page }) => { times += 1; return silent(page); }, { limit }),
-    /the browser has not answered for 5 s/);
+    /the browser has not answered for 10 s/);
   assert.equal(times, 2);
 });
 

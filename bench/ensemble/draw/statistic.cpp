@@ -265,9 +265,8 @@ std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
       {"impacts", fmt::format("impacts > {:g} m/s", fast), "", as_count, true, true, true,
        "impacts faster than the first speed, one a cable"},
       {"swing_energy", "swing energy", "J", fixed(5), true, true, true,
-       "above the equilibrium, in the last period; none where the motion has not locked and swung "
-       "to "
-       "and fro by the end"},
+       "above the equilibrium, in the last period; none where the exact motion has not locked and "
+       "swung to and fro by the end"},
       {"swing_amplitude", "swing amplitude", "rad", fixed(4), true, true, true,
        "half the range of the angle in the last period"},
       {"largest_angle", "largest |angle|", "rad", fixed(4), true, true, true,

@@ -134,7 +134,8 @@ std::optional<Atlas> atlas_of(const EnsembleReport& report) {
   std::iota(atlas.draws.begin(), atlas.draws.end(), std::size_t{0});  // two grids go fastest
   const DrawTable& draws = report.result.draws.front();
   for (const std::size_t draw : atlas.draws) {
-    atlas.pictured.push_back(cells <= most_pictures && draws.solved(draw));
+    atlas.pictured.push_back(cells <= most_pictures && !report.result.interrupted &&
+                             draws.solved(draw));
   }
   for (const char* name : {"impacts", "settled_fast", "swing_energy", "captured", "first_cable"}) {
     const std::size_t place = place_of_statistic(report.findings.statistics, name);

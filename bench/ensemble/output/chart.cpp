@@ -138,8 +138,9 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
       report.result.draws, [&](const DrawTable& draws) { return sample_of(draws, statistic); });
   const Axis axis = axis_of(samples);
   const bool has_others =
-      std::any_of(setups.begin() + 1, setups.end(),
-                  [&](const EnsembleSetup& setup) { return tells(setup, shown); });
+      !samples[0].values.empty() &&
+      std::any_of(samples.begin() + 1, samples.end(),
+                  [](const EnsembleSample& sample) { return !sample.values.empty(); });
   const double right = left_edge + panel + between;
   std::string curves;
   if (has_others) {

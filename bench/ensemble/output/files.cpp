@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "bench/base/atomic_file.hpp"
-#include "bench/base/process.hpp"
 #include "bench/ensemble/output/atlas.hpp"
 #include "bench/solution/plot_svg.hpp"
 #include "tautline/solve.hpp"
@@ -17,7 +16,7 @@ void write_pictures(const std::filesystem::path& out, const EnsembleReport& repo
   if (!atlas) {
     return;
   }
-  for (std::size_t cell = 0; cell < atlas->draws.size() && !interruption(); ++cell) {
+  for (std::size_t cell = 0; cell < atlas->draws.size(); ++cell) {
     if (atlas->pictured[cell]) {
       const Case the_case =
           named_case_of(report.request.spec, report.request.setups.front(), atlas->draws[cell]);

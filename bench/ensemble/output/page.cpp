@@ -65,7 +65,8 @@ std::string atlas(const EnsembleReport& report) {
       "<section id=\"atlas\">\n<h2>Atlas</h2>\n<p class=\"note\">Of the exact motion the mean over "
       "the draws of each cell; grey: none has the number. " +
       (made->draws.size() <= most_pictures
-           ? std::string("A cell leads to a picture of the motion of its first draw.")
+           ? std::string(
+                 "A cell leads to a picture of the motion of its first draw, where there is one.")
            : fmt::format("Cells of up to {} lead to pictures of their motion; these are {}.",
                          most_pictures, made->draws.size())) +
       "</p>\n";

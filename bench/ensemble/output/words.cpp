@@ -62,9 +62,10 @@ std::string verdict_on(const EnsembleReport& report, std::size_t setup) {
                      all.size(), joined(words, "and"));
 }
 
-/// "46 of 96 draws"; "1 of 1 draw".
+/// "46 of 96 draws have"; "1 of 96 draws has"; "1 of 1 draw has".
 std::string part_of_draws(std::size_t part, std::size_t draws) {
-  return fmt::format("{} of {} {}", part, draws, draws == 1 ? "draw" : "draws");
+  return fmt::format("{} of {} {} {}", part, draws, draws == 1 ? "draw" : "draws",
+                     part == 1 ? "has" : "have");
 }
 
 /// Of the setups, in order, those with draws without values, and those whose motions have not
@@ -75,17 +76,17 @@ void add_incomplete(std::vector<std::string>& sentences, const EnsembleReport& r
   for (std::size_t setup = 0; setup < report.request.setups.size(); ++setup) {
     const std::string name = printable(report.request.setups[setup].name);
     if (const std::size_t count = findings.problems[setup]; count > 0) {
-      sentences.push_back(fmt::format("{}: {} have no values, the first one as: {}.", name,
+      sentences.push_back(fmt::format("{}: {} no values, the first one as: {}.", name,
                                       part_of_draws(count, report.result.draws[setup].ended()),
                                       printable(findings.first_problems[setup])));
     }
     const Summary& locks = findings.summaries[setup][lock];
     if (tells(report.request.setups[setup], findings.statistics[lock]) && locks.without > 0) {
-      sentences.push_back(
-          fmt::format("{}: {} have not locked by {:g} s; their last impacts are the last until "
-                      "then.",
-                      name, part_of_draws(locks.without, locks.count + locks.without),
-                      report.request.spec.the_case.duration));
+      sentences.push_back(fmt::format(
+          "{}: {} not locked by {:g} s: later impacts than the last ones until then may "
+          "follow.",
+          name, part_of_draws(locks.without, locks.count + locks.without),
+          report.request.spec.the_case.duration));
     }
   }
 }
@@ -97,7 +98,7 @@ void add_left_out(std::vector<std::string>& sentences, const EnsembleRequest& re
         std::any_of(request.setups.begin(), request.setups.end(),
                     [&](const EnsembleSetup& one) { return one.engine == place; });
     const RegisteredEngine& engine = request.engines[place];
-    if (!has_part && engine.info) {
+    if (!has_part && engine.info && !engine.info->models.empty()) {
       const auto names = listed<std::string>(
           engine.info->models, [](const Model& model) { return printable(model.name); });
       sentences.push_back(fmt::format("{} has no part: it has no model {}; it has {}.",
@@ -163,7 +164,7 @@ std::string ensemble_title(const EnsembleReport& report) {
 std::vector<std::string> ensemble_sentences(const EnsembleReport& report) {
   std::vector<std::string> sentences;
   if (report.result.goes_on) {
-    sentences.emplace_back("Not done yet: these are the draws so far.");
+    sentences.emplace_back("Not all draws: these are the ones done when this was written.");
   } else if (report.result.interrupted) {
     sentences.emplace_back("Interrupted: these are the draws that are finished.");
   }

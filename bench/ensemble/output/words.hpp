@@ -21,7 +21,8 @@ struct EnsembleReport {
 
 /// First whether these are all draws. Then of each setup but the first which statistics differ, or
 /// that none can be told apart and how small a difference would have been seen; of each setup how
-/// many draws have no values or have not locked; which engines have no part; what all draws share.
+/// many draws have no values or have not locked; which engines have no part; what all draws share;
+/// and of how many draws the tests and curves are.
 [[nodiscard]] std::vector<std::string> ensemble_sentences(const EnsembleReport& report);
 
 /// The value of a statistic that every draw has, of each setup that tells it; none where two differ

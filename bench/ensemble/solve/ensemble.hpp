@@ -30,7 +30,8 @@ struct EnsembleOptions {
 };
 
 /// Told of so many draws that ended, from one thread at a time; `kept` if they had been done
-/// before. Of a team's draws it is told when one of its processes begins what comes after them.
+/// before. Of a team's draws it is told when one of its processes begins what comes after them:
+/// some of them may go on, and `kept` is never said.
 using DrawProgress = std::function<void(const EnsembleSetup& setup, std::size_t draws, bool kept)>;
 
 /// Solves every draw for every setup, the setups side by side: what is there after an interruption

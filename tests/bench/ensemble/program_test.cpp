@@ -186,12 +186,67 @@ TEST(EnsembleProgram, ADrawIsACaseOfItsOwn) {
   const std::string values = values_of(ensembles, "17");
   EXPECT_GT(values.size(), 50U);
   EXPECT_EQ(values_of(alone, "0"), values);
-  for (const auto& [draw, sentence] : {std::pair{"-1", "--draw -1: must be from 0 to 9999999"},
-                                       std::pair{"10000000", "--draw 10000000: must be from 0"}}) {
+  for (const auto& [draw, sentence] :
+       {std::pair{"-1", "--draw -1: must be from 0 to 59, as --count says"},
+        std::pair{"60", "--draw 60: must be from 0 to 59, as --count says"}}) {
     const Outcome wrong = ensembles.run({"--draw", draw});
     EXPECT_EQ(wrong.code, 2);
     EXPECT_NE(wrong.errors.find(sentence), std::string::npos) << wrong.errors;
   }
+}
+
+TEST(EnsembleProgram, ADrawSaysItsLawAndIsNoneWhereItIsNoCase) {
+  const Ensembles sequential("law = \"sequential\"\n" + quick);
+  const Outcome drawn = sequential.run({"--draw", "3", "--count", "4"});
+  EXPECT_EQ(drawn.code, 0);
+  EXPECT_TRUE(drawn.output.starts_with("# draw 3 of ")) << drawn.output;
+  EXPECT_NE(drawn.output.find("spec.toml, which is solved with --law sequential\n"),
+            std::string::npos)
+      << drawn.output;
+  const Ensembles absurd(
+      "case = \"breakwater/1510121100\"\ncount = 3\n"
+      "[[vary]]\nquantities = [\"restitution\"]\nuniform = [1.5, 2.0]\n");
+  const Outcome none = absurd.run({"--draw", "1"});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_NE(none.errors.find("--draw 1: no such case: cable 0: restitution"), std::string::npos)
+      << none.errors;
+  const Outcome all = absurd.run();
+  EXPECT_EQ(all.code, 1) << "no draw is a case";
+  EXPECT_NE(all.output.find("3 of 3 draws have no values"), std::string::npos) << all.output;
+}
+
+TEST(EnsembleProgram, WhatCannotBeWrittenNamesWhatIsKept) {
+  const Ensembles ensembles(quick);
+  ASSERT_EQ(ensembles.run().code, 0);
+  std::filesystem::remove(ensembles.out() / "index.html");
+  std::filesystem::create_directory(ensembles.out() / "index.html");
+  const Outcome outcome = ensembles.run({"--resume"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("index.html"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("what is done is kept: the same command with --resume does the"),
+            std::string::npos)
+      << outcome.errors;
+}
+
+// after ten seconds
+TEST(EnsembleProgram, HasTheResultsSoFarInItsFolder) {
+  const Ensembles ensembles(quick);
+  const int process = start_program(ensembles.words({"--count", "10000000", "--jobs", "1"}));
+  const auto page = ensembles.out() / "index.html";
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(4);
+  while (!std::filesystem::exists(page) && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(std::filesystem::exists(page));
+  EXPECT_NE(content_of(page).find("Not all draws: these are the ones done"), std::string::npos);
+  const json so_far = ensembles.result();
+  EXPECT_EQ(so_far["interrupted"], true);
+  EXPECT_GT(so_far["setups"][0]["draws"], 0);
+  ::kill(process, SIGINT);
+  EXPECT_EQ(wait_for(process), 1);
+  EXPECT_NE(content_of(page).find("Interrupted: these are the draws that are finished."),
+            std::string::npos);
+  EXPECT_GE(ensembles.result()["setups"][0]["draws"], so_far["setups"][0]["draws"]);
 }
 
 TEST(EnsembleProgram, NamesWhatIsWrongBeforeItStarts) {

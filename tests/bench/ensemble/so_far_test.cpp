@@ -48,9 +48,10 @@ TEST(EnsembleWords, WhatSomeDrawsHaveIsNotTheSameInAll) {
   const std::string words = words_of(request, result);
   EXPECT_FALSE(has(words, "lock (")) << words;
   EXPECT_TRUE(has(words, "first cable (0)")) << words;
-  EXPECT_TRUE(has(words, "exact: " + std::to_string(locks.without) +
-                             " of 20 draws have not locked by 5 s; their last impacts are the last "
-                             "until then."))
+  EXPECT_TRUE(
+      has(words, "exact: " + std::to_string(locks.without) +
+                     " of 20 draws have not locked by 5 s: later impacts than the last ones "
+                     "until then may follow."))
       << words;
   EXPECT_TRUE(has(ensemble_text(report, {}), "\nlock [s]"));
 }
@@ -163,9 +164,10 @@ TEST(ResultsSoFar, AreShownAfterEachChunkAndSaySo) {
   };
   const EnsembleResult result = solve_ensemble(request, options, [](auto&&...) {});
   EXPECT_EQ(ended, std::vector<std::size_t>({200, 400, 500}));
-  EXPECT_TRUE(words.starts_with("Not done yet: these are the draws so far.\n")) << words;
+  EXPECT_TRUE(words.starts_with("Not all draws: these are the ones done when this was written.\n"))
+      << words;
   EXPECT_FALSE(result.goes_on);
-  EXPECT_FALSE(has(words_of(request, result), "Not done yet"));
+  EXPECT_FALSE(has(words_of(request, result), "Not all draws"));
 }
 
 // each process tells of all draws that somebody has begun before its own next ones

@@ -49,14 +49,6 @@ struct EnsembleReading {
   std::vector<std::string> problems;
 };
 
-std::vector<std::string> count_problems(const EnsembleCommand& command) {
-  const bool is_sound = !command.count || (*command.count >= 1 &&
-                                           *command.count <= static_cast<long long>(most_draws));
-  return is_sound ? std::vector<std::string>()
-                  : std::vector{fmt::format("--count {}: must be from 1 to {}", *command.count,
-                                            most_draws)};
-}
-
 std::vector<std::string> command_problems(const EnsembleCommand& command) {
   std::vector<std::string> broken = missing_folder("--json", command.json, command.out);
   if (command.out.empty()) {
@@ -64,7 +56,6 @@ std::vector<std::string> command_problems(const EnsembleCommand& command) {
   } else if (const auto problem = tree_problem(command.out)) {
     broken.push_back(*problem);
   }
-  append(broken, count_problems(command));
   if (command.jobs && (*command.jobs < 1 || *command.jobs > most_jobs)) {
     broken.push_back(fmt::format("--jobs {}: must be from 1 to {}", *command.jobs, most_jobs));
   }
@@ -72,6 +63,20 @@ std::vector<std::string> command_problems(const EnsembleCommand& command) {
     broken.push_back(fmt::format("--time-limit {:g}: must be above 0 [s]", command.time_limit));
   }
   return broken;
+}
+
+/// The spec that `command` names, with the case and the count that it gives instead.
+SpecReading read_spec(const EnsembleCommand& command) {
+  SpecReading reading = read_spec_file(command.spec, command.the_case);
+  if (const auto& count = command.count) {
+    if (*count < 1 || *count > static_cast<long long>(most_draws)) {
+      reading.problems.push_back(
+          fmt::format("--count {}: must be from 1 to {}", *count, most_draws));
+    } else if (reading.spec) {
+      reading.spec->count = static_cast<std::size_t>(*count);
+    }
+  }
+  return reading;
 }
 
 /// The engines that the spec, a `file`, names, all of which must be there.
@@ -101,16 +106,13 @@ void read_engines_of(EnsembleReading& reading, const std::string& file) {
 EnsembleReading read_ensemble(const EnsembleCommand& command) {
   EnsembleReading reading;
   reading.problems = command_problems(command);
-  SpecReading spec = read_spec_file(command.spec, command.the_case);
+  SpecReading spec = read_spec(command);
   append(reading.problems, spec.problems);
   if (!reading.problems.empty()) {
     return reading;
   }
   EnsembleRequest& request = reading.request;
   request.spec = std::move(*spec.spec);
-  if (command.count) {
-    request.spec.count = static_cast<std::size_t>(*command.count);
-  }
   request.limits.time = command.time_limit;
   if (draw_count(request.spec) > most_draws) {
     reading.problems.push_back(fmt::format("--count: {} draws in all, must be at most {}",
@@ -228,14 +230,12 @@ int take_part(const EnsembleCommand& command, Team& team) {
 
 /// Writes a draw of the exact motion as a case file.
 int write_draw(const EnsembleCommand& command) {
-  SpecReading reading = read_spec_file(command.spec, command.the_case);
-  append(reading.problems, count_problems(command));
+  const SpecReading reading = read_spec(command);
   if (!reading.problems.empty()) {
     complain(reading.problems);
     return exit_usage;
   }
-  EnsembleSpec& spec = *reading.spec;
-  spec.count = command.count ? static_cast<std::size_t>(*command.count) : spec.count;
+  const EnsembleSpec& spec = *reading.spec;
   if (*command.draw < 0 || *command.draw >= static_cast<long long>(draw_count(spec))) {
     complain({fmt::format("--draw {}: must be from 0 to {}, as --count says", *command.draw,
                           draw_count(spec) - 1)});

@@ -16,12 +16,11 @@ void write_pictures(const std::filesystem::path& out, const EnsembleReport& repo
   if (!atlas) {
     return;
   }
+  const EnsembleSetup& exact = report.request.setups.front();
   for (std::size_t cell = 0; cell < atlas->draws.size(); ++cell) {
     if (atlas->pictured[cell]) {
-      const Case the_case =
-          named_case_of(report.request.spec, report.request.setups.front(), atlas->draws[cell]);
-      const SolveOptions options = options_of(report.request.setups.front());
-      write_file(out / picture_name(cell), plot_svg(the_case, solve(the_case, options)));
+      const Case the_case = named_case_of(report.request.spec, exact, atlas->draws[cell]);
+      write_file(out / picture_name(cell), plot_svg(the_case, solve(the_case, options_of(exact))));
     }
   }
 }

@@ -36,8 +36,8 @@ void write_ensemble(const std::filesystem::path& out, const EnsembleReport& repo
 [[nodiscard]] Table comparison_table(const EnsembleReport& report);
 
 /// The distribution functions of one statistic, those of all setups over each other, and, where
-/// another tells it, beside them their quantiles over those of the first setup: where both are
-/// alike, on the diagonal.
+/// another has values too, beside them their quantiles over those of the first setup: where both
+/// are alike, on the diagonal.
 [[nodiscard]] std::string distribution_svg(const EnsembleReport& report, std::size_t statistic);
 
 }  // namespace tautline::bench

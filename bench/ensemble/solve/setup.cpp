@@ -49,8 +49,7 @@ Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t i
 
 Case named_case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {
   Case the_case = case_of(spec, setup, index);
-  const std::vector<double> values =
-      drawn_values(spec, setup.exact.seed.value_or(spec.seed), index);
+  const DrawnValues values = drawn_values(spec, setup.exact.seed.value_or(spec.seed), index);
   the_case.name += fmt::format(", draw {}", index);
   const char* separator = ": ";
   for (const std::size_t axis : grid_axes(spec)) {

@@ -1,5 +1,7 @@
 #include "tautline/projection.hpp"
 
+#include <array>
+
 #include "impact/least_solution.hpp"
 #include "instantiate.hpp"
 #include "tautline/rows.hpp"
@@ -116,7 +118,11 @@ BasicState<Real> with_zero_gaps(const BasicCase<Real>& the_case, BasicState<Real
                                 CableSet cables, const std::type_identity_t<Real>& least_sine) {
   constexpr int enough = 8;  // quadratic: three reach a double's last bit, seven 100 digits
   const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
-  const std::vector<std::size_t> indices = cables.indices();
+  std::array<std::size_t, max_cables> indices{};  // of the rows
+  std::size_t count = 0;
+  for (const std::size_t index : cables) {
+    indices[count++] = index;
+  }
   for (int iteration = 0; iteration < enough; ++iteration) {
     if (are_closed(the_case, state, cables)) {
       break;

@@ -30,6 +30,12 @@ struct LaneQuestion {
 /// What it answers; of a mask 1 or 0.
 using LaneAnswer = Bounce<LaneNumbers, LaneNumbers>;
 
+/// True where `each_number` reaches all of T: one left out would be undefined in the lanes.
+template <class T>
+inline constexpr bool is_listed = size_listed<T>() == sizeof(T);
+static_assert(is_listed<FlightWorld<LaneNumbers>> && is_listed<Flyer<LaneNumbers>> &&
+              is_listed<FlightCable<LaneNumbers>> && is_listed<LaneAnswer>);
+
 /// Answers for all lanes, each to the bit as `next_bounce` for one body.
 using BounceLanes = void (*)(const LaneQuestion&, LaneAnswer&);
 

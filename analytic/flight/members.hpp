@@ -24,4 +24,16 @@ void each_number(A& a, B& b, const Use& use) {
   }
 }
 
+/// The size [bytes] of all that the members of T list: that of T, where none is forgotten.
+template <class T>
+[[nodiscard]] constexpr std::size_t size_listed() {
+  if constexpr (requires { T::members(); }) {
+    return []<class... Of>(const std::tuple<Of T::*...>&) {
+      return (size_listed<Of>() + ...);
+    }(T::members());
+  } else {
+    return sizeof(T);
+  }
+}
+
 }  // namespace tautline

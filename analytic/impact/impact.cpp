@@ -121,13 +121,14 @@ BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicStat
     }
     ++row;
   }
-  if (auto found = rebound(the_case, before, cables, e, rounding)) {
+  if (auto found = rebound(the_case, before, cables, rates, e, rounding)) {
     return *std::move(found);
   }
   // a resting cable's rate, above zero by rounding, left no solution: such cables take no part
   if (closing != cables && !closing.empty()) {
     const std::vector<Eigen::Index> part = rows_within(closing, cables);
-    if (const auto found = rebound<Real>(the_case, before, closing, e(part), rounding(part))) {
+    if (const auto found =
+            rebound<Real>(the_case, before, closing, rates(part), e(part), rounding(part))) {
       BasicCableVector<Real> impulses = BasicCableVector<Real>::Zero(rates.size());
       impulses(part) = found->impulses;
       return {std::move(impulses), found->after};

@@ -16,8 +16,8 @@ BasicImpact<Real> stopped(const BasicCase<Real>& the_case, const BasicState<Real
                           CableSet cables, BasicImpact<Real> impact) {
   const auto count = static_cast<Eigen::Index>(cables.size());
   const auto stop =
-      rebound<Real>(the_case, impact.after, cables, BasicCableVector<Real>::Zero(count),
-                    rate_errors(the_case, before, cables));
+      rebound<Real>(the_case, impact.after, cables, gap_rates(the_case, impact.after, cables),
+                    BasicCableVector<Real>::Zero(count), rate_errors(the_case, before, cables));
   if (!stop) {
     impact.impulses.setConstant(not_a_number<Real>());
     return impact;
@@ -103,12 +103,12 @@ template <class Real>
 CableSet acting(const BasicCase<Real>& the_case, const BasicState<Real>& before, CableSet cables) {
   CableSet result = cables;
   for (const std::size_t a : cables) {
-    const Real rate = gap_rate(the_case.cables[a], before);
-    const Real kept = restitution(the_case.cables[a], rate);
     for (const std::size_t b : cables) {
       if (a == b || !side_by_side(the_case.cables[a], the_case.cables[b])) {
         continue;
       }
+      const Real rate = gap_rate(the_case.cables[a], before);
+      const Real kept = restitution(the_case.cables[a], rate);
       const Real other = restitution(the_case.cables[b], rate);
       if (other > kept || (other == kept && b < a)) {  // exactly: the numbers given
         result.erase(a);

@@ -9,10 +9,10 @@ namespace tautline {
 template <class Real>
 std::optional<BasicImpact<Real>> rebound(const BasicCase<Real>& the_case,
                                          const BasicState<Real>& before, CableSet cables,
+                                         const BasicCableVector<Real>& rates,
                                          const BasicCableVector<Real>& e,
                                          const BasicCableVector<Real>& rounding) {
   const CableRows<Real> rows(the_case, before, cables);
-  const BasicCableVector<Real> rates = gap_rates(the_case, before, cables);
   const BasicCableVector<Real> kept = (1 + e.array()).matrix();
   auto found = complementary<Real>(rows, kept.cwiseProduct(rates), kept.cwiseProduct(rounding));
   if (!found) {
@@ -37,6 +37,7 @@ std::optional<BasicImpact<Real>> rebound(const BasicCase<Real>& the_case,
 
 template std::optional<BasicImpact<Instance>> rebound(const BasicCase<Instance>&,
                                                       const BasicState<Instance>&, CableSet,
+                                                      const BasicCableVector<Instance>&,
                                                       const BasicCableVector<Instance>&,
                                                       const BasicCableVector<Instance>&);
 

@@ -32,12 +32,13 @@ template <class Real>
   return result;
 }
 
-/// Newton's law (Eq. 14) for `cables` with the restitutions `e`, where the rates may be off by
-/// `rounding` [m/s]. None if there is no such rebound, or its numbers overflow.
+/// Newton's law (Eq. 14) for `cables` with the restitutions `e`, where their gap `rates` [m/s] may
+/// be off by `rounding` [m/s]. None if there is no such rebound, or its numbers overflow.
 template <class Real>
 [[nodiscard]] std::optional<BasicImpact<Real>> rebound(const BasicCase<Real>& the_case,
                                                        const BasicState<Real>& before,
                                                        CableSet cables,
+                                                       const BasicCableVector<Real>& rates,
                                                        const BasicCableVector<Real>& e,
                                                        const BasicCableVector<Real>& rounding);
 

@@ -87,14 +87,10 @@ async function inThisBrowser(use, limit) {
 /// less than `limit` [ms]; `context` is Playwright's options of a context.
 export const withPage = (file, action, { limit = longest, ...context } = {}) =>
   inBrowser((browser) => withPageOf(browser, file, action, context), limit);
-async function withPageOf(browser, file, action, { width = 1280, height = 900, ...context }) {
-  const view = await browser.newContext({ viewport: { width, height }, ...context });
-  view.setDefaultTimeout(patience);
+async function withPageOf(browser, file, action, context) {
+  const { view, page, said } = await blankPage(browser, context);
   try {
-    const page = await view.newPage();
-    const [said, asked, dialogs] = [[], [], []];
-    page.on('console', (message) => ['error', 'warning'].includes(message.type()) && said.push(message.text()));
-    page.on('pageerror', (error) => said.push(error.stack));
+    const [asked, dialogs] = [[], []];
     page.on('request', (request) => asked.push(request.url()));
     page.on('dialog', (dialog) => { dialogs.push(dialog.message()); dialog.dismiss(); });
     const meter = await view.newCDPSession(page);
@@ -108,6 +104,17 @@ async function withPageOf(browser, file, action, { width = 1280, height = 900, .
   } finally {
     await view.close();
   }
+}
+
+/// An empty page in a context of its own, and the errors and warnings that it will have said.
+async function blankPage(browser, { width = 1280, height = 900, ...context } = {}) {
+  const view = await browser.newContext({ viewport: { width, height }, ...context });
+  view.setDefaultTimeout(patience);
+  const page = await view.newPage();
+  const said = [];
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && said.push(message.text()));
+  page.on('pageerror', (error) => said.push(error.stack));
+  return { view, page, said };
 }
 
 /// The same for a page given as text.
@@ -131,12 +138,7 @@ export const onSharedPage = (action) => inBrowser(async (browser) => {
   return action(shared);
 }, longest);
 async function openShared(browser) {
-  const view = await browser.newContext({ viewport: { width: 1280, height: 900 } });
-  view.setDefaultTimeout(patience);
-  const page = await view.newPage();
-  const said = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && said.push(message.text()));
-  page.on('pageerror', (error) => said.push(error.stack));
+  const { page, said } = await blankPage(browser);
   await page.goto(pathToFileURL(benchPage()).href);
   await drawAll(page);
   return { page, said };

@@ -10,13 +10,19 @@
 
 namespace tautline::bench {
 
-/// What the exact motion does over the first two grids of an ensemble: the mean over the draws of
-/// each cell, of each statistic that is shown.
+/// What the exact motion does over the first two grids of an ensemble, by one statistic.
+struct AtlasMap {
+  std::size_t statistic;  // of `statistics_of`
+  /// Of each cell, the first axis fastest: the mean over its draws, or what most of them have where
+  /// the numbers stand for names; none: no draw there has the number.
+  std::vector<std::optional<double>> cells;
+  std::vector<std::string> names;  // of the numbers 0, 1, ...; empty: they are amounts
+};
+
+/// The maps, and what they have in common.
 struct Atlas {
-  std::array<Varied, 2> axes;           // across, and up
-  std::vector<std::size_t> statistics;  // of `statistics_of`
-  /// By statistic, then by cell, the first axis fastest; none: no draw there has the number.
-  std::vector<std::vector<std::optional<double>>> means;
+  std::array<Varied, 2> axes;  // across, and up
+  std::vector<AtlasMap> maps;
   std::vector<std::size_t> draws;  // of each cell the first
   std::vector<bool> pictured;      // of each cell: it has a picture of that draw's motion
 };
@@ -30,8 +36,9 @@ inline constexpr std::size_t most_pictures = 625;
 /// Where the picture of the motion of a cell lies, from the page.
 [[nodiscard]] std::string picture_name(std::size_t cell);
 
-/// A heat map of one of the statistics; a cell leads to the picture of its motion.
-[[nodiscard]] std::string atlas_svg(const Atlas& atlas, std::size_t index,
+/// A heat map, one of `atlas`, of this statistic; a cell leads to the picture of its motion. Its
+/// colours go from the least to the largest number but for one in a hundred at each end.
+[[nodiscard]] std::string atlas_svg(const Atlas& atlas, const AtlasMap& map,
                                     const Statistic& statistic);
 
 }  // namespace tautline::bench

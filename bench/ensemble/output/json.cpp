@@ -85,11 +85,11 @@ Json atlas_json(const EnsembleReport& report) {
   const auto axis_json = [](const Varied& axis) -> Json {
     return {{"quantity", axis.quantity}, {"values", axis.distribution.numbers}};
   };
-  Json means = Json::object();
-  for (std::size_t index = 0; index < atlas->statistics.size(); ++index) {
-    means[report.findings.statistics[atlas->statistics[index]].name] = json_of(atlas->means[index]);
+  Json maps = Json::object();
+  for (const AtlasMap& map : atlas->maps) {
+    maps[report.findings.statistics[map.statistic].name] = json_of(map.cells);
   }
-  return {{"axes", json_list(atlas->axes, axis_json)}, {"means", std::move(means)}};
+  return {{"axes", json_list(atlas->axes, axis_json)}, {"maps", std::move(maps)}};
 }
 
 }  // namespace

@@ -63,16 +63,17 @@ std::string atlas(const EnsembleReport& report) {
   }
   std::string out =
       "<section id=\"atlas\">\n<h2>Atlas</h2>\n<p class=\"note\">Of the exact motion the mean over "
-      "the draws of each cell; grey: none has the number. " +
+      "the draws of each cell, and the first cable of most of them; grey: none has the number. The "
+      "colours leave out the least and the largest hundredth. " +
       (made->draws.size() <= most_pictures
            ? std::string(
                  "A cell leads to a picture of the motion of its first draw, where there is one.")
            : fmt::format("Cells of up to {} lead to pictures of their motion; these are {}.",
                          most_pictures, made->draws.size())) +
       "</p>\n";
-  for (std::size_t index = 0; index < made->statistics.size(); ++index) {
-    const Statistic& statistic = report.findings.statistics[made->statistics[index]];
-    out += figure(atlas_svg(*made, index, statistic), "Atlas of " + statistic.heading) +
+  for (const AtlasMap& map : made->maps) {
+    const Statistic& statistic = report.findings.statistics[map.statistic];
+    out += figure(atlas_svg(*made, map, statistic), "Atlas of " + statistic.heading) +
            meaning_note(statistic);
   }
   return out + "</section>\n";

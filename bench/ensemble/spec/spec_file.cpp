@@ -42,12 +42,14 @@ const Range point_count = {"a whole number from 2 to 1000", [](double x) {
 const Range completion_error = {"above 0 and at most 1e-10",
                                 [](double x) { return x > 0.0 && x <= 1e-10; }};
 
-ImpactLaw read_law(StrictTable& table) {
+/// `otherwise`: where none is given.
+ImpactLaw read_law(StrictTable& table, ImpactLaw otherwise) {
   const std::vector<std::string> names =
       listed<std::string>(impact_laws, [](ImpactLaw law) { return to_string(law); });
-  const std::string name = table.optional_one_of("law", names).value_or(names.front());
-  const auto place = std::find(names.begin(), names.end(), name) - names.begin();
-  return impact_laws.at(static_cast<std::size_t>(place) % impact_laws.size());
+  const std::optional<std::string> name = table.optional_one_of("law", names);
+  const auto place = name ? std::find(names.begin(), names.end(), *name) : names.end();
+  return place == names.end() ? otherwise
+                              : impact_laws.at(static_cast<std::size_t>(place - names.begin()));
 }
 
 /// A relative path, as it is from where the program runs. `name` with a '/' or an ending is one.
@@ -131,8 +133,10 @@ Distribution read_distribution(StrictTable& table) {
   return given.empty() ? Distribution{Kind::list, {0.0}} : given.front();
 }
 
-/// What one table [[vary]] varies, each of its quantities independent of the others.
-std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::string>& names) {
+/// What one table [[vary]] varies, each of its quantities independent of the others: `names`, and
+/// none of those `before`, which it joins.
+std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::string>& names,
+                                std::set<std::string>& before) {
   std::vector<Varied> result;
   const auto chosen =
       table.texts("quantities", "must be an array of names, such as [\"x\", \"y\"]");
@@ -142,6 +146,8 @@ std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::strin
       table.refuse_value("quantities", printable(name) + " is none of this case" +
                                            suggestion(name, names) + "; it has " +
                                            joined(names, "and"));
+    } else if (!before.insert(name).second) {
+      table.refuse_value("quantities", printable(name) + " is varied twice");
     }
     result.push_back({name, distribution});
   }
@@ -149,12 +155,19 @@ std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::strin
   return result;
 }
 
-/// `completion`: of the spec.
+/// What it does not say is as in `spec`, with the variants `before` it.
 ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& names,
-                          double completion) {
+                          const EnsembleSpec& spec) {
   ExactVariant result;
   result.name = table.text("name");
-  result.law = read_law(table);
+  const bool is_taken = result.name == "exact" || std::any_of(spec.exact.begin(), spec.exact.end(),
+                                                              [&](const ExactVariant& before) {
+                                                                return before.name == result.name;
+                                                              });
+  if (is_taken && !result.name.empty()) {
+    table.refuse_value("name", "two are called " + printable(result.name));
+  }
+  result.law = read_law(table, spec.law);
   if (const auto seed = table.optional_number("seed", seed_number, "")) {
     result.seed = static_cast<std::uint64_t>(*seed);
   }
@@ -163,7 +176,7 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
     result.factor = table.number("factor", any_number, "");
   }
   result.completion =
-      table.optional_number("completion", completion_error, "").value_or(completion);
+      table.optional_number("completion", completion_error, "").value_or(spec.completion);
   table.refuse_unknown_keys();
   return result;
 }
@@ -198,20 +211,8 @@ void read_speeds(StrictTable& root, EnsembleSpec& spec) {
   }
 }
 
-/// Rules that tie several tables together.
-void check_names(StrictTable& root, const EnsembleSpec& spec) {
-  std::set<std::string> quantities;
-  for (const Varied& varied : spec.varied) {
-    if (!quantities.insert(varied.quantity).second) {
-      root.refuse_value("vary", printable(varied.quantity) + " is varied twice");
-    }
-  }
-  std::set<std::string> names = {"exact"};
-  for (const ExactVariant& variant : spec.exact) {
-    if (!names.insert(variant.name).second) {
-      root.refuse_value("exact", "two are called " + printable(variant.name));
-    }
-  }
+/// The points of all grids together count.
+void check_count(StrictTable& root, const EnsembleSpec& spec) {
   if (draw_count(spec) > most_draws) {
     root.refuse_value(
         "count", fmt::format("{} draws in all, must be at most {}", draw_count(spec), most_draws));
@@ -234,25 +235,26 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
   spec.sampling = root.optional_one_of("sampling", {"random", "sobol"}) == "sobol"
                       ? Sampling::sobol
                       : Sampling::random;
-  spec.law = read_law(root);
+  spec.law = read_law(root, spec.law);
   read_speeds(root, spec);
   spec.completion =
       root.optional_number("completion", completion_error, "").value_or(spec.completion);
   const std::vector<std::string> names = quantities_of(spec.the_case);
+  std::set<std::string> quantities;
   for (StrictTable& table : root.tables("vary", most_tables, "must be tables [[vary]]")) {
-    for (Varied& one : read_varied(table, names)) {
+    for (Varied& one : read_varied(table, names, quantities)) {
       spec.varied.push_back(std::move(one));
     }
   }
   for (StrictTable& table : root.optional_tables("exact", most_tables, "must be [[exact]]")) {
-    spec.exact.push_back(read_variant(table, names, spec.completion));
+    spec.exact.push_back(read_variant(table, names, spec));
   }
   if (root.has("engines")) {
     read_engines(root.table("engines"), source, spec);
   }
   root.refuse_unknown_keys();
   if (wrong.empty()) {
-    check_names(root, spec);
+    check_count(root, spec);
   }
   return spec;
 }

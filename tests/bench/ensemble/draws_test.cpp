@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "bench/ensemble/draw/draw.hpp"
@@ -141,11 +142,13 @@ TEST(EnsembleSpec, NamesEveryMistakeWithItsLine) {
 }
 
 TEST(EnsembleSpec, ThoseToStartFromAreSound) {
-  for (const char* name : {"atlas.toml", "completion.toml", "engines.toml", "laws.toml",
-                           "million.toml", "native.toml"}) {
-    const SpecReading reading = read_spec_file(std::filesystem::path(TAUTLINE_SPECS) / name);
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(TAUTLINE_SPECS)) {
+    const SpecReading reading = read_spec_file(entry.path());
     EXPECT_TRUE(reading.spec) << reading.problems.front();
+    ++count;
   }
+  EXPECT_EQ(count, 8U) << "as docs/ensembles.md says";
 }
 
 TEST(EnsembleSpec, PathsCountFromItsFolder) {
@@ -164,11 +167,41 @@ TEST(EnsembleSpec, PathsCountFromItsFolder) {
   EXPECT_NE(missing.problems[0].find("some/mine.toml"), std::string::npos) << missing.problems[0];
 }
 
-TEST(EnsembleSpec, RefusesWhatIsVariedTwice) {
-  const SpecReading reading =
-      read_spec_text(standard + "[[vary]]\nquantities = [\"x\", \"x\"]\nnormal = 1\n", "test.toml");
-  ASSERT_EQ(reading.problems.size(), 1U);
-  EXPECT_NE(reading.problems[0].find("x is varied twice"), std::string::npos);
+TEST(EnsembleSpec, RefusesWhatIsGivenTwiceByItsLine) {
+  const SpecReading reading = read_spec_text(
+      "case = \"breakwater/1910121100\"\n"
+      "[[vary]]\nquantities = [\"x\", \"y\"]\nnormal = 1\n"
+      "[[vary]]\nquantities = [\"spin\", \"x\"]\nnormal = 1\n"
+      "[[exact]]\nname = \"other\"\n"
+      "[[exact]]\nname = \"other\"\n"
+      "[[exact]]\nname = \"exact\"\n",
+      "test.toml");
+  ASSERT_EQ(reading.problems.size(), 3U);
+  std::string all;
+  for (const std::string& problem : reading.problems) {
+    all += problem + "\n";
+  }
+  for (const char* part : {"test.toml:6: vary[1].quantities = [\"spin\", \"x\"]: x is varied twice",
+                           "test.toml:11: exact[1].name = \"other\": two are called other",
+                           "test.toml:13: exact[2].name = \"exact\": two are called exact"}) {
+    EXPECT_NE(all.find(part), std::string::npos) << part << "\nis not in:\n" << all;
+  }
+}
+
+TEST(EnsembleSpec, AnotherExactMotionIsAsTheSpecInWhatItDoesNotSay) {
+  const SpecReading reading = read_spec_text(
+      "case = \"breakwater/1910121100\"\nlaw = \"sequential\"\n"
+      "completion = 1e-12\n"
+      "[[vary]]\nquantities = [\"x\"]\nnormal = 1\n"
+      "[[exact]]\nname = \"another seed\"\nseed = 2\n"
+      "[[exact]]\nname = \"another law\"\nlaw = \"simultaneous\"\n",
+      "test.toml");
+  ASSERT_TRUE(reading.spec) << reading.problems.front();
+  const std::vector<ExactVariant>& exact = reading.spec->exact;
+  ASSERT_EQ(exact.size(), 2U);
+  EXPECT_EQ(exact[0].law, ImpactLaw::sequential);
+  EXPECT_EQ(exact[0].completion, 1e-12);
+  EXPECT_EQ(exact[1].law, ImpactLaw::simultaneous);
 }
 
 }  // namespace

@@ -121,10 +121,10 @@ TEST(EnsembleProgram, MakesAnAtlasOfAGridWithAPictureForEachCell) {
   EXPECT_EQ(ensembles.run().code, 0);
   const json atlas = ensembles.result()["atlas"];
   EXPECT_EQ(atlas["axes"][0]["quantity"], "restitution");
-  EXPECT_EQ(atlas["means"]["impacts"].size(), 6U);
-  EXPECT_GT(atlas["means"]["impacts"][2], atlas["means"]["impacts"][0])
+  EXPECT_EQ(atlas["maps"]["impacts"].size(), 6U);
+  EXPECT_GT(atlas["maps"]["impacts"][2], atlas["maps"]["impacts"][0])
       << "the more, the more elastic";
-  EXPECT_EQ(atlas["means"]["captured"], json::array({1.0, 1.0, 1.0, 1.0, 1.0, 1.0}));
+  EXPECT_EQ(atlas["maps"]["captured"], json::array({1.0, 1.0, 1.0, 1.0, 1.0, 1.0}));
   const std::string page = content_of(ensembles.out() / "index.html");
   const std::size_t captured = page.find(">captured</text>");
   ASSERT_NE(captured, std::string::npos);
@@ -134,8 +134,9 @@ TEST(EnsembleProgram, MakesAnAtlasOfAGridWithAPictureForEachCell) {
   for (std::sregex_iterator next(map.begin(), map.end(), fill), end; next != end; ++next) {
     colours.insert((*next)[1]);
   }
-  EXPECT_EQ(colours.size(), 1U) << "of all cells and of the bar beside them";
-  EXPECT_NE(map.find(">1</text>"), std::string::npos);
+  EXPECT_EQ(colours.size(), 1U) << "of all cells and of the word beside them";
+  EXPECT_NE(map.find(">captured</text>", 10), std::string::npos) << "beside its colour";
+  EXPECT_EQ(map.find(">released</text>"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(ensembles.out() / "cells/0005.svg"));
   EXPECT_NE(page.find("href=\"cells/0005.svg\""), std::string::npos);
 }

@@ -37,7 +37,7 @@ Atlas row_of(const std::vector<double>& amounts) {
   return {{across, up}, {map}, draws, std::vector<bool>(amounts.size(), false)};
 }
 
-const Statistic impacts{"impacts", "impacts", "", as_count, true, true, true, "how many"};
+const Statistic any_count{"impacts", "impacts", "", as_count, true, true, true, "how many"};
 
 /// The colour of each cell, in their order.
 std::vector<std::string> colours_of(const std::string& svg) {
@@ -147,7 +147,7 @@ TEST(Atlas, OneCellDoesNotLeaveTheOthersDark) {
   }
   amounts.push_back(1e6);
   const Atlas atlas = row_of(amounts);
-  const std::string svg = atlas_svg(atlas, atlas.maps.front(), impacts);
+  const std::string svg = atlas_svg(atlas, atlas.maps.front(), any_count);
   const std::vector<std::string> colours = colours_of(svg);
   EXPECT_GT(std::set<std::string>(colours.begin(), colours.end()).size(), 150U);
   EXPECT_EQ(colours[0], colours[2]) << "two hundredths are four cells, two at each end";
@@ -161,7 +161,7 @@ TEST(Atlas, OneCellDoesNotLeaveTheOthersDark) {
 
 TEST(Atlas, TheBarHasTheNumbersOfFewCells) {
   const Atlas atlas = row_of({3.0, 5.0, 4.0});
-  const std::string svg = atlas_svg(atlas, atlas.maps.front(), impacts);
+  const std::string svg = atlas_svg(atlas, atlas.maps.front(), any_count);
   EXPECT_NE(svg.find(">3</text>"), std::string::npos);
   EXPECT_NE(svg.find(">5</text>"), std::string::npos);
   EXPECT_EQ(std::set<std::string>({"rgb(68,1,84)", "rgb(253,231,37)"}),
@@ -172,7 +172,7 @@ TEST(Atlas, OneOtherCellAmongManyIsSeen) {
   std::vector<double> amounts(400, 7.0);
   amounts[13] = 9.0;
   const Atlas atlas = row_of(amounts);
-  const std::string svg = atlas_svg(atlas, atlas.maps.front(), impacts);
+  const std::string svg = atlas_svg(atlas, atlas.maps.front(), any_count);
   const std::vector<std::string> colours = colours_of(svg);
   EXPECT_NE(colours[13], colours[14]);
   EXPECT_NE(svg.find(">7</text>"), std::string::npos);

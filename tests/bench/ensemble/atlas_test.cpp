@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
+#include <numeric>
 #include <regex>
 #include <set>
 #include <string>
@@ -141,11 +141,9 @@ TEST(Atlas, NamesHaveColoursOfTheirOwnAndALegend) {
 }
 
 TEST(Atlas, OneCellDoesNotLeaveTheOthersDark) {
-  std::vector<double> amounts;
-  for (int amount = 0; amount < 199; ++amount) {
-    amounts.push_back(amount);
-  }
-  amounts.push_back(1e6);
+  std::vector<double> amounts(200);
+  std::iota(amounts.begin(), amounts.end(), 0.0);
+  amounts.back() = 1e6;
   const Atlas atlas = row_of(amounts);
   const std::string svg = atlas_svg(atlas, atlas.maps.front(), any_count);
   const std::vector<std::string> colours = colours_of(svg);

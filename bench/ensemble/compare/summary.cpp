@@ -55,6 +55,11 @@ std::vector<double> EnsembleSample::with_none_last() const {
   return all;
 }
 
+double nearest_value(const std::vector<double>& values, double part) {
+  const auto last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(part * last))];
+}
+
 EnsembleSample sample_of(const DrawTable& draws, std::size_t statistic) {
   EnsembleSample sample;
   sample.values.reserve(draws.ended());

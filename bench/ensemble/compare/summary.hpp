@@ -21,6 +21,10 @@ struct EnsembleSample {
   [[nodiscard]] std::vector<double> with_none_last() const;
 };
 
+/// The one of `values`, which rise, that has this part of them below it: for a picture the nearest
+/// is enough.
+[[nodiscard]] double nearest_value(const std::vector<double>& values, double part);
+
 /// Of the draws that are held and solved.
 [[nodiscard]] EnsembleSample sample_of(const DrawTable& draws, std::size_t statistic);
 

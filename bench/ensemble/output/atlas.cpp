@@ -11,7 +11,7 @@
 namespace tautline::bench {
 namespace {
 
-/// The values of one statistic that the draws of each cell have, in rising order.
+/// The values of one statistic that the draws of each cell have.
 std::vector<std::vector<double>> values_by_cell(const EnsembleReport& report, std::size_t place,
                                                 std::size_t cells) {
   const DrawTable& draws = report.result.draws.front();
@@ -21,9 +21,6 @@ std::vector<std::vector<double>> values_by_cell(const EnsembleReport& report, st
       result[grid_point(report.request.spec, draw) % cells].push_back(*value);
     }
   }
-  for (std::vector<double>& values : result) {
-    std::sort(values.begin(), values.end());
-  }
   return result;
 }
 
@@ -31,8 +28,9 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// The one that most of the sorted `values` are, the least of those.
-double most_frequent(const std::vector<double>& values) {
+/// The one that most of `values` are, the least of those.
+double most_frequent(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
   double result = values.front();
   std::ptrdiff_t most = 0;
   for (auto first = values.begin(); first != values.end();) {

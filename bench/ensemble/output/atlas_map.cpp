@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "bench/base/text.hpp"
 #include "bench/ensemble/output/atlas.hpp"
@@ -82,11 +81,8 @@ ColourRange range_of(const AtlasMap& map, std::vector<double> known) {
     const double last = static_cast<double>(map.names.size()) - 1.0;
     return {known.front(), 0.0, last, known.back()};
   }
-  const auto last = static_cast<double>(known.size() - 1);
-  const auto at = [&](double part) {
-    return known[static_cast<std::size_t>(std::lround(part * last))];
-  };
-  ColourRange range{known.front(), at(0.01), at(0.99), known.back()};
+  ColourRange range{known.front(), nearest_value(known, 0.01), nearest_value(known, 0.99),
+                    known.back()};
   if (!(range.low < range.high)) {  // few cells differ
     range.low = range.least;
     range.high = range.most;

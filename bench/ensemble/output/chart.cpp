@@ -47,19 +47,13 @@ struct Axis {
   [[nodiscard]] double part(double value) const { return (value - low) / (high - low); }
 };
 
-/// The value that has this part of the sample below it: a chart needs no more than the nearest.
-double value_at(const EnsembleSample& sample, double part) {
-  const auto last = static_cast<double>(sample.values.size() - 1);
-  return sample.values[static_cast<std::size_t>(std::lround(part * last))];
-}
-
 /// From the least to the largest of all samples but for one in a hundred at each end.
 Axis axis_of(const std::vector<EnsembleSample>& samples) {
   Axis axis{INFINITY, -INFINITY};
   for (const EnsembleSample& sample : samples) {
     if (!sample.values.empty()) {
-      axis.low = std::min(axis.low, value_at(sample, 0.01));
-      axis.high = std::max(axis.high, value_at(sample, 0.99));
+      axis.low = std::min(axis.low, nearest_value(sample.values, 0.01));
+      axis.high = std::max(axis.high, nearest_value(sample.values, 0.99));
     }
   }
   if (!(axis.low < axis.high)) {  // one value, or none
@@ -99,8 +93,8 @@ std::string distribution_curve(const EnsembleSample& sample, const Axis& axis, s
   std::string path;
   for (int place = 0; place <= curve_points; ++place) {
     const double part = static_cast<double>(place) / curve_points;
-    path +=
-        (place == 0 ? "M" : "L") + point(left_edge, axis.part(value_at(sample, part)), part * with);
+    path += (place == 0 ? "M" : "L") +
+            point(left_edge, axis.part(nearest_value(sample.values, part)), part * with);
   }
   return fmt::format("<path d=\"{}\" {}/>\n", path, look(setup));
 }
@@ -111,8 +105,8 @@ std::string quantile_curve(const EnsembleSample& first, const EnsembleSample& sa
   for (int place = 1; place < 100; ++place) {
     const double part = place / 100.0;
     path += (place == 1 ? "M" : "L") + point(left_edge + panel + between,
-                                             axis.part(value_at(first, part)),
-                                             axis.part(value_at(sample, part)));
+                                             axis.part(nearest_value(first.values, part)),
+                                             axis.part(nearest_value(sample.values, part)));
   }
   return fmt::format("<path d=\"{}\" {}/>\n", path, look(setup));
 }

@@ -160,10 +160,8 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
                           const EnsembleSpec& spec) {
   ExactVariant result;
   result.name = table.text("name");
-  const bool is_taken = result.name == "exact" || std::any_of(spec.exact.begin(), spec.exact.end(),
-                                                              [&](const ExactVariant& before) {
-                                                                return before.name == result.name;
-                                                              });
+  const bool is_taken =
+      result.name == "exact" || find_by(spec.exact, &ExactVariant::name, result.name) != nullptr;
   if (is_taken && !result.name.empty()) {
     table.refuse_value("name", "two are called " + printable(result.name));
   }

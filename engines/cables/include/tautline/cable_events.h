@@ -16,7 +16,9 @@
 //   Real rebound()                 of its closing now, see CableRule [m/s]
 //   void fill(CableBlock::Row&)    its ends, as the impacts are solved
 //   void apply(impulse)            changes the velocities of its ends now, impulse in [N s]
-//   void struck(impulse)           it was: impulse > 0
+//   bool held()                    it rests taut
+//   void struck(impulse, impact)   it was, by impulse > 0; `impact` of it is of an impact, the rest
+//                                  is what was left of the tension of a part [N s]
 //   void hold(), rebounds()        how it goes on after the solve
 //   void ran_out()                 the step ran out of parts
 // clang-format on
@@ -72,11 +74,8 @@ class CableImpacts {
     if (!any_closes()) {
       return;
     }
-    block_.begin(touching_.size());
-    for (std::size_t index = 0; index < touching_.size(); ++index) {
-      touching_[index]->fill(block_.row(index));
-    }
-    block_.assemble();
+    find_left(between_steps);
+    assemble(block_, touching_);
     const int most = 200;  // then they no longer rebound, and nothing is left to close
     for (int done = 0; done < most && any_closes(); ++done) {
       strike(done + 1 == most, between_steps);
@@ -92,6 +91,41 @@ class CableImpacts {
       }
     }
     return false;
+  }
+
+  static void assemble(CableBlock& block, const std::vector<Cable*>& cables) {
+    block.begin(cables.size());
+    for (std::size_t index = 0; index < cables.size(); ++index) {
+      cables[index]->fill(block.row(index));
+    }
+    block.assemble();
+  }
+
+  /// What the taut cables' tension of the last part has left to do: the impulses that stop them, if
+  /// there is no impact. All that they get, if no other cable touches.
+  void find_left(bool between_steps) {
+    resting_.clear();
+    for (Cable* cable : touching_) {
+      if (cable->held() && !(between_steps && cable->is_tugged())) {
+        resting_.push_back(cable);
+      }
+    }
+    const bool no_impact = resting_.size() == touching_.size();
+    left_.assign(touching_.size(), no_impact ? std::numeric_limits<Real>::infinity() : Real(0));
+    if (no_impact || resting_.empty()) {
+      return;
+    }
+    assemble(of_resting_, resting_);
+    for (std::size_t index = 0; index < resting_.size(); ++index) {
+      of_resting_.lacking(index) =
+          std::min(-resting_[index]->rate(), Real(0)) - resting_[index]->rate();
+    }
+    of_resting_.solve(CableBlock::velocities);
+    for (std::size_t index = 0, rests = 0; index < touching_.size(); ++index) {
+      if (rests < resting_.size() && resting_[rests] == touching_[index]) {
+        left_[index] = static_cast<Real>(of_resting_.impulse(rests++));
+      }
+    }
   }
 
   /// One solve. A row asks for the rebound of what is an impact, for rest of what is held, and lets
@@ -117,7 +151,9 @@ class CableImpacts {
       const Real impulse = static_cast<Real>(block_.impulse(index));
       if (impulse > 0) {
         cable.apply(impulse);
-        cable.struck(impulse);
+        const Real left = std::min(impulse, left_[index]);
+        cable.struck(impulse, impulse - left);
+        left_[index] -= left;
       }
       if (rebounds_[index] > 0) {
         cable.rebounds();
@@ -128,8 +164,11 @@ class CableImpacts {
   }
 
   CableBlock block_{std::numeric_limits<Real>::epsilon()};
+  CableBlock of_resting_{std::numeric_limits<Real>::epsilon()};
   std::vector<Cable*> touching_;
-  std::vector<Real> rebounds_;  // asked for [m/s]; negative: it did not close
+  std::vector<Cable*> resting_;  // those of them that are taut
+  std::vector<Real> left_;       // see find_left, by those that touch [N s]
+  std::vector<Real> rebounds_;   // asked for [m/s]; negative: it did not close
 };
 
 /// Steps the world by `dt` [s] in at most `most` + 1 parts, each ending where a slack cable goes

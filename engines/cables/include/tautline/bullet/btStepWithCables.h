@@ -13,6 +13,10 @@
 // parts; one that is at no cable's end jumps in the first, as Bullet has it. A callback must not
 // remove a cable or a body at its ends. A linear or angular factor that is neither 0 nor 1 is
 // applied to the user's forces once in each part.
+//
+// Forces and torques act over the whole step: those given before it are the same in all parts;
+// those that a tick callback gives may change from part to part, and an impact is looked for with
+// those of the part before.
 
 #ifndef TAUTLINE_BT_STEP_WITH_CABLES_H
 #define TAUTLINE_BT_STEP_WITH_CABLES_H
@@ -23,6 +27,7 @@
 #include <memory>
 
 #include "tautline/bullet/btCableConstraint.h"
+#include "tautline/bullet/btForcesOfStep.h"
 #include "tautline/bullet/btMovingEnd.h"
 #include "tautline/cable_events.h"
 
@@ -40,13 +45,6 @@ class btCableStepper {
   void fly(btScalar timeStep);
 
  private:
-  /// What the user's forces were when the step began; Bullet forgets them after each part.
-  struct Forced {
-    btRigidBody* m_body;
-    btVector3 m_force;
-    btVector3 m_torque;
-  };
-
   static bool isMoved(const btRigidBody& body) {
     return !body.isStaticOrKinematicObject() && body.isActive();
   }
@@ -60,13 +58,32 @@ class btCableStepper {
   static btVector3 damped(const btVector3& velocity, btScalar damping, btScalar timeStep) {
     return damping > 0 ? velocity * btPow(1 - damping, timeStep) : velocity;
   }
+  /// [rad/s^2] of the user's torque
+  static btVector3 turning(const btRigidBody& body) {
+    return isMoved(body) ? body.getInvInertiaTensorWorld() * body.getTotalTorque()
+                         : btVector3(0, 0, 0);
+  }
+  /// By half of what Bullet turns a body in a step that gives it the spin of `turning` in it.
+  static btTransform turnedBack(const btTransform& pose, const btVector3& turning,
+                                btScalar timeStep) {
+    if (turning.isZero()) {
+      return pose;
+    }
+    btTransform result;
+    btTransformUtil::integrateTransform(pose, btVector3(0, 0, 0), -timeStep / 2 * turning, timeStep,
+                                        result);
+    return result;
+  }
+  static std::vector<btCableInSolver*> asInSolver(btCableConstraint* const* cables, int numCables) {
+    return std::vector<btCableInSolver*>(cables, cables + numCables);
+  }
   void stepPart(btScalar timeStep);
   static btTransform poseAfter(const btRigidBody& body, const btMovingEnd* moving,
                                btScalar timeStep);
 
   btDiscreteDynamicsWorld* m_world;
   std::vector<Cable> m_cables;
-  std::vector<Forced> m_forced;
+  btForcesOfStep m_forces;
   std::vector<btRigidBody*> m_ends;  // that forces move, each once
   std::vector<std::unique_ptr<btMovingEnd>> m_moving;
   btScalar m_timeStep;
@@ -144,8 +161,12 @@ class btCableStepper::Cable {
     b.applyCentralImpulse(-impulse * line.m_towards);
     b.applyTorqueImpulse(-impulse * line.m_momentB);
   }
-  void struck(btScalar impulse) {
+  void struck(btScalar impulse, btScalar impact) {
     add(impulse);
+    m_ofImpacts += impact;
+    for (btPushes* pushes : {&m_cable->m_pushesOnA, &m_cable->m_pushesOnB}) {
+      pushes->m_isStruck = pushes->m_isStruck || impact > 0;
+    }
     m_cable->m_rbA.activate();
     m_cable->m_rbB.activate();
   }
@@ -166,6 +187,8 @@ class btCableStepper::Cable {
     m_cable->m_byEvents = false;
     if (!m_sleeps || m_impulse > 0) {  // else it pulls as it did
       m_cable->m_appliedImpulse = m_impulse;
+      m_cable->m_ofImpacts = m_ofImpacts;
+      m_cable->m_tautTime = m_tautTime;
     }
   }
   /// What the cable changed the velocity of `body` by in the part that is over [m/s].
@@ -183,6 +206,7 @@ class btCableStepper::Cable {
       m_cable->m_row.acts = false;
       m_cable->m_rule.pulled(m_cable->m_appliedImpulse, m_cable->m_inverseMass);
       add(m_cable->m_appliedImpulse);
+      m_tautTime += m_cable->m_appliedImpulse > 0 ? m_cable->m_tautTime : btScalar(0);
       if (!(m_cable->m_appliedImpulse > 0) && gap() > tolerance()) {
         m_cable->m_rule.release();
       }
@@ -201,14 +225,19 @@ class btCableStepper::Cable {
   btCableConstraint* m_cable;
   const btMovingEnd* m_movingA = nullptr;
   const btMovingEnd* m_movingB = nullptr;
-  btScalar m_impulse = 0;  // of the step so far [N s]
+  btScalar m_impulse = 0;    // of the step so far [N s]
+  btScalar m_ofImpacts = 0;  // of these [N s]
+  btScalar m_tautTime = 0;   // [s]
   bool m_sleeps = false;
 };
 
 inline btCableStepper::btCableStepper(btDiscreteDynamicsWorld* world,
                                       btCableConstraint* const* cables, int numCables,
                                       btScalar timeStep)
-    : m_world(world), m_timeStep(timeStep), m_lastPart(timeStep) {
+    : m_world(world),
+      m_forces(world, asInSolver(cables, numCables).data(), numCables, timeStep),
+      m_timeStep(timeStep),
+      m_lastPart(timeStep) {
   for (int index = 0; index < numCables; ++index) {
     m_cables.push_back(Cable(cables[index]));
     for (btRigidBody* body : {&cables[index]->getRigidBodyA(), &cables[index]->getRigidBodyB()}) {
@@ -229,13 +258,6 @@ inline btCableStepper::btCableStepper(btDiscreteDynamicsWorld* world,
       std::remove_if(m_ends.begin(), m_ends.end(),
                      [](const btRigidBody* body) { return body->isStaticOrKinematicObject(); }),
       m_ends.end());
-  const btAlignedObjectArray<btRigidBody*>& bodies = world->getNonStaticRigidBodies();
-  for (int index = 0; index < bodies.size(); ++index) {
-    btRigidBody* body = bodies[index];
-    if (!body->getTotalForce().isZero() || !body->getTotalTorque().isZero()) {
-      m_forced.push_back(Forced{body, body->getTotalForce(), body->getTotalTorque()});
-    }
-  }
 }
 
 inline int btCableStepper::step(int maxParts) {
@@ -252,21 +274,26 @@ inline int btCableStepper::step(int maxParts) {
 inline void btCableStepper::fly(btScalar timeStep) {
   struct Arrival {
     btRigidBody* m_body;
-    btVector3 m_velocity;  // if nothing but forces and cables touches it
-    btVector3 m_acceleration;
+    btVector3 m_velocity;  // before the part, or what its damping leaves
+    btVector3 m_torque;    // that is expected [N m]
+    btVector3 m_turn;      // by it [rad/s^2]
   };
   std::vector<Arrival> arrivals;
   for (btRigidBody* body : m_ends) {
-    const btVector3 gained = acceleration(*body);
     const btVector3 kept = damped(body->getLinearVelocity(), body->getLinearDamping(), timeStep);
-    arrivals.push_back(Arrival{body, kept + timeStep * gained, gained});
+    arrivals.push_back(Arrival{body, kept, body->getTotalTorque(), turning(*body)});
   }
   for (const std::unique_ptr<btMovingEnd>& end : m_moving) {
     end->advance(timeStep);
   }
+  m_forces.withdraw();
   stepPart(timeStep);
+  m_forces.learn(timeStep);
+  m_forces.expect();  // the same as in this part; btStepWithCables clears them at the end
   for (const Arrival& arrival : arrivals) {
-    btVector3 touch = arrival.m_body->getLinearVelocity() - arrival.m_velocity;
+    const btVector3 gained = acceleration(*arrival.m_body);
+    const btVector3 expected = arrival.m_velocity + timeStep * gained;
+    btVector3 touch = arrival.m_body->getLinearVelocity() - expected;
     btScalar pulled = 0;
     for (const Cable& cable : m_cables) {
       const btVector3 pull = cable.pullAt(*arrival.m_body);
@@ -274,26 +301,19 @@ inline void btCableStepper::fly(btScalar timeStep) {
       pulled += pull.length();
     }
     const btScalar rounding =
-        10 * SIMD_EPSILON *
-        (arrival.m_velocity.length() + timeStep * arrival.m_acceleration.length() + pulled);
+        10 * SIMD_EPSILON * (expected.length() + timeStep * gained.length() + pulled);
     if (touch.length() <= rounding) {
       btTransform pose = arrival.m_body->getCenterOfMassTransform();
-      pose.setOrigin(pose.getOrigin() - timeStep * timeStep / 2 * arrival.m_acceleration);
-      arrival.m_body->setCenterOfMassTransform(pose);
+      pose.setOrigin(pose.getOrigin() - timeStep * timeStep / 2 * gained);
+      // as expected exactly, for where the impact is has been found with it
+      const btVector3 more = arrival.m_body->getInvInertiaTensorWorld() *
+                             (arrival.m_body->getTotalTorque() - arrival.m_torque);
+      arrival.m_body->setCenterOfMassTransform(turnedBack(pose, arrival.m_turn + more, timeStep));
       m_world->synchronizeSingleMotionState(arrival.m_body);
     }
   }
   for (Cable& cable : m_cables) {
     cable.flew();
-  }
-  // for the next part, if there is one; btStepWithCables clears them at the end
-  const btAlignedObjectArray<btRigidBody*>& bodies = m_world->getNonStaticRigidBodies();
-  for (const Forced& forced : m_forced) {
-    // a tick callback may have taken it out of the world
-    if (bodies.findLinearSearch(forced.m_body) < bodies.size()) {
-      forced.m_body->applyCentralForce(forced.m_force);
-      forced.m_body->applyTorque(forced.m_torque);
-    }
   }
 }
 
@@ -325,7 +345,7 @@ inline btTransform btCableStepper::poseAfter(const btRigidBody& body, const btMo
     return pose;
   }
   btVector3 spin = damped(body.getAngularVelocity(), body.getAngularDamping(), timeStep) +
-                   timeStep * (body.getInvInertiaTensorWorld() * body.getTotalTorque());
+                   timeStep * turning(body);
   if (body.getFlags() & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY) {
     spin += body.computeGyroscopicImpulseImplicit_Body(timeStep);
   }
@@ -333,7 +353,7 @@ inline btTransform btCableStepper::poseAfter(const btRigidBody& body, const btMo
                              timeStep / 2 * acceleration(body);
   btTransform result;
   btTransformUtil::integrateTransform(pose, velocity, spin, timeStep, result);
-  return result;
+  return turnedBack(result, turning(body), timeStep);
 }
 
 /// Steps `world` by `timeStep` [s], in at most `maxParts` + 1 parts; returns how many. `cables` are

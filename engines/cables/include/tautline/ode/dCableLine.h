@@ -6,13 +6,64 @@
 #include <ode/ode.h>
 
 #include "tautline/cable_rule.h"
+#include "tautline/force_trend.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
+/// A force [N] and a torque [N m] on a body, in the world; none unless set.
+struct dxPush {
+  dVector3 force;
+  dVector3 torque;
+
+  dxPush() : force(), torque() {}
+  /// What acts on `body` in the next step, but gravity.
+  explicit dxPush(dBodyID body) {
+    dCopyVector3(force, dBodyGetForce(body));
+    dCopyVector3(torque, dBodyGetTorque(body));
+  }
+  void set(dBodyID body) const {
+    dBodySetForce(body, force[0], force[1], force[2]);
+    dBodySetTorque(body, torque[0], torque[1], torque[2]);
+  }
+  dxPush& operator+=(const dxPush& other) {
+    dAddVectors3(force, force, other.force);
+    dAddVectors3(torque, torque, other.torque);
+    return *this;
+  }
+  dxPush& operator-=(const dxPush& other) {
+    dSubtractVectors3(force, force, other.force);
+    dSubtractVectors3(torque, torque, other.torque);
+    return *this;
+  }
+};
+
+/// What dStepWithCables remembers of the user's forces on a body.
+struct dxPushes {
+  struct Trend {
+    tautline::ForceTrend<dReal> force;
+    tautline::ForceTrend<dReal> torque;
+
+    void next(dxPush& push, dReal dt) {
+      force.next(push.force, dt);
+      torque.next(push.torque, dt);
+    }
+  };
+
+  void forget() { given = added = Trend(); }
+
+  Trend given;             // before the steps
+  Trend added;             // by the step function, in the parts
+  dxPush last;             // that it added in the last part
+  bool is_struck = false;  // by an impact since
+};
 
 /// One end of a cable: a point of a body, or of the world.
 struct dxCableEnd {
   dBodyID body;     // 0: the world
   dReal anchor[4];  // in the body's frame, or the world's [m]
+  dxPushes pushes;
+
+  explicit dxCableEnd(dBodyID the_body = nullptr) : body(the_body), anchor() {}
 
   /// Fastens the end to the point (x, y, z) of the world as it is now [m].
   void fasten(dReal x, dReal y, dReal z) {
@@ -78,6 +129,16 @@ inline void dxBodySolveInertia(dBodyID body, const dReal* vector, dReal* result)
   dMass mass;
   dBodyGetMass(body, &mass);
   dxBodySolveInertia(body, mass, vector, result);
+}
+
+/// Turns a body where it is, by `angle` [rad] about `axis`, of any length.
+inline void dxBodyTurn(dBodyID body, const dReal* axis, dReal angle) {
+  if (angle != 0) {
+    dQuaternion rotation, turned;
+    dQFromAxisAndAngle(rotation, axis[0], axis[1], axis[2], angle);
+    dQMultiply0(turned, rotation, dBodyGetQuaternion(body));
+    dBodySetQuaternion(body, turned);
+  }
 }
 
 /// The spin of a body after `stepsize` of ODE's gyroscopic torque, which it takes implicitly: it

@@ -14,6 +14,8 @@
 
 class dxCableSolve;
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
 /// Use the functions of dCable.h. Destroy a cable before its bodies, and not between
 /// dCableAddContacts and the end of the step: ODE writes to it there.
 struct dxCable {
@@ -149,5 +151,7 @@ inline void dxCableReadImpulse(dCableID cable) {
   }
   cable->stepsize = 0;
 }
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

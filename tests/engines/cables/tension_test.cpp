@@ -118,6 +118,25 @@ TEST(CableTensionByEvents, IsReadApartOfATautCableThatAnImpactStrikes) {
   EXPECT_NEAR(scene.taut_tension(1), gravity, 1e6 * Scene::rounding);
 }
 
+/// A pendulum from the height of its anchor: 3 m g cos(angle), in every step and so at its rating.
+TEST_P(CableTension, OfASwingIsThatOfItsAngle) {
+  for (const double rating : {0.99, 1.02}) {
+    Scene scene(gravity);
+    scene.add_body(load_mass, load_moment * Vec3::Ones(), Vec3(2, 0, 0), Vec3::Zero());
+    scene.add_cable({{0, Vec3::Zero()}, {-1, Vec3::Zero()}, 2.0, 0.5});
+    const double largest = 3.0 * load_mass * gravity;
+    scene.break_at_tension(0, rating * largest);
+    const auto right = [&] { return -largest * scene.body(0).position.y() / 2.0; };
+    for (int steps = 0; steps < 75 && !scene.broken(0); ++steps) {
+      const double before = right();
+      step(scene);
+      // fixed steps have the tension of their beginning, and swing half a step ahead
+      EXPECT_NEAR(scene.taut_tension(0), 0.5 * (before + right()), 0.02 * largest) << steps;
+    }
+    EXPECT_EQ(scene.broken(0), rating < 1.0);
+  }
+}
+
 /// Statics do not say how four ropes share a box: those that are alike pull alike.
 TEST_P(CableTension, IsSharedByRedundantCables) {
   for (const double tilt : {0.0, 0.5}) {

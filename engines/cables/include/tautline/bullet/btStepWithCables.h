@@ -118,7 +118,10 @@ class btCableStepper::Cable {
              m_cable->m_rbB.getAngularVelocity().length()) *
                 m_cable->getMaxLength());
   }
-  bool touches() const { return m_cable->isEnabled() && gap() <= tolerance(); }
+  bool touches() const {
+    return m_cable->isEnabled() &&
+           (gap() <= tolerance() || (held() && m_cable->m_rule.touches(gap())));
+  }
   /// What a whole step explains of the closing rate [m/s].
   btScalar explained() const {
     const btCableLine line = m_cable->getLine();

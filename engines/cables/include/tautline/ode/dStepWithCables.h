@@ -53,7 +53,9 @@ class dxEventCable {
   bool held() const { return m_cable->rule.held(); }
   bool slack() const { return m_cable->rule.slack(); }
   bool flies() const { return !m_cable->broken && !held() && gap() >= -tolerance(); }
-  bool touches() const { return !m_cable->broken && gap() <= tolerance(); }
+  bool touches() const {
+    return !m_cable->broken && (gap() <= tolerance() || (held() && m_cable->rule.touches(gap())));
+  }
   dReal gap() const { return dCableGetGap(m_cable); }
   dReal rate() const { return dCableGetGapRate(m_cable); }
   dReal tolerance() const {

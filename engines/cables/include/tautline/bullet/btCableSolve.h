@@ -74,6 +74,7 @@ inline void btCableInSolver::buildJacobian() {
   if (hasBroken()) {
     setEnabled(false);
   }
+  m_drivenIsKnown &= m_byEvents;
   m_line = getLine();
   const btScalar gap = m_rule.length - m_line.m_distance;
   // a hook is where it is to be after the step already: how far it has come is seen in `begin`
@@ -200,6 +201,9 @@ inline void btCableInSolver::begin(btSolverBody* pool, btScalar timeStep) {
     if (cable->m_row.acts) {
       m_pulling.push_back(cable);
     }
+  }
+  for (std::size_t index = 0; index < m_pulling.size() && m_pulling.size() > 1; ++index) {
+    m_pulling[index]->m_row = m_pulling[index]->m_rule.beside_others(m_pulling[index]->m_row);
   }
   fillBlock(pool);
   Overstretch overstretch(*this, pool, timeStep);
@@ -362,7 +366,7 @@ inline void btCableInSolver::apply(btSolverBody* pool, const tautline::CableBloc
   }
 }
 
-/// For a solver that knows rows alone; overstretch is taken out by velocity there.
+/// For solvers that know rows alone; overstretch is taken out by velocity there.
 inline void btCableInSolver::getInfo2(btConstraintInfo2* info) {
   const btScalar timeStep = 1 / info->fps;
   m_line = getLineBefore(timeStep);
@@ -380,16 +384,14 @@ inline void btCableInSolver::getInfo2(btConstraintInfo2* info) {
   start.fall = -timeStep * m_line.acceleration(m_rbA, m_rbB);
   start.dt = timeStep;
   tautline::cable_turn(start, m_line.swing(a, b), m_line.m_distance);
-  const btScalar rateOfLength = m_rule.length_rate;
+  const btScalar rateOfLength = m_rule.length_rate;  // which may end with the step
   ask(start);
   m_inverseMass = m_line.inverseMass(m_rbA, m_rbB);
   info->m_constraintError[0] =
       btMax(m_row.rate, m_rule.held() ? m_correction / timeStep : btScalar(0)) - rateOfLength;
   info->m_lowerLimit[0] = 0;
   info->m_upperLimit[0] = m_row.acts ? SIMD_INFINITY : btScalar(0);
-  if (m_cfm > 0) {
-    info->cfm[0] = m_cfm;
-  }
+  info->cfm[0] = m_cfm > 0 ? m_cfm : info->cfm[0];
 }
 
 // NOLINTEND(modernize-use-nodiscard)

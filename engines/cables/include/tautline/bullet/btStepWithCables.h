@@ -101,19 +101,21 @@ class btCableStepper::Cable {
              m_cable->m_rbB.getAngularVelocity().length()) *
                 m_cable->getMaxLength());
   }
-  bool touches() const { return m_cable->isEnabled() && gap() <= tolerance(); }
+  bool touches() const {
+    return m_cable->isEnabled() && (gap() <= tolerance() || (held() && m_pulled));
+  }
   /// What a whole step explains of the closing rate [m/s].
   btScalar explained() const {
     const btCableLine line = m_cable->getLine();
-    const btVector3 relative = acceleration(m_cable->m_rbA) - acceleration(m_cable->m_rbB);
     btCableConstraint::Rule::Start start;
     start.dt = m_cable->m_eventStep;
-    start.fall = -start.dt * line.m_towards.dot(relative);
+    start.fall = fall(line);
     tautline::cable_turn(start,
                          line.swing(btCableMotion(m_cable->m_rbA), btCableMotion(m_cable->m_rbB)),
                          line.m_distance);
     return m_cable->m_rule.explained(start);
   }
+  btScalar braking() const { return m_braking; }
   bool slack() const { return m_cable->m_rule.slack(); }
   /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
   bool is_tugged() const { return held() && -rate() > explained(); }
@@ -161,6 +163,10 @@ class btCableStepper::Cable {
       m_cable->m_rule.release();
     }
     leaves();
+    m_braking = held() ? findBraking() : btScalar(0);
+    m_cable->m_drivenLengthRate = m_cable->getMaxLengthRate();
+    m_cable->m_driven = driven();
+    m_cable->m_drivenIsKnown = true;
   }
   void end() {
     m_cable->m_byEvents = false;
@@ -179,11 +185,13 @@ class btCableStepper::Cable {
   }
   /// After a part: its impulse is in.
   void flew() {
+    m_pulled = false;
     if (m_cable->m_row.acts) {
       m_cable->m_row.acts = false;
+      m_pulled = m_cable->m_appliedImpulse > 0;
       m_cable->m_rule.pulled(m_cable->m_appliedImpulse, m_cable->m_inverseMass);
       add(m_cable->m_appliedImpulse);
-      if (!(m_cable->m_appliedImpulse > 0) && gap() > tolerance()) {
+      if (!m_pulled && gap() > tolerance() + m_braking * m_cable->m_eventStep) {
         m_cable->m_rule.release();
       }
     }
@@ -191,6 +199,28 @@ class btCableStepper::Cable {
   }
 
  private:
+  /// Closing that forces add in a whole step [m/s].
+  btScalar fall(const btCableLine& line) const {
+    return -m_cable->m_eventStep *
+           line.m_towards.dot(acceleration(m_cable->m_rbA) - acceleration(m_cable->m_rbB));
+  }
+  /// At which hooks move the pivots relative to each other [m/s].
+  btVector3 driven() const {
+    btVector3 velocity(0, 0, 0);
+    if (m_movingA != nullptr) {
+      velocity += m_cable->m_rbA.getVelocityInLocalPoint(m_cable->getLine().m_armA);
+    }
+    if (m_movingB != nullptr) {
+      velocity -= m_cable->m_rbB.getVelocityInLocalPoint(m_cable->getLine().m_armB);
+    }
+    return velocity;
+  }
+  btScalar findBraking() const {
+    const btCableLine line = m_cable->getLine();
+    const btScalar change = m_cable->getMaxLengthRate() - m_cable->m_drivenLengthRate +
+                            line.m_towards.dot(driven() - m_cable->m_driven);
+    return tautline::cable_braking(m_cable->m_drivenIsKnown, change, rate(), fall(line));
+  }
   void add(btScalar impulse) {
     m_impulse += impulse;
     if (m_impulse >= m_cable->getBreakingImpulseThreshold()) {
@@ -202,6 +232,8 @@ class btCableStepper::Cable {
   const btMovingEnd* m_movingA = nullptr;
   const btMovingEnd* m_movingB = nullptr;
   btScalar m_impulse = 0;  // of the step so far [N s]
+  btScalar m_braking = 0;  // see cable_braking [m/s]
+  bool m_pulled = false;   // in the part that is over
   bool m_sleeps = false;
 };
 

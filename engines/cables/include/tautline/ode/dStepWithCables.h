@@ -46,7 +46,9 @@ class dxEventCable {
   bool held() const { return m_cable->rule.held(); }
   bool slack() const { return m_cable->rule.slack(); }
   bool flies() const { return !m_cable->broken && !held() && gap() >= -tolerance(); }
-  bool touches() const { return !m_cable->broken && gap() <= tolerance(); }
+  bool touches() const {
+    return !m_cable->broken && (gap() <= tolerance() || (held() && m_pulled));
+  }
   dReal gap() const { return dCableGetGap(m_cable); }
   dReal rate() const { return dCableGetGapRate(m_cable); }
   dReal tolerance() const {
@@ -54,6 +56,7 @@ class dxEventCable {
   }
   dReal rate_rounding() const;
   dReal explained() const;
+  dReal braking() const { return m_braking; }
   /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
   bool is_tugged() const { return held() && -rate() > explained(); }
   dReal rebound() const { return m_cable->rule.rebound(-rate()); }
@@ -87,6 +90,10 @@ class dxEventCable {
       m_cable->rule.release();
     }
     leaves();
+    m_braking = held() ? find_braking() : dReal(0);
+    m_cable->driven_length_rate = m_cable->rule.length_rate;
+    driven(m_cable->driven);
+    m_cable->driven_is_known = true;
   }
   void end() {
     m_cable->by_events = false;
@@ -105,10 +112,12 @@ class dxEventCable {
   }
   /// After a part: its impulse is in.
   void flew() {
+    m_pulled = false;
     if (m_cable->row.acts) {
       m_cable->row.acts = false;
+      m_pulled = m_cable->impulse > 0;
       add(m_cable->impulse);
-      if (!(m_cable->impulse > 0) && gap() > tolerance()) {
+      if (!m_pulled && gap() > tolerance() + m_braking * m_cable->event_stepsize) {
         m_cable->rule.release();
       }
     }
@@ -116,13 +125,18 @@ class dxEventCable {
   }
 
  private:
+  dReal fall(const dxCableLine& line) const;
+  void driven(dReal* result) const;
+  dReal find_braking() const;
   void add(dReal impulse) {
     m_impulse += impulse;
     m_cable->broken = m_cable->broken || m_impulse >= m_cable->breaking;
   }
 
   dCableID m_cable;
-  dReal m_impulse = 0;  // of the step so far [N s]
+  dReal m_impulse = 0;    // of the step so far [N s]
+  dReal m_braking = 0;    // see cable_braking [m/s]
+  bool m_pulled = false;  // in the part that is over
   bool m_sleeps = false;
 };
 
@@ -137,20 +151,49 @@ inline dReal dxEventCable::rate_rounding() const {
   return 100 * std::numeric_limits<dReal>::epsilon() * fastest;
 }
 
-/// What a whole step explains of the closing rate [m/s].
-inline dReal dxEventCable::explained() const {
-  const dxCableLine line(m_cable->end);
+/// Closing that forces add in a whole step [m/s].
+inline dReal dxEventCable::fall(const dxCableLine& line) const {
   dVector3 one, two;
   dxEndAcceleration(m_cable->end[0], one);
   dxEndAcceleration(m_cable->end[1], two);
   dSubtractVectors3(one, one, two);
+  return -m_cable->event_stepsize * dCalcVectorDot3(line.towards, one);
+}
+
+/// What a whole step explains of the closing rate [m/s].
+inline dReal dxEventCable::explained() const {
+  const dxCableLine line(m_cable->end);
   dxCable::Rule::Start start;
   start.dt = m_cable->event_stepsize;
-  start.fall = -start.dt * dCalcVectorDot3(line.towards, one);
+  start.fall = fall(line);
   tautline::cable_turn(start,
                        line.swing(dxMotion(m_cable->end[0].body), dxMotion(m_cable->end[1].body)),
                        line.distance);
   return m_cable->rule.explained(start);
+}
+
+/// At which hooks move the anchors relative to each other [m/s].
+inline void dxEventCable::driven(dReal* result) const {
+  dSetZero(result, 3);
+  for (int index = 0; index < 2; ++index) {
+    const dxCableEnd& end = m_cable->end[index];
+    if (end.body != nullptr && !end.is_moved()) {
+      dVector3 velocity;
+      dBodyGetRelPointVel(end.body, end.anchor[0], end.anchor[1], end.anchor[2], velocity);
+      dAddScaledVectors3(result, result, velocity, 1, index == 0 ? dReal(1) : dReal(-1));
+    }
+  }
+}
+
+inline dReal dxEventCable::find_braking() const {
+  const dxCableLine line(m_cable->end);
+  dVector3 change;
+  driven(change);
+  dSubtractVectors3(change, change, m_cable->driven);
+  return tautline::cable_braking(m_cable->driven_is_known,
+                                 m_cable->rule.length_rate - m_cable->driven_length_rate +
+                                     dCalcVectorDot3(line.towards, change),
+                                 rate(), fall(line));
 }
 
 inline void dxEventCable::apply(dReal impulse) {

@@ -68,6 +68,8 @@ class Scene {
   void set_velocity(int body, const Vec3& velocity, const Vec3& spin);
   /// Where a hook is after the next step [m]; it goes there evenly.
   void move_hook(int hook, const Vec3& position);
+  /// Winches a cable by `rate` [m/s] from now on; negative hauls it in.
+  void wind(int cable, double rate);
   void keep_awake(int body);
   void let_sleep();
   void rebound_by_energy(int cable);

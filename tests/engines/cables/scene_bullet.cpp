@@ -182,6 +182,10 @@ void Scene::move_hook(int hook, const Vec3& position) {
   static_cast<HookPose*>(engine_->body(hook).getMotionState())->pose.setOrigin(bullet(position));
 }
 
+void Scene::wind(int cable, double rate) {
+  engine_->cable(cable).setMaxLengthRate(static_cast<btScalar>(rate));
+}
+
 void Scene::keep_awake(int body) { engine_->body(body).setActivationState(DISABLE_DEACTIVATION); }
 
 void Scene::let_sleep() {

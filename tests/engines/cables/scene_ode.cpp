@@ -200,6 +200,8 @@ void Scene::move_hook(int hook, const Vec3& position) {
   dBodySetLinearVel(engine_->body(hook), velocity.x(), velocity.y(), velocity.z());
 }
 
+void Scene::wind(int cable, double rate) { dCableSetLengthRate(engine_->cable(cable), rate); }
+
 void Scene::keep_awake(int body) { dBodySetAutoDisableFlag(engine_->body(body), 0); }
 
 void Scene::let_sleep() {

@@ -164,6 +164,9 @@ class btCableInSolver : public btTypedConstraint {
   btPushes m_pushesOnA;
   btPushes m_pushesOnB;
   int m_stepsOutOfParts = 0;
+  bool m_drivenIsKnown = false;     // the next two, of its last step
+  btScalar m_drivenLengthRate = 0;  // [m/s]
+  btVector3 m_driven = {0, 0, 0};   // of the pivots by hooks, A's relative to B's [m/s]
 };
 
 // NOLINTEND(modernize-use-nodiscard)

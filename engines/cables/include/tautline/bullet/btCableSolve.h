@@ -79,6 +79,7 @@ inline void btCableInSolver::buildJacobian() {
   if (hasBroken()) {
     setEnabled(false);
   }
+  m_drivenIsKnown &= m_byEvents;
   m_line = getLine();
   const btScalar gap = m_rule.length - m_line.m_distance;
   // a hook is where it is to be after the step already: how far it has come is seen in `begin`
@@ -217,6 +218,9 @@ inline void btCableInSolver::begin(btSolverBody* pool, btScalar timeStep) {
   }
   for (btCableInSolver* cable : m_pulling) {
     cable->m_ofImpacts = impact ? SIMD_INFINITY : btScalar(0);  // one cable's strikes all
+  }
+  for (std::size_t index = 0; index < m_pulling.size() && m_pulling.size() > 1; ++index) {
+    m_pulling[index]->m_row = m_pulling[index]->m_rule.beside_others(m_pulling[index]->m_row);
   }
   fillBlock(pool);
   Overstretch overstretch(*this, pool, timeStep);

@@ -27,6 +27,7 @@
 #include <memory>
 
 #include "tautline/bullet/btCableConstraint.h"
+#include "tautline/bullet/btFlight.h"
 #include "tautline/bullet/btForcesOfStep.h"
 #include "tautline/bullet/btMovingEnd.h"
 #include "tautline/cable_events.h"
@@ -34,7 +35,7 @@
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
 /// The world and its cables as `tautline::step_by_events` needs them. Use `btStepWithCables`.
-class btCableStepper {
+class btCableStepper : private btFlight {
  public:
   class Cable;
 
@@ -45,41 +46,10 @@ class btCableStepper {
   void fly(btScalar timeStep);
 
  private:
-  static bool isMoved(const btRigidBody& body) {
-    return !body.isStaticOrKinematicObject() && body.isActive();
-  }
-
-  /// [m/s^2] of gravity and the user's force; gravity is not in the total force between steps
-  static btVector3 acceleration(const btRigidBody& body) {
-    return isMoved(body) ? body.getGravity() * body.getLinearFactor() +
-                               body.getTotalForce() * body.getInvMass()
-                         : btVector3(0, 0, 0);
-  }
-  static btVector3 damped(const btVector3& velocity, btScalar damping, btScalar timeStep) {
-    return damping > 0 ? velocity * btPow(1 - damping, timeStep) : velocity;
-  }
-  /// [rad/s^2] of the user's torque
-  static btVector3 turning(const btRigidBody& body) {
-    return isMoved(body) ? body.getInvInertiaTensorWorld() * body.getTotalTorque()
-                         : btVector3(0, 0, 0);
-  }
-  /// By half of what Bullet turns a body in a step that gives it the spin of `turning` in it.
-  static btTransform turnedBack(const btTransform& pose, const btVector3& turning,
-                                btScalar timeStep) {
-    if (turning.isZero()) {
-      return pose;
-    }
-    btTransform result;
-    btTransformUtil::integrateTransform(pose, btVector3(0, 0, 0), -timeStep / 2 * turning, timeStep,
-                                        result);
-    return result;
-  }
   static std::vector<btCableInSolver*> asInSolver(btCableConstraint* const* cables, int numCables) {
     return std::vector<btCableInSolver*>(cables, cables + numCables);
   }
   void stepPart(btScalar timeStep);
-  static btTransform poseAfter(const btRigidBody& body, const btMovingEnd* moving,
-                               btScalar timeStep);
 
   btDiscreteDynamicsWorld* m_world;
   std::vector<Cable> m_cables;
@@ -119,21 +89,20 @@ class btCableStepper::Cable {
                 m_cable->getMaxLength());
   }
   bool touches() const {
-    return m_cable->isEnabled() &&
-           (gap() <= tolerance() || (held() && m_cable->m_rule.touches(gap())));
+    return m_cable->isEnabled() && (gap() <= tolerance() || (held() && m_pulled));
   }
   /// What a whole step explains of the closing rate [m/s].
   btScalar explained() const {
     const btCableLine line = m_cable->getLine();
-    const btVector3 relative = acceleration(m_cable->m_rbA) - acceleration(m_cable->m_rbB);
     btCableConstraint::Rule::Start start;
     start.dt = m_cable->m_eventStep;
-    start.fall = -start.dt * line.m_towards.dot(relative);
+    start.fall = fall(line);
     tautline::cable_turn(start,
                          line.swing(btCableMotion(m_cable->m_rbA), btCableMotion(m_cable->m_rbB)),
                          line.m_distance);
     return m_cable->m_rule.explained(start);
   }
+  btScalar braking() const { return m_braking; }
   bool slack() const { return m_cable->m_rule.slack(); }
   /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
   bool is_tugged() const { return held() && -rate() > explained(); }
@@ -185,6 +154,10 @@ class btCableStepper::Cable {
       m_cable->m_rule.release();
     }
     leaves();
+    m_braking = held() ? findBraking() : btScalar(0);
+    m_cable->m_drivenLengthRate = m_cable->getMaxLengthRate();
+    m_cable->m_driven = driven();
+    m_cable->m_drivenIsKnown = true;
   }
   void end() {
     m_cable->m_byEvents = false;
@@ -205,12 +178,14 @@ class btCableStepper::Cable {
   }
   /// After a part: its impulse is in.
   void flew() {
+    m_pulled = false;
     if (m_cable->m_row.acts) {
       m_cable->m_row.acts = false;
+      m_pulled = m_cable->m_appliedImpulse > 0;
       m_cable->m_rule.pulled(m_cable->m_appliedImpulse, m_cable->m_inverseMass);
       add(m_cable->m_appliedImpulse);
       m_tautTime += m_cable->m_appliedImpulse > 0 ? m_cable->m_tautTime : btScalar(0);
-      if (!(m_cable->m_appliedImpulse > 0) && gap() > tolerance()) {
+      if (!m_pulled && gap() > tolerance() + m_braking * m_cable->m_eventStep) {
         m_cable->m_rule.release();
       }
     }
@@ -218,6 +193,28 @@ class btCableStepper::Cable {
   }
 
  private:
+  /// Closing that forces add in a whole step [m/s].
+  btScalar fall(const btCableLine& line) const {
+    return -m_cable->m_eventStep *
+           line.m_towards.dot(acceleration(m_cable->m_rbA) - acceleration(m_cable->m_rbB));
+  }
+  /// At which hooks move the pivots relative to each other [m/s].
+  btVector3 driven() const {
+    btVector3 velocity(0, 0, 0);
+    if (m_movingA != nullptr) {
+      velocity += m_cable->m_rbA.getVelocityInLocalPoint(m_cable->getLine().m_armA);
+    }
+    if (m_movingB != nullptr) {
+      velocity -= m_cable->m_rbB.getVelocityInLocalPoint(m_cable->getLine().m_armB);
+    }
+    return velocity;
+  }
+  btScalar findBraking() const {
+    const btCableLine line = m_cable->getLine();
+    const btScalar change = m_cable->getMaxLengthRate() - m_cable->m_drivenLengthRate +
+                            line.m_towards.dot(driven() - m_cable->m_driven);
+    return tautline::cable_braking(m_cable->m_drivenIsKnown, change, rate(), fall(line));
+  }
   void add(btScalar impulse) {
     m_impulse += impulse;
     if (m_impulse >= m_cable->getBreakingImpulseThreshold()) {
@@ -231,6 +228,8 @@ class btCableStepper::Cable {
   btScalar m_impulse = 0;    // of the step so far [N s]
   btScalar m_ofImpacts = 0;  // of these [N s]
   btScalar m_tautTime = 0;   // [s]
+  btScalar m_braking = 0;    // see cable_braking [m/s]
+  bool m_pulled = false;     // in the part that is over
   bool m_sleeps = false;
 };
 
@@ -336,27 +335,6 @@ inline void btCableStepper::stepPart(btScalar timeStep) {
   info.m_erp2 = erp2;
   info.m_warmstartingFactor = warmstartingFactor;
   m_lastPart = timeStep;
-}
-
-inline btTransform btCableStepper::poseAfter(const btRigidBody& body, const btMovingEnd* moving,
-                                             btScalar timeStep) {
-  if (moving != nullptr) {
-    return moving->poseAfter(timeStep);
-  }
-  const btTransform& pose = body.getCenterOfMassTransform();
-  if (!isMoved(body)) {
-    return pose;
-  }
-  btVector3 spin = damped(body.getAngularVelocity(), body.getAngularDamping(), timeStep) +
-                   timeStep * turning(body);
-  if (body.getFlags() & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY) {
-    spin += body.computeGyroscopicImpulseImplicit_Body(timeStep);
-  }
-  const btVector3 velocity = damped(body.getLinearVelocity(), body.getLinearDamping(), timeStep) +
-                             timeStep / 2 * acceleration(body);
-  btTransform result;
-  btTransformUtil::integrateTransform(pose, velocity, spin, timeStep, result);
-  return turnedBack(result, turning(body), timeStep);
 }
 
 /// Steps `world` by `timeStep` [s], in at most `maxParts` + 1 parts; returns how many. `cables` are

@@ -159,6 +159,10 @@ class dxCableSolve {
         }
       }
     }
+    for (std::size_t index = 0; index < count && (count > 1 || !by_force); ++index) {
+      dxCable& cable = *acting[index].cable;
+      cable.row = cable.rule.beside_others(cable.row);
+    }
     fill(acting, count);
     Overstretch overstretch{*this, acting, count};
     tautline::move_out_of_overstretch<dReal>(overstretch, m_block, count);

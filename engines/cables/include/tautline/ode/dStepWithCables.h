@@ -34,16 +34,6 @@
 /// Steps the user's world by `stepsize` [s].
 typedef void dStepFunction(void* data, dReal stepsize);
 
-/// Of gravity and the user's forces on a body, a hook or the world [m/s^2].
-inline void dxEndAcceleration(const dxCableEnd& end, dReal* result) {
-  dVector3 gravity = {0, 0, 0, 0};
-  dCopyVector3(result, gravity);
-  if (end.is_moved()) {
-    dWorldGetGravity(dBodyGetWorld(end.body), gravity);
-    dxBodyAcceleration(end.body, gravity, result);
-  }
-}
-
 /// A cable as `tautline::step_by_events` needs it. Use `dStepWithCables`.
 class dxEventCable {
  public:
@@ -54,7 +44,7 @@ class dxEventCable {
   bool slack() const { return m_cable->rule.slack(); }
   bool flies() const { return !m_cable->broken && !held() && gap() >= -tolerance(); }
   bool touches() const {
-    return !m_cable->broken && (gap() <= tolerance() || (held() && m_cable->rule.touches(gap())));
+    return !m_cable->broken && (gap() <= tolerance() || (held() && m_pulled));
   }
   dReal gap() const { return dCableGetGap(m_cable); }
   dReal rate() const { return dCableGetGapRate(m_cable); }
@@ -63,6 +53,7 @@ class dxEventCable {
   }
   dReal rate_rounding() const;
   dReal explained() const;
+  dReal braking() const { return m_braking; }
   /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
   bool is_tugged() const { return held() && -rate() > explained(); }
   dReal rebound() const { return m_cable->rule.rebound(-rate()); }
@@ -96,6 +87,10 @@ class dxEventCable {
       m_cable->rule.release();
     }
     leaves();
+    m_braking = held() ? find_braking() : dReal(0);
+    m_cable->driven_length_rate = m_cable->rule.length_rate;
+    driven(m_cable->driven);
+    m_cable->driven_is_known = true;
   }
   void end() {
     m_cable->by_events = false;
@@ -117,11 +112,13 @@ class dxEventCable {
   }
   /// After a part: its impulse is in.
   void flew() {
+    m_pulled = false;
     if (m_cable->row.acts) {
       m_cable->row.acts = false;
+      m_pulled = m_cable->impulse > 0;
       add(m_cable->impulse);
       m_taut_time += m_cable->impulse > 0 ? m_cable->taut_time : dReal(0);
-      if (!(m_cable->impulse > 0) && gap() > tolerance()) {
+      if (!m_pulled && gap() > tolerance() + m_braking * m_cable->event_stepsize) {
         m_cable->rule.release();
       }
     }
@@ -129,6 +126,9 @@ class dxEventCable {
   }
 
  private:
+  dReal fall(const dxCableLine& line) const;
+  void driven(dReal* result) const;
+  dReal find_braking() const;
   void add(dReal impulse) {
     m_impulse += impulse;
     m_cable->broken = m_cable->broken || m_impulse >= m_cable->breaking;
@@ -138,6 +138,8 @@ class dxEventCable {
   dReal m_impulse = 0;     // of the step so far [N s]
   dReal m_of_impacts = 0;  // of these [N s]
   dReal m_taut_time = 0;   // [s]
+  dReal m_braking = 0;     // see cable_braking [m/s]
+  bool m_pulled = false;   // in the part that is over
   bool m_sleeps = false;
 };
 
@@ -152,20 +154,49 @@ inline dReal dxEventCable::rate_rounding() const {
   return 100 * std::numeric_limits<dReal>::epsilon() * fastest;
 }
 
-/// What a whole step explains of the closing rate [m/s].
-inline dReal dxEventCable::explained() const {
-  const dxCableLine line(m_cable->end);
+/// Closing that forces add in a whole step [m/s].
+inline dReal dxEventCable::fall(const dxCableLine& line) const {
   dVector3 one, two;
   dxEndAcceleration(m_cable->end[0], one);
   dxEndAcceleration(m_cable->end[1], two);
   dSubtractVectors3(one, one, two);
+  return -m_cable->event_stepsize * dCalcVectorDot3(line.towards, one);
+}
+
+/// What a whole step explains of the closing rate [m/s].
+inline dReal dxEventCable::explained() const {
+  const dxCableLine line(m_cable->end);
   dxCable::Rule::Start start;
   start.dt = m_cable->event_stepsize;
-  start.fall = -start.dt * dCalcVectorDot3(line.towards, one);
+  start.fall = fall(line);
   tautline::cable_turn(start,
                        line.swing(dxMotion(m_cable->end[0].body), dxMotion(m_cable->end[1].body)),
                        line.distance);
   return m_cable->rule.explained(start);
+}
+
+/// At which hooks move the anchors relative to each other [m/s].
+inline void dxEventCable::driven(dReal* result) const {
+  dSetZero(result, 3);
+  for (int index = 0; index < 2; ++index) {
+    const dxCableEnd& end = m_cable->end[index];
+    if (end.body != nullptr && !end.is_moved()) {
+      dVector3 velocity;
+      dBodyGetRelPointVel(end.body, end.anchor[0], end.anchor[1], end.anchor[2], velocity);
+      dAddScaledVectors3(result, result, velocity, 1, index == 0 ? dReal(1) : dReal(-1));
+    }
+  }
+}
+
+inline dReal dxEventCable::find_braking() const {
+  const dxCableLine line(m_cable->end);
+  dVector3 change;
+  driven(change);
+  dSubtractVectors3(change, change, m_cable->driven);
+  return tautline::cable_braking(m_cable->driven_is_known,
+                                 m_cable->rule.length_rate - m_cable->driven_length_rate +
+                                     dCalcVectorDot3(line.towards, change),
+                                 rate(), fall(line));
 }
 
 inline void dxEventCable::apply(dReal impulse) {
@@ -196,51 +227,6 @@ inline void dxEventCable::struck(dReal impulse, dReal impact) {
     if (end.is_moved()) {
       dBodyEnable(end.body);
     }
-  }
-}
-
-/// Turns `arm` by `angle` [rad] about `axis`, of any length.
-inline void dxTurn(dReal* arm, const dReal* axis, dReal angle) {
-  if (angle == 0) {
-    return;
-  }
-  dVector3 unit, quarter, half;
-  dCopyScaledVector3(unit, axis, 1 / dCalcVectorLength3(axis));
-  // Rodrigues: arm + sin(angle) axis x arm + (1 - cos(angle)) axis x (axis x arm)
-  dCalcVectorCross3(quarter, unit, arm);
-  dCalcVectorCross3(half, unit, quarter);
-  dAddScaledVectors3(quarter, quarter, half, std::sin(angle), 1 - std::cos(angle));
-  dAddVectors3(arm, arm, quarter);
-}
-
-/// Where an end is after `stepsize` if nothing but forces acts; ODE's gyroscopic torque is left
-/// out.
-inline void dxEndAfter(const dxCableEnd& end, dReal stepsize, dReal* result) {
-  if (end.body == nullptr || dBodyIsEnabled(end.body) == 0) {
-    end.position(result);
-    return;
-  }
-  dVector3 linear = {0, 0, 0, 0};
-  dVector3 angular = {0, 0, 0, 0};
-  if (end.is_moved()) {
-    dVector3 gravity;
-    dWorldGetGravity(dBodyGetWorld(end.body), gravity);
-    dxBodyAcceleration(end.body, gravity, linear);
-    dxBodySolveInertia(end.body, dBodyGetTorque(end.body), angular);
-  }
-  dVector3 spin, arm;
-  dAddScaledVectors3(spin, dBodyGetAngularVel(end.body), angular, 1, stepsize);
-  // ODE's turn of a step: of first order and normalised, or by the whole angle
-  const dReal angle = dCalcVectorLength3(spin) * stepsize;
-  const bool finite = dBodyGetFiniteRotationMode(end.body) != 0;
-  dBodyVectorToWorld(end.body, end.anchor[0], end.anchor[1], end.anchor[2], arm);
-  dxTurn(arm, spin, finite ? angle : 2 * std::atan(angle / 2));
-  dxTurn(arm, angular, -stepsize * stepsize / 2 * dCalcVectorLength3(angular));
-  const dReal* velocity = dBodyGetLinearVel(end.body);
-  const dReal* position = dBodyGetPosition(end.body);
-  for (int axis = 0; axis < 3; ++axis) {
-    result[axis] = position[axis] + arm[axis] + stepsize * velocity[axis] +
-                   stepsize * stepsize / 2 * linear[axis];
   }
 }
 

@@ -34,17 +34,20 @@ struct dxCable {
   dxCableLine line;  // before it
   dxMotion free[2];  // of its ends, if no cable pulls
   Rule::Row row = {false, 0};
-  dReal length_rate = 0;     // [m/s]
-  dReal aimed_distance = 0;  // of the anchors, by the correction [m]
-  dReal correction = 0;      // [m]
-  dReal inverse_mass = 0;    // [1/kg]
-  dReal impulse = 0;         // [N s]
-  dReal of_impacts = 0;      // so much of it, or all if it is less [N s]
-  dReal taut_time = 0;       // that the rest of it acted for [s]
-  dReal stepsize = 0;        // [s] of a step whose contact is not read yet; 0: none
-  dJointFeedback feedback;   // ODE writes to it in a step
-  bool by_events = false;    // while dStepWithCables steps, which sees to the impacts itself
-  dReal event_stepsize = 0;  // its whole step [s]
+  dReal length_rate = 0;           // [m/s]
+  dReal aimed_distance = 0;        // of the anchors, by the correction [m]
+  dReal correction = 0;            // [m]
+  dReal inverse_mass = 0;          // [1/kg]
+  dReal impulse = 0;               // [N s]
+  dReal of_impacts = 0;            // so much of it, or all if it is less [N s]
+  dReal taut_time = 0;             // that the rest of it acted for [s]
+  dReal stepsize = 0;              // [s] of a step whose contact is not read yet; 0: none
+  dJointFeedback feedback;         // ODE writes to it in a step
+  bool by_events = false;          // while dStepWithCables steps, which sees to the impacts itself
+  dReal event_stepsize = 0;        // its whole step [s]
+  bool driven_is_known = false;    // the next two, of its last step
+  dReal driven_length_rate = 0;    // [m/s]
+  dVector3 driven = {0, 0, 0, 0};  // of the anchors by hooks, that of 1 relative to 2 [m/s]
   std::shared_ptr<dxCableSolve> solve;  // of the calls in which it is the first
 
   void wake() const {
@@ -77,6 +80,7 @@ struct dxCable {
   void ask(const Rule::Start& at) {
     const bool impact = !by_events && rule.is_impact(at);
     length_rate = rule.length_rate;
+    driven_is_known = driven_is_known && by_events;
     // anchors that coincide have no direction to be pulled in
     if (broken) {
       rule.release();

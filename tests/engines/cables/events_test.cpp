@@ -170,6 +170,94 @@ TEST(CableByEvents, SwingsToSecondOrderInTheStep) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.5);
 }
 
+/// A load hoisted at 3 m/s; what hoists it brakes by `part` of gravity, at the mean speed of each
+/// step, and the cable carries the rest.
+void expect_tension_while_braking(bool by_hook, double part, double rate) {
+  Scene scene(gravity, rate);
+  const double speed = 3.0;
+  const double length = 4.0;
+  const Vec3 top(0, 2, 0);
+  const int load = scene.add_body(load_mass, load_moment * Vec3::Ones(),
+                                  top - length * Vec3::UnitY(), speed * Vec3::UnitY());
+  const int hook = by_hook ? scene.add_hook(top) : -1;
+  const int cable =
+      scene.add_cable({{load, Vec3::Zero()}, {hook, by_hook ? Vec3::Zero() : top}, length, 0.5});
+  const double braking = part * gravity;
+  const double right = load_mass * (gravity - braking);
+  // rounding of float in coordinates of some metres, in the velocity of a step
+  const double allowed = std::max(1e-6, 1e3 * Scene::rounding * rate) * right / (1.0 - part);
+  const auto hoisted = [speed, braking](double time) {
+    return speed * time - 0.5 * braking * time * time;
+  };
+  const int steps = static_cast<int>(0.9 * speed / braking * rate);
+  for (int step = 0; step < steps; ++step) {
+    const double way = hoisted((step + 1) / rate) - hoisted(step / rate);
+    if (by_hook) {
+      scene.move_hook(hook, top + hoisted((step + 1) / rate) * Vec3::UnitY());
+    } else {
+      scene.wind(cable, -way * rate);
+    }
+    scene.step_by_events();
+    ASSERT_NEAR(scene.impulse(cable) * rate, right, allowed)
+        << "step " << step << ", part " << part << ", " << rate << " Hz, hook " << by_hook;
+  }
+}
+
+TEST(CableByEvents, StaysTautWhileWhatHoistsBrakesByLessThanGravity) {
+  for (const bool by_hook : {false, true}) {
+    for (const double part : {0.3, 0.6, 0.8, 0.95}) {
+      for (const double rate : {60.0, 240.0}) {
+        expect_tension_while_braking(by_hook, part, rate);
+      }
+    }
+  }
+}
+
+/// A hook that goes up and down as 1 m sin(4 t) throws its load, which flies, and catches it: its
+/// cable goes slack where the hook brakes by gravity, and taut where the parabola meets the sine.
+TEST(CableByEvents, IsThrownAndCaughtByAHeavingHook) {
+  Scene scene(gravity);
+  const double mass = 600.0;
+  const double length = 20.0;
+  const double pace = 4.0;
+  scene.add_body(mass, load_moment * mass * Vec3::Ones(), -length * Vec3::UnitY(), Vec3::Zero());
+  const int hook = scene.add_hook(Vec3::Zero());
+  scene.add_cable({{0, Vec3::Zero()}, {hook, Vec3::Zero()}, length, 0.0});
+  const double period = 2.0 * std::acos(-1.0) / pace;
+  const double thrown = std::asin(gravity / (pace * pace)) / pace;
+  const double caught = 1.1434;   // [s]
+  const double impulse = 3530.4;  // [N s]
+  int slack = 0;
+  std::vector<double> snaps;
+  bool was_taut = true;
+  const int steps = 480;
+  for (int step = 0; step < steps; ++step) {
+    const double time = (step + 1) * scene.dt();
+    scene.move_hook(hook, std::sin(pace * time) * Vec3::UnitY());
+    scene.step_by_events();
+    const double since = std::fmod(time, period);
+    const bool taut = scene.taut(0);
+    slack += taut ? 0 : 1;
+    if (taut && !was_taut) {
+      snaps.push_back(scene.impulse(0));
+      EXPECT_NEAR(since, caught, 2.0 * scene.dt());
+    }
+    was_taut = taut;
+    const double tension =
+        mass * (gravity - pace * pace * std::sin(pace * (time - 0.5 * scene.dt())));
+    // away from the throw and the catch, by two steps
+    const double margin = 2.0 * scene.dt();
+    if (time > 3.0 * scene.dt() && since > margin && since < thrown - margin) {
+      EXPECT_NEAR(scene.impulse(0) / scene.dt(), tension, 0.02 * mass * gravity) << time << " s";
+    }
+  }
+  EXPECT_NEAR(slack / static_cast<double>(steps), 0.611, 0.01);
+  ASSERT_GE(snaps.size(), 4U);
+  for (const double snap : snaps) {
+    EXPECT_NEAR(snap, impulse, 0.1 * impulse);  // with the tension of the rest of its step
+  }
+}
+
 TEST(CableByEvents, TakesOnePartWhereNothingHappens) {
   OneCable setup = about_to_close(arrangements()[2], 0.7, 1.0);
   EXPECT_EQ(setup.scene->step_by_events(), 2);  // it closes in this step

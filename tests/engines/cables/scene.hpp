@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -67,11 +68,23 @@ class Scene {
   void set_velocity(int body, const Vec3& velocity, const Vec3& spin);
   /// Where a hook is after the next step [m]; it goes there evenly.
   void move_hook(int hook, const Vec3& position);
+  /// Winches a cable by `rate` [m/s] from now on; negative hauls it in.
+  void wind(int cable, double rate);
   void keep_awake(int body);
   void let_sleep();
   void rebound_by_energy(int cable);
+  void break_at_tension(int cable, double tension);  // [N]
+  void set_length_rate(int cable, double rate);      // [m/s]
   /// Steps by ODE's iterative solver from now on; false if the engine has no such choice.
   bool use_quick_step();
+
+  /// The engine's own forces on a body, for one step or part of it: a force at its centre [N] and a
+  /// torque [N m], or a force at a point of the world.
+  void push(int body, const Vec3& force, const Vec3& torque);
+  void push_at(int body, const Vec3& force, const Vec3& point);
+  /// From now on, calls `forces` with the length [s] of each step, or part of one, as it begins:
+  /// where the engine's users give forces in a step.
+  void push_in_steps(std::function<void(double)> forces);
 
   void step();
   /// One step by events; returns its parts.
@@ -82,7 +95,10 @@ class Scene {
   [[nodiscard]] BodyState body(int index) const;
   [[nodiscard]] bool sleeps(int body) const;
   [[nodiscard]] bool touched(int body) const;  // by another body, in the last step or part of one
-  [[nodiscard]] double impulse(int cable) const;  // of the last step [N s]
+  [[nodiscard]] double impulse(int cable) const;         // of the last step [N s]
+  [[nodiscard]] double impact_impulse(int cable) const;  // [N s]
+  [[nodiscard]] double taut_tension(int cable) const;    // [N]
+  [[nodiscard]] bool broken(int cable) const;
   [[nodiscard]] bool taut(int cable) const;
   [[nodiscard]] double reported_gap(int cable) const;       // [m]
   [[nodiscard]] double reported_gap_rate(int cable) const;  // [m/s]

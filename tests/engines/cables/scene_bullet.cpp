@@ -1,7 +1,9 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "engines/cables/scene.hpp"
@@ -50,8 +52,18 @@ struct Scene::Engine {
   std::vector<std::unique_ptr<btRigidBody>> ground;
   std::vector<btCableConstraint*> cables;
   std::vector<std::unique_ptr<btTypedConstraint>> constraints;
+  std::function<void(double)> forces;
 
-  explicit Engine(double rate) : dt(static_cast<btScalar>(1.0 / rate)) {}
+  explicit Engine(double rate) : dt(static_cast<btScalar>(1.0 / rate)) {
+    world.setInternalTickCallback(&begin_step, this, true);
+  }
+
+  static void begin_step(btDynamicsWorld* of, btScalar time_step) {
+    const Engine& here = *static_cast<Engine*>(of->getWorldUserInfo());
+    if (here.forces) {
+      here.forces(time_step);
+    }
+  }
 
   std::unique_ptr<btRigidBody> make(double mass, btCollisionShape& shape, const btVector3& inertia,
                                     const Vec3& position) {
@@ -170,6 +182,10 @@ void Scene::move_hook(int hook, const Vec3& position) {
   static_cast<HookPose*>(engine_->body(hook).getMotionState())->pose.setOrigin(bullet(position));
 }
 
+void Scene::wind(int cable, double rate) {
+  engine_->cable(cable).setMaxLengthRate(static_cast<btScalar>(rate));
+}
+
 void Scene::keep_awake(int body) { engine_->body(body).setActivationState(DISABLE_DEACTIVATION); }
 
 void Scene::let_sleep() {
@@ -180,7 +196,29 @@ void Scene::let_sleep() {
 
 void Scene::rebound_by_energy(int cable) { engine_->cable(cable).setReboundByEnergy(true); }
 
+void Scene::break_at_tension(int cable, double tension) {
+  engine_->cable(cable).setBreakingTension(static_cast<btScalar>(tension));
+}
+
+void Scene::set_length_rate(int cable, double rate) {
+  engine_->cable(cable).setMaxLengthRate(static_cast<btScalar>(rate));
+}
+
 bool Scene::use_quick_step() { return false; }
+
+void Scene::push(int body, const Vec3& force, const Vec3& torque) {
+  engine_->body(body).applyCentralForce(bullet(force));
+  engine_->body(body).applyTorque(bullet(torque));
+}
+
+void Scene::push_at(int body, const Vec3& force, const Vec3& point) {
+  btRigidBody& at = engine_->body(body);
+  at.applyForce(bullet(force), bullet(point) - at.getCenterOfMassPosition());
+}
+
+void Scene::push_in_steps(std::function<void(double)> forces) {
+  engine_->forces = std::move(forces);
+}
 
 void Scene::step() {
   engine_->world.stepSimulation(engine_->dt, 0);  // one step of this length
@@ -227,6 +265,9 @@ bool Scene::touched(int body) const {
 }
 
 double Scene::impulse(int cable) const { return engine_->cable(cable).getAppliedImpulse(); }
+double Scene::impact_impulse(int cable) const { return engine_->cable(cable).getImpactImpulse(); }
+double Scene::taut_tension(int cable) const { return engine_->cable(cable).getTautTension(); }
+bool Scene::broken(int cable) const { return !engine_->cable(cable).isEnabled(); }
 bool Scene::taut(int cable) const { return engine_->cable(cable).isTaut(); }
 double Scene::reported_gap(int cable) const { return engine_->cable(cable).getGap(); }
 double Scene::reported_gap_rate(int cable) const { return engine_->cable(cable).getGapRate(); }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "engines/cables/scene.hpp"
@@ -59,6 +61,7 @@ struct Scene::Engine {
   std::vector<dBodyID> bodies;
   std::vector<bool> touched;  // by body
   std::vector<dCableID> cables;
+  std::function<void(double)> forces;
 
   explicit Engine(double rate) : dt(1.0 / rate) {}
 
@@ -96,6 +99,9 @@ struct Scene::Engine {
     }
   }
   void solve(dReal stepsize) const {
+    if (forces) {
+      forces(stepsize);
+    }
     quick ? dWorldQuickStep(world, stepsize) : dWorldStep(world, stepsize);
     dJointGroupEmpty(contacts);
   }
@@ -194,6 +200,8 @@ void Scene::move_hook(int hook, const Vec3& position) {
   dBodySetLinearVel(engine_->body(hook), velocity.x(), velocity.y(), velocity.z());
 }
 
+void Scene::wind(int cable, double rate) { dCableSetLengthRate(engine_->cable(cable), rate); }
+
 void Scene::keep_awake(int body) { dBodySetAutoDisableFlag(engine_->body(body), 0); }
 
 void Scene::let_sleep() {
@@ -203,6 +211,28 @@ void Scene::let_sleep() {
 }
 
 void Scene::rebound_by_energy(int cable) { dCableSetBounceByEnergy(engine_->cable(cable), 1); }
+
+void Scene::break_at_tension(int cable, double tension) {
+  dCableSetBreakingTension(engine_->cable(cable), tension);
+}
+
+void Scene::set_length_rate(int cable, double rate) {
+  dCableSetLengthRate(engine_->cable(cable), rate);
+}
+
+void Scene::push(int body, const Vec3& force, const Vec3& torque) {
+  dBodyAddForce(engine_->body(body), force.x(), force.y(), force.z());
+  dBodyAddTorque(engine_->body(body), torque.x(), torque.y(), torque.z());
+}
+
+void Scene::push_at(int body, const Vec3& force, const Vec3& point) {
+  dBodyAddForceAtPos(engine_->body(body), force.x(), force.y(), force.z(), point.x(), point.y(),
+                     point.z());
+}
+
+void Scene::push_in_steps(std::function<void(double)> forces) {
+  engine_->forces = std::move(forces);
+}
 
 bool Scene::use_quick_step() {
   engine_->quick = true;
@@ -252,6 +282,11 @@ bool Scene::sleeps(int body) const { return dBodyIsEnabled(engine_->body(body)) 
 bool Scene::touched(int body) const { return engine_->touched[static_cast<std::size_t>(body)]; }
 
 double Scene::impulse(int cable) const { return dCableGetImpulse(engine_->cable(cable)); }
+double Scene::impact_impulse(int cable) const {
+  return dCableGetImpactImpulse(engine_->cable(cable));
+}
+double Scene::taut_tension(int cable) const { return dCableGetTautTension(engine_->cable(cable)); }
+bool Scene::broken(int cable) const { return dCableIsBroken(engine_->cable(cable)) != 0; }
 bool Scene::taut(int cable) const { return dCableIsTaut(engine_->cable(cable)) != 0; }
 double Scene::reported_gap(int cable) const { return dCableGetGap(engine_->cable(cable)); }
 double Scene::reported_gap_rate(int cable) const { return dCableGetGapRate(engine_->cable(cable)); }

@@ -17,31 +17,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "tautline/cable_block_end.h"
+
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 namespace tautline {
-
-/// One end of a cable as the solve feels it: the gap's rate is the sum over both ends of
-/// pull * velocity + moment * spin of its body, and an impulse of 1 N s changes these by `move` and
-/// `turn`. A body of null does not move.
-struct CableBlockEnd {
-  const void* body;
-  double pull[3];    // [-]
-  double moment[3];  // [m]
-  double move[3];    // [1/kg]
-  double turn[3];    // [rad/(kg m)]
-  double spin[3];    // of the body if no cable pulls [rad/s]
-  double arm;        // from its centre to the end [m]
-  double kept;       // the part of the torque that `turn` stands for [-], see solve_stiffly
-
-  static double dot(const double* a, const double* b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  /// What an impulse at `other` adds to the rate here [1/kg].
-  double coupling(const CableBlockEnd& other) const {
-    return body != nullptr && body == other.body ? dot(pull, other.move) + dot(moment, other.turn)
-                                                 : 0.0;
-  }
-};
 
 class CableBlock {
  public:
@@ -140,6 +119,9 @@ class CableBlock {
     factored_ = factored_ && factored_of_ == kind;
     factored_of_ = kind;
     pivot();
+    if (kind == velocities) {
+      share();
+    }
     pulls_.swap(pulls);
   }
 
@@ -229,6 +211,42 @@ class CableBlock {
     }
   }
 
+  /// Where there are more cables than the bodies can feel apart, as four ropes on a box, the motion
+  /// leaves open how they share the load. Of all impulses with these rates it takes those with the
+  /// least sum of k impulse^2, if all of them pull: those that are alike pull alike.
+  void share() {
+    const double alike = 1e-4;  // of the largest rate: a gap of 0.3 um, say, does not unload [-]
+    sharing_ = pulls_;
+    for (std::size_t index = 0; index < count_; ++index) {
+      sharing_[index] = excess_[index] <= alike * largest_rate_ ? 1 : 0;
+    }
+    if ((sharing_ == pulls_ && !redundant_) || !(largest_impulse_ > 0.0)) {
+      return;
+    }
+    const std::vector<double> found = impulse_;
+    const std::vector<double> lacking = lacking_;
+    for (std::size_t index = 0; index < count_; ++index) {
+      lacking_[index] = reaction(index);
+    }
+    factored_ = factored_ && sharing_ == pulls_;
+    pulls_.swap(sharing_);
+    solve_for_those_that_pull();
+    const double off = 1e-9;  // of the largest: what regularisation leaves [-]
+    for (std::size_t index = 0; index < count_; ++index) {
+      if (!(impulse_[index] >= -off * largest_impulse_ &&
+            std::abs(excess_[index]) <= off * largest_rate_)) {
+        impulse_ = found;
+        break;
+      }
+    }
+    for (double& impulse : impulse_) {
+      impulse = std::max(0.0, impulse);
+    }
+    factored_ = factored_ && sharing_ == pulls_;
+    pulls_.swap(sharing_);  // the next guess
+    lacking_ = lacking;
+  }
+
   /// Cables that pull alike leave K singular. With this part more on its diagonal it can be
   /// factored; a refinement takes the part's effect out again, unless the host's numbers are so
   /// coarse that there is nothing to refine [-].
@@ -301,6 +319,7 @@ class CableBlock {
     const std::size_t size = active_.size();
     factor_.resize(size * size);
     first_.resize(size);
+    redundant_ = false;
     for (std::size_t i = 0; i < size; ++i) {
       std::size_t from = 0;
       while (from < i && k(active_[i], active_[from]) == 0.0) {  // exactly: they share no body
@@ -312,6 +331,8 @@ class CableBlock {
         for (std::size_t m = std::max(from, first_[j]); m < j; ++m) {
           sum -= factor_[i * size + m] * factor_[j * size + m];
         }
+        redundant_ =
+            redundant_ || (i == j && sum < 100.0 * regularisation() * k(active_[i], active_[i]));
         const double least = regularisation() * k(active_[i], active_[i]) / 4.0;
         factor_[i * size + j] =
             i == j ? std::sqrt(std::max(sum, least)) : sum / factor_[j * size + j];
@@ -347,12 +368,14 @@ class CableBlock {
   std::vector<double> rigid_;      // its diagonal without softness [1/kg]
   std::vector<char> pulls_of_[2];  // 1: taken to pull
   std::vector<char> pulls_;        // while a solve goes on
+  std::vector<char> sharing_;
   std::vector<std::size_t> active_;
   std::vector<std::size_t> first_;  // column of a row's first coupling
   std::vector<double> factor_;
   std::vector<double> right_;
   double largest_impulse_ = 0;
   double largest_rate_ = 0;
+  bool redundant_ = false;  // the factor is that of a K that is nearly singular
   bool factored_ = false;
   Kind factored_of_ = velocities;
 };

@@ -56,7 +56,8 @@ void move_out_of_overstretch(Host& host, CableBlock& block, std::size_t count) {
     }
     Real left = 0;
     for (std::size_t index = 0; index < count; ++index) {
-      left = std::max(left, host.distance_now(index) - host.aimed(index));
+      const Real rounding = 100 * std::numeric_limits<Real>::epsilon() * host.length(index);
+      left = std::max(left, host.distance_now(index) - host.aimed(index) - rounding);
     }
     const Real enough = Real(0.1);  // of the correction: the rest comes in the next steps
     if (left <= enough * most) {

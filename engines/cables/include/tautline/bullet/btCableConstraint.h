@@ -11,6 +11,7 @@
 #define TAUTLINE_BT_CABLE_CONSTRAINT_H
 
 #include "tautline/bullet/btCableInSolver.h"
+#include "tautline/bullet/btCableRow.h"
 #include "tautline/bullet/btCableSolve.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
@@ -80,10 +81,11 @@ class btCableConstraint : public btCableInSolver {
   void setMaxCorrectionSpeed(btScalar speed) { m_rule.correction_speed = positive(speed); }
   btScalar getMaxCorrectionSpeed() const { return m_rule.correction_speed; }  // [m/s]
 
-  void setPivotA(const btVector3& pivotA) { m_pivotInA = pivotA; }  // [m], in the frame of A
-  void setPivotB(const btVector3& pivotB) { m_pivotInB = pivotB; }  // [m], in the frame of B
-  const btVector3& getPivotInA() const { return m_pivotInA; }       // [m]
-  const btVector3& getPivotInB() const { return m_pivotInB; }       // [m]
+  /// Where the ends are, in their bodies' frames [m]. Another place wakes the bodies.
+  void setPivotA(const btVector3& pivotA) { setPivot(m_pivotInA, pivotA); }
+  void setPivotB(const btVector3& pivotB) { setPivot(m_pivotInB, pivotB); }  // the same at B
+  const btVector3& getPivotInA() const { return m_pivotInA; }                // [m]
+  const btVector3& getPivotInB() const { return m_pivotInB; }                // [m]
 
   /// The pivots in the world, now [m].
   btVector3 getPivotAInWorld() const { return m_rbA.getCenterOfMassTransform() * m_pivotInA; }
@@ -103,10 +105,25 @@ class btCableConstraint : public btCableInSolver {
   /// Tension of the last step [N]; its mean if there was an impact. `timeStep` is that step's [s].
   btScalar getTension(btScalar timeStep) const { return m_appliedImpulse / timeStep; }
 
-  /// False as well once the impulse of a step has reached setBreakingImpulseThreshold [N s]; asked
-  /// as a btTypedConstraint, from the next step on.
+  /// The impulse of the last step's impacts [N s]: in a fixed step all of its impulse, if it or a
+  /// cable that hangs together with it went taut there, or was jerked; by events that of the
+  /// instants in which cables went taut.
+  btScalar getImpactImpulse() const { return impactImpulse(); }
+
+  /// Tension of the rest of the last step [N]: its mean over the time in which the cable was held
+  /// taut. 0 where it was not, as in a fixed step with an impact.
+  btScalar getTautTension() const { return tautTension(); }
+
+  /// A tension outside of impacts, getTautTension, as large as this breaks the cable [N], >= 0;
+  /// infinity unless set. It does not see impacts: where a cable that does not stretch goes taut,
+  /// its tension has no largest value. setBreakingImpulseThreshold [N s] sees those.
+  void setBreakingTension(btScalar tension) { m_breakingTension = positive(tension); }
+  btScalar getBreakingTension() const { return m_breakingTension; }  // [N]
+
+  /// False as well once the impulse of a step has reached setBreakingImpulseThreshold [N s], or its
+  /// tension setBreakingTension; asked as a btTypedConstraint, from the next step on.
   bool isEnabled() const { return btTypedConstraint::isEnabled() && !hasBroken(); }
-  /// True mends it, if an impulse has broken it.
+  /// True mends it, if it has broken.
   void setEnabled(bool enabled) {
     m_appliedImpulse = enabled && hasBroken() ? btScalar(0) : m_appliedImpulse;
     btTypedConstraint::setEnabled(enabled);
@@ -137,6 +154,12 @@ class btCableConstraint : public btCableInSolver {
   }
 
  private:
+  void setPivot(btVector3& pivot, const btVector3& to) {
+    if (pivot != to) {
+      pivot = to;
+      wake();
+    }
+  }
   static btScalar finite(btScalar value) {
     btAssert(btFabs(value) < SIMD_INFINITY);  // neither is NaN
     return btFabs(value) < SIMD_INFINITY ? value : btScalar(0);

@@ -15,8 +15,41 @@
 #include "tautline/bullet/btCablesOnBody.h"
 #include "tautline/cable_block.h"
 #include "tautline/cable_rule.h"
+#include "tautline/force_trend.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
+/// A force [N] and a torque [N m] on a body, in the world; none unless set.
+struct btPush {
+  btVector3 m_force = btVector3(0, 0, 0);
+  btVector3 m_torque = btVector3(0, 0, 0);
+
+  btPush() = default;
+  explicit btPush(const btRigidBody& body)
+      : m_force(body.getTotalForce()), m_torque(body.getTotalTorque()) {}
+};
+
+/// What btStepWithCables remembers of the user's forces on a body.
+struct btPushes {
+  struct Trend {
+    tautline::ForceTrend<btScalar> m_force;
+    tautline::ForceTrend<btScalar> m_torque;
+
+    void next(btPush& push, btScalar timeStep) {
+      m_force.next(push.m_force.m_floats, timeStep);
+      m_torque.next(push.m_torque.m_floats, timeStep);
+    }
+  };
+
+  void forget() { m_given = m_added = Trend(); }
+
+  Trend m_given;            // before the steps
+  Trend m_added;            // by tick callbacks, in the parts
+  btPush m_last;            // that tick callbacks added in the last part
+  btPush m_seen;            // all that acted in the last part, with gravity
+  bool m_isSeen = false;    // in this part
+  bool m_isStruck = false;  // by an impact since
+};
 
 /// Make a btCableConstraint.
 class btCableInSolver : public btTypedConstraint {
@@ -41,6 +74,7 @@ class btCableInSolver : public btTypedConstraint {
 
  protected:
   friend class btCableStepper;
+  friend class btForcesOfStep;
   typedef tautline::CableRule<btScalar> Rule;
 
   btCableInSolver(btRigidBody& rbA, btRigidBody& rbB, const btVector3& pivotInA,
@@ -59,7 +93,16 @@ class btCableInSolver : public btTypedConstraint {
     m_rbA.activate(true);
     m_rbB.activate(true);
   }
-  bool hasBroken() const { return btFabs(m_appliedImpulse) >= getBreakingImpulseThreshold(); }
+  bool hasBroken() const {
+    return btFabs(m_appliedImpulse) >= getBreakingImpulseThreshold() ||
+           tautTension() >= m_breakingTension;
+  }
+  /// The part of the last step's impulse that impacts had [N s].
+  btScalar impactImpulse() const { return btMin(m_ofImpacts, m_appliedImpulse); }
+  /// Tension outside of impacts, in the last step [N]; 0 if the cable was not taut there.
+  btScalar tautTension() const {
+    return m_tautTime > 0 ? (m_appliedImpulse - impactImpulse()) / m_tautTime : btScalar(0);
+  }
   btCableLine getLine() const {
     return btCableLine(m_rbA.getCenterOfMassTransform(), m_pivotInA,
                        m_rbB.getCenterOfMassTransform(), m_pivotInB);
@@ -91,6 +134,7 @@ class btCableInSolver : public btTypedConstraint {
   std::shared_ptr<btCablesOnBody> m_onB;
   Rule m_rule;
   btScalar m_cfm = 0;
+  btScalar m_breakingTension = SIMD_INFINITY;  // [N]
 
   // of the step
   btCableLine m_line = getLine();
@@ -98,6 +142,8 @@ class btCableInSolver : public btTypedConstraint {
   btScalar m_correction = 0;     // [m]
   btScalar m_aimedDistance = 0;  // of the pivots, by it [m]
   btScalar m_inverseMass = 0;    // [1/kg]
+  btScalar m_ofImpacts = 0;      // so much of its impulse, or all of it if that is less [N s]
+  btScalar m_tautTime = 0;       // that its other impulse acted for [s]
   double m_change = 0;           // of its impulse, in an iteration [N s]
   bool m_near = false;           // its gap may need a row, or its length changes
   bool m_fresh = false;          // near, and not gathered yet
@@ -115,7 +161,12 @@ class btCableInSolver : public btTypedConstraint {
   // while btCableStepper steps, which sees to the impacts itself
   bool m_byEvents = false;
   btScalar m_eventStep = 0;  // its whole step [s]
+  btPushes m_pushesOnA;
+  btPushes m_pushesOnB;
   int m_stepsOutOfParts = 0;
+  bool m_drivenIsKnown = false;     // the next two, of its last step
+  btScalar m_drivenLengthRate = 0;  // [m/s]
+  btVector3 m_driven = {0, 0, 0};   // of the pivots by hooks, A's relative to B's [m/s]
 };
 
 // NOLINTEND(modernize-use-nodiscard)

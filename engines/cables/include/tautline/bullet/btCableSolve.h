@@ -67,6 +67,11 @@ inline void btCableInSolver::buildJacobian() {
   if (m_near && !m_solved && !m_asRow) {
     m_asRow = true;  // this solver calls no constraint by itself
   }
+  if (m_byEvents) {
+    m_pushesOnA.m_seen = btPush(m_rbA);
+    m_pushesOnB.m_seen = btPush(m_rbB);
+    m_pushesOnA.m_isSeen = m_pushesOnB.m_isSeen = true;
+  }
   if (m_row.acts) {
     m_rule.pulled(m_appliedImpulse, m_inverseMass);  // of the last step, which is lost after this
     m_row.acts = false;
@@ -74,6 +79,7 @@ inline void btCableInSolver::buildJacobian() {
   if (hasBroken()) {
     setEnabled(false);
   }
+  m_drivenIsKnown &= m_byEvents;
   m_line = getLine();
   const btScalar gap = m_rule.length - m_line.m_distance;
   // a hook is where it is to be after the step already: how far it has come is seen in `begin`
@@ -83,7 +89,14 @@ inline void btCableInSolver::buildJacobian() {
   }
   const bool pulls = hook || (m_rule.touches(gap) && (!m_byEvents || m_rule.held()));
   const bool moves = btCableMoves(m_rbA) || btCableMoves(m_rbB);
-  m_near = btTypedConstraint::isEnabled() && moves && (pulls || m_rule.length_rate != 0);
+  const bool enabled = btTypedConstraint::isEnabled();
+  if (hook && enabled) {
+    // Bullet does not wake what hangs on a kinematic body that starts to move, nor asks the cable
+    m_rbA.activate();
+    m_rbB.activate();
+  }
+  m_near = enabled && moves && (pulls || m_rule.length_rate != 0);
+  m_ofImpacts = m_tautTime = 0;
   m_fresh = m_near;
   m_solved = false;
 }
@@ -193,13 +206,21 @@ class btCableInSolver::Overstretch {
 /// What every cable asks for, and their Delassus matrix.
 inline void btCableInSolver::begin(btSolverBody* pool, btScalar timeStep) {
   m_pulling.clear();
+  bool impact = false;
   for (btCableInSolver* cable : m_together) {
     cable->m_line = cable->getLineBefore(timeStep);
     cable->ask(cable->startOf(pool, timeStep));
     cable->m_solved = true;
     if (cable->m_row.acts) {
       m_pulling.push_back(cable);
+      impact = impact || cable->m_ofImpacts > 0;
     }
+  }
+  for (btCableInSolver* cable : m_pulling) {
+    cable->m_ofImpacts = impact ? SIMD_INFINITY : btScalar(0);  // one cable's strikes all
+  }
+  for (std::size_t index = 0; index < m_pulling.size() && m_pulling.size() > 1; ++index) {
+    m_pulling[index]->m_row = m_pulling[index]->m_rule.beside_others(m_pulling[index]->m_row);
   }
   fillBlock(pool);
   Overstretch overstretch(*this, pool, timeStep);
@@ -274,6 +295,7 @@ inline void btCableInSolver::find(btSolverBody* pool, btScalar timeStep, bool fi
 }
 
 inline void btCableInSolver::ask(const Rule::Start& at) {
+  const bool impact = !m_byEvents && m_rule.is_impact(at);
   if (!(m_line.m_distance > SIMD_EPSILON)) {
     m_row = Rule::Row{false, 0};  // pivots that coincide have no direction to be pulled in
   } else if (m_byEvents) {
@@ -284,6 +306,9 @@ inline void btCableInSolver::ask(const Rule::Start& at) {
   } else {
     m_row = m_rule.step(at);
   }
+  // in a fixed step, all of the impulse or nothing
+  m_ofImpacts = m_row.acts && (impact || !m_rule.held()) ? SIMD_INFINITY : btScalar(0);
+  m_tautTime = m_row.acts ? at.dt : btScalar(0);
   // a short part takes out no more than its share
   const btScalar share = m_byEvents ? btMin(at.dt / m_eventStep, btScalar(1)) : btScalar(1);
   m_correction = share * m_rule.correction(at);
@@ -359,36 +384,6 @@ inline void btCableInSolver::apply(btSolverBody* pool, const tautline::CableBloc
     m_jointFeedback->m_appliedTorqueBodyA = tension * m_line.m_momentA;
     m_jointFeedback->m_appliedForceBodyB = -tension * m_line.m_towards;
     m_jointFeedback->m_appliedTorqueBodyB = -tension * m_line.m_momentB;
-  }
-}
-
-/// For a solver that knows rows alone; overstretch is taken out by velocity there.
-inline void btCableInSolver::getInfo2(btConstraintInfo2* info) {
-  const btScalar timeStep = 1 / info->fps;
-  m_line = getLineBefore(timeStep);
-  for (int axis = 0; axis < 3; ++axis) {
-    info->m_J1linearAxis[axis] = m_line.m_towards[axis];
-    info->m_J1angularAxis[axis] = m_line.m_momentA[axis];
-    info->m_J2linearAxis[axis] = -m_line.m_towards[axis];
-    info->m_J2angularAxis[axis] = -m_line.m_momentB[axis];
-  }
-  const btCableMotion a(m_rbA);
-  const btCableMotion b(m_rbB);
-  Rule::Start start;
-  start.gap = m_rule.length - m_line.m_distance;
-  start.rate = m_line.rate(a, b) + m_rule.length_rate;
-  start.fall = -timeStep * m_line.acceleration(m_rbA, m_rbB);
-  start.dt = timeStep;
-  tautline::cable_turn(start, m_line.swing(a, b), m_line.m_distance);
-  const btScalar rateOfLength = m_rule.length_rate;
-  ask(start);
-  m_inverseMass = m_line.inverseMass(m_rbA, m_rbB);
-  info->m_constraintError[0] =
-      btMax(m_row.rate, m_rule.held() ? m_correction / timeStep : btScalar(0)) - rateOfLength;
-  info->m_lowerLimit[0] = 0;
-  info->m_upperLimit[0] = m_row.acts ? SIMD_INFINITY : btScalar(0);
-  if (m_cfm > 0) {
-    info->cfm[0] = m_cfm;
   }
 }
 

@@ -13,6 +13,10 @@
 // parts; one that is at no cable's end jumps in the first, as Bullet has it. A callback must not
 // remove a cable or a body at its ends. A linear or angular factor that is neither 0 nor 1 is
 // applied to the user's forces once in each part.
+//
+// Forces and torques act over the whole step: those given before it are the same in all parts;
+// those that a tick callback gives may change from part to part, and an impact is looked for with
+// those of the part before.
 
 #ifndef TAUTLINE_BT_STEP_WITH_CABLES_H
 #define TAUTLINE_BT_STEP_WITH_CABLES_H
@@ -23,13 +27,15 @@
 #include <memory>
 
 #include "tautline/bullet/btCableConstraint.h"
+#include "tautline/bullet/btFlight.h"
+#include "tautline/bullet/btForcesOfStep.h"
 #include "tautline/bullet/btMovingEnd.h"
 #include "tautline/cable_events.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
 /// The world and its cables as `tautline::step_by_events` needs them. Use `btStepWithCables`.
-class btCableStepper {
+class btCableStepper : private btFlight {
  public:
   class Cable;
 
@@ -40,33 +46,14 @@ class btCableStepper {
   void fly(btScalar timeStep);
 
  private:
-  /// What the user's forces were when the step began; Bullet forgets them after each part.
-  struct Forced {
-    btRigidBody* m_body;
-    btVector3 m_force;
-    btVector3 m_torque;
-  };
-
-  static bool isMoved(const btRigidBody& body) {
-    return !body.isStaticOrKinematicObject() && body.isActive();
-  }
-
-  /// [m/s^2] of gravity and the user's force; gravity is not in the total force between steps
-  static btVector3 acceleration(const btRigidBody& body) {
-    return isMoved(body) ? body.getGravity() * body.getLinearFactor() +
-                               body.getTotalForce() * body.getInvMass()
-                         : btVector3(0, 0, 0);
-  }
-  static btVector3 damped(const btVector3& velocity, btScalar damping, btScalar timeStep) {
-    return damping > 0 ? velocity * btPow(1 - damping, timeStep) : velocity;
+  static std::vector<btCableInSolver*> asInSolver(btCableConstraint* const* cables, int numCables) {
+    return std::vector<btCableInSolver*>(cables, cables + numCables);
   }
   void stepPart(btScalar timeStep);
-  static btTransform poseAfter(const btRigidBody& body, const btMovingEnd* moving,
-                               btScalar timeStep);
 
   btDiscreteDynamicsWorld* m_world;
   std::vector<Cable> m_cables;
-  std::vector<Forced> m_forced;
+  btForcesOfStep m_forces;
   std::vector<btRigidBody*> m_ends;  // that forces move, each once
   std::vector<std::unique_ptr<btMovingEnd>> m_moving;
   btScalar m_timeStep;
@@ -101,19 +88,21 @@ class btCableStepper::Cable {
              m_cable->m_rbB.getAngularVelocity().length()) *
                 m_cable->getMaxLength());
   }
-  bool touches() const { return m_cable->isEnabled() && gap() <= tolerance(); }
+  bool touches() const {
+    return m_cable->isEnabled() && (gap() <= tolerance() || (held() && m_pulled));
+  }
   /// What a whole step explains of the closing rate [m/s].
   btScalar explained() const {
     const btCableLine line = m_cable->getLine();
-    const btVector3 relative = acceleration(m_cable->m_rbA) - acceleration(m_cable->m_rbB);
     btCableConstraint::Rule::Start start;
     start.dt = m_cable->m_eventStep;
-    start.fall = -start.dt * line.m_towards.dot(relative);
+    start.fall = fall(line);
     tautline::cable_turn(start,
                          line.swing(btCableMotion(m_cable->m_rbA), btCableMotion(m_cable->m_rbB)),
                          line.m_distance);
     return m_cable->m_rule.explained(start);
   }
+  btScalar braking() const { return m_braking; }
   bool slack() const { return m_cable->m_rule.slack(); }
   /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
   bool is_tugged() const { return held() && -rate() > explained(); }
@@ -144,8 +133,12 @@ class btCableStepper::Cable {
     b.applyCentralImpulse(-impulse * line.m_towards);
     b.applyTorqueImpulse(-impulse * line.m_momentB);
   }
-  void struck(btScalar impulse) {
+  void struck(btScalar impulse, btScalar impact) {
     add(impulse);
+    m_ofImpacts += impact;
+    for (btPushes* pushes : {&m_cable->m_pushesOnA, &m_cable->m_pushesOnB}) {
+      pushes->m_isStruck = pushes->m_isStruck || impact > 0;
+    }
     m_cable->m_rbA.activate();
     m_cable->m_rbB.activate();
   }
@@ -161,11 +154,17 @@ class btCableStepper::Cable {
       m_cable->m_rule.release();
     }
     leaves();
+    m_braking = held() ? findBraking() : btScalar(0);
+    m_cable->m_drivenLengthRate = m_cable->getMaxLengthRate();
+    m_cable->m_driven = driven();
+    m_cable->m_drivenIsKnown = true;
   }
   void end() {
     m_cable->m_byEvents = false;
     if (!m_sleeps || m_impulse > 0) {  // else it pulls as it did
       m_cable->m_appliedImpulse = m_impulse;
+      m_cable->m_ofImpacts = m_ofImpacts;
+      m_cable->m_tautTime = m_tautTime;
     }
   }
   /// What the cable changed the velocity of `body` by in the part that is over [m/s].
@@ -179,11 +178,14 @@ class btCableStepper::Cable {
   }
   /// After a part: its impulse is in.
   void flew() {
+    m_pulled = false;
     if (m_cable->m_row.acts) {
       m_cable->m_row.acts = false;
+      m_pulled = m_cable->m_appliedImpulse > 0;
       m_cable->m_rule.pulled(m_cable->m_appliedImpulse, m_cable->m_inverseMass);
       add(m_cable->m_appliedImpulse);
-      if (!(m_cable->m_appliedImpulse > 0) && gap() > tolerance()) {
+      m_tautTime += m_cable->m_appliedImpulse > 0 ? m_cable->m_tautTime : btScalar(0);
+      if (!m_pulled && gap() > tolerance() + m_braking * m_cable->m_eventStep) {
         m_cable->m_rule.release();
       }
     }
@@ -191,6 +193,28 @@ class btCableStepper::Cable {
   }
 
  private:
+  /// Closing that forces add in a whole step [m/s].
+  btScalar fall(const btCableLine& line) const {
+    return -m_cable->m_eventStep *
+           line.m_towards.dot(acceleration(m_cable->m_rbA) - acceleration(m_cable->m_rbB));
+  }
+  /// At which hooks move the pivots relative to each other [m/s].
+  btVector3 driven() const {
+    btVector3 velocity(0, 0, 0);
+    if (m_movingA != nullptr) {
+      velocity += m_cable->m_rbA.getVelocityInLocalPoint(m_cable->getLine().m_armA);
+    }
+    if (m_movingB != nullptr) {
+      velocity -= m_cable->m_rbB.getVelocityInLocalPoint(m_cable->getLine().m_armB);
+    }
+    return velocity;
+  }
+  btScalar findBraking() const {
+    const btCableLine line = m_cable->getLine();
+    const btScalar change = m_cable->getMaxLengthRate() - m_cable->m_drivenLengthRate +
+                            line.m_towards.dot(driven() - m_cable->m_driven);
+    return tautline::cable_braking(m_cable->m_drivenIsKnown, change, rate(), fall(line));
+  }
   void add(btScalar impulse) {
     m_impulse += impulse;
     if (m_impulse >= m_cable->getBreakingImpulseThreshold()) {
@@ -201,14 +225,21 @@ class btCableStepper::Cable {
   btCableConstraint* m_cable;
   const btMovingEnd* m_movingA = nullptr;
   const btMovingEnd* m_movingB = nullptr;
-  btScalar m_impulse = 0;  // of the step so far [N s]
+  btScalar m_impulse = 0;    // of the step so far [N s]
+  btScalar m_ofImpacts = 0;  // of these [N s]
+  btScalar m_tautTime = 0;   // [s]
+  btScalar m_braking = 0;    // see cable_braking [m/s]
+  bool m_pulled = false;     // in the part that is over
   bool m_sleeps = false;
 };
 
 inline btCableStepper::btCableStepper(btDiscreteDynamicsWorld* world,
                                       btCableConstraint* const* cables, int numCables,
                                       btScalar timeStep)
-    : m_world(world), m_timeStep(timeStep), m_lastPart(timeStep) {
+    : m_world(world),
+      m_forces(world, asInSolver(cables, numCables).data(), numCables, timeStep),
+      m_timeStep(timeStep),
+      m_lastPart(timeStep) {
   for (int index = 0; index < numCables; ++index) {
     m_cables.push_back(Cable(cables[index]));
     for (btRigidBody* body : {&cables[index]->getRigidBodyA(), &cables[index]->getRigidBodyB()}) {
@@ -229,13 +260,6 @@ inline btCableStepper::btCableStepper(btDiscreteDynamicsWorld* world,
       std::remove_if(m_ends.begin(), m_ends.end(),
                      [](const btRigidBody* body) { return body->isStaticOrKinematicObject(); }),
       m_ends.end());
-  const btAlignedObjectArray<btRigidBody*>& bodies = world->getNonStaticRigidBodies();
-  for (int index = 0; index < bodies.size(); ++index) {
-    btRigidBody* body = bodies[index];
-    if (!body->getTotalForce().isZero() || !body->getTotalTorque().isZero()) {
-      m_forced.push_back(Forced{body, body->getTotalForce(), body->getTotalTorque()});
-    }
-  }
 }
 
 inline int btCableStepper::step(int maxParts) {
@@ -252,21 +276,26 @@ inline int btCableStepper::step(int maxParts) {
 inline void btCableStepper::fly(btScalar timeStep) {
   struct Arrival {
     btRigidBody* m_body;
-    btVector3 m_velocity;  // if nothing but forces and cables touches it
-    btVector3 m_acceleration;
+    btVector3 m_velocity;  // before the part, or what its damping leaves
+    btVector3 m_torque;    // that is expected [N m]
+    btVector3 m_turn;      // by it [rad/s^2]
   };
   std::vector<Arrival> arrivals;
   for (btRigidBody* body : m_ends) {
-    const btVector3 gained = acceleration(*body);
     const btVector3 kept = damped(body->getLinearVelocity(), body->getLinearDamping(), timeStep);
-    arrivals.push_back(Arrival{body, kept + timeStep * gained, gained});
+    arrivals.push_back(Arrival{body, kept, body->getTotalTorque(), turning(*body)});
   }
   for (const std::unique_ptr<btMovingEnd>& end : m_moving) {
     end->advance(timeStep);
   }
+  m_forces.withdraw();
   stepPart(timeStep);
+  m_forces.learn(timeStep);
+  m_forces.expect();  // the same as in this part; btStepWithCables clears them at the end
   for (const Arrival& arrival : arrivals) {
-    btVector3 touch = arrival.m_body->getLinearVelocity() - arrival.m_velocity;
+    const btVector3 gained = acceleration(*arrival.m_body);
+    const btVector3 expected = arrival.m_velocity + timeStep * gained;
+    btVector3 touch = arrival.m_body->getLinearVelocity() - expected;
     btScalar pulled = 0;
     for (const Cable& cable : m_cables) {
       const btVector3 pull = cable.pullAt(*arrival.m_body);
@@ -274,26 +303,19 @@ inline void btCableStepper::fly(btScalar timeStep) {
       pulled += pull.length();
     }
     const btScalar rounding =
-        10 * SIMD_EPSILON *
-        (arrival.m_velocity.length() + timeStep * arrival.m_acceleration.length() + pulled);
+        10 * SIMD_EPSILON * (expected.length() + timeStep * gained.length() + pulled);
     if (touch.length() <= rounding) {
       btTransform pose = arrival.m_body->getCenterOfMassTransform();
-      pose.setOrigin(pose.getOrigin() - timeStep * timeStep / 2 * arrival.m_acceleration);
-      arrival.m_body->setCenterOfMassTransform(pose);
+      pose.setOrigin(pose.getOrigin() - timeStep * timeStep / 2 * gained);
+      // as expected exactly, for where the impact is has been found with it
+      const btVector3 more = arrival.m_body->getInvInertiaTensorWorld() *
+                             (arrival.m_body->getTotalTorque() - arrival.m_torque);
+      arrival.m_body->setCenterOfMassTransform(turnedBack(pose, arrival.m_turn + more, timeStep));
       m_world->synchronizeSingleMotionState(arrival.m_body);
     }
   }
   for (Cable& cable : m_cables) {
     cable.flew();
-  }
-  // for the next part, if there is one; btStepWithCables clears them at the end
-  const btAlignedObjectArray<btRigidBody*>& bodies = m_world->getNonStaticRigidBodies();
-  for (const Forced& forced : m_forced) {
-    // a tick callback may have taken it out of the world
-    if (bodies.findLinearSearch(forced.m_body) < bodies.size()) {
-      forced.m_body->applyCentralForce(forced.m_force);
-      forced.m_body->applyTorque(forced.m_torque);
-    }
   }
 }
 
@@ -313,27 +335,6 @@ inline void btCableStepper::stepPart(btScalar timeStep) {
   info.m_erp2 = erp2;
   info.m_warmstartingFactor = warmstartingFactor;
   m_lastPart = timeStep;
-}
-
-inline btTransform btCableStepper::poseAfter(const btRigidBody& body, const btMovingEnd* moving,
-                                             btScalar timeStep) {
-  if (moving != nullptr) {
-    return moving->poseAfter(timeStep);
-  }
-  const btTransform& pose = body.getCenterOfMassTransform();
-  if (!isMoved(body)) {
-    return pose;
-  }
-  btVector3 spin = damped(body.getAngularVelocity(), body.getAngularDamping(), timeStep) +
-                   timeStep * (body.getInvInertiaTensorWorld() * body.getTotalTorque());
-  if (body.getFlags() & BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY) {
-    spin += body.computeGyroscopicImpulseImplicit_Body(timeStep);
-  }
-  const btVector3 velocity = damped(body.getLinearVelocity(), body.getLinearDamping(), timeStep) +
-                             timeStep / 2 * acceleration(body);
-  btTransform result;
-  btTransformUtil::integrateTransform(pose, velocity, spin, timeStep, result);
-  return result;
 }
 
 /// Steps `world` by `timeStep` [s], in at most `maxParts` + 1 parts; returns how many. `cables` are

@@ -50,19 +50,22 @@ inline void dCableDestroy(dCableID cable) { delete cable; }  // its bodies stay
 /// origin.
 inline void dCableAttach(dCableID cable, dBodyID body1, dBodyID body2) {
   assert(body1 == nullptr || body1 != body2);
-  cable->end[0] = dxCableEnd{body1, {0, 0, 0, 0}};
-  cable->end[1] = dxCableEnd{body2, {0, 0, 0, 0}};
+  cable->end[0] = dxCableEnd(body1);
+  cable->end[1] = dxCableEnd(body2);
 }
 /// The body at end 0 or 1; null is the world.
 inline dBodyID dCableGetBody(dCableID cable, int index) { return cable->end[index].body; }
 
-/// Where an end is fastened to its body: a point in world coordinates, as it is now [m].
+/// Where an end is fastened to its body: a point in world coordinates, as it is now [m]. Wakes the
+/// bodies.
 inline void dCableSetAnchor1(dCableID cable, dReal x, dReal y, dReal z) {
   cable->end[0].fasten(x, y, z);
+  cable->wake();
 }
 /// The same for the other end.
 inline void dCableSetAnchor2(dCableID cable, dReal x, dReal y, dReal z) {
   cable->end[1].fasten(x, y, z);
+  cable->wake();
 }
 /// The anchors in world coordinates, now [m].
 inline void dCableGetAnchor1(dCableID cable, dVector3 result) { cable->end[0].position(result); }
@@ -106,6 +109,15 @@ inline void dCableSetBreakingImpulse(dCableID cable, dReal impulse) {
 }
 /// [N s]; infinity unless set.
 inline dReal dCableGetBreakingImpulse(dCableID cable) { return cable->breaking; }
+
+/// A tension outside of impacts, dCableGetTautTension, as large as this breaks the cable [N], >= 0;
+/// none unless set. It does not see impacts: where a cable that does not stretch goes taut, its
+/// tension has no largest value. dCableSetBreakingImpulse sees those.
+inline void dCableSetBreakingTension(dCableID cable, dReal tension) {
+  cable->breaking_tension = dxCableAtLeast0(tension);
+}
+/// [N]; infinity unless set.
+inline dReal dCableGetBreakingTension(dCableID cable) { return cable->breaking_tension; }
 inline void dCableMend(dCableID cable) { cable->broken = false; }  // holds again
 
 /// The speed at which overstretch is taken out, at most, unless the ends themselves are faster
@@ -158,7 +170,21 @@ inline dReal dCableGetImpulse(dCableID cable) {
 /// 1 if the cable pulled in the last step; else it was slack.
 inline int dCableIsTaut(dCableID cable) { return dCableGetImpulse(cable) > 0 ? 1 : 0; }
 
-/// 1 if an impulse has broken it.
+/// The impulse of the last step's impacts [N s]: in a fixed step all of its impulse, if it or a
+/// cable that hangs together with it went taut there, or was jerked; by events that of the instants
+/// in which cables went taut.
+inline dReal dCableGetImpactImpulse(dCableID cable) {
+  dxCableReadImpulse(cable);
+  return cable->impact_impulse();
+}
+/// Tension of the rest of the last step [N]: its mean over the time in which the cable was held
+/// taut. 0 where it was not, as in a fixed step with an impact.
+inline dReal dCableGetTautTension(dCableID cable) {
+  dxCableReadImpulse(cable);
+  return cable->taut_tension();
+}
+
+/// 1 if an impulse or a tension has broken it.
 inline int dCableIsBroken(dCableID cable) {
   dxCableReadImpulse(cable);
   return cable->broken ? 1 : 0;

@@ -5,14 +5,67 @@
 
 #include <ode/ode.h>
 
+#include <cmath>
+
 #include "tautline/cable_rule.h"
+#include "tautline/force_trend.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
+/// A force [N] and a torque [N m] on a body, in the world; none unless set.
+struct dxPush {
+  dVector3 force;
+  dVector3 torque;
+
+  dxPush() : force(), torque() {}
+  /// What acts on `body` in the next step, but gravity.
+  explicit dxPush(dBodyID body) {
+    dCopyVector3(force, dBodyGetForce(body));
+    dCopyVector3(torque, dBodyGetTorque(body));
+  }
+  void set(dBodyID body) const {
+    dBodySetForce(body, force[0], force[1], force[2]);
+    dBodySetTorque(body, torque[0], torque[1], torque[2]);
+  }
+  dxPush& operator+=(const dxPush& other) {
+    dAddVectors3(force, force, other.force);
+    dAddVectors3(torque, torque, other.torque);
+    return *this;
+  }
+  dxPush& operator-=(const dxPush& other) {
+    dSubtractVectors3(force, force, other.force);
+    dSubtractVectors3(torque, torque, other.torque);
+    return *this;
+  }
+};
+
+/// What dStepWithCables remembers of the user's forces on a body.
+struct dxPushes {
+  struct Trend {
+    tautline::ForceTrend<dReal> force;
+    tautline::ForceTrend<dReal> torque;
+
+    void next(dxPush& push, dReal dt) {
+      force.next(push.force, dt);
+      torque.next(push.torque, dt);
+    }
+  };
+
+  void forget() { given = added = Trend(); }
+
+  Trend given;             // before the steps
+  Trend added;             // by the step function, in the parts
+  dxPush last;             // that it added in the last part
+  bool is_struck = false;  // by an impact since
+};
 
 /// One end of a cable: a point of a body, or of the world.
 struct dxCableEnd {
   dBodyID body;     // 0: the world
   dReal anchor[4];  // in the body's frame, or the world's [m]
+  dxPushes pushes;
+
+  explicit dxCableEnd(dBodyID the_body = nullptr) : body(the_body), anchor() {}
 
   /// Fastens the end to the point (x, y, z) of the world as it is now [m].
   void fasten(dReal x, dReal y, dReal z) {
@@ -78,6 +131,71 @@ inline void dxBodySolveInertia(dBodyID body, const dReal* vector, dReal* result)
   dMass mass;
   dBodyGetMass(body, &mass);
   dxBodySolveInertia(body, mass, vector, result);
+}
+
+/// Turns a body where it is, by `angle` [rad] about `axis`, of any length.
+inline void dxBodyTurn(dBodyID body, const dReal* axis, dReal angle) {
+  if (angle != 0) {
+    dQuaternion rotation, turned;
+    dQFromAxisAndAngle(rotation, axis[0], axis[1], axis[2], angle);
+    dQMultiply0(turned, rotation, dBodyGetQuaternion(body));
+    dBodySetQuaternion(body, turned);
+  }
+}
+
+/// Of gravity and the user's forces on a body, a hook or the world [m/s^2].
+inline void dxEndAcceleration(const dxCableEnd& end, dReal* result) {
+  dVector3 gravity = {0, 0, 0, 0};
+  dCopyVector3(result, gravity);
+  if (end.is_moved()) {
+    dWorldGetGravity(dBodyGetWorld(end.body), gravity);
+    dxBodyAcceleration(end.body, gravity, result);
+  }
+}
+
+/// Turns `arm` by `angle` [rad] about `axis`, of any length.
+inline void dxTurn(dReal* arm, const dReal* axis, dReal angle) {
+  if (angle == 0) {
+    return;
+  }
+  dVector3 unit, quarter, half;
+  dCopyScaledVector3(unit, axis, 1 / dCalcVectorLength3(axis));
+  // Rodrigues: arm + sin(angle) axis x arm + (1 - cos(angle)) axis x (axis x arm)
+  dCalcVectorCross3(quarter, unit, arm);
+  dCalcVectorCross3(half, unit, quarter);
+  dAddScaledVectors3(quarter, quarter, half, std::sin(angle), 1 - std::cos(angle));
+  dAddVectors3(arm, arm, quarter);
+}
+
+/// Where an end is after `stepsize` if nothing but forces acts; ODE's gyroscopic torque is left
+/// out.
+inline void dxEndAfter(const dxCableEnd& end, dReal stepsize, dReal* result) {
+  if (end.body == nullptr || dBodyIsEnabled(end.body) == 0) {
+    end.position(result);
+    return;
+  }
+  dVector3 linear = {0, 0, 0, 0};
+  dVector3 angular = {0, 0, 0, 0};
+  if (end.is_moved()) {
+    dVector3 gravity;
+    dWorldGetGravity(dBodyGetWorld(end.body), gravity);
+    dxBodyAcceleration(end.body, gravity, linear);
+    dxBodySolveInertia(end.body, dBodyGetTorque(end.body), angular);
+  }
+  dVector3 spin, arm;
+  dAddScaledVectors3(spin, dBodyGetAngularVel(end.body), angular, 1, stepsize);
+  // ODE's turn of a step: of first order and normalised, or by the whole angle
+  const dReal angle = dCalcVectorLength3(spin) * stepsize;
+  const bool finite = dBodyGetFiniteRotationMode(end.body) != 0;
+  dBodyVectorToWorld(end.body, end.anchor[0], end.anchor[1], end.anchor[2], arm);
+  dxTurn(arm, spin, finite ? angle : 2 * std::atan(angle / 2));
+  dxTurn(arm, angular, -stepsize * stepsize / 2 * dCalcVectorLength3(angular));
+  const dReal* velocity = dBodyGetLinearVel(end.body);
+  const dReal* position = dBodyGetPosition(end.body);
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = position[axis] + arm[axis] + stepsize * velocity[axis] +
+                   stepsize * stepsize / 2 * linear[axis];
+  }
 }
 
 /// The spin of a body after `stepsize` of ODE's gyroscopic torque, which it takes implicitly: it

@@ -9,6 +9,7 @@
 #define TAUTLINE_ODE_CABLE_SOLVE_H
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -83,6 +84,7 @@ class dxCableSolve {
       const dCableID cable = cables[index];
       dxCableReadImpulse(cable);
       cable->wake_if_wound();
+      cable->wake_if_led();
       if (!cable->end[0].is_awake() && !cable->end[1].is_awake()) {
         continue;  // it pulls as it did
       }
@@ -105,7 +107,7 @@ class dxCableSolve {
       if (cable->row.acts) {
         m_acting.push_back(Acting{cable, m_acting.size()});
       } else {
-        cable->impulse = 0;
+        cable->impulse = cable->of_impacts = cable->taut_time = 0;
       }
     }
   }
@@ -144,8 +146,10 @@ class dxCableSolve {
 
   void solve(const Acting* acting, std::size_t count) {
     bool by_force = true;
+    bool impact = false;
     for (std::size_t index = 0; index < count; ++index) {
       const dCableID cable = acting[index].cable;
+      impact = impact || cable->of_impacts > 0;
       for (const dxCableEnd& end : cable->end) {
         if (end.is_moved()) {
           if (dBodyIsEnabled(end.body) == 0) {
@@ -155,12 +159,17 @@ class dxCableSolve {
         }
       }
     }
+    for (std::size_t index = 0; index < count && (count > 1 || !by_force); ++index) {
+      dxCable& cable = *acting[index].cable;
+      cable.row = cable.rule.beside_others(cable.row);
+    }
     fill(acting, count);
     Overstretch overstretch{*this, acting, count};
     tautline::move_out_of_overstretch<dReal>(overstretch, m_block, count);
     m_block.forget();
     for (std::size_t index = 0; index < count; ++index) {
       acting[index].cable->inverse_mass = static_cast<dReal>(m_block.inverse_mass(index));
+      acting[index].cable->of_impacts = impact ? dInfinity : dReal(0);  // one cable's strikes all
     }
     by_force ? pull(acting, count) : join(acting, count);
   }
@@ -224,13 +233,7 @@ class dxCableSolve {
       turn[axis] = static_cast<dReal>(push * end.turn[axis]);
     }
     dBodySetPosition(body, to[0], to[1], to[2]);
-    const dReal angle = dCalcVectorLength3(turn);
-    if (angle > 0) {
-      dQuaternion rotation, turned;
-      dQFromAxisAndAngle(rotation, turn[0], turn[1], turn[2], angle);
-      dQMultiply0(turned, rotation, dBodyGetQuaternion(body));
-      dBodySetQuaternion(body, turned);
-    }
+    dxBodyTurn(body, turn, dCalcVectorLength3(turn));
   }
 
   /// By forces, which the step to come turns into just these impulses.
@@ -267,7 +270,12 @@ class dxCableSolve {
   void join(dxCable& cable) const {
     // the row is asked for the rate and nothing else; ODE adds its ERP to nothing. A rebound asks
     // as a bounce, which dWorldSetContactMaxCorrectingVel does not limit
-    const dReal rate = cable.row.rate - cable.length_rate;
+    dReal rate = cable.row.rate - cable.length_rate;
+    const dReal free_rate = cable.line.rate(cable.free[0], cable.free[1]);
+    // of a row that is satisfied without a pull, and exactly, ODE says "LCP internal error"
+    if (std::abs(free_rate - rate) <= rounding(cable)) {
+      rate = free_rate - rounding(cable);
+    }
     const dReal closing = -cable.line.rate(cable.end);
     const bool rebounds = rate > 0 && rate <= closing;
     dContact contact = dContact();
@@ -290,6 +298,17 @@ class dxCableSolve {
     dJointAttach(joint, cable.end[first].body, cable.end[1 - first].body);
     dJointSetFeedback(joint, &cable.feedback);
     cable.stepsize = m_stepsize;
+  }
+
+  /// Of the rate of a cable's row, as ODE computes it [m/s].
+  dReal rounding(const dxCable& cable) const {
+    dReal fastest = m_stepsize * dCalcVectorLength3(m_gravity);
+    for (int side = 0; side < 2; ++side) {
+      fastest +=
+          dCalcVectorLength3(cable.free[side].velocity) +
+          dCalcVectorLength3(cable.free[side].spin) * dCalcVectorLength3(cable.line.arm[side]);
+    }
+    return 1000 * std::numeric_limits<dReal>::epsilon() * fastest;
   }
 
   dWorldID m_world = nullptr;

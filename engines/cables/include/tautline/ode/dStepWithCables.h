@@ -2,6 +2,7 @@
 // is solved at zero gap and in no time, and its restitution is exact to rounding.
 //
 //   void step(void* data, dReal stepsize) {  // what stood in the loop before
+//     dBodyAddForce(load, 0, thrust, 0);       // here, or before dStepWithCables
 //     dSpaceCollide(space, data, &nearCallback);
 //     dWorldStep(world, stepsize);
 //     dJointGroupEmpty(contactGroup);
@@ -13,29 +14,25 @@
 // per slack cable. In an impact the cables' own bodies alone change their velocities; contacts and
 // other joints of theirs answer in the part after it. A body at a cable's end that nothing but
 // cables touched in a part is put where its forces take it, half of a h^2 from where ODE does: else
-// every bounce would lose energy to the split. ODE forgets the forces on a body after each part;
-// add lasting ones in `step`.
+// every bounce would lose energy to the split.
+//
+// Forces and torques act over the whole step. Those that `step` adds may change from part to part,
+// in each of which they are constant; an impact is looked for with those of the part before. Those
+// given before dStepWithCables are the same in all parts; on a body at no cable's end, and not
+// jointed to one that is, they act in the first part alone: add those in `step`. While the world is
+// stepped so, it has a body more, and one thread steps its islands.
 
 #ifndef TAUTLINE_ODE_STEP_WITH_CABLES_H
 #define TAUTLINE_ODE_STEP_WITH_CABLES_H
 
 #include "tautline/cable_events.h"
 #include "tautline/ode/dCable.h"
+#include "tautline/ode/dxForcesOfStep.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
 /// Steps the user's world by `stepsize` [s].
 typedef void dStepFunction(void* data, dReal stepsize);
-
-/// Of gravity and the user's forces on a body, a hook or the world [m/s^2].
-inline void dxEndAcceleration(const dxCableEnd& end, dReal* result) {
-  dVector3 gravity = {0, 0, 0, 0};
-  dCopyVector3(result, gravity);
-  if (end.is_moved()) {
-    dWorldGetGravity(dBodyGetWorld(end.body), gravity);
-    dxBodyAcceleration(end.body, gravity, result);
-  }
-}
 
 /// A cable as `tautline::step_by_events` needs it. Use `dStepWithCables`.
 class dxEventCable {
@@ -46,7 +43,9 @@ class dxEventCable {
   bool held() const { return m_cable->rule.held(); }
   bool slack() const { return m_cable->rule.slack(); }
   bool flies() const { return !m_cable->broken && !held() && gap() >= -tolerance(); }
-  bool touches() const { return !m_cable->broken && gap() <= tolerance(); }
+  bool touches() const {
+    return !m_cable->broken && (gap() <= tolerance() || (held() && m_pulled));
+  }
   dReal gap() const { return dCableGetGap(m_cable); }
   dReal rate() const { return dCableGetGapRate(m_cable); }
   dReal tolerance() const {
@@ -54,6 +53,7 @@ class dxEventCable {
   }
   dReal rate_rounding() const;
   dReal explained() const;
+  dReal braking() const { return m_braking; }
   /// Of a cable that rests, between two steps: the user, or a hook, has pulled at it.
   bool is_tugged() const { return held() && -rate() > explained(); }
   dReal rebound() const { return m_cable->rule.rebound(-rate()); }
@@ -73,7 +73,7 @@ class dxEventCable {
     }
   }
   void apply(dReal impulse);
-  void struck(dReal impulse);
+  void struck(dReal impulse, dReal impact);
   void ran_out() { ++m_cable->out_of_parts; }
   dReal gap_after(dReal stepsize) const;
 
@@ -87,11 +87,18 @@ class dxEventCable {
       m_cable->rule.release();
     }
     leaves();
+    m_braking = held() ? find_braking() : dReal(0);
+    m_cable->driven_length_rate = m_cable->rule.length_rate;
+    driven(m_cable->driven);
+    m_cable->driven_is_known = true;
   }
   void end() {
     m_cable->by_events = false;
     if (!m_sleeps || m_impulse > 0) {  // else it pulls as it did
       m_cable->impulse = m_impulse;
+      m_cable->of_impacts = m_of_impacts;
+      m_cable->taut_time = m_taut_time;
+      m_cable->broken = m_cable->broken || m_cable->taut_tension() >= m_cable->breaking_tension;
     }
   }
   /// What the cable changed the velocity of `body` by in the part that is over [m/s].
@@ -105,10 +112,13 @@ class dxEventCable {
   }
   /// After a part: its impulse is in.
   void flew() {
+    m_pulled = false;
     if (m_cable->row.acts) {
       m_cable->row.acts = false;
+      m_pulled = m_cable->impulse > 0;
       add(m_cable->impulse);
-      if (!(m_cable->impulse > 0) && gap() > tolerance()) {
+      m_taut_time += m_cable->impulse > 0 ? m_cable->taut_time : dReal(0);
+      if (!m_pulled && gap() > tolerance() + m_braking * m_cable->event_stepsize) {
         m_cable->rule.release();
       }
     }
@@ -116,13 +126,20 @@ class dxEventCable {
   }
 
  private:
+  dReal fall(const dxCableLine& line) const;
+  void driven(dReal* result) const;
+  dReal find_braking() const;
   void add(dReal impulse) {
     m_impulse += impulse;
     m_cable->broken = m_cable->broken || m_impulse >= m_cable->breaking;
   }
 
   dCableID m_cable;
-  dReal m_impulse = 0;  // of the step so far [N s]
+  dReal m_impulse = 0;     // of the step so far [N s]
+  dReal m_of_impacts = 0;  // of these [N s]
+  dReal m_taut_time = 0;   // [s]
+  dReal m_braking = 0;     // see cable_braking [m/s]
+  bool m_pulled = false;   // in the part that is over
   bool m_sleeps = false;
 };
 
@@ -137,20 +154,49 @@ inline dReal dxEventCable::rate_rounding() const {
   return 100 * std::numeric_limits<dReal>::epsilon() * fastest;
 }
 
-/// What a whole step explains of the closing rate [m/s].
-inline dReal dxEventCable::explained() const {
-  const dxCableLine line(m_cable->end);
+/// Closing that forces add in a whole step [m/s].
+inline dReal dxEventCable::fall(const dxCableLine& line) const {
   dVector3 one, two;
   dxEndAcceleration(m_cable->end[0], one);
   dxEndAcceleration(m_cable->end[1], two);
   dSubtractVectors3(one, one, two);
+  return -m_cable->event_stepsize * dCalcVectorDot3(line.towards, one);
+}
+
+/// What a whole step explains of the closing rate [m/s].
+inline dReal dxEventCable::explained() const {
+  const dxCableLine line(m_cable->end);
   dxCable::Rule::Start start;
   start.dt = m_cable->event_stepsize;
-  start.fall = -start.dt * dCalcVectorDot3(line.towards, one);
+  start.fall = fall(line);
   tautline::cable_turn(start,
                        line.swing(dxMotion(m_cable->end[0].body), dxMotion(m_cable->end[1].body)),
                        line.distance);
   return m_cable->rule.explained(start);
+}
+
+/// At which hooks move the anchors relative to each other [m/s].
+inline void dxEventCable::driven(dReal* result) const {
+  dSetZero(result, 3);
+  for (int index = 0; index < 2; ++index) {
+    const dxCableEnd& end = m_cable->end[index];
+    if (end.body != nullptr && !end.is_moved()) {
+      dVector3 velocity;
+      dBodyGetRelPointVel(end.body, end.anchor[0], end.anchor[1], end.anchor[2], velocity);
+      dAddScaledVectors3(result, result, velocity, 1, index == 0 ? dReal(1) : dReal(-1));
+    }
+  }
+}
+
+inline dReal dxEventCable::find_braking() const {
+  const dxCableLine line(m_cable->end);
+  dVector3 change;
+  driven(change);
+  dSubtractVectors3(change, change, m_cable->driven);
+  return tautline::cable_braking(m_cable->driven_is_known,
+                                 m_cable->rule.length_rate - m_cable->driven_length_rate +
+                                     dCalcVectorDot3(line.towards, change),
+                                 rate(), fall(line));
 }
 
 inline void dxEventCable::apply(dReal impulse) {
@@ -173,49 +219,14 @@ inline void dxEventCable::apply(dReal impulse) {
   }
 }
 
-inline void dxEventCable::struck(dReal impulse) {
+inline void dxEventCable::struck(dReal impulse, dReal impact) {
   add(impulse);
-  for (const dxCableEnd& end : m_cable->end) {
+  m_of_impacts += impact;
+  for (dxCableEnd& end : m_cable->end) {
+    end.pushes.is_struck = end.pushes.is_struck || impact > 0;
     if (end.is_moved()) {
       dBodyEnable(end.body);
     }
-  }
-}
-
-/// Where an end is after `stepsize` if nothing but forces acts; ODE's gyroscopic torque is left
-/// out.
-inline void dxEndAfter(const dxCableEnd& end, dReal stepsize, dReal* result) {
-  if (end.body == nullptr || dBodyIsEnabled(end.body) == 0) {
-    end.position(result);
-    return;
-  }
-  dVector3 linear = {0, 0, 0, 0};
-  dVector3 angular = {0, 0, 0, 0};
-  if (end.is_moved()) {
-    dVector3 gravity;
-    dWorldGetGravity(dBodyGetWorld(end.body), gravity);
-    dxBodyAcceleration(end.body, gravity, linear);
-    dxBodySolveInertia(end.body, dBodyGetTorque(end.body), angular);
-  }
-  dVector3 spin, turn, quarter;
-  dAddScaledVectors3(spin, dBodyGetAngularVel(end.body), angular, 1, stepsize);
-  // ODE's turn of a step: of first order and normalised, or by the whole angle
-  const dReal angle = dCalcVectorLength3(spin) * stepsize;
-  const bool finite = dBodyGetFiniteRotationMode(end.body) != 0;
-  const dReal half = finite ? angle / 2 : std::atan(angle / 2);
-  dCopyScaledVector3(turn, spin, angle > 0 ? stepsize / angle : 0);  // its axis
-  dVector3 arm, moved;
-  dBodyVectorToWorld(end.body, end.anchor[0], end.anchor[1], end.anchor[2], arm);
-  // Rodrigues: arm + sin(2 half) axis x arm + (1 - cos(2 half)) axis x (axis x arm)
-  dVector3 twice;
-  dCalcVectorCross3(quarter, turn, arm);
-  dCalcVectorCross3(twice, turn, quarter);
-  dAddScaledVectors3(moved, quarter, twice, std::sin(2 * half), 1 - std::cos(2 * half));
-  const dReal* velocity = dBodyGetLinearVel(end.body);
-  const dReal* position = dBodyGetPosition(end.body);
-  for (int axis = 0; axis < 3; ++axis) {
-    result[axis] = position[axis] + arm[axis] + moved[axis] + stepsize * velocity[axis] +
-                   stepsize * stepsize / 2 * linear[axis];
   }
 }
 
@@ -231,33 +242,31 @@ inline dReal dxEventCable::gap_after(dReal stepsize) const {
 class dxEventHost {
  public:
   dxEventHost(dWorldID world, dJointGroupID group, std::vector<dxEventCable>& cables,
-              dReal stepsize, dStepFunction* step, void* data)
+              dxForcesOfStep& forces, dReal stepsize, dStepFunction* step, void* data)
       : m_world(world),
         m_group(group),
         m_cables(cables),
+        m_forces(forces),
         m_stepsize(stepsize),
         m_erp(dWorldGetERP(world)),
         m_step(step),
         m_data(data) {
     for (const dxEventCable& cable : cables) {
       m_ids.push_back(cable.id());
-      for (const dxCableEnd& end : cable.id()->end) {
-        if (end.is_moved() && std::find(m_ends.begin(), m_ends.end(), end.body) == m_ends.end()) {
-          m_ends.push_back(end.body);
-        }
-      }
     }
   }
 
   void fly(dReal stepsize) {
     std::vector<Arrival> arrivals;
-    for (const dBodyID body : m_ends) {
-      arrivals.push_back(Arrival(body, stepsize));
+    for (std::size_t index = 0; index < m_forces.ends(); ++index) {
+      arrivals.push_back(Arrival(m_forces.end(index)));
     }
     dCableAddContacts(m_world, m_group, m_ids.data(), static_cast<int>(m_ids.size()), stepsize);
     // a depth is pushed out at the same speed in a short part
     dWorldSetERP(m_world, m_erp * stepsize / m_stepsize);
+    m_forces.withdraw(stepsize);
     m_step(m_data, stepsize);
+    m_forces.expect();  // the same as in this part
     dWorldSetERP(m_world, m_erp);
     dJointGroupEmpty(m_group);
     for (dxEventCable& cable : m_cables) {
@@ -272,21 +281,25 @@ class dxEventHost {
   }
 
  private:
-  /// A body before a part, and where it is to be after it.
+  /// A body before a part; after it, it is put where its forces take it.
   struct Arrival {
     dBodyID body;
-    dVector3 acceleration;
-    dVector3 velocity;  // if nothing but forces and cables touches it
+    dVector3 velocity;
+    dVector3 torque;  // that is expected [N m]
+    dVector3 turn;    // by it [rad/s^2]
 
-    Arrival(dBodyID the_body, dReal stepsize) : body(the_body) {
-      dVector3 gravity;
-      dWorldGetGravity(dBodyGetWorld(body), gravity);
-      dxBodyAcceleration(body, gravity, acceleration);
-      dAddScaledVectors3(velocity, dBodyGetLinearVel(body), acceleration, 1, stepsize);
+    explicit Arrival(dBodyID the_body) : body(the_body) {
+      dCopyVector3(velocity, dBodyGetLinearVel(body));
+      dCopyVector3(torque, dBodyGetTorque(body));
+      dxBodySolveInertia(body, torque, turn);
     }
     void correct(dReal stepsize, const std::vector<dxEventCable>& cables) const {
-      dVector3 touch;
-      dSubtractVectors3(touch, dBodyGetLinearVel(body), velocity);
+      dVector3 gravity, acceleration, touch;
+      dWorldGetGravity(dBodyGetWorld(body), gravity);
+      dxBodyAcceleration(body, gravity, acceleration);
+      dAddScaledVectors3(touch, velocity, acceleration, 1, stepsize);
+      const dReal speed = dCalcVectorLength3(touch);
+      dSubtractVectors3(touch, dBodyGetLinearVel(body), touch);
       dReal pulled = 0;
       for (const dxEventCable& cable : cables) {
         dVector3 pull;
@@ -294,14 +307,18 @@ class dxEventHost {
         dSubtractVectors3(touch, touch, pull);
         pulled += dCalcVectorLength3(pull);
       }
-      const dReal rounding =
-          10 * std::numeric_limits<dReal>::epsilon() *
-          (dCalcVectorLength3(velocity) + stepsize * dCalcVectorLength3(acceleration) + pulled);
+      const dReal rounding = 10 * std::numeric_limits<dReal>::epsilon() *
+                             (speed + stepsize * dCalcVectorLength3(acceleration) + pulled);
       if (dCalcVectorLength3(touch) <= rounding) {
-        dVector3 position;
-        dAddScaledVectors3(position, dBodyGetPosition(body), acceleration, 1,
-                           -stepsize * stepsize / 2);
+        const dReal back = -stepsize * stepsize / 2;
+        dVector3 position, turned;
+        dAddScaledVectors3(position, dBodyGetPosition(body), acceleration, 1, back);
         dBodySetPosition(body, position[0], position[1], position[2]);
+        // as expected exactly, for where the impact is has been found with it
+        dSubtractVectors3(turned, dBodyGetTorque(body), torque);
+        dxBodySolveInertia(body, turned, turned);
+        dAddVectors3(turned, turned, turn);
+        dxBodyTurn(body, turned, back * dCalcVectorLength3(turned));
       }
     }
   };
@@ -309,10 +326,10 @@ class dxEventHost {
   dWorldID m_world;
   dJointGroupID m_group;
   std::vector<dxEventCable>& m_cables;
+  dxForcesOfStep& m_forces;
   std::vector<dCableID> m_ids;
-  std::vector<dBodyID> m_ends;  // each body once
-  dReal m_stepsize;             // [s], the whole step
-  dReal m_erp;                  // the world's
+  dReal m_stepsize;  // [s], the whole step
+  dReal m_erp;       // the world's
   dStepFunction* m_step;
   void* m_data;
 };
@@ -322,15 +339,17 @@ class dxEventHost {
 /// over the step.
 inline int dStepWithCables(dWorldID world, dJointGroupID group, const dCableID* cables, int count,
                            dReal stepsize, dStepFunction* step, void* data, int max_parts = 8) {
+  dxForcesOfStep forces(world, cables, count, stepsize);
   std::vector<dxEventCable> events(cables, cables + count);
   for (dxEventCable& cable : events) {
     cable.begin(stepsize);
   }
-  dxEventHost host(world, group, events, stepsize, step, data);
+  dxEventHost host(world, group, events, forces, stepsize, step, data);
   const int parts = tautline::step_by_events(host, events, stepsize, max_parts);
   for (dxEventCable& cable : events) {
     cable.end();
   }
+  forces.finish();
   return parts;
 }
 

@@ -14,6 +14,8 @@
 
 class dxCableSolve;
 
+// NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
+
 /// Use the functions of dCable.h. Destroy a cable before its bodies, and not between
 /// dCableAddContacts and the end of the step: ODE writes to it there.
 struct dxCable {
@@ -21,8 +23,9 @@ struct dxCable {
 
   dxCableEnd end[2];
   Rule rule;
-  dReal cfm = -1;              // negative: the world's
-  dReal breaking = dInfinity;  // impulse [N s]
+  dReal cfm = -1;                      // negative: the world's
+  dReal breaking = dInfinity;          // impulse [N s]
+  dReal breaking_tension = dInfinity;  // outside of impacts [N]
   bool broken = false;
   bool as_contact = false;  // never by force
   int out_of_parts = 0;     // steps
@@ -31,21 +34,39 @@ struct dxCable {
   dxCableLine line;  // before it
   dxMotion free[2];  // of its ends, if no cable pulls
   Rule::Row row = {false, 0};
-  dReal length_rate = 0;     // [m/s]
-  dReal aimed_distance = 0;  // of the anchors, by the correction [m]
-  dReal correction = 0;      // [m]
-  dReal inverse_mass = 0;    // [1/kg]
-  dReal impulse = 0;         // [N s]
-  dReal stepsize = 0;        // [s] of a step whose contact is not read yet; 0: none
-  dJointFeedback feedback;   // ODE writes to it in a step
-  bool by_events = false;    // while dStepWithCables steps, which sees to the impacts itself
-  dReal event_stepsize = 0;  // its whole step [s]
+  dReal length_rate = 0;           // [m/s]
+  dReal aimed_distance = 0;        // of the anchors, by the correction [m]
+  dReal correction = 0;            // [m]
+  dReal inverse_mass = 0;          // [1/kg]
+  dReal impulse = 0;               // [N s]
+  dReal of_impacts = 0;            // so much of it, or all if it is less [N s]
+  dReal taut_time = 0;             // that the rest of it acted for [s]
+  dReal stepsize = 0;              // [s] of a step whose contact is not read yet; 0: none
+  dJointFeedback feedback;         // ODE writes to it in a step
+  bool by_events = false;          // while dStepWithCables steps, which sees to the impacts itself
+  dReal event_stepsize = 0;        // its whole step [s]
+  bool driven_is_known = false;    // the next two, of its last step
+  dReal driven_length_rate = 0;    // [m/s]
+  dVector3 driven = {0, 0, 0, 0};  // of the anchors by hooks, that of 1 relative to 2 [m/s]
   std::shared_ptr<dxCableSolve> solve;  // of the calls in which it is the first
 
   void wake() const {
     for (const dxCableEnd& one : end) {
       if (one.is_moved()) {
         dBodyEnable(one.body);
+      }
+    }
+  }
+  /// A hook that was moved by its place has no velocity to see.
+  void wake_if_led() const {
+    for (int side = 0; side < 2; ++side) {
+      if (end[side].body != nullptr && !end[side].is_moved()) {
+        dVector3 now;
+        end[side].position(now);
+        dSubtractVectors3(now, now, line.point[side]);
+        if (dCalcVectorLengthSquare3(now) > 0) {
+          wake();
+        }
       }
     }
   }
@@ -57,7 +78,9 @@ struct dxCable {
 
   /// Sets the row of the step that begins as `at` says, and winds the winch on.
   void ask(const Rule::Start& at) {
+    const bool impact = !by_events && rule.is_impact(at);
     length_rate = rule.length_rate;
+    driven_is_known = driven_is_known && by_events;
     // anchors that coincide have no direction to be pulled in
     if (broken) {
       rule.release();
@@ -72,6 +95,9 @@ struct dxCable {
     } else {
       row = rule.step(at);
     }
+    // in a fixed step, all of the impulse or nothing
+    of_impacts = row.acts && (impact || !rule.held()) ? dInfinity : dReal(0);
+    taut_time = row.acts ? at.dt : dReal(0);
     // a short part takes out no more than its share
     const dReal share = by_events ? std::min(at.dt / event_stepsize, dReal(1)) : dReal(1);
     correction = share * rule.correction(at);
@@ -107,7 +133,13 @@ struct dxCable {
   void pulled(dReal by) {
     impulse = by;
     rule.pulled(by, inverse_mass);
-    broken = broken || by >= breaking;
+    broken = broken || by >= breaking || (!by_events && taut_tension() >= breaking_tension);
+  }
+
+  dReal impact_impulse() const { return std::min(of_impacts, impulse); }  // [N s]
+  /// [N]; 0 if it was not taut.
+  dReal taut_tension() const {
+    return taut_time > 0 ? (impulse - impact_impulse()) / taut_time : dReal(0);
   }
 };
 typedef dxCable* dCableID;  // as ODE's own handles
@@ -123,5 +155,7 @@ inline void dxCableReadImpulse(dCableID cable) {
   }
   cable->stepsize = 0;
 }
+
+// NOLINTEND(modernize-use-nodiscard)
 
 #endif

@@ -106,6 +106,12 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   const double dt = before_->end - before_->start;
   const StateVector rate_then = rate_at(*before_, dt, event.before, case_.gravity);
   now_ = delayed(now_, *delay, rate_then);
+  // where the rounded gap is zero the gap is not: what the delay has taken out of the pose stays
+  double early = 0.0;  // [s]
+  for (const std::size_t index : hit) {
+    early = std::max(early, place / std::abs(views_[index].rate(event.before)));
+  }
+  add_late(now_, early * early, rate_then);
   StateVector moved = rate_then.cwiseAbs();  // the instant is a double, and the gap closed there
   for (const std::size_t index : hit) {
     moved.head<2>().array() += std::abs(views_[index].rate(event.before));

@@ -9,23 +9,12 @@
 #include <utility>
 
 #include "bench/solution/digits/summary.hpp"
+#include "bench/solution/time_errors.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/rounding.hpp"
 
 namespace tautline::bench {
 namespace {
-
-/// The bound of the error of the time of the event at `time`; < 0 where it is not sure.
-double time_error(const Solution& solution, const Uncertainty& uncertainty, double time,
-                  EventKind kind) {
-  for (std::size_t index = solution.events().size(); index-- > 0;) {
-    const Event& event = solution.events()[index];
-    if (event.time == time && event.kind == kind) {
-      return uncertainty.events()[index] ? uncertainty.events()[index]->time : -1.0;
-    }
-  }
-  return -1.0;
-}
 
 /// What errors of the energy do to the numbers of a swing: it is one of a family that differ in
 /// energy alone, of which a neighbour is measured.
@@ -57,20 +46,18 @@ SummaryErrors<double> summary_errors(const Case& the_case, const Solution& solut
   errors.energy = uncertainty.energy(end).value_or(-1.0);
   for (const LastImpact& last : settling.last_impacts) {
     errors.last_impacts.push_back(
-        last.time ? time_error(solution, uncertainty, *last.time, EventKind::impact) : 0.0);
+        last.time ? time_error(solution, uncertainty, *last.time, EventKind::impact).value_or(-1.0)
+                  : 0.0);
   }
   if (settling.lock) {
-    const double start = solution.events().back().time;
-    const double error =
-        uncertainty.lock().value_or(time_error(solution, uncertainty, start, EventKind::taut));
-    errors.lock = error < 0.0 ? error : error + settling.lock->uncertainty;
+    errors.lock = lock_error(solution, settling, uncertainty).value_or(-1.0);
     if (settling.lock->swing && errors.energy >= 0.0) {
       swing_errors(the_case, solution.events().back().after, *settling.lock->swing, errors);
     }
   }
   if (solution.ending() == Ending::rest || solution.ending() == Ending::unstable_rest) {
-    errors.end_time = time_error(solution, uncertainty, solution.events().back().time,
-                                 solution.events().back().kind);
+    const Event& last = solution.events().back();
+    errors.end_time = time_error(solution, uncertainty, last.time, last.kind).value_or(-1.0);
   } else if (const auto state = uncertainty.at(end)) {  // where a limit of the case is passed
     const State last = solution.at(end);
     const double speed = last.velocity.norm() + std::abs(last.spin) * attachment_radius(the_case);
@@ -126,7 +113,7 @@ std::string horizon_text(const Case& the_case, const Solution& solution,
     const std::string left =
         error < 0.0 ? ""
                     : fmt::format(", {} there,",
-                                  right_general(energy(the_case, solution.at(before)), error, 6));
+                                  number_in_words(energy(the_case, solution.at(before)), error, 6));
     result += fmt::format(
         "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "
         "energy{} does not grow. --digits N computes this one, which may take long.\n",

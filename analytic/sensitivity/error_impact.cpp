@@ -94,8 +94,9 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   if (!order_is_sure(event)) {
     return false;
   }
-  const auto delay = delay_of(case_, event.before, hit);
+  const auto delay = delay_of(event, hit);
   if (!delay) {  // which of them is first is open; what is before them is not
+    tie_ = hit.size() > 1 ? std::optional(Tie{EventKind::impact, hit}) : std::nullopt;
     sure_to_ = std::max(sure_to_, event.time - earlier(event, hit));
     return false;
   }
@@ -132,6 +133,10 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   return true;
 }
 
+std::optional<StateRow> ErrorTracker::delay_of(const Event& event, CableSet hit) const {
+  return tautline::delay_of(case_, options_.law, event.before, {met_, hit});
+}
+
 /// True where no cable that stays slack along the arc before `event` might have been hit.
 bool ErrorTracker::order_is_sure(const Event& event) const {
   const double dt = before_->end - before_->start;
@@ -153,13 +158,15 @@ bool ErrorTracker::order_is_sure(const Event& event) const {
 
 /// What the impact's results gain per unit of the state before: in closed form under Newton's law.
 ErrorTracker::Kick ErrorTracker::kick_of(const Event& event) const {
-  const CableSet active = pulled(event);
+  const CableSet pulling = pulled(event);
+  const CableSet active = pulling.size() > 1 ? basis(case_, event.before, pulling) : pulling;
   bool speeds = false;
   for (const std::size_t index : active) {
     speeds = speeds || depends_on_speed(case_.cables[index]);
   }
-  const bool newton = options_.law == ImpactLaw::simultaneous || event.cables.size() == 1;
-  if (!newton || speeds || active.size() > 3) {
+  const bool newton = options_.law == ImpactLaw::simultaneous || event.cables.size() == 1 ||
+                      active != pulling;  // of which differences would break the tie
+  if (!newton || (speeds && active == pulling)) {
     const auto slopes = rebound_slopes(case_, options_.law, event, taut_);
     return {slopes.after.bottomRows<3>() - StateMatrix::Identity().bottomRows<3>(),
             slopes.impulses};
@@ -191,6 +198,16 @@ ErrorTracker::Kick ErrorTracker::kick_of(const Event& event) const {
     }
     ++row;
   }
+  if (active != pulling) {  // the others share with these: none changes by more than all of them
+    const StateRow all = slopes.colwise().sum();
+    row = 0;
+    for (const std::size_t index : event.cables) {
+      if (pulling.contains(index)) {
+        result.impulses.row(row) = all;
+      }
+      ++row;
+    }
+  }
   result.velocity = (weight.asDiagonal() * result.velocity).eval();
   return result;
 }
@@ -202,6 +219,7 @@ EventErrors ErrorTracker::take_impact(const Event& event) {
                      0.0,
                      CableVector(event.impulses.size()),
                      bounds(squares, sizes_, event.before),
+                     {},
                      {}};
   const double unit = 2 * one_rounding * std::max(fastest_, sizes_.speed(event.before));
   const Eigen::Vector3d weight = inverse_mass(case_.body);
@@ -229,6 +247,7 @@ EventErrors ErrorTracker::take_impact(const Event& event) {
   now_ = kicked(now_, kick.velocity);
   add_errors(now_, rounding);
   errors.after = bounds(now_.topLeftCorner<6, 6>(), sizes_, event.after);
+  errors.indeterminate = indeterminate(options_.law, case_, event);
   return errors;
 }
 

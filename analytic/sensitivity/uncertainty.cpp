@@ -96,7 +96,7 @@ std::optional<double> Uncertainty::lock() const {
   const auto next = std::upper_bound(arcs.begin(), arcs.end(), from,
                                      [](double t, const Arc& arc) { return t < arc.start; });
   const auto arc = static_cast<std::size_t>(std::distance(arcs.begin(), next)) - 1;
-  if (merges_after(*case_, *solution_, arc)) {
+  if (merges_after(*case_, options_.law, *solution_, arc)) {
     return std::nullopt;
   }
   const double until = std::min(3.0 * unsure_.back().until - 2.0 * from, case_->duration);

@@ -100,9 +100,9 @@ std::optional<std::string> digits_usage_problem(const SolveCommand& command) {
   if (*command.digits < 1 || *command.digits > most_right_digits) {
     return fmt::format("--digits {}: must be 1 to {}", *command.digits, most_right_digits);
   }
-  if (!command.json.empty() || !command.at.empty() || !command.plot.empty()) {
+  if (!command.json.empty() || !command.plot.empty()) {
     return fmt::format(
-        "--digits {}: prints a summary and events; --json, --plot and --at need --certify",
+        "--digits {}: prints a summary, samples and events; --json and --plot need --certify",
         *command.digits);
   }
   return std::nullopt;
@@ -184,7 +184,7 @@ int solve_command(const SolveCommand& command) {
   if (command.digits && !command.certify) {
     fmt::print("{}", many_digits_text(*the_case, options, solution,
                                       {*command.digits, command.decimal, command.events,
-                                       literals_of(command.the_case), PatienceNote()},
+                                       literals_of(command.the_case), command.at, PatienceNote()},
                                       output_style()));
     return exit_code(solution.ending());
   }

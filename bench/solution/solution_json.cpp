@@ -44,15 +44,19 @@ Json errors_json(const EventErrors& errors) {
           {"after", state_json(errors.after)}};
 }
 
-Json event_json(const Event& event, const std::optional<EventErrors>& errors) {
+Json event_json(const Event& event, const std::optional<EventErrors>& errors, CableSet split) {
   const auto pull = [](double impulse) { return Json(std::max(impulse, 0.0)); };  // or gravity's
-  return {{"time", event.time},
-          {"kind", to_string(event.kind)},
-          {"cables", event.cables.indices()},
-          {"impulses", json_list(event.impulses, pull)},
-          {"before", state_json(event.before)},
-          {"after", state_json(event.after)},
-          {"errors", errors ? errors_json(*errors) : Json(nullptr)}};
+  Json result = {{"time", event.time},
+                 {"kind", to_string(event.kind)},
+                 {"cables", event.cables.indices()},
+                 {"impulses", json_list(event.impulses, pull)},
+                 {"before", state_json(event.before)},
+                 {"after", state_json(event.after)},
+                 {"errors", errors ? errors_json(*errors) : Json(nullptr)}};
+  if (!split.empty()) {
+    result["indeterminate"] = split.indices();
+  }
+  return result;
 }
 
 /// A bound, null where there is none.
@@ -98,9 +102,14 @@ Json sample_json(double time, const State& state, const std::optional<State>& er
   return result;
 }
 
+Json tie_json(const Tie& tie) {
+  return {{"kind", to_string(tie.kind)}, {"cables", tie.cables.indices()}};
+}
+
 Json unsure_json(const Unsure& stretch) {
   return {{"from", stretch.from},
-          {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)}};
+          {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)},
+          {"tie", stretch.tie ? tie_json(*stretch.tie) : Json(nullptr)}};
 }
 
 Json case_json(const Case& the_case) {
@@ -217,7 +226,9 @@ std::string solution_json(const Case& the_case, const SolveOptions& options,
       {"energy", ledger_json(energy_ledger(the_case, solution))},
       {"settling", settling_json(settling, lock_error(solution, settling, uncertainty))}};
   for (std::size_t index = 0; index < solution.events().size(); ++index) {
-    result["events"].push_back(event_json(solution.events()[index], uncertainty.events()[index]));
+    result["events"].push_back(
+        event_json(solution.events()[index], uncertainty.events()[index],
+                   indeterminate(options.law, the_case, solution.events()[index])));
   }
   result["unsure"] = json_list(uncertainty.unsure(), unsure_json);
   result["accumulations"] = json_list(solution.accumulations(), [&](const Accumulation& one) {

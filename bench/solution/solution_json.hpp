@@ -25,12 +25,12 @@ inline constexpr int solution_schema = 4;
 ///     schema, case (with the keys of a case file),
 ///     options: {law, completion_error, max_events, max_steps},
 ///     events: [{time, kind, cables, impulses, before, after, errors: {time, impulses, before,
-///     after}|null}], ending, end_time, end_state,
+///     after}|null, indeterminate: [cable] if there are any}], ending, end_time, end_state,
 ///     energy: {start, impacts, completions, end, residual},
 ///     settling: {last_impacts: [{speed, time|null}], lock: {time, uncertainty|null, cables,
 ///     permanent, rests, swing: {energy, period, least, largest, amplitude}|null}|null},
 ///     accumulations: [{start, time, uncertainty|null, cables, energy_lost}],
-///     unsure: [{from, until|null}],
+///     unsure: [{from, until|null, tie: {kind, cables}|null}],
 ///     samples: [{time, position, angle, velocity, spin, errors: state|null}], if there are sample
 ///     times,
 ///     certificate, if there is one: {digits, completion_error, correct: [{digits, until|null}],
@@ -42,6 +42,10 @@ inline constexpr int solution_schema = 4;
 /// time of a completed accumulation is of its limit. `uncertainty` bounds the error of the time
 /// beside it: rounding, and how the bounces end; in the certificate the latter alone. Impulses are
 /// >= 0.
+///
+/// A `tie` is what rounding decides at `from`: with kind impact which of the cables, taut at one
+/// instant, is hit first; with kind slack whether the cable lets go, whose tension touches zero.
+/// Among `indeterminate` cables the split of an impulse is one of several: that of smallest size.
 ///
 /// Each value, event and sample is a line.
 ///

@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "bench/solution/cable_words.hpp"
+#include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/digits/summary.hpp"
 #include "bench/solution/time_errors.hpp"
 #include "tautline/geometry.hpp"
@@ -80,12 +82,47 @@ std::pair<std::string, std::string> told_apart(double from, double until) {
   return {shortest(from), shortest(until)};
 }
 
+/// What rounding decides at the start of `stretch`, a line; "" where errors have grown.
+std::string tie_line(const Unsure& stretch) {
+  return stretch.tie ? tie_sentence(stretch.tie->kind, stretch.tie->cables,
+                                    fmt::format("{:.6g}", stretch.from)) +
+                           "\n"
+                     : "";
+}
+
+/// The first impact whose impulses may be split in other ways, and how many more there are.
+std::string split_line(const Solution& solution, const Uncertainty& uncertainty) {
+  const auto& all = uncertainty.events();
+  const auto is_open = [](const std::optional<EventErrors>& errors) {
+    return errors && !errors->indeterminate.empty();
+  };
+  const auto first = std::find_if(all.begin(), all.end(), is_open);
+  if (first == all.end()) {
+    return "";
+  }
+  const Event& event = solution.events()[static_cast<std::size_t>(first - all.begin())];
+  std::string impulses;
+  Eigen::Index row = 0;
+  for (const std::size_t index : event.cables) {
+    if ((*first)->indeterminate.contains(index)) {
+      impulses += (impulses.empty() ? "" : ", ") +
+                  number_in_words(event.impulses[row], (*first)->impulses[row], 6);
+    }
+    ++row;
+  }
+  return split_sentence((*first)->indeterminate, right_fixed(event.time, (*first)->time, 6),
+                        impulses,
+                        static_cast<std::size_t>(std::count_if(first + 1, all.end(), is_open))) +
+         "\n";
+}
+
 /// Stretches after which all motions are alike again, the first of them in full.
 std::string meetings_text(std::span<const Unsure> stretches) {
   constexpr std::size_t most_in_full = 3;
   std::string result;
   for (const Unsure& stretch : stretches.first(std::min(stretches.size(), most_in_full))) {
     const auto [from, until] = told_apart(stretch.from, stretch.until);
+    result += tie_line(stretch);
     result += fmt::format(
         "Between t = {} and {} the order of impacts is beyond the horizon: one of many motions, "
         "which all come to the same taut cables.\n",
@@ -114,10 +151,11 @@ std::string horizon_text(const Case& the_case, const Solution& solution,
         error < 0.0 ? ""
                     : fmt::format(", {} there,",
                                   number_in_words(energy(the_case, solution.at(before)), error, 6));
+    result += tie_line(all.back());
     result += fmt::format(
         "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "
-        "energy{} does not grow. --digits N computes this one, which may take long.\n",
-        since, left);
+        "energy{} does not grow. --digits N {}, which may take long.\n",
+        since, left, all.back().tie ? "looks whether more digits decide it" : "computes this one");
   }
   return result;
 }
@@ -128,7 +166,7 @@ std::string solution_text(const Case& the_case, const Solution& solution, const 
                           const Uncertainty& uncertainty) {
   const SummaryErrors<double> errors = summary_errors(the_case, solution, settling, uncertainty);
   return Summary<double>(the_case, solution, settling, errors, Figures{}).text() +
-         horizon_text(the_case, solution, uncertainty);
+         split_line(solution, uncertainty) + horizon_text(the_case, solution, uncertainty);
 }
 
 }  // namespace tautline::bench

@@ -182,6 +182,9 @@ class Summary {
     if (lock.rests) {
       return since + ", for good: the body is at rest.";
     }
+    if (errors_.energy < Real(0)) {
+      return since + ".";
+    }
     if (lock.permanent) {
       return since + ", for good: no tension falls to zero in a whole period.";
     }

@@ -1,27 +1,18 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "tautline/case.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/rounding.hpp"
+#include "words.hpp"
 
 namespace tautline {
 namespace {
-
-/// The shortest decimal that reads back equal.
-std::string text(double value) {
-  std::array<char, 32> buffer{};
-  const auto [end, error] = std::to_chars(buffer.begin(), buffer.end(), value);
-  return {buffer.begin(), end};
-}
-
-std::string cable_name(std::size_t index) { return "cable " + std::to_string(index); }
 
 /// What a number is of. It is put into words only where the number is wrong: an ensemble asks of
 /// every draw.
@@ -209,7 +200,7 @@ class Checker {
       if (cable.length - distance < -std::max(gap_rounding * cable.length, rounding)) {
         add(cable_name(index) + ": overstretched at the start by " + text(distance - cable.length) +
             " m: its ends are " + text(distance) + " m apart, its length is " + text(cable.length) +
-            " m");
+            " m; a length of " + text(distance) + " m would do");
       }
     }
   }

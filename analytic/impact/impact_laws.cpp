@@ -3,9 +3,11 @@
 #include "energetic_impact.hpp"
 #include "instantiate.hpp"
 #include "rebound.hpp"
+#include "redundant.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/projection.hpp"
+#include "tautline/uncertainty.hpp"
 
 namespace tautline {
 namespace {
@@ -154,6 +156,26 @@ BasicState<Real> without_gain(const BasicCase<Real>& the_case, const BasicState<
   return after;
 }
 
+/// True where `law` gives what Newton's does: with one restitution Poisson's is the same. The
+/// others say how an impulse is shared out.
+template <class Real>
+bool follows_newton(ImpactLaw law, const BasicCase<Real>& the_case, const BasicState<Real>& before,
+                    CableSet cables) {
+  if (law != ImpactLaw::poisson) {
+    return law == ImpactLaw::simultaneous;
+  }
+  std::optional<Real> common;
+  for (const std::size_t index : cables) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    const Real e = restitution(cable, gap_rate(cable, before));
+    if (common && e != *common) {  // exactly: the numbers given
+      return false;
+    }
+    common = e;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <class Real>
@@ -174,9 +196,26 @@ BasicImpact<Real> resolve_impact(ImpactLaw law, const BasicCase<Real>& the_case,
     impulses(rows_within(several, cables)) = impact.impulses;
     impact.impulses = std::move(impulses);
   }
+  if (follows_newton(law, the_case, before, cables)) {
+    auto shared = split(the_case, before, impact.after, cables, impact.impulses, true);
+    if (!shared.cables.empty()) {
+      impact.impulses = std::move(shared.least);
+    }
+  }
   return impact;
 }
 
+template <class Real>
+CableSet indeterminate(ImpactLaw law, const BasicCase<Real>& the_case,
+                       const BasicEvent<Real>& event) {
+  return event.kind == EventKind::impact &&
+                 follows_newton(law, the_case, event.before, event.cables)
+             ? split(the_case, event.before, event.after, event.cables, event.impulses, false)
+                   .cables
+             : CableSet{};
+}
+
+template CableSet indeterminate(ImpactLaw, const BasicCase<Instance>&, const BasicEvent<Instance>&);
 template BasicImpact<Instance> resolve_impact(ImpactLaw, const BasicCase<Instance>&,
                                               const BasicState<Instance>&, CableSet);
 

@@ -94,8 +94,9 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   if (!order_is_sure(event)) {
     return false;
   }
-  const auto delay = delay_of(case_, event.before, hit);
+  const auto delay = delay_of(event, hit);
   if (!delay) {  // which of them is first is open; what is before them is not
+    tie_ = hit.size() > 1 ? std::optional(Tie{EventKind::impact, hit}) : std::nullopt;
     sure_to_ = std::max(sure_to_, event.time - earlier(event, hit));
     return false;
   }
@@ -106,6 +107,12 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   const double dt = before_->end - before_->start;
   const StateVector rate_then = rate_at(*before_, dt, event.before, case_.gravity);
   now_ = delayed(now_, *delay, rate_then);
+  // where the rounded gap is zero the gap is not: what the delay has taken out of the pose stays
+  double early = 0.0;  // [s]
+  for (const std::size_t index : hit) {
+    early = std::max(early, place / std::abs(views_[index].rate(event.before)));
+  }
+  add_late(now_, early * early, rate_then);
   StateVector moved = rate_then.cwiseAbs();  // the instant is a double, and the gap closed there
   for (const std::size_t index : hit) {
     moved.head<2>().array() += std::abs(views_[index].rate(event.before));
@@ -124,6 +131,10 @@ bool ErrorTracker::arrive(const Event& event, CableSet hit) {
   }
   now_(6, 6) += tick_square(event.time);
   return true;
+}
+
+std::optional<StateRow> ErrorTracker::delay_of(const Event& event, CableSet hit) const {
+  return tautline::delay_of(case_, options_.law, event.before, {met_, hit});
 }
 
 /// True where no cable that stays slack along the arc before `event` might have been hit.
@@ -147,13 +158,15 @@ bool ErrorTracker::order_is_sure(const Event& event) const {
 
 /// What the impact's results gain per unit of the state before: in closed form under Newton's law.
 ErrorTracker::Kick ErrorTracker::kick_of(const Event& event) const {
-  const CableSet active = pulled(event);
+  const CableSet pulling = pulled(event);
+  const CableSet active = pulling.size() > 1 ? basis(case_, event.before, pulling) : pulling;
   bool speeds = false;
   for (const std::size_t index : active) {
     speeds = speeds || depends_on_speed(case_.cables[index]);
   }
-  const bool newton = options_.law == ImpactLaw::simultaneous || event.cables.size() == 1;
-  if (!newton || speeds || active.size() > 3) {
+  const bool newton = options_.law == ImpactLaw::simultaneous || event.cables.size() == 1 ||
+                      active != pulling;  // of which differences would break the tie
+  if (!newton || (speeds && active == pulling)) {
     const auto slopes = rebound_slopes(case_, options_.law, event, taut_);
     return {slopes.after.bottomRows<3>() - StateMatrix::Identity().bottomRows<3>(),
             slopes.impulses};
@@ -185,6 +198,16 @@ ErrorTracker::Kick ErrorTracker::kick_of(const Event& event) const {
     }
     ++row;
   }
+  if (active != pulling) {  // the others share with these: none changes by more than all of them
+    const StateRow all = slopes.colwise().sum();
+    row = 0;
+    for (const std::size_t index : event.cables) {
+      if (pulling.contains(index)) {
+        result.impulses.row(row) = all;
+      }
+      ++row;
+    }
+  }
   result.velocity = (weight.asDiagonal() * result.velocity).eval();
   return result;
 }
@@ -196,6 +219,7 @@ EventErrors ErrorTracker::take_impact(const Event& event) {
                      0.0,
                      CableVector(event.impulses.size()),
                      bounds(squares, sizes_, event.before),
+                     {},
                      {}};
   const double unit = 2 * one_rounding * std::max(fastest_, sizes_.speed(event.before));
   const Eigen::Vector3d weight = inverse_mass(case_.body);
@@ -223,6 +247,7 @@ EventErrors ErrorTracker::take_impact(const Event& event) {
   now_ = kicked(now_, kick.velocity);
   add_errors(now_, rounding);
   errors.after = bounds(now_.topLeftCorner<6, 6>(), sizes_, event.after);
+  errors.indeterminate = indeterminate(options_.law, case_, event);
   return errors;
 }
 

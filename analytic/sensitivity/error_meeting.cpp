@@ -92,7 +92,8 @@ std::optional<ErrorTracker::Meeting> ErrorTracker::meeting() const {
 /// the same taut cables, which most are soon after the solution is.
 std::optional<ErrorTracker::Meeting> ErrorTracker::sampled_meeting(std::size_t arc) const {
   const auto set = final_set(solution_);
-  if (!set || set->time <= solution_.arcs()[arc].start || merges_after(case_, solution_, arc)) {
+  if (!set || set->time <= solution_.arcs()[arc].start ||
+      merges_after(case_, options_.law, solution_, arc)) {
     return std::nullopt;
   }
   const auto found = sampled_until(arc, 0.1);

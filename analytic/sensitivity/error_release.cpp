@@ -1,24 +1,78 @@
+#include <algorithm>
 #include <cmath>
 
 #include "error_flow.hpp"
 #include "error_tracker.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline {
 namespace {
 
-/// The tensions that hold `pulling` [N], in rising index order.
-CableVector tensions(const Case& the_case, const State& state, CableSet pulling) {
-  CableVector free(static_cast<Eigen::Index>(pulling.size()));
+/// The tension of `cable`, one of the independent cables `pulling` [N].
+double tension(const Case& the_case, const State& state, CableSet pulling, std::size_t cable) {
+  const CableVector all = tensions(the_case, state, pulling);
   Eigen::Index row = 0;
   for (const std::size_t index : pulling) {
-    free[row++] = free_gap_acceleration(the_case, index, state);
+    if (index == cable) {
+      break;
+    }
+    ++row;
   }
-  return -multipliers<double>(the_case, state, pulling, free);
+  return all[row];
+}
+
+/// Differences whose rounding and curvature balance [-].
+const double part = std::cbrt(epsilon<double>());
+
+/// d tension / d state, by differences.
+StateRow tension_row(const Case& the_case, const State& state, CableSet pulling,
+                     std::size_t cable) {
+  StateRow result;
+  for (int axis = 0; axis < 6; ++axis) {
+    const auto moved = [&](double by) {
+      State other = state;
+      double* const number[] = {&other.position.x(), &other.position.y(), &other.angle,
+                                &other.velocity.x(), &other.velocity.y(), &other.spin};
+      *number[axis] += by;
+      return tension(the_case, other, pulling, cable);
+    };
+    const double step = part * (axis < 2 ? shortest_length(the_case) : 1.0);
+    result[axis] = (moved(step) - moved(-step)) / (2.0 * step);
+  }
+  return result;
+}
+
+/// The rounding of a tension [N].
+double tension_rounding(const Case& the_case, const State& state) {
+  return 8 * one_rounding * the_case.body.mass * acceleration_scale(the_case, state);
 }
 
 }  // namespace
+
+/// False where rounding decides whether a cable lets go along the arc of this index: its tension
+/// touches zero within the errors. `basis_` is that of the arc.
+bool ErrorTracker::releases_are_sure(std::size_t index) {
+  const auto& again = solution_.repetition();
+  if (again && index >= again->first) {  // nothing new
+    return true;
+  }
+  const Arc& arc = solution_.arcs()[index];
+  for (const Touch& touch : touches(case_, solution_, index)) {
+    const double dt = std::clamp(touch.time, arc.start, arc.end) - arc.start;
+    const State state = arc.after(dt, case_.gravity);
+    const Spread there = along(now_, case_, sizes_, arc, basis_, dt, state);
+    const StateRow row = tension_row(case_, state, basis_, touch.cable);
+    const double error =
+        bound(row, there.topLeftCorner<6, 6>()) + bound_margin * tension_rounding(case_, state);
+    if (!(error <= trusted_part * std::abs(touch.tension))) {
+      tie_ = Tie{EventKind::slack, CableSet::of(touch.cable)};
+      const double width = std::sqrt(2.0 * (error + std::abs(touch.tension)) / touch.bend);  // [s]
+      sure_to_ = std::max(sure_to_, std::max(touch.time - width, arc.start));
+      return false;
+    }
+  }
+  return true;
+}
 
 /// Adds the error of the instant at which the tension of the cables of `event` is zero.
 bool ErrorTracker::release(const Event& event) {
@@ -27,39 +81,16 @@ bool ErrorTracker::release(const Event& event) {
     return true;
   }
   const std::size_t lost = *(pulling & event.cables).begin();
-  const auto tension = [&](const State& state) {
-    const CableVector all = tensions(case_, state, pulling);
-    Eigen::Index row = 0;
-    for (const std::size_t index : pulling) {
-      if (index == lost) {
-        break;
-      }
-      ++row;
-    }
-    return all[row];
-  };
-  // differences whose rounding and curvature balance
-  const double part = std::cbrt(epsilon<double>());
   const double length = before_->end - before_->start;
   const State earlier = before_->after(length * (1.0 - part), case_.gravity);
-  const double fall = (tension(event.before) - tension(earlier)) / (length * part);
+  const double fall =
+      (tension(case_, event.before, pulling, lost) - tension(case_, earlier, pulling, lost)) /
+      (length * part);
   if (!(fall < 0.0)) {
     return false;
   }
-  StateRow delay;
-  for (int axis = 0; axis < 6; ++axis) {
-    const auto moved = [&](double by) {
-      State state = event.before;
-      double* const number[] = {&state.position.x(), &state.position.y(), &state.angle,
-                                &state.velocity.x(), &state.velocity.y(), &state.spin};
-      *number[axis] += by;
-      return tension(state);
-    };
-    const double step = part * (axis < 2 ? shortest_length(case_) : 1.0);
-    delay[axis] = -(moved(step) - moved(-step)) / (2.0 * step) / fall;
-  }
-  const double rounding =
-      8 * one_rounding * case_.body.mass * acceleration_scale(case_, event.before) / -fall;  // [s]
+  const StateRow delay = tension_row(case_, event.before, pulling, lost) / -fall;
+  const double rounding = tension_rounding(case_, event.before) / -fall;  // [s]
   const double error = bound(delay, now_.topLeftCorner<6, 6>()) + rounding;
   const double from = before_->start;
   if (!(error <= trusted_part * (event.time - from)) && before_->taut != taut_) {

@@ -34,7 +34,7 @@ double ErrorTracker::gap_error(std::size_t index, const State& state) const {
 bool ErrorTracker::start(const Event& event) {
   started_ = started_ | pulled(event);
   if (next_ > 0) {
-    return started_.size() <= 1 || are_exactly_taut(case_, event.before, started_);
+    return is_one_start(event);
   }
   close(event, event.cables);
   add_errors(now_, arc_rounding(sizes_, event.before, event.after, 0.0));
@@ -47,8 +47,17 @@ bool ErrorTracker::start(const Event& event) {
   rate << event.before.velocity, event.before.spin, case_.gravity, 0.0;
   add_errors(now_, late * rate);
   now_(6, 6) += late * late;
-  return started_.size() <= 1 || are_exactly_taut(case_, event.before, started_) ||
-         delay_of(case_, event.before, started_);
+  return is_one_start(event);
+}
+
+/// True where the cables that pulled at the start do so at one instant, or are one.
+bool ErrorTracker::is_one_start(const Event& event) {
+  if (started_.size() <= 1 || are_exactly_taut(case_, event.before, started_) ||
+      (next_ == 0 && delay_of(event, started_))) {
+    return true;
+  }
+  tie_ = Tie{EventKind::impact, started_};
+  return false;
 }
 
 }  // namespace tautline

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "error_flow.hpp"
 #include "simultaneous.hpp"
@@ -44,6 +45,7 @@ void ErrorTracker::start_events(std::size_t arc) {
     }
     impacts = impacts || events[next_].kind == EventKind::impact;
     take(events[next_], first && before_ != nullptr && before_->end > before_->start);
+    met_ = met_ | events[next_].cables;
     ++next_;
   }
 }
@@ -139,6 +141,10 @@ void ErrorTracker::follow(std::size_t index) {
     basis_ = basis(case_, arc.initial, arc.taut);
   }
   followed_ = &arc;
+  if (!arc.taut.empty() && !releases_are_sure(index)) {
+    lose();
+    return;
+  }
   now_ = along(now_, case_, sizes_, arc, basis_, dt, last);
   if (!arc.taut.empty()) {
     add_late(now_, late_at_end(index), rate_at(arc, dt, last, case_.gravity));
@@ -191,7 +197,8 @@ void ErrorTracker::lose() {
   lost_ = true;
   meeting_ = meeting();
   const double last = before_ != nullptr && next_ > 0 ? solution_.events()[next_ - 1].time : 0.0;
-  result_.unsure_.push_back({std::max(last, sure_to_), std::numeric_limits<double>::infinity()});
+  result_.unsure_.push_back({std::max(last, sure_to_), std::numeric_limits<double>::infinity(),
+                             std::exchange(tie_, std::nullopt)});
 }
 
 }  // namespace tautline

@@ -49,13 +49,16 @@ class ErrorTracker {
   [[nodiscard]] EventErrors take_taut(const Event& event);
   [[nodiscard]] EventErrors take_slack(const Event& event);
   [[nodiscard]] Kick kick_of(const Event& event) const;
+  [[nodiscard]] std::optional<StateRow> delay_of(const Event& event, CableSet hit) const;
   [[nodiscard]] const Accumulation* completed_by(const Event& event);
   [[nodiscard]] double earlier(const Event& event, CableSet hit) const;
   [[nodiscard]] double gap_error(std::size_t index, const State& state) const;
   void close(const Event& event, CableSet more);
   [[nodiscard]] bool start(const Event& event);
+  [[nodiscard]] bool is_one_start(const Event& event);
   [[nodiscard]] bool arrive(const Event& event, CableSet hit);
   [[nodiscard]] bool release(const Event& event);
+  [[nodiscard]] bool releases_are_sure(std::size_t arc);
   [[nodiscard]] bool order_is_sure(const Event& event) const;
   [[nodiscard]] bool is_sure() const;
   void follow(std::size_t arc);
@@ -89,6 +92,8 @@ class ErrorTracker {
   std::optional<double> period_error_;  // [s], of a swing that comes again
   double curvature_ = square_rounding;  // [-], square of the largest part that is not first order
   bool lost_ = false;
+  std::optional<Tie> tie_;            // that rounding decides, where it does next
+  CableSet met_;                      // cables of the events so far
   double sure_to_ = 0.0;              // [s], whatever comes of the next event
   std::vector<std::size_t> arrived_;  // for each arc, the events up to its start
   std::size_t first_place_ = 0;       // the first arc after the last unsure stretch

@@ -37,6 +37,11 @@ template <class Real>
 [[nodiscard]] CableSet basis(const BasicCase<Real>& the_case, const BasicState<Real>& state,
                              CableSet cables);
 
+/// The tensions [N] that hold the independent cables `pulling`, in rising index order.
+template <class Real>
+[[nodiscard]] BasicCableVector<Real> tensions(const BasicCase<Real>& the_case,
+                                              const BasicState<Real>& state, CableSet pulling);
+
 /// What an impact's results gain per unit of the state before.
 template <class Real>
 struct BasicReboundSlopes {

@@ -27,7 +27,8 @@ bool is_glob(const std::string& argument) {
 /// Gathers what the arguments name.
 class Selector {
  public:
-  Selector() : shipped_(shipped_cases()), chosen_(shipped_.size(), false) {
+  explicit Selector(CableSet taut)
+      : taut_(taut), shipped_(shipped_cases()), chosen_(shipped_.size(), false) {
     for (const Case& the_case : shipped_) {
       names_.push_back(the_case.name);
     }
@@ -53,6 +54,9 @@ class Selector {
     std::vector<Chosen> all;
     for (std::size_t index = 0; index < shipped_.size(); ++index) {
       if (chosen_[index]) {
+        const StartChange change = start_taut(shipped_[index], taut_);
+        add_of(shipped_[index].name, change.problems, problems_);
+        add_of(shipped_[index].name, change.notes, notes_);
         all.push_back({std::move(shipped_[index]), "a shipped case"});
       }
     }
@@ -60,6 +64,7 @@ class Selector {
     refuse_equal_names(all);
     CaseSelection result;
     result.problems = std::move(problems_);
+    result.notes = std::move(notes_);
     if (result.problems.empty()) {
       for (Chosen& chosen : all) {
         result.cases.push_back(std::move(chosen.the_case));
@@ -73,6 +78,14 @@ class Selector {
     Case the_case;
     std::string source;  // printable: the path of its file, or "a shipped case"
   };
+
+  /// Adds `sentences` on the shipped case of this name.
+  static void add_of(const std::string& name, const std::vector<std::string>& sentences,
+                     std::vector<std::string>& all) {
+    for (const std::string& sentence : sentences) {
+      all.push_back(name + ": " + sentence);
+    }
+  }
 
   void add_matches(const std::string& pattern) {
     bool found = false;
@@ -95,11 +108,12 @@ class Selector {
       return;
     }
     read_.push_back(file);
-    CaseReading reading = read_case(path);
+    CaseReading reading = read_case(path, taut_);
     if (reading.the_case) {
       files_.push_back({std::move(*reading.the_case), printable(path)});
     }
     problems_.insert(problems_.end(), reading.problems.begin(), reading.problems.end());
+    notes_.insert(notes_.end(), reading.notes.begin(), reading.notes.end());
   }
 
   /// Results are kept by name, so two cases of one name cannot be told apart.
@@ -116,12 +130,14 @@ class Selector {
     }
   }
 
+  CableSet taut_;
   std::vector<Case> shipped_;
   std::vector<std::string> names_;  // of `shipped_`
   std::vector<bool> chosen_;        // of `shipped_`
   std::vector<fs::path> read_;      // files seen so far
   std::vector<Chosen> files_;
   std::vector<std::string> problems_;
+  std::vector<std::string> notes_;
 };
 
 constexpr std::size_t hash_digits = 16;
@@ -164,8 +180,8 @@ std::string harmless(const std::string& name) {
 
 }  // namespace
 
-CaseSelection select_cases(std::span<const std::string> arguments) {
-  Selector selector;
+CaseSelection select_cases(std::span<const std::string> arguments, CableSet taut) {
+  Selector selector(taut);
   for (const std::string& argument : arguments) {
     selector.add(argument);
   }

@@ -11,14 +11,17 @@ namespace tautline::bench {
 
 /// The cases that a command line names, or all that is wrong with it.
 struct CaseSelection {
-  std::vector<Case> cases;            // shipped ones in catalogue order, then files as given
-  std::vector<std::string> problems;  // sentences; `cases` is empty unless this is
+  std::vector<Case> cases;              // shipped ones in catalogue order, then files as given
+  std::vector<std::string> problems;    // sentences; `cases` is empty unless this is
+  std::vector<std::string> notes = {};  // sentences on starts that were changed to be taut
 };
 
 /// Resolves each argument: the name of a shipped case, the path of a case file, or a glob over the
 /// shipped names (`breakwater/19*`, `*`), in which `*` matches `/` too. A file that is called like
-/// a shipped case is meant by `./<name>`. A case named twice is taken once.
-[[nodiscard]] CaseSelection select_cases(std::span<const std::string> arguments);
+/// a shipped case is meant by `./<name>`. A case named twice is taken once. In each of them the
+/// cables of `taut` start taut, beside those of its file.
+[[nodiscard]] CaseSelection select_cases(std::span<const std::string> arguments,
+                                         CableSet taut = {});
 
 /// A relative path to keep a case's files under, harmless whatever the name holds: components of
 /// [A-Za-z0-9._-] that start with none of "." and "-", 120 characters in all. Names that are such

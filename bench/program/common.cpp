@@ -56,8 +56,8 @@ void write_output(const std::string& target, const std::string& text) {
   }
 }
 
-std::optional<Case> one_case(const std::string& argument) {
-  CaseSelection selection = select_cases({&argument, 1});
+std::optional<Case> one_case(const std::string& argument, CableSet taut) {
+  CaseSelection selection = select_cases({&argument, 1}, taut);
   if (selection.cases.size() > 1) {
     selection.problems.push_back(fmt::format("{} means {} cases; this command takes one",
                                              printable(argument), selection.cases.size()));
@@ -65,6 +65,7 @@ std::optional<Case> one_case(const std::string& argument) {
   if (complain(selection.problems)) {
     return std::nullopt;
   }
+  complain(selection.notes);
   return std::move(selection.cases.front());
 }
 

@@ -20,7 +20,7 @@ inline constexpr int exit_failed = 1;  // a run failed or diverged, or a result 
 inline constexpr int exit_usage = 2;   // wrong usage or input
 
 /// The one case that `argument` means; none, after complaining, if that is not one.
-[[nodiscard]] std::optional<Case> one_case(const std::string& argument);
+[[nodiscard]] std::optional<Case> one_case(const std::string& argument, CableSet taut = {});
 
 /// Prints each sentence to standard error as "tautline: ...". True if there is one.
 bool complain(const std::vector<std::string>& sentences);

@@ -68,6 +68,7 @@ std::vector<std::string> command_problems(const EnsembleCommand& command) {
 /// The spec that `command` names, with the case and the count that it gives instead.
 SpecReading read_spec(const EnsembleCommand& command) {
   SpecReading reading = read_spec_file(command.spec, command.the_case);
+  complain(reading.notes);
   if (const auto& count = command.count) {
     if (*count < 1 || *count > static_cast<long long>(most_draws)) {
       reading.problems.push_back(

@@ -29,6 +29,7 @@ struct SolveCommand {
   std::vector<double> at;             // [s], times of samples
   std::optional<double> angle_limit;  // [rad], instead of the case's
   std::optional<double> ceiling;      // [m], instead of the case's
+  std::vector<std::size_t> taut;      // cables that start taut
   ImpactLaw law = ImpactLaw::simultaneous;
   std::int64_t max_events = static_cast<std::int64_t>(SolveOptions().max_events);
   std::int64_t max_steps = static_cast<std::int64_t>(SolveOptions().max_steps);
@@ -67,7 +68,15 @@ void print_solution(const SolveCommand& command, const Case& the_case, const Sol
 
 /// The one case that `command` means, with its overrides; or complains.
 std::optional<Case> wanted_case(const SolveCommand& command) {
-  std::optional<Case> found = one_case(command.the_case);
+  CableSet taut;
+  for (const std::size_t index : command.taut) {
+    if (index >= max_cables) {
+      complain({fmt::format("--taut {}: cables count from 0 to {}", index, max_cables - 1)});
+      return std::nullopt;
+    }
+    taut.insert(index);
+  }
+  std::optional<Case> found = one_case(command.the_case, taut);
   if (!found) {
     return std::nullopt;
   }
@@ -91,9 +100,9 @@ std::optional<std::string> digits_usage_problem(const SolveCommand& command) {
   if (*command.digits < 1 || *command.digits > most_right_digits) {
     return fmt::format("--digits {}: must be 1 to {}", *command.digits, most_right_digits);
   }
-  if (!command.json.empty() || !command.at.empty() || !command.plot.empty()) {
+  if (!command.json.empty() || !command.plot.empty()) {
     return fmt::format(
-        "--digits {}: prints a summary and events; --json, --plot and --at need --certify",
+        "--digits {}: prints a summary, samples and events; --json and --plot need --certify",
         *command.digits);
   }
   return std::nullopt;
@@ -175,7 +184,7 @@ int solve_command(const SolveCommand& command) {
   if (command.digits && !command.certify) {
     fmt::print("{}", many_digits_text(*the_case, options, solution,
                                       {*command.digits, command.decimal, command.events,
-                                       literals_of(command.the_case), PatienceNote()},
+                                       literals_of(command.the_case), command.at, PatienceNote()},
                                       output_style()));
     return exit_code(solution.ending());
   }
@@ -212,6 +221,11 @@ void add_solve(CLI::App& app, int& code) {
   command->add_option("--angle-limit", asked->angle_limit, "end where |angle| reaches this [rad]");
   command->add_option("--ceiling", asked->ceiling,
                       "end where an attachment rises to this height [m]");
+  command
+      ->add_option("--taut", asked->taut,
+                   "cables that start taut: 0,1; the start moves as little as that takes, at most "
+                   "0.001 of a length")
+      ->delimiter(',');
   add_law(*command, asked->law, "the law for impacts on several cables");
   command->add_flag("--certify", asked->certify,
                     "also solve with many digits, and say until when the doubles are right");

@@ -1,5 +1,7 @@
 #include "bench/solution/cable_words.hpp"
 
+#include <fmt/format.h>
+
 namespace tautline::bench {
 
 std::string cable_list(CableSet cables) {
@@ -13,6 +15,32 @@ std::string cable_list(CableSet cables) {
 std::string cables_are(CableSet cables) {
   return cables.size() == 1 ? "cable " + cable_list(cables) + " is"
                             : "cables " + cable_list(cables) + " are";
+}
+
+std::string tie_sentence(EventKind kind, CableSet cables, const std::string& time) {
+  if (kind == EventKind::slack) {
+    const bool one = cables.size() == 1;
+    return fmt::format(
+        "At t = {} the tension of cable{} {} touches zero: whether {} there is a tie that rounding "
+        "decides.",
+        time, one ? "" : "s", cable_list(cables), one ? "it lets go" : "they let go");
+  }
+  return fmt::format(
+      "At t = {} cables {} become taut at one instant, as far as numbers tell: which of them is "
+      "first is a tie that rounding decides.",
+      time, cable_list(cables));
+}
+
+std::string split_sentence(CableSet cables, const std::string& time, const std::string& impulses,
+                           std::size_t more) {
+  const std::string others =
+      more == 0 ? ""
+                : fmt::format(" So are those of {} later impact{}.", more, more == 1 ? "" : "s");
+  return fmt::format(
+      "The impulses on cables {} at t = {} are indeterminate: {} is the split of least squares, "
+      "and "
+      "every other one that does the same to the body is as right.{}",
+      cable_list(cables), time, impulses, others);
 }
 
 }  // namespace tautline::bench

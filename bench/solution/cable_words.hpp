@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "tautline/cable_set.hpp"
+#include "tautline/solution.hpp"
 
 namespace tautline::bench {
 
@@ -11,5 +13,14 @@ namespace tautline::bench {
 
 /// "cable 0 is", "cables 0+1 are"
 [[nodiscard]] std::string cables_are(CableSet cables);
+
+/// What rounding decides at `time`, in a sentence: which of `cables` is hit first
+/// (`EventKind::impact`), or whether they let go (`EventKind::slack`).
+[[nodiscard]] std::string tie_sentence(EventKind kind, CableSet cables, const std::string& time);
+
+/// That the `impulses` of an impact at `time` are one split of several among `cables`, in a
+/// sentence, and so are those of `more` later impacts.
+[[nodiscard]] std::string split_sentence(CableSet cables, const std::string& time,
+                                         const std::string& impulses, std::size_t more);
 
 }  // namespace tautline::bench

@@ -6,6 +6,7 @@
 
 #include "bench/base/json_list.hpp"
 #include "bench/base/text.hpp"
+#include "bench/solution/time_errors.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
@@ -43,21 +44,28 @@ Json errors_json(const EventErrors& errors) {
           {"after", state_json(errors.after)}};
 }
 
-Json event_json(const Event& event, const std::optional<EventErrors>& errors) {
+Json event_json(const Event& event, const std::optional<EventErrors>& errors, CableSet split) {
   const auto pull = [](double impulse) { return Json(std::max(impulse, 0.0)); };  // or gravity's
-  return {{"time", event.time},
-          {"kind", to_string(event.kind)},
-          {"cables", event.cables.indices()},
-          {"impulses", json_list(event.impulses, pull)},
-          {"before", state_json(event.before)},
-          {"after", state_json(event.after)},
-          {"errors", errors ? errors_json(*errors) : Json(nullptr)}};
+  Json result = {{"time", event.time},
+                 {"kind", to_string(event.kind)},
+                 {"cables", event.cables.indices()},
+                 {"impulses", json_list(event.impulses, pull)},
+                 {"before", state_json(event.before)},
+                 {"after", state_json(event.after)},
+                 {"errors", errors ? errors_json(*errors) : Json(nullptr)}};
+  if (!split.empty()) {
+    result["indeterminate"] = split.indices();
+  }
+  return result;
 }
 
-Json accumulation_json(const Accumulation& accumulation) {
+/// A bound, null where there is none.
+Json bound_json(const std::optional<double>& error) { return error ? Json(*error) : Json(nullptr); }
+
+Json accumulation_json(const Accumulation& accumulation, const std::optional<double>& error) {
   return {{"start", accumulation.start},
           {"time", accumulation.time},
-          {"uncertainty", accumulation.uncertainty},
+          {"uncertainty", bound_json(error)},
           {"cables", accumulation.cables.indices()},
           {"energy_lost", accumulation.energy_lost}};
 }
@@ -70,9 +78,9 @@ Json swing_json(const Swing& swing) {
           {"amplitude", swing.amplitude}};
 }
 
-Json lock_json(const Lock& lock) {
+Json lock_json(const Lock& lock, const std::optional<double>& error) {
   return {{"time", lock.time},
-          {"uncertainty", lock.uncertainty},
+          {"uncertainty", bound_json(error)},
           {"cables", lock.cables.indices()},
           {"permanent", lock.permanent},
           {"rests", lock.rests},
@@ -94,9 +102,14 @@ Json sample_json(double time, const State& state, const std::optional<State>& er
   return result;
 }
 
+Json tie_json(const Tie& tie) {
+  return {{"kind", to_string(tie.kind)}, {"cables", tie.cables.indices()}};
+}
+
 Json unsure_json(const Unsure& stretch) {
   return {{"from", stretch.from},
-          {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)}};
+          {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)},
+          {"tie", stretch.tie ? tie_json(*stretch.tie) : Json(nullptr)}};
 }
 
 Json case_json(const Case& the_case) {
@@ -119,9 +132,10 @@ Json last_impact_json(const LastImpact& last) {
   return {{"speed", last.speed}, {"time", last.time ? Json(*last.time) : Json(nullptr)}};
 }
 
-Json settling_object(const Settling& settling) {
+/// `error` is that of the time of the lock.
+Json settling_json(const Settling& settling, const std::optional<double>& error) {
   return {{"last_impacts", json_list(settling.last_impacts, last_impact_json)},
-          {"lock", settling.lock ? lock_json(*settling.lock) : Json(nullptr)}};
+          {"lock", settling.lock ? lock_json(*settling.lock, error) : Json(nullptr)}};
 }
 
 Json ledger_json(const EnergyLedger& ledger) {
@@ -137,6 +151,8 @@ Json correct_json(const CorrectDigits& part) {
 }
 
 Json certificate_json(const Certificate& certificate) {
+  const std::optional<Lock>& lock = certificate.settling.lock;  // without rounding to speak of
+  const auto error = lock ? std::optional(lock->uncertainty) : std::nullopt;
   const EventMatch& events = certificate.events;
   return {{"digits", certificate.digits},
           {"completion_error", certificate.completion_error},
@@ -151,7 +167,7 @@ Json certificate_json(const Certificate& certificate) {
           {"ending", to_string(certificate.ending)},
           {"end_time", certificate.end_time},
           {"energy", ledger_json(certificate.energy)},
-          {"settling", settling_object(certificate.settling)}};
+          {"settling", settling_json(certificate.settling, error)}};
 }
 
 /// `object` with a line for each of its values, and for each element where that is a list: an event
@@ -189,32 +205,35 @@ std::vector<std::string> sample_problems(const Solution& solution,
   return result;
 }
 
-std::string settling_json(const Settling& settling) { return settling_object(settling).dump(); }
-
 std::string solution_json(const Case& the_case, const SolveOptions& options,
                           const Solution& solution, const Settling& settling,
                           std::span<const double> sample_times,
                           const std::optional<Certificate>& certificate) {
   const State end_state = solution.at(solution.end_time());
   const Uncertainty uncertainty(the_case, solution, options);
-  Json result = {{"schema", solution_schema},
-                 {"case", case_json(the_case)},
-                 {"options",
-                  {{"law", to_string(options.law)},
-                   {"completion_error", options.completion.error},
-                   {"max_events", options.max_events},
-                   {"max_steps", options.max_steps}}},
-                 {"events", Json::array()},
-                 {"ending", to_string(solution.ending())},
-                 {"end_time", solution.end_time()},
-                 {"end_state", state_json(end_state)},
-                 {"energy", ledger_json(energy_ledger(the_case, solution))},
-                 {"settling", settling_object(settling)}};
+  Json result = {
+      {"schema", solution_schema},
+      {"case", case_json(the_case)},
+      {"options",
+       {{"law", to_string(options.law)},
+        {"completion_error", options.completion.error},
+        {"max_events", options.max_events},
+        {"max_steps", options.max_steps}}},
+      {"events", Json::array()},
+      {"ending", to_string(solution.ending())},
+      {"end_time", solution.end_time()},
+      {"end_state", state_json(end_state)},
+      {"energy", ledger_json(energy_ledger(the_case, solution))},
+      {"settling", settling_json(settling, lock_error(solution, settling, uncertainty))}};
   for (std::size_t index = 0; index < solution.events().size(); ++index) {
-    result["events"].push_back(event_json(solution.events()[index], uncertainty.events()[index]));
+    result["events"].push_back(
+        event_json(solution.events()[index], uncertainty.events()[index],
+                   indeterminate(options.law, the_case, solution.events()[index])));
   }
   result["unsure"] = json_list(uncertainty.unsure(), unsure_json);
-  result["accumulations"] = json_list(solution.accumulations(), accumulation_json);
+  result["accumulations"] = json_list(solution.accumulations(), [&](const Accumulation& one) {
+    return accumulation_json(one, limit_error(solution, uncertainty, one));
+  });
   if (!sample_times.empty()) {
     result["samples"] = json_list(sample_times, [&](double time) {
       return sample_json(time, solution.at(time), uncertainty.at(time));

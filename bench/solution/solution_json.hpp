@@ -13,7 +13,7 @@
 namespace tautline::bench {
 
 /// The number of the format below; it changes when a name or a meaning does.
-inline constexpr int solution_schema = 3;
+inline constexpr int solution_schema = 4;
 
 /// One sentence for each of `sample_times` at which the solution has no state: outside
 /// [0, end_time()].
@@ -25,10 +25,12 @@ inline constexpr int solution_schema = 3;
 ///     schema, case (with the keys of a case file),
 ///     options: {law, completion_error, max_events, max_steps},
 ///     events: [{time, kind, cables, impulses, before, after, errors: {time, impulses, before,
-///     after}|null}], ending, end_time, end_state,
-///     energy: {start, impacts, completions, end, residual}, settling,
-///     accumulations: [{start, time, uncertainty, cables, energy_lost}],
-///     unsure: [{from, until|null}],
+///     after}|null, indeterminate: [cable] if there are any}], ending, end_time, end_state,
+///     energy: {start, impacts, completions, end, residual},
+///     settling: {last_impacts: [{speed, time|null}], lock: {time, uncertainty|null, cables,
+///     permanent, rests, swing: {energy, period, least, largest, amplitude}|null}|null},
+///     accumulations: [{start, time, uncertainty|null, cables, energy_lost}],
+///     unsure: [{from, until|null, tie: {kind, cables}|null}],
 ///     samples: [{time, position, angle, velocity, spin, errors: state|null}], if there are sample
 ///     times,
 ///     certificate, if there is one: {digits, completion_error, correct: [{digits, until|null}],
@@ -37,7 +39,13 @@ inline constexpr int solution_schema = 3;
 ///
 /// `errors` bound those of the numbers beside them, as `Uncertainty` does; null where the solution
 /// is one of many motions that start alike, which are the `unsure` stretches of time. That of the
-/// time of a completed accumulation is of its limit. Impulses are >= 0.
+/// time of a completed accumulation is of its limit. `uncertainty` bounds the error of the time
+/// beside it: rounding, and how the bounces end; in the certificate the latter alone. Impulses are
+/// >= 0.
+///
+/// A `tie` is what rounding decides at `from`: with kind impact which of the cables, taut at one
+/// instant, is hit first; with kind slack whether the cable lets go, whose tension touches zero.
+/// Among `indeterminate` cables the split of an impulse is one of several: that of smallest size.
 ///
 /// Each value, event and sample is a line.
 ///
@@ -47,11 +55,5 @@ inline constexpr int solution_schema = 3;
                                         const Solution& solution, const Settling& settling,
                                         std::span<const double> sample_times,
                                         const std::optional<Certificate>& certificate);
-
-/// The same of `settling` alone:
-///
-///     {last_impacts: [{speed, time|null}], lock: {time, uncertainty, cables, permanent, rests,
-///     swing: {energy, period, least, largest, amplitude}|null}|null}
-[[nodiscard]] std::string settling_json(const Settling& settling);
 
 }  // namespace tautline::bench

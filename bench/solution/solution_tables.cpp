@@ -10,6 +10,7 @@
 #include "bench/base/text.hpp"
 #include "bench/solution/cable_words.hpp"
 #include "bench/solution/digits/right_digits.hpp"
+#include "bench/solution/time_errors.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -35,26 +36,12 @@ void add_state(std::vector<std::string>& cells, const State& state, const State&
   add(state.spin, errors.spin);
 }
 
-/// The accumulation that `event` completes, or null.
-const Accumulation* accumulation_at(const Solution& solution, const Event& event) {
-  const auto& all = solution.accumulations();
-  const auto found = std::lower_bound(
-      all.begin(), all.end(), event.time,
-      [](const Accumulation& accumulation, double time) { return accumulation.start < time; });
-  const bool completes = event.kind == EventKind::taut && found != all.end() &&
-                         found->start == event.time && found->cables == event.cables;
-  return completes ? &*found : nullptr;
-}
-
 /// Of an accumulation: its limit, the cables and the state there. Infinitely many impacts have no
 /// rate and no impulse.
 std::vector<std::string> accumulation_cells(const Solution& solution,
                                             const Uncertainty& uncertainty, const Event& event,
-                                            const EventErrors& errors,
                                             const Accumulation& accumulation) {
-  const bool last = &accumulation == &solution.accumulations().back();
-  const double time_error = (last ? uncertainty.lock() : std::nullopt).value_or(errors.time);
-  const double error = time_error + std::abs(accumulation.uncertainty);
+  const double error = limit_error(solution, uncertainty, accumulation).value_or(-1.0);
   std::vector<std::string> cells = {right_fixed(accumulation.time, error, time_digits),
                                     std::string(to_string(event.kind)), cable_list(event.cables),
                                     dash, dash};
@@ -79,7 +66,7 @@ std::vector<std::string> event_cells(const Case& the_case, const Solution& solut
                                      const Uncertainty& uncertainty, const Event& event,
                                      const EventErrors& errors) {
   if (const Accumulation* const accumulation = accumulation_at(solution, event)) {
-    return accumulation_cells(solution, uncertainty, event, errors, *accumulation);
+    return accumulation_cells(solution, uncertainty, event, *accumulation);
   }
   double closing = 0.0;
   for (const std::size_t index : event.cables) {

@@ -8,24 +8,15 @@
 #include <span>
 #include <utility>
 
+#include "bench/solution/cable_words.hpp"
+#include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/digits/summary.hpp"
+#include "bench/solution/time_errors.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/rounding.hpp"
 
 namespace tautline::bench {
 namespace {
-
-/// The bound of the error of the time of the event at `time`; < 0 where it is not sure.
-double time_error(const Solution& solution, const Uncertainty& uncertainty, double time,
-                  EventKind kind) {
-  for (std::size_t index = solution.events().size(); index-- > 0;) {
-    const Event& event = solution.events()[index];
-    if (event.time == time && event.kind == kind) {
-      return uncertainty.events()[index] ? uncertainty.events()[index]->time : -1.0;
-    }
-  }
-  return -1.0;
-}
 
 /// What errors of the energy do to the numbers of a swing: it is one of a family that differ in
 /// energy alone, of which a neighbour is measured.
@@ -57,20 +48,18 @@ SummaryErrors<double> summary_errors(const Case& the_case, const Solution& solut
   errors.energy = uncertainty.energy(end).value_or(-1.0);
   for (const LastImpact& last : settling.last_impacts) {
     errors.last_impacts.push_back(
-        last.time ? time_error(solution, uncertainty, *last.time, EventKind::impact) : 0.0);
+        last.time ? time_error(solution, uncertainty, *last.time, EventKind::impact).value_or(-1.0)
+                  : 0.0);
   }
   if (settling.lock) {
-    const double start = solution.events().back().time;
-    const double error =
-        uncertainty.lock().value_or(time_error(solution, uncertainty, start, EventKind::taut));
-    errors.lock = error < 0.0 ? error : error + settling.lock->uncertainty;
+    errors.lock = lock_error(solution, settling, uncertainty).value_or(-1.0);
     if (settling.lock->swing && errors.energy >= 0.0) {
       swing_errors(the_case, solution.events().back().after, *settling.lock->swing, errors);
     }
   }
   if (solution.ending() == Ending::rest || solution.ending() == Ending::unstable_rest) {
-    errors.end_time = time_error(solution, uncertainty, solution.events().back().time,
-                                 solution.events().back().kind);
+    const Event& last = solution.events().back();
+    errors.end_time = time_error(solution, uncertainty, last.time, last.kind).value_or(-1.0);
   } else if (const auto state = uncertainty.at(end)) {  // where a limit of the case is passed
     const State last = solution.at(end);
     const double speed = last.velocity.norm() + std::abs(last.spin) * attachment_radius(the_case);
@@ -93,12 +82,47 @@ std::pair<std::string, std::string> told_apart(double from, double until) {
   return {shortest(from), shortest(until)};
 }
 
+/// What rounding decides at the start of `stretch`, a line; "" where errors have grown.
+std::string tie_line(const Unsure& stretch) {
+  return stretch.tie ? tie_sentence(stretch.tie->kind, stretch.tie->cables,
+                                    fmt::format("{:.6g}", stretch.from)) +
+                           "\n"
+                     : "";
+}
+
+/// The first impact whose impulses may be split in other ways, and how many more there are.
+std::string split_line(const Solution& solution, const Uncertainty& uncertainty) {
+  const auto& all = uncertainty.events();
+  const auto is_open = [](const std::optional<EventErrors>& errors) {
+    return errors && !errors->indeterminate.empty();
+  };
+  const auto first = std::find_if(all.begin(), all.end(), is_open);
+  if (first == all.end()) {
+    return "";
+  }
+  const Event& event = solution.events()[static_cast<std::size_t>(first - all.begin())];
+  std::string impulses;
+  Eigen::Index row = 0;
+  for (const std::size_t index : event.cables) {
+    if ((*first)->indeterminate.contains(index)) {
+      impulses += (impulses.empty() ? "" : ", ") +
+                  number_in_words(event.impulses[row], (*first)->impulses[row], 6);
+    }
+    ++row;
+  }
+  return split_sentence((*first)->indeterminate, right_fixed(event.time, (*first)->time, 6),
+                        impulses,
+                        static_cast<std::size_t>(std::count_if(first + 1, all.end(), is_open))) +
+         "\n";
+}
+
 /// Stretches after which all motions are alike again, the first of them in full.
 std::string meetings_text(std::span<const Unsure> stretches) {
   constexpr std::size_t most_in_full = 3;
   std::string result;
   for (const Unsure& stretch : stretches.first(std::min(stretches.size(), most_in_full))) {
     const auto [from, until] = told_apart(stretch.from, stretch.until);
+    result += tie_line(stretch);
     result += fmt::format(
         "Between t = {} and {} the order of impacts is beyond the horizon: one of many motions, "
         "which all come to the same taut cables.\n",
@@ -126,11 +150,12 @@ std::string horizon_text(const Case& the_case, const Solution& solution,
     const std::string left =
         error < 0.0 ? ""
                     : fmt::format(", {} there,",
-                                  right_general(energy(the_case, solution.at(before)), error, 6));
+                                  number_in_words(energy(the_case, solution.at(before)), error, 6));
+    result += tie_line(all.back());
     result += fmt::format(
         "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "
-        "energy{} does not grow. --digits N computes this one, which may take long.\n",
-        since, left);
+        "energy{} does not grow. --digits N {}, which may take long.\n",
+        since, left, all.back().tie ? "looks whether more digits decide it" : "computes this one");
   }
   return result;
 }
@@ -141,7 +166,7 @@ std::string solution_text(const Case& the_case, const Solution& solution, const 
                           const Uncertainty& uncertainty) {
   const SummaryErrors<double> errors = summary_errors(the_case, solution, settling, uncertainty);
   return Summary<double>(the_case, solution, settling, errors, Figures{}).text() +
-         horizon_text(the_case, solution, uncertainty);
+         split_line(solution, uncertainty) + horizon_text(the_case, solution, uncertainty);
 }
 
 }  // namespace tautline::bench

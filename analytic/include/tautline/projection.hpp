@@ -1,5 +1,10 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
 #include "tautline/case.hpp"
 #include "tautline/geometry.hpp"
 
@@ -43,5 +48,26 @@ template <class Real>
 template <class Real>
 [[nodiscard]] BasicState<Real> projected(const BasicCase<Real>& the_case,
                                          const BasicState<Real>& state, CableSet cables);
+
+/// `taut_start` takes up no more than this: of a gap as a part of the cable's length, of a rate as
+/// a part of the speed of its attachment [-]. Numbers typed with three digits are as good.
+inline constexpr double most_taken_up = 1e-3;
+
+/// A start on taut cables, or why there is none.
+struct TautStart {
+  std::optional<State> start;         // present exactly when `problems` is empty
+  std::vector<std::string> problems;  // sentences
+  double moved;                       // [m], the centre, from the initial state to this
+  double turned;                      // [rad], the body
+  double slowed;                      // [m/s], the change of the centre's velocity
+  double spun;                        // [rad/s], of the spin
+};
+
+/// The initial state of `the_case` with `cables` taut, of which a start that is typed with a few
+/// digits misses the gaps: closed by the least move of the body (in the metric of M, Eq. 18). Rates
+/// up to `most_taken_up` are removed likewise; faster ones stay, so that such a cable is hit at
+/// once, or let go. Where all gaps are zero up to rounding the pose is kept to the last bit, and so
+/// is the velocity. Requires a case without problems but for overstretched `cables`.
+[[nodiscard]] TautStart taut_start(const Case& the_case, CableSet cables);
 
 }  // namespace tautline

@@ -17,13 +17,50 @@ struct EventErrors {
   CableVector impulses;  // [N s], one per cable
   State before;          // of each number of the state, at the event's own instant
   State after;           // the same
+  /// Cables of an impact among which the split of the impulse is not determined (`indeterminate`):
+  /// the bounds of their impulses are of the split of smallest size.
+  CableSet indeterminate = {};
+};
+
+/// What rounding decides: the doubles of the case are at, or too near to, the border of two
+/// motions.
+struct Tie {
+  EventKind kind;   // impact: which of `cables` is hit first; slack: whether they let go
+  CableSet cables;  // hit at one instant, or whose tension touches zero
 };
 
 /// A stretch of time [s] in which nothing is sure but the energy's bounds.
 struct Unsure {
-  double from;   // [s]
-  double until;  // [s], infinity: to the end
+  double from;                  // [s]
+  double until;                 // [s], infinity: to the end
+  std::optional<Tie> tie = {};  // that begins it; none: errors have grown
 };
+
+/// The cables of an impact among which its impulse can be split in more than one way that does the
+/// same to the body: more than statics determine, as three slings of one bar. The impulses of a
+/// solution are then the split of smallest size, the sum of their squares. Empty where the split is
+/// unique, and under laws that make it so: sequential, energetic, and poisson with several
+/// restitutions.
+template <class Real>
+[[nodiscard]] CableSet indeterminate(ImpactLaw law, const BasicCase<Real>& the_case,
+                                     const BasicEvent<Real>& event);
+
+/// An instant at which the tension of a taut cable is least, or would be had it not let go before.
+template <class Real>
+struct BasicTouch {
+  std::size_t cable;
+  Real time;     // [s]
+  Real tension;  // [N], < 0 where the cable has let go
+  Real bend;     // [N/s^2], its second derivative there, > 0
+};
+using Touch = BasicTouch<double>;
+
+/// Where tensions along arc `index` of `solution` come near zero, against the forces of the motion,
+/// without falling through it fast. The start of a motion counts not.
+template <class Real>
+[[nodiscard]] std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
+                                                    const BasicSolution<Real>& solution,
+                                                    std::size_t index);
 
 /// How far a solution in doubles can be trusted: bounds of its errors, from the rounding that each
 /// event and each arc adds and from the derivatives along the motion (analytic/README.md, section

@@ -65,7 +65,8 @@ std::string from_folder_of(const std::filesystem::path& source, const std::strin
 
 /// The case that a spec means: a file beside it, or a shipped one.
 std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source,
-                              const std::optional<std::string>& other_case, FileProblems& wrong) {
+                              const std::optional<std::string>& other_case, FileProblems& wrong,
+                              std::vector<std::string>& notes) {
   std::string name = root.text("case");
   if (name.ends_with(".toml")) {  // a shipped one has a '/', too
     name = from_folder_of(source, name);
@@ -82,6 +83,7 @@ std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& so
   for (const std::string& sentence : selection.problems) {
     other_case ? wrong.add(0, "--case: " + sentence) : root.refuse_value("case", sentence);
   }
+  notes = std::move(selection.notes);
   return selection.cases.size() == 1 ? std::optional(std::move(selection.cases.front()))
                                      : std::nullopt;
 }
@@ -218,12 +220,13 @@ void check_count(StrictTable& root, const EnsembleSpec& spec) {
 }
 
 EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& source,
-                         const std::optional<std::string>& other_case, FileProblems& wrong) {
+                         const std::optional<std::string>& other_case, FileProblems& wrong,
+                         std::vector<std::string>& notes) {
   StrictTable root(&file, "", wrong);
   EnsembleSpec spec;
   Case any_case;  // stands for one that cannot be read: with every cable that is asked for
   any_case.cables.resize(max_cables);
-  spec.the_case = read_case(root, source, other_case, wrong).value_or(any_case);
+  spec.the_case = read_case(root, source, other_case, wrong, notes).value_or(any_case);
   spec.the_case.duration =
       root.optional_number("until", above_zero, "[s]").value_or(spec.the_case.duration);
   spec.count =
@@ -277,11 +280,12 @@ SpecReading read_spec_text(std::string_view text, const std::filesystem::path& s
   if (!file) {
     return {std::nullopt, wrong.sentences()};
   }
-  EnsembleSpec spec = read_tables(*file, source, other_case, wrong);
+  std::vector<std::string> notes;
+  EnsembleSpec spec = read_tables(*file, source, other_case, wrong, notes);
   if (!wrong.empty()) {
     return {std::nullopt, wrong.sentences()};
   }
-  return {std::move(spec), {}};
+  return {std::move(spec), {}, std::move(notes)};
 }
 
 }  // namespace tautline::bench

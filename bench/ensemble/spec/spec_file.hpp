@@ -15,6 +15,7 @@ struct SpecReading {
   std::optional<EnsembleSpec> spec;  // present exactly when `problems` is empty
   std::vector<std::string>
       problems;  // sentences that name file, line, key, value and what is right
+  std::vector<std::string> notes = {};  // on the case's start, if it was changed to be taut
 };
 
 /// Reads the file of `tautline ensemble` (docs/ensembles.md), as strictly as a case file. A path in

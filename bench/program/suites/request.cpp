@@ -43,6 +43,7 @@ std::vector<Case> cases_of(const BenchCommand& command, const Suite* suite,
                            std::vector<std::string>& problems) {
   CaseSelection selection = select_cases(suite != nullptr ? cases_of(*suite) : command.cases);
   append(problems, selection.problems);
+  complain(selection.notes);
   if (command.until && !(*command.until > 0.0 && std::isfinite(*command.until))) {
     problems.push_back(
         fmt::format("--until {}: must be a finite number above 0 [s]", *command.until));

@@ -4,17 +4,19 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/solution/digits/in_decimals.hpp"
 #include "bench/solution/digits/in_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/digits/summary.hpp"
+#include "bench/solution/digits/ties.hpp"
 #include "bench/solution/texts.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/scenarios.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
@@ -48,77 +50,6 @@ int growing_digits(const Case& the_case, const SolveOptions& options, const Solu
   return static_cast<int>(std::min(most, of_doubles * all / sure));
 }
 
-/// The decimals that the doubles of a case are read from.
-class Decimals {
- public:
-  explicit Decimals(const Literals& written) : written_(written) {}
-
-  /// As it is written in the file at `place`, if that is where the double is from; else the
-  /// shortest decimal that it is the nearest to.
-  [[nodiscard]] Multi number(const std::string& place, double value) const {
-    const auto found = written_.find(place);
-    const bool from_there =
-        found != written_.end() && std::strtod(found->second.c_str(), nullptr) == value;
-    return Multi(from_there ? found->second : shortest(value));
-  }
-  [[nodiscard]] BasicVec2<Multi> pair(const std::string& place, const Vec2& value) const {
-    return {number(place + "[0]", value.x()), number(place + "[1]", value.y())};
-  }
-
- private:
-  const Literals& written_;
-};
-
-BasicCable<Multi> in_decimals(const Decimals& read, const std::string& place, const Cable& cable) {
-  BasicCable<Multi> result{read.pair(place + ".anchor", cable.anchor),
-                           read.pair(place + ".attachment", cable.attachment),
-                           read.number(place + ".length", cable.length),
-                           read.number(place + ".restitution", cable.restitution),
-                           read.number(place + ".capture_speed", cable.capture_speed),
-                           {}};
-  for (std::size_t index = 0; index < cable.restitution_table.size(); ++index) {
-    const RestitutionPoint& point = cable.restitution_table[index];
-    const BasicVec2<Multi> same = read.pair(fmt::format("{}.restitution_table[{}]", place, index),
-                                            {point.speed, point.restitution});
-    result.restitution_table.push_back({same.x(), same.y()});
-  }
-  return result;
-}
-
-/// `the_case` with the numbers of Table 5.1 as they are printed if it is of no file, or with the
-/// decimals that its doubles are read from.
-BasicCase<Multi> in_decimals(const Case& the_case, const Literals& written) {
-  const Decimals read(written);
-  BasicCase<Multi> result = in_digits(the_case);
-  result.duration = read.number("duration", the_case.duration);
-  for (const auto& row : table_5_1<Multi>()) {
-    if (written.empty() && the_case.name == "breakwater/" + std::string(row.number)) {
-      const Multi duration = result.duration;
-      result = breakwater<Multi>(row.parameters, the_case.name);
-      result.duration = duration;
-      return result;
-    }
-  }
-  result.body = {read.number("body.mass", the_case.body.mass),
-                 read.number("body.inertia", the_case.body.inertia)};
-  result.gravity = read.pair("gravity", the_case.gravity);
-  if (the_case.angle_limit) {
-    result.angle_limit = read.number("angle_limit", *the_case.angle_limit);
-  }
-  if (the_case.ceiling) {
-    result.ceiling = read.number("ceiling", *the_case.ceiling);
-  }
-  const State& start = the_case.initial;
-  result.initial = {
-      read.pair("initial.position", start.position), read.number("initial.angle", start.angle),
-      read.pair("initial.velocity", start.velocity), read.number("initial.spin", start.spin)};
-  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    result.cables[index] =
-        in_decimals(read, fmt::format("cables[{}]", index), the_case.cables[index]);
-  }
-  return result;
-}
-
 /// A number rounded to the digits that numbers have now.
 Multi rounded(const Multi& value, int digits) { return Multi(value.str(digits)); }
 
@@ -132,6 +63,7 @@ BasicState<Multi> rounded(const BasicState<Multi>& state, int digits) {
 
 /// A solution with many digits, and what it settles into.
 struct Run {
+  int digits;
   BasicCase<Multi> the_case;
   BasicSolution<Multi> solution;
   BasicSettling<Multi> settling;
@@ -152,6 +84,9 @@ class Solver {
         settled.lock->time > 0.0) {
       constexpr double margin = 0.02;  // [-], of the time of the lock: other motions lock later
       locked_by_ = settled.lock->time * (1.0 + margin) + 2.0 * settled.lock->uncertainty;
+      for (const double time : asked.at) {  // samples are of the motion itself
+        locked_by_ = std::max(*locked_by_, time);
+      }
     }
   }
 
@@ -174,12 +109,12 @@ class Solver {
       BasicSettling<Multi> settled = settled_at(the_case, solution);
       the_case.duration = duration;
       if (settled.lock && settled.lock->swing) {
-        return {the_case, std::move(solution), std::move(settled)};
+        return {digits, the_case, std::move(solution), std::move(settled)};
       }
     }
     BasicSolution<Multi> solution = solve(the_case, options_);
     BasicSettling<Multi> settled = settled_at(the_case, solution);
-    return {std::move(the_case), std::move(solution), std::move(settled)};
+    return {digits, std::move(the_case), std::move(solution), std::move(settled)};
   }
 
  private:
@@ -269,6 +204,30 @@ bool agree(const Multi& value, const Multi& error, int digits) {
   return error >= 0 && error <= abs(value) * pow(Multi(10), -digits) / 2;
 }
 
+/// True where the samples are right to `digits`; of a number that may be zero so many after those
+/// of the largest.
+bool samples_agree(const Run& few, const Run& many, const std::vector<double>& times, int digits) {
+  return std::all_of(times.begin(), times.end(), [&](double time) {
+    if (time > many.solution.end_time() || time > few.solution.end_time()) {
+      return true;  // beyond what both have
+    }
+    const auto a = numbers(few.solution.at(Multi(time)));
+    const auto b = numbers(many.solution.at(Multi(time)));
+    Multi largest(0);
+    for (const Multi& number : b) {
+      largest = max(largest, Multi(abs(number)));
+    }
+    for (std::size_t index = 0; index < b.size(); ++index) {
+      const Multi error = apart(a[index], b[index]);
+      if (!agree(b[index], error, digits) &&
+          !(error <= largest * pow(Multi(10), -digits - spare_digits))) {
+        return false;
+      }
+    }
+    return true;
+  });
+}
+
 /// True where what the summary says is right to `digits`.
 bool agree(const Run& many, const SummaryErrors<Multi>& errors, int digits) {
   const auto& lock = many.settling.lock;
@@ -282,9 +241,69 @@ bool agree(const Run& many, const SummaryErrors<Multi>& errors, int digits) {
          (!lock->swing || agree(lock->swing->energy, errors.energy, digits));
 }
 
-/// The events that both have, one row each.
-std::string events_of(const Run& few, const Run& many, const ManyDigits& asked,
-                      const TerminalStyle& style) {
+/// The state at each time with all right digits, a row each; what follows a tie is open.
+std::string samples_of(const Run& few, const Run& many, const std::optional<NumberTie>& tie,
+                       const ManyDigits& asked, const TerminalStyle& style) {
+  if (asked.at.empty()) {
+    return "";
+  }
+  Table table({ranked("sample at", 0), ranked("x", 0), ranked("y", 0), ranked("angle", 0),
+               ranked("vx", 0), ranked("vy", 0), ranked("spin", 0)});
+  for (const double time : asked.at) {
+    std::vector<std::string> cells = {shortest(time)};
+    if ((tie && time >= tie->time) || time > few.solution.end_time() ||
+        time > many.solution.end_time()) {
+      cells.emplace_back("beyond the horizon");
+    } else {
+      const auto a = numbers(few.solution.at(Multi(time)));
+      const auto b = numbers(many.solution.at(Multi(time)));
+      for (std::size_t index = 0; index < b.size(); ++index) {
+        cells.push_back(right_general(b[index], apart(a[index], b[index]), asked.digits));
+      }
+    }
+    table.add(cells);
+  }
+  return "\n" + table.plain(style);
+}
+
+/// That impulses are one split of several, a line; "" where they are not.
+std::string split_line(const Run& few, const Run& many, const SolveOptions& options,
+                       const ManyDigits& asked) {
+  std::string first;
+  std::size_t more = 0;
+  const auto& events = many.solution.events();
+  const std::size_t common = std::min(events.size(), few.solution.events().size());
+  CableSet cables;
+  std::string time;
+  for (std::size_t index = 0; index < common; ++index) {
+    const BasicEvent<Multi>& event = events[index];
+    const BasicEvent<Multi>& other = few.solution.events()[index];
+    const CableSet open = indeterminate(options.law, many.the_case, event);
+    if (open.empty() || other.cables != event.cables) {
+      continue;
+    }
+    if (!cables.empty()) {
+      ++more;
+      continue;
+    }
+    cables = open;
+    time = right_general(event.time, apart(other.time, event.time), asked.digits);
+    Eigen::Index row = 0;
+    for (const std::size_t cable : event.cables) {
+      if (open.contains(cable)) {
+        first += (first.empty() ? "" : ", ") +
+                 number_in_words(event.impulses[row],
+                                 apart(other.impulses[row], event.impulses[row]), asked.digits);
+      }
+      ++row;
+    }
+  }
+  return cables.empty() ? "" : split_sentence(cables, time, first, more) + "\n";
+}
+
+/// The events that both have, one row each, up to a tie.
+std::string events_of(const Run& few, const Run& many, const std::optional<NumberTie>& tie,
+                      const ManyDigits& asked, const TerminalStyle& style) {
   const auto& events = many.solution.events();
   if (events.empty()) {
     return "";
@@ -297,6 +316,10 @@ std::string events_of(const Run& few, const Run& many, const ManyDigits& asked,
   for (; shown < std::min(most, few.solution.events().size()); ++shown) {
     const BasicEvent<Multi>& a = few.solution.events()[shown];
     const BasicEvent<Multi>& b = events[shown];
+    if (tie && b.time >= tie->time) {
+      table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});
+      return "\n" + table.plain(style);
+    }
     if (a.kind != b.kind || a.cables != b.cables) {
       break;  // followed further with more digits
     }
@@ -341,18 +364,33 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
     const tautline::Digits precision(static_cast<unsigned>(digits));
     const Multi rounding = pow(Multi(10), -(asked.digits + spare_digits - 3));
     const SummaryErrors<Multi> errors = differences(few, many, rounding);
-    if (!agree(many, errors, asked.digits) && digits <= enough_digits) {
+    const std::string head = fmt::format(
+        "{}: {} right digits of its {}, with numbers of {} digits\n\n", printable(the_case.name),
+        asked.digits, asked.decimal ? "decimals" : "doubles", digits);
+    const auto tie = common_tie(first_tie(few.the_case, few.solution, few.digits),
+                                first_tie(many.the_case, many.solution, many.digits));
+    if (tie) {  // one that more digits do not decide
+      const std::string time = fmt::format("{:.6g}", static_cast<double>(tie->time));
+      return head +
+             wrapped_lines(tie_sentence(EventKind::slack, CableSet::of(tie->cable), time) +
+                               "\nFrom there on all is beyond the horizon: one of many motions. "
+                               "More digits do not decide it.\n" +
+                               split_line(few, many, options, asked),
+                           style.text) +
+             samples_of(few, many, tie, asked, style) + events_of(few, many, tie, asked, style);
+    }
+    if (!(agree(many, errors, asked.digits) && samples_agree(few, many, asked.at, asked.digits)) &&
+        digits <= enough_digits) {
       few = std::move(many);
       continue;
     }
     const Figures figures{asked.digits, asked.digits};
-    return fmt::format("{}: {} right digits of its {}, with numbers of {} digits\n\n",
-                       printable(the_case.name), asked.digits,
-                       asked.decimal ? "decimals" : "doubles", digits) +
+    return head +
            wrapped_lines(
-               Summary<Multi>(many.the_case, many.solution, many.settling, errors, figures).text(),
+               Summary<Multi>(many.the_case, many.solution, many.settling, errors, figures).text() +
+                   split_line(few, many, options, asked),
                style.text) +
-           events_of(few, many, asked, style);
+           samples_of(few, many, {}, asked, style) + events_of(few, many, {}, asked, style);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <string>
 
@@ -98,6 +99,35 @@ template <class Real>
     }
   }
   return text;
+}
+
+/// `text`, or where it is the dash of a number without a right digit, the number with its error.
+template <class Real>
+[[nodiscard]] std::string in_words(const std::string& text, const Real& value, const Real& error) {
+  if (text != dash) {
+    return text;
+  }
+  if (error < 0) {
+    return "beyond the horizon";
+  }
+  const auto size = static_cast<double>(Real(abs(value)));
+  auto off = std::max(static_cast<double>(error), std::numeric_limits<double>::min());
+  std::string about = "0";
+  if (size <= off) {
+    off += size;
+  } else {
+    const int digits = off < 1.0 ? static_cast<int>(std::ceil(-std::log10(off))) : 0;
+    about = fixed_digits(value, digits);
+    off += std::pow(10.0, -digits) / 2.0;  // which rounding `value` adds
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(off)));  // of one digit, rounded up
+  return fmt::format("{} to within {:.0e}", about, std::ceil(off / unit) * unit);
+}
+
+/// `right_general`, in words where no digit is right.
+template <class Real>
+[[nodiscard]] std::string number_in_words(const Real& value, const Real& error, int most) {
+  return in_words(right_general(value, error, most), value, error);
 }
 
 }  // namespace tautline::bench

@@ -63,12 +63,17 @@ class Summary {
 
  private:
   [[nodiscard]] std::string time(const Real& value, const Real& error, int more = 0) const {
-    return figures_.significant > Figures{}.significant
-               ? right_general(value, error, figures_.significant)
-               : right_fixed(value, error, figures_.after_point + more);
+    return in_words(figures_.significant > Figures{}.significant
+                        ? right_general(value, error, figures_.significant)
+                        : right_fixed(value, error, figures_.after_point + more),
+                    value, error);
+  }
+  /// "t = 1.5", or that it is beyond the horizon.
+  [[nodiscard]] std::string instant(const Real& value, const Real& error, int more) const {
+    return error < Real(0) ? "an instant beyond the horizon" : "t = " + time(value, error, more);
   }
   [[nodiscard]] std::string number(const Real& value, const Real& error) const {
-    return right_general(value, error, figures_.significant);
+    return number_in_words(value, error, figures_.significant);
   }
 
   /// Since when the body is at rest: since the end of its bounces, if any are completed.
@@ -76,8 +81,7 @@ class Summary {
     return settling_.lock ? settling_.lock->time : solution_.arcs().back().start;
   }
   [[nodiscard]] std::string since_when() const {
-    const Real error = settling_.lock ? errors_.lock : errors_.end_time;
-    return error < Real(0) ? "an instant beyond the horizon" : "t = " + time(rest_time(), error, 3);
+    return instant(rest_time(), settling_.lock ? errors_.lock : errors_.end_time, 3);
   }
 
   [[nodiscard]] std::string resting_sentence() const {
@@ -97,7 +101,7 @@ class Summary {
 
   /// What an ending means, in a sentence.
   [[nodiscard]] std::string ending_sentence() const {
-    const std::string end = time(solution_.end_time(), errors_.end_time, 3);
+    const std::string end = instant(solution_.end_time(), errors_.end_time, 3);
     switch (solution_.ending()) {
       case Ending::reached_duration:
         return fmt::format("The run reached its duration, t = {}.",
@@ -110,36 +114,36 @@ class Summary {
             "equilibrium: the smallest push would end it.",
             since_when(), shortest(static_cast<double>(case_.duration)));
       case Ending::locked:
-        return fmt::format("The run ended at t = {}, once its swing had turned twice.", end);
+        return fmt::format("The run ended at {}, once its swing had turned twice.", end);
       case Ending::singular:
         return fmt::format(
-            "Stopped at t = {}: the touching cables come so near to one line there that their "
+            "Stopped at {}: the touching cables come so near to one line there that their "
             "tensions or impulses cannot be told.",
             end);
       case Ending::angle_limit:
-        return fmt::format("|angle| reached the limit {} at t = {}.",
+        return fmt::format("|angle| reached the limit {} at {}.",
                            shortest(static_cast<double>(*case_.angle_limit)), end);
       case Ending::ceiling:
-        return fmt::format("An attachment reached the ceiling {} at t = {}.",
+        return fmt::format("An attachment reached the ceiling {} at {}.",
                            shortest(static_cast<double>(*case_.ceiling)), end);
       case Ending::event_limit:
         return fmt::format(
-            "Stopped at t = {}: the limit of {} events is reached; --max-events "
+            "Stopped at {}: the limit of {} events is reached; --max-events "
             "raises it.",
             end, solution_.events().size());
       case Ending::step_limit:
         return fmt::format(
-            "Stopped at t = {}: the limit of steps of taut motion, and of springs within impacts, "
+            "Stopped at {}: the limit of steps of taut motion, and of springs within impacts, "
             "is reached before t = {}; --max-steps raises it.",
             end, shortest(static_cast<double>(case_.duration)));
       case Ending::no_progress:
         return fmt::format(
-            "Stopped at t = {}: event follows event there, and time does not "
+            "Stopped at {}: event follows event there, and time does not "
             "advance.",
             end);
       case Ending::overflow:
-        return fmt::format(
-            "Stopped at t = {}: past it the motion has numbers too large for a double.", end);
+        return fmt::format("Stopped at {}: past it the motion has numbers too large for a double.",
+                           end);
     }
     return "";
   }
@@ -178,6 +182,9 @@ class Summary {
     if (lock.rests) {
       return since + ", for good: the body is at rest.";
     }
+    if (errors_.energy < Real(0)) {
+      return since + ".";
+    }
     if (lock.permanent) {
       return since + ", for good: no tension falls to zero in a whole period.";
     }
@@ -200,12 +207,16 @@ class Summary {
           "that much is left.",
           number(start, rounding));
     }
+    const std::string part =  // where there was next to none it is a part of nothing
+        start > rounding
+            ? right_fixed(Real(100 * swing.energy / start), Real(100 * errors_.energy / start), 2)
+            : dash;
     return fmt::format(
         "The body swings with amplitude {} rad and period {}. Of the initial energy {} above the "
-        "equilibrium {} is left ({} %).",
+        "equilibrium {} is left{}.",
         number(swing.amplitude, errors_.amplitude), number(swing.period, errors_.period),
         number(start, rounding), number(swing.energy, errors_.energy),
-        right_fixed(Real(100 * swing.energy / start), Real(100 * errors_.energy / start), 2));
+        part == dash ? "" : fmt::format(" ({} %)", part));
   }
 
   /// What is left of the initial energy where there is no swing to measure it against.

@@ -1,9 +1,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <ostream>
 
 #include "tautline/case_file.hpp"
+#include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
@@ -170,7 +172,7 @@ const std::vector<BadInput> wrong_cases = {
     {"length = 1.5",
      "length = 0.75",
      {"ball.toml:9: cable 0: overstretched at the start by 0.25 m: its ends are "
-      "1 m apart, its length is 0.75 m"}},
+      "1 m apart, its length is 0.75 m; a length of 1 m would do"}},
     {"inertia = 0.01",
      "inertia = 0",
      {"ball.toml:7: body: inertia 0 is for a point mass, whose attachments are all [0, 0]; give an "
@@ -252,6 +254,64 @@ TEST(CaseText, RestitutionMayDependOnTheSpeed) {
   // a case without them is written as before they existed
   EXPECT_EQ(write_case(bouncing_ball()).find("capture_speed"), std::string::npos);
   EXPECT_EQ(write_case(bouncing_ball()).find("restitution_table"), std::string::npos);
+}
+
+/// The sound file with a start 1e-7 m too far or too near, and its cable taut.
+std::string typed(const std::string& y, const std::string& taut) {
+  std::string text = changed({"[0.1, 0.25]", "[0.1, " + y + "]", {}});
+  const std::string key = "restitution = 0.9";
+  return text.replace(text.find(key), key.size(), key + "\n" + taut);
+}
+
+TEST(CaseText, ATypedStartIsMadeTautWhereTheCableAsksForIt) {
+  for (const char* const y : {"-0.2500001", "-0.2499999"}) {
+    const CaseReading reading = read_case_text(typed(y, "taut = true"), "ball.toml");
+    ASSERT_TRUE(reading.the_case) << reading.problems.front();
+    const Case& found = *reading.the_case;
+    EXPECT_LE(std::abs(gap(found.cables[0], found.initial)), 1e-15) << y;
+    // the arm of 0.1 m turns as easily as the body moves, as I / arm^2 is its mass: half and half
+    const double half = (std::stod(y) + 0.25) / 2.0;
+    EXPECT_NEAR(found.initial.position.y(), -0.25 + half, 1e-12);
+    EXPECT_NEAR(found.initial.angle, 10.0 * half, 1e-11);
+    EXPECT_EQ(found.initial.position.x(), 0.1);
+    EXPECT_EQ(
+        reading.notes,
+        Strings{"ball.toml:16: cable 0 starts taut: the start changes its position by 5e-08 m, "
+                "angle by 5e-07 rad"})
+        << y;
+    // what it was changed to is written, and is not changed again
+    const CaseReading again = read_case_text(write_case(found), "again.toml");
+    ASSERT_TRUE(again.the_case);
+    EXPECT_EQ(again.the_case->initial.position, found.initial.position);
+    const CaseReading asked = read_case_text(write_case(found), "again.toml", CableSet::of(0));
+    ASSERT_TRUE(asked.the_case);
+    EXPECT_EQ(asked.the_case->initial.position, found.initial.position);
+    EXPECT_EQ(asked.notes, Strings{});
+  }
+}
+
+TEST(CaseText, WithoutTautAStartIsReadAsItIsTyped) {
+  const CaseReading open = read_case_text(typed("-0.2499999", "taut = false"), "ball.toml");
+  ASSERT_TRUE(open.the_case);
+  EXPECT_EQ(open.the_case->initial.position.y(), -0.2499999);
+  EXPECT_EQ(open.notes, Strings{});
+  const Strings problems = read_case_text(typed("-0.2500001", ""), "ball.toml").problems;
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_TRUE(problems.front().ends_with("m would do, or taut = true, which moves the start"))
+      << problems.front();
+}
+
+TEST(CaseText, TautTakesUpNoMoreThanAThousandthOfTheLength) {
+  for (const char* const y : {"-0.26", "-0.24"}) {
+    const CaseReading reading = read_case_text(typed(y, "taut = true"), "ball.toml");
+    ASSERT_EQ(reading.problems.size(), 1U) << y;
+    EXPECT_TRUE(reading.problems.front().starts_with("ball.toml:9: cable 0: cannot start taut: "))
+        << reading.problems.front();
+  }
+  EXPECT_EQ(read_case_text(typed("-0.25", "taut = 1"), "ball.toml").problems,
+            Strings{"ball.toml:14: cables[0].taut = 1: must be true or false"});
+  EXPECT_EQ(read_case_text(sound, "ball.toml", CableSet::of(3)).problems,
+            Strings{"ball.toml: cable 3 cannot start taut: the case has 1 cable"});
 }
 
 TEST(CaseText, EmptyFileLacksEveryKeyThatIsRequired) {

@@ -129,7 +129,7 @@ TEST(Solve, PrintsTheDocumentedJsonForScripts) {
   const Outcome outcome = program({"solve", "breakwater/1910121100", "--json", "-", "--at", "3"});
   EXPECT_EQ(outcome.code, 0);
   const json solution = json::parse(outcome.output);
-  EXPECT_EQ(solution.at("schema"), 3);
+  EXPECT_EQ(solution.at("schema"), 4);
   EXPECT_EQ(solution.at("ending"), "reached_duration");
   EXPECT_EQ(solution.at("end_time"), 20.0);
   // computed with 60 digits; rounding moves the lock by up to 2.2e-3

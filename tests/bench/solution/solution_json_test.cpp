@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bench/base/text.hpp"
+#include "bench/solution/time_errors.hpp"
 #include "tautline/case_file.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
@@ -38,7 +39,7 @@ Json printed(const Case& the_case, const std::vector<double>& sample_times = {})
 TEST(SolutionJson, HasTheNamesScriptsDependOn) {
   const Json json = printed(bouncing_ball(), {0.5});
   const Strings state = {"position", "angle", "velocity", "spin"};
-  EXPECT_EQ(json.at("schema"), 3);
+  EXPECT_EQ(json.at("schema"), 4);
   EXPECT_EQ(keys(json.at("case")),
             (Strings{"name", "duration", "gravity", "body", "cables", "initial"}));
   EXPECT_EQ(keys(json.at("case").at("body")), (Strings{"mass", "inertia"}));
@@ -130,6 +131,31 @@ TEST(SolutionJson, HasEveryAccumulationOfTheSolution) {
     }
   }
   EXPECT_EQ(printed(bouncing_ball(1.0)).at("accumulations"), Json::array());
+}
+
+// a ball dropped by h with restitution e rests at sqrt(2 h / g) (1 + e) / (1 - e)
+TEST(SolutionJson, TheUncertaintyOfALockHasItsRoundingInIt) {
+  for (const double gravity : {9.81, 1.0, 3.7}) {
+    for (const double restitution : {0.3, 0.5, 0.8}) {
+      Case ball = bouncing_ball(restitution);
+      ball.gravity.y() = -gravity;
+      ball.duration = 100.0;
+      const long double fall = 2.0L * gap(ball.cables[0], ball.initial);
+      const long double e = restitution;
+      const long double rest = std::sqrt(fall / gravity) * (1 + e) / (1 - e);
+      const Json json = printed(ball);
+      const Json& lock = json.at("settling").at("lock");
+      const Json& limit = json.at("accumulations").back();
+      const auto bound = lock.at("uncertainty").get<double>();
+      EXPECT_LE(std::abs(lock.at("time").get<double>() - rest), bound) << restitution;
+      EXPECT_GE(bound, epsilon<double>()) << "a double is no better than that";
+      EXPECT_LE(bound, 1e-6);
+      EXPECT_EQ(limit.at("uncertainty"), lock.at("uncertainty"));
+      const Solution solution = solve(ball);
+      EXPECT_EQ(lock_error(solution, settling(ball, solution), Uncertainty(ball, solution)), bound)
+          << "the text's";
+    }
+  }
 }
 
 TEST(SolutionJson, SettlingIsNullWhereNothingSettles) {

@@ -16,17 +16,27 @@ struct CaseReading {
   std::optional<Case> the_case;  // present exactly when `problems` is empty; `solve` accepts it
   std::vector<std::string>
       problems;  // sentences that name file, line, key, value and what is right
+  std::vector<std::string> notes = {};  // likewise, how the start was changed to be taut
 };
 
 /// A longer file is refused before it is read [bytes].
 inline constexpr std::size_t longest_case_file = std::size_t{1} << 20U;
 
 /// Reads a case file. Never throws on bad input and never waits for it: what is not a regular file
-/// is refused.
-[[nodiscard]] CaseReading read_case(const std::filesystem::path& path);
+/// is refused. Cables with `taut = true`, and those of `taut`, start taut (`taut_start`).
+[[nodiscard]] CaseReading read_case(const std::filesystem::path& path, CableSet taut = {});
 
 /// Reads the text of a case file; `source_name` stands for the file in the sentences.
-[[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name);
+[[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name,
+                                         CableSet taut = {});
+
+/// Makes `taut` cables of `the_case` start taut. What is wrong with that, or how the start has
+/// changed.
+struct StartChange {
+  std::vector<std::string> problems;
+  std::vector<std::string> notes;
+};
+[[nodiscard]] StartChange start_taut(Case& the_case, CableSet taut);
 
 /// The text of a case file that reads back as the same case, bit for bit.
 /// Requires a name in UTF-8.

@@ -1,0 +1,315 @@
+// What is said of the errors of a solution: bounds, words, and ties.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "bench/solution/digits/in_digits.hpp"
+#include "bench/solution/digits/many_digits.hpp"
+#include "bench/solution/digits/right_digits.hpp"
+#include "bench/solution/texts.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/scenarios.hpp"
+#include "tautline/settling.hpp"
+#include "tautline/solve.hpp"
+#include "tautline/uncertainty.hpp"
+#include "tests/analytic/support.hpp"
+
+namespace tautline::bench {
+namespace {
+
+constexpr std::uint64_t seed = 14;
+
+/// A body on one long cable that it meets nearly along an axis: the gap is a difference of numbers
+/// that are large against the body's way.
+Case long_cable(test::Random& random) {
+  Case result;
+  const double far = std::pow(10.0, random.uniform(0.5, 3.5));  // [m]
+  const double aside = far * std::pow(10.0, random.uniform(-6.0, -1.0));
+  const double axis = std::floor(random.uniform(0.0, 4.0)) * (std::numbers::pi / 2.0);
+  const auto turned = [&](double along, double across) {
+    return Vec2(along * std::round(std::cos(axis)) - across * std::round(std::sin(axis)),
+                along * std::round(std::sin(axis)) + across * std::round(std::cos(axis)));
+  };
+  const bool is_point = random.uniform(0.0, 1.0) < 0.3;
+  result.name = fmt::format("anchor {} m away, {} aside, axis {}", far, aside, axis);
+  result.duration = 2.0;
+  result.body = {random.uniform(0.5, 2.0), is_point ? 0.0 : random.uniform(0.01, 0.1)};
+  result.gravity = turned(-1.0, random.uniform(-0.1, 0.1));
+  result.cables = {
+      {turned(far, aside),
+       is_point ? Vec2(0.0, 0.0) : Vec2(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)), 1.0,
+       random.uniform(0.0, 1.0)}};
+  Cable& cable = result.cables[0];
+  cable.length =
+      (cable.anchor - cable.attachment).norm() + random.uniform(0.05, 0.3);  // starts slack
+  result.initial.velocity = turned(random.uniform(-1.0, 0.0), random.uniform(-0.1, 0.1));
+  result.initial.spin = is_point ? 0.0 : random.uniform(-0.5, 0.5);
+  return result;
+}
+
+TEST(Bounds, TheFirstImpactOnALongCableAlongAnAxisIsWithinItsBounds) {
+  test::Random random(seed);
+  double worst = 0.0;  // error, as a part of its bound
+  const int count = 200;
+  for (int system = 0; system < count; ++system) {
+    const Case the_case = long_cable(random);
+    const Solution solution = solve(the_case);
+    const Uncertainty uncertainty(the_case, solution);
+    ASSERT_FALSE(solution.events().empty()) << the_case.name;
+    const auto& errors = uncertainty.events().front();
+    ASSERT_TRUE(errors) << the_case.name;
+    const tautline::Digits precision(50);
+    const BasicSolution<Multi> truth = solve(in_digits(the_case));
+    const auto check = [&](double value, double bound, const Multi& right, const char* what) {
+      const auto error = static_cast<double>(abs(Multi(right - value)));
+      EXPECT_LE(error, bound) << what << " of " << the_case.name;
+      worst = std::max(worst, error / bound);
+    };
+    const auto& shown = solution.events().front();
+    const auto& right = truth.events().front();
+    check(shown.time, errors->time, right.time, "time");
+    check(shown.before.position.x(), errors->before.position.x(), right.before.position.x(), "x");
+    check(shown.before.position.y(), errors->before.position.y(), right.before.position.y(), "y");
+    check(shown.after.position.x(), errors->after.position.x(), right.after.position.x(), "x");
+    check(shown.after.position.y(), errors->after.position.y(), right.after.position.y(), "y");
+    check(shown.after.velocity.x(), errors->after.velocity.x(), right.after.velocity.x(), "vx");
+    check(shown.after.velocity.y(), errors->after.velocity.y(), right.after.velocity.y(), "vy");
+    check(shown.after.angle, errors->after.angle, right.after.angle, "angle");
+    check(shown.after.spin, errors->after.spin, right.after.spin, "spin");
+  }
+  std::printf("errors up to %.2f of their bounds\n", worst);
+  EXPECT_GE(worst, 0.02) << "bounds far too wide say nothing";
+}
+
+TEST(Bounds, ANumberWithoutARightDigitIsSaidInWords) {
+  EXPECT_EQ(number_in_words(0.25, 0.0, 6), "0.25");
+  EXPECT_EQ(number_in_words(1e-16, 2e-16, 6), "0 to within 3e-16");
+  EXPECT_EQ(number_in_words(0.96, 0.61, 6), "1.0 to within 7e-01");
+  EXPECT_EQ(number_in_words(1.0, -1.0, 6), "beyond the horizon");
+}
+
+// the field's report: "Impacts have taken 0 of energy: 0 at the start, - at the end"
+TEST(Bounds, NoSentenceHasADashForAValue) {
+  test::Random random(seed);
+  std::vector<Case> cases = shipped_cases();
+  for (int system = 0; system < 60; ++system) {
+    test::Draw draw;
+    draw.cables = 1 + static_cast<std::size_t>(system % 3);
+    cases.push_back(test::random_case(random, draw));
+  }
+  Case still;  // at the height where its energy is 0
+  still.gravity = {0.0, -9.81};
+  still.cables = {{{0.0, 1.0}, {0.0, 0.0}, 1.25, 0.5}};
+  still.body = {1.0, 0.0};
+  still.initial.position = {0.75, 0.0};
+  still.initial.velocity = {0.0, -1.0};
+  cases.push_back(still);
+  for (const Case& the_case : cases) {
+    SolveOptions options;
+    options.max_events = 2'000;
+    const Solution solution = solve(the_case, options);
+    const std::string text = solution_text(the_case, solution, settling(the_case, solution),
+                                           Uncertainty(the_case, solution, options));
+    EXPECT_EQ(text.find(dash), std::string::npos) << the_case.name << "\n" << text;
+  }
+}
+
+/// A level bar of 2 kg that drops by 0.5 m into equal slings at these places [m].
+Case bar_in_slings(const std::vector<double>& places, double restitution, double centre = 0.0) {
+  Case result;
+  result.name = "slings";
+  result.duration = 6.0;
+  result.body = {2.0, 0.5};
+  for (const double place : places) {
+    result.cables.push_back({{place, 0.0}, {place - centre, 0.0}, 1.0, restitution});
+  }
+  result.initial.position = {centre, -0.5};
+  return result;
+}
+
+std::string text_of(const Case& the_case) {
+  const Solution solution = solve(the_case);
+  return solution_text(the_case, solution, settling(the_case, solution),
+                       Uncertainty(the_case, solution));
+}
+
+/// What --digits prints.
+std::string digits_text(const Case& the_case, int digits, const std::vector<double>& at = {}) {
+  return many_digits_text(the_case, {}, solve(the_case),
+                          {.digits = digits, .decimal = false, .all_events = false, .at = at},
+                          unlimited);
+}
+
+// impulses (1 + e) m v in all, at v = 1; no moment about the centre; the sum of squares is least
+TEST(RedundantSlings, MoveSurelyAndShareTheirImpulseByTheLeastSquares) {
+  struct Expected {
+    std::vector<double> places;
+    double centre;
+    std::vector<double> parts;  // of the impulse
+  };
+  const std::vector<Expected> all = {
+      {{-0.5, 0.0, 0.5}, 0.0, {1.0 / 3, 1.0 / 3, 1.0 / 3}},
+      {{-0.75, -0.25, 0.25, 0.75}, 0.0, {0.25, 0.25, 0.25, 0.25}},
+      {{-0.5, 0.25, 0.5}, 0.0, {11.0 / 26, 8.0 / 26, 7.0 / 26}},
+      {{-0.5, 0.0, 0.5}, 0.25, {1.0 / 12, 4.0 / 12, 7.0 / 12}},
+  };
+  for (const Expected& one : all) {
+    for (const double e : {0.0, 0.3, 0.5, 1.0}) {
+      const Case the_case = bar_in_slings(one.places, e, one.centre);
+      const Solution solution = solve(the_case);
+      const Uncertainty uncertainty(the_case, solution);
+      EXPECT_FALSE(uncertainty.horizon()) << one.places.size() << " slings, e = " << e;
+      const Event& first = solution.events().front();
+      const auto& errors = uncertainty.events().front();
+      ASSERT_TRUE(errors);
+      EXPECT_LE(std::abs(first.time - 1.0), errors->time);
+      EXPECT_LE(std::abs(first.after.velocity.y() - e), errors->after.velocity.y());
+      EXPECT_EQ(errors->indeterminate, first.cables);
+      EXPECT_EQ(indeterminate(ImpactLaw::simultaneous, the_case, first), first.cables);
+      for (std::size_t index = 0; index < one.parts.size(); ++index) {
+        const auto row = static_cast<Eigen::Index>(index);
+        EXPECT_LE(std::abs(first.impulses[row] - 2.0 * (1.0 + e) * one.parts[index]),
+                  errors->impulses[row]);
+        EXPECT_LE(errors->impulses[row], 1e-12);
+      }
+      const auto end = uncertainty.at(solution.end_time());
+      ASSERT_TRUE(end);
+      EXPECT_LE(end->position.norm(), 1e-11);
+      EXPECT_NE(text_of(the_case).find("indeterminate"), std::string::npos);
+    }
+  }
+}
+
+TEST(RedundantSlings, AtAnAngleOrInOneLineAreSureToo) {
+  Case angled;  // 3, 4 and 5 are exact: all become taut at y = -4
+  angled.duration = 8.0;
+  angled.body = {1.0, 0.25};
+  angled.cables = {{{-3.5, 0.0}, {-0.5, 0.0}, 5.0, 0.5},
+                   {{0.0, 0.0}, {0.0, 0.0}, 4.0, 0.5},
+                   {{3.5, 0.0}, {0.5, 0.0}, 5.0, 0.5}};
+  angled.initial.position = {0.0, -3.0};
+  Case line;  // a point on two cables in one line
+  line.duration = 8.0;
+  line.gravity = {0.0, -9.81};
+  line.body = {1.0, 0.0};
+  line.cables = {{{0.0, 0.0}, {0.0, 0.0}, 2.0, 0.5}, {{0.0, 1.0}, {0.0, 0.0}, 3.0, 0.5}};
+  line.initial.position = {0.0, -1.0};
+  for (const Case& the_case : {angled, line}) {
+    const Solution solution = solve(the_case);
+    const Uncertainty uncertainty(the_case, solution);
+    EXPECT_FALSE(uncertainty.horizon());
+    const Event& first = solution.events().front();
+    EXPECT_EQ(first.cables, CableSet::first(the_case.cables.size()));
+    EXPECT_EQ(indeterminate(ImpactLaw::simultaneous, the_case, first), first.cables);
+    // z_i in proportion to how far cable i pulls up
+    double up = 0.0;
+    for (const std::size_t index : first.cables) {
+      up += std::pow(gap_gradient(the_case.cables[index], first.before).y(), 2);
+    }
+    Eigen::Index row = 0;
+    const double jump = the_case.body.mass * 1.5 * -first.before.velocity.y();
+    for (const std::size_t index : first.cables) {
+      const double pull = gap_gradient(the_case.cables[index], first.before).y();
+      EXPECT_NEAR(first.impulses[row++], jump * pull / up, 1e-14 * jump);
+    }
+  }
+}
+
+TEST(RedundantSlings, OneThatIsLongerByARoundingIsATieForEveryPrecision) {
+  Case the_case = bar_in_slings({-0.5, 0.0, 0.5}, 0.5);
+  the_case.cables[2].length = std::nextafter(1.0, 2.0);
+  const Solution solution = solve(the_case);
+  const Uncertainty uncertainty(the_case, solution);
+  ASSERT_TRUE(uncertainty.horizon());
+  const auto& tie = uncertainty.unsure().front().tie;
+  ASSERT_TRUE(tie);
+  EXPECT_EQ(tie->kind, EventKind::impact);
+  EXPECT_NE(text_of(the_case).find("is a tie that rounding decides"), std::string::npos);
+}
+
+/// A point that starts at the bottom of its circle with this speed [m/s]; gravity 1, length 2.
+Case swing_up(double speed) {
+  Case result;
+  result.name = "swing";
+  result.duration = 30.0;
+  result.body = {1.0, 0.0};
+  result.cables = {{{0.0, 0.0}, {0.0, 0.0}, 2.0, 0.5}};
+  result.initial.position = {0.0, -2.0};
+  result.initial.velocity = {speed, 0.0};
+  return result;
+}
+
+// v^2 = 2 g L: the tension, 3 m g cos(angle), touches zero where the body turns, at the quarter of
+// its period 4 sqrt(L / g) K(1 / sqrt 2)
+TEST(Ties, ATensionThatTouchesZeroIsOneForEveryPrecision) {
+  const Case the_case = swing_up(2.0);
+  const double touch = 10.4882302172 / 4.0;
+  const Solution solution = solve(the_case);
+  const Uncertainty uncertainty(the_case, solution);
+  ASSERT_EQ(uncertainty.unsure().size(), 1U);
+  const Unsure& open = uncertainty.unsure().front();
+  ASSERT_TRUE(open.tie);
+  EXPECT_EQ(open.tie->kind, EventKind::slack);
+  EXPECT_EQ(open.tie->cables, CableSet::of(0));
+  EXPECT_NEAR(open.from, touch, 1e-6);
+  EXPECT_TRUE(uncertainty.at(2.6)) << "before it all is sure";
+  for (std::size_t index = 1; index < uncertainty.events().size(); ++index) {
+    EXPECT_FALSE(uncertainty.events()[index]) << "an event that the motion need not have";
+  }
+  const std::string words =
+      "At t = 2.62206 the tension of cable 0 touches zero: whether it lets go there is a tie that "
+      "rounding decides.";
+  EXPECT_NE(text_of(the_case).find(words), std::string::npos) << text_of(the_case);
+  for (const int digits : {4, 8, 12, 16}) {
+    const std::string text = digits_text(the_case, digits);
+    EXPECT_NE(text.find(words), std::string::npos) << digits << "\n" << text;
+    EXPECT_EQ(text.find("slack"), std::string::npos) << digits << "\n" << text;
+  }
+}
+
+TEST(Ties, AlsoAtTheTopOfACircleAndFromRestAtTheAnchorsHeight) {
+  Case top = swing_up(std::sqrt(10.0));  // v^2 = 5 g L
+  Case level = swing_up(0.0);
+  level.initial.position = {2.0, 0.0};
+  for (const Case& the_case : {top, level}) {
+    const Solution solution = solve(the_case);
+    const Uncertainty uncertainty(the_case, solution);
+    ASSERT_TRUE(uncertainty.horizon());
+    EXPECT_TRUE(uncertainty.unsure().front().tie);
+    EXPECT_GT(*uncertainty.horizon(), 1.0) << "the start is none";
+  }
+}
+
+TEST(Ties, AMotionBesideATieIsSure) {
+  for (const double speed : {2.0 * (1.0 - 1e-7), 1.9999, 3.0, 3.3}) {
+    const Case the_case = swing_up(speed);
+    const Solution solution = solve(the_case);
+    EXPECT_FALSE(Uncertainty(the_case, solution).horizon()) << speed;
+  }
+}
+
+TEST(ManyDigits, SamplesHaveEveryDigitThatIsAskedFor) {
+  Case fall;  // exact: y = -1/4 - t^2 / 2 up to the impact
+  fall.name = "fall";
+  fall.duration = 2.0;
+  fall.body = {1.0, 0.0};
+  fall.cables = {{{0.0, 0.0}, {0.0, 0.0}, 3.0, 0.5}};
+  fall.initial.position = {0.0, -0.25};
+  fall.initial.velocity = {0.1, 0.0};
+  const std::string text = digits_text(fall, 30, {1.0, 0.5});
+  EXPECT_NE(text.find("sample at"), std::string::npos) << text;
+  // the double nearest to 0.1, halved: all of its digits
+  EXPECT_NE(text.find("0.0500000000000000027755575615629"), std::string::npos) << text;
+  EXPECT_NE(text.find("-0.375"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace tautline::bench

@@ -32,8 +32,9 @@ endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 install(FILES THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES CITATION.cff VALIDATION.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/ci-recipe.md docs/program.md docs/report.md docs/scaling.md docs/trend.svg
+install(FILES docs/ci-recipe.md docs/program.md docs/recipes.md docs/report.md docs/scaling.md docs/trend.svg
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/recipes DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES docs/tutorials/any-language.md docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials)
 install(FILES docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)

@@ -9,14 +9,14 @@
 namespace tautline::test {
 namespace {
 
-/// A block of README.md that shows what a command prints.
+/// A block of a page that shows what a command prints.
 struct Excerpt {
   std::string command;             // after "tautline "
   std::vector<std::string> lines;  // the block
 };
 
-std::vector<Excerpt> excerpts() {
-  std::ifstream file(TAUTLINE_README);
+std::vector<Excerpt> excerpts(const std::string& page) {
+  std::ifstream file(page);
   std::vector<Excerpt> found;
   const std::string mark = "<!-- output of: tautline ";
   for (std::string line; std::getline(file, line);) {
@@ -57,15 +57,18 @@ bool same(const std::string& shown, const std::string& printed) {
   }
 }
 
-TEST(Readme, ShowsWhatTheProgramPrints) {
-  const std::vector<Excerpt> all = excerpts();
-  ASSERT_GE(all.size(), 3U);
+/// Holds at least `least` blocks of `page` to what the program prints now. Paths in the commands
+/// are relative to docs/.
+void expect_true_blocks(const std::string& page, std::size_t least) {
+  const std::vector<Excerpt> all = excerpts(page);
+  ASSERT_GE(all.size(), least);
   for (const Excerpt& excerpt : all) {
     const TemporaryFolder folder;
     std::vector<std::string> arguments;
     std::istringstream words(excerpt.command);
     for (std::string word; words >> word;) {
-      arguments.push_back(word);
+      arguments.push_back(word.starts_with("recipes/") ? std::string(TAUTLINE_DOCS) + "/" + word
+                                                       : word);
     }
     if (arguments.front() == "bench") {
       arguments.insert(arguments.end(), {"--out", (folder.path() / "r").string()});
@@ -75,11 +78,15 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
     for (const std::string& shown : excerpt.lines) {
       std::string line;
       std::getline(printed, line);
-      EXPECT_TRUE(same(shown, line)) << "README: " << shown << "\nnow:    " << line << "\ntautline "
+      EXPECT_TRUE(same(shown, line)) << "page: " << shown << "\nnow:  " << line << "\ntautline "
                                      << excerpt.command << "; scripts/update-readme writes it anew";
     }
   }
 }
+
+TEST(Readme, ShowsWhatTheProgramPrints) { expect_true_blocks(TAUTLINE_README, 3); }
+
+TEST(Recipes, ShowWhatTheProgramPrints) { expect_true_blocks(TAUTLINE_DOCS "/recipes.md", 9); }
 
 }  // namespace
 }  // namespace tautline::test

@@ -25,6 +25,8 @@
   const state = { system: cases[0], runs: [], recorded: null, problem: '', motions: [exactMotion(cases[0])], cable: 0, time: 0, speed: 1, playing: false };
   let picture;
   let times = [];
+  /// The next step of a play: a frame, or with less motion a timer. Pausing takes it back, or the next play has two.
+  const coming = { frame: 0, timer: 0 };
 
   const runsOf = (system) => report.runs.filter((run) => run.case === system.name && run.impacts);
   const keyOf = (run) => `${run.engine} ${run.model} ${run.step}`;
@@ -75,31 +77,28 @@
 
   function stop() {
     state.playing = false;
+    cancelAnimationFrame(coming.frame);
+    clearTimeout(coming.timer);
     play.textContent = 'Play';
   }
 
   function frame(before) {
     return (now) => {
-      if (!state.playing) {
-        return;
-      }
       show(state.time + state.speed * (now - before) / 1000, false);
       if (state.time >= end()) {
         stop();
       } else {
-        requestAnimationFrame(frame(now));
+        coming.frame = requestAnimationFrame(frame(now));
       }
     };
   }
 
   function standStill() {
-    if (state.playing) {
-      toEvent(1);
-      if (state.time < end()) {
-        setTimeout(standStill, stand / state.speed);
-      } else {
-        stop();
-      }
+    toEvent(1);
+    if (state.time < end()) {
+      coming.timer = setTimeout(standStill, stand / state.speed);
+    } else {
+      stop();
     }
   }
 
@@ -117,7 +116,7 @@
     if (still.matches) {
       standStill();
     } else {
-      requestAnimationFrame((now) => frame(now)(now));
+      coming.frame = requestAnimationFrame((now) => frame(now)(now));
     }
   }
 

@@ -2,9 +2,8 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import test from 'node:test';
-import { benchPage, drawAll, onSharedPage, withPage } from './browser.mjs';
+import { benchPage, drawAll, onSharedPage, settled, withPage } from './browser.mjs';
 
-const settled = (page, time = 60) => page.evaluate((wait) => new Promise((done) => setTimeout(done, wait)), time);
 const chip = (page, name) => page.locator('.engine-filter button', { hasText: new RegExp(`^${name}$`) });
 /// The engines in the shown rows of a table, of its plain bodies.
 const enginesIn = (page, id) => page.evaluate((table) => [...new Set([...document.getElementById(table).tBodies]

@@ -1,11 +1,10 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
-import { benchPage, drawAll, onSharedPage, withPage, withText } from './browser.mjs';
+import { benchPage, drawAll, onSharedPage, settled, withPage, withText } from './browser.mjs';
 import { withReport } from './page.mjs';
 import { modelNames, synthetic } from './synthetic.mjs';
 
-const settled = (page) => page.evaluate(() => new Promise((done) => setTimeout(done, 60)));
 /// Puts the page into the state of an address, as a link does.
 async function go(page, hash) {
   await page.evaluate((text) => { location.hash = text; }, hash);

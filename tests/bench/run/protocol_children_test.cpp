@@ -206,7 +206,7 @@ TEST(BadChild, DiesWithAProgramThatIsKilled) {
   // the program, its worker, the keeper, the child, and three that have made themselves sessions
   constexpr std::size_t all = 7;
   constexpr auto pause = std::chrono::milliseconds(10);
-  for (int look = 0; look < 2000 && !std::filesystem::exists(folder.path() / "ready"); ++look) {
+  for (int look = 0; look < 12'000 && !std::filesystem::exists(folder.path() / "ready"); ++look) {
     std::this_thread::sleep_for(pause);
   }
   EXPECT_EQ(marked_processes(mark).size(), all);

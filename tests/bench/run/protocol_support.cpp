@@ -60,7 +60,7 @@ std::vector<int> marked_processes(const std::string& mark) {
 
 std::vector<int> left_of(const std::string& mark) {
   using Clock = std::chrono::steady_clock;
-  constexpr auto patience = std::chrono::seconds(5);
+  constexpr auto patience = std::chrono::seconds(60);
   const auto deadline = Clock::now() + patience;
   while (Clock::now() < deadline && !marked_processes(mark).empty()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -27,20 +26,17 @@ std::vector<std::filesystem::path> kept_systems() {
 
 class RedundantCables : public ::testing::TestWithParam<std::filesystem::path> {};
 
-TEST_P(RedundantCables, ComeToTheirEndInTimeUnderEveryLaw) {
+TEST_P(RedundantCables, ComeToTheirEndUnderEveryLaw) {
   const CaseReading reading = read_case(GetParam());
   ASSERT_TRUE(reading.the_case.has_value());
   for (const ImpactLaw law : impact_laws) {
     SolveOptions options;
     options.law = law;
     options.max_events = 20'000;
-    const auto begin = std::chrono::steady_clock::now();
     const Solution solution = solve(*reading.the_case, options);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     EXPECT_TRUE(solution.ending() == Ending::reached_duration || solution.ending() == Ending::rest)
         << to_string(law) << ": " << to_string(solution.ending());
     EXPECT_EQ(solution.end_time(), reading.the_case->duration);
-    EXPECT_LT(taken.count(), 5.0) << to_string(law);  // [s]; some hundredths, or a hang
     double overstretch = 0.0;
     for (const Arc& arc : solution.arcs()) {
       for (const Cable& cable : reading.the_case->cables) {

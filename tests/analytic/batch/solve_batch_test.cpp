@@ -221,9 +221,7 @@ std::vector<Kind> kinds() {
 }
 
 TEST(SolveBatch, LanesOfAnyWidthAnswerToTheBitAsOne) {
-  if (kinds().empty()) {
-    GTEST_SKIP() << "this processor or this build has no lanes";
-  }
+  // none where this processor or this build has none
   for (const auto& [name, bounce_lanes] : kinds()) {
     Random random(batch_seed);
     int wrong = 0;

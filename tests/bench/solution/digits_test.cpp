@@ -160,12 +160,12 @@ TEST(Digits, StandardCaseIsPrintedRightToTwiceItsHorizon) {
 }
 
 TEST(Digits, EveryCaseOfTheTableIsPrintedRight) {
-  if (systems() <= few_systems) {
-    GTEST_SKIP() << "takes a minute: TAUTLINE_DIGIT_SYSTEMS=2000 asks for it";
-  }
+  // all take a minute: TAUTLINE_DIGIT_SYSTEMS=2000 asks for them
+  const std::size_t stride = systems() <= few_systems ? 10 : 1;
   DigitCount count;
+  std::size_t cases = 0;
   for (const Case& the_case : shipped_cases()) {
-    if (the_case.name.starts_with("breakwater/")) {
+    if (the_case.name.starts_with("breakwater/") && cases++ % stride == 0) {
       count_digits(the_case, count);
     }
   }

@@ -194,9 +194,6 @@ TEST_P(EventModel, FollowsTheMotionOnTautCables) {
 }
 
 TEST_P(EventModel, IsOfSecondOrderOnTautCables) {
-  if (!GetParam().in_double()) {
-    GTEST_SKIP() << "rounding in float is as large as the error of the step";
-  }
   const CountedCase soft = counted_cases()[4];  // taut from t = 0.58 on
   const Case the_case = breakwater(soft.parameters, soft.name);
   const double coarse = largest_deviation(engine(), "event", the_case, 1e-2, 2.0);
@@ -205,7 +202,11 @@ TEST_P(EventModel, IsOfSecondOrderOnTautCables) {
   if (coarse <= 1e-11) {
     return;  // the exact solver has no step
   }
-  EXPECT_NEAR(std::log10(coarse / fine), 2.0, 0.1);
+  if (GetParam().in_double()) {
+    EXPECT_NEAR(std::log10(coarse / fine), 2.0, 0.1);
+  } else {
+    EXPECT_LT(fine, coarse);  // the rounding of float is as large as the error of the smaller step
+  }
 }
 
 TEST_P(EventModel, GoesThroughEveryShippedCaseToItsEnd) {

@@ -1,7 +1,9 @@
-// Takes steps with many loads, for a processor simulated by callgrind: `cable` or `joint` holds them,
-// on `taut` or `bouncing` cables; with `made` the scene is only made. Prints how many steps there are.
+// Takes steps with many loads, for a processor simulated by callgrind: `cable` or `joint` holds
+// them, on `taut` or `bouncing` cables; with `made` the scene is only made. Prints how many steps
+// there are.
 
 #include <cstdio>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -33,8 +35,8 @@ std::unique_ptr<Scene> many_loads(Held held, double restitution, double above, d
 
 int taken(const std::set<std::string>& asked) {
   const Held held = asked.contains("joint") ? Held::by_joint : Held::by_cable;
-  const auto scene = asked.contains("taut") ? many_loads(held, 0.5, 0.0, 1.0)
-                                            : many_loads(held, 1.0, 0.3, 0.0);
+  const auto scene =
+      asked.contains("taut") ? many_loads(held, 0.5, 0.0, 1.0) : many_loads(held, 1.0, 0.3, 0.0);
   const int count = asked.contains("made") ? 0 : steps;
   for (int step = 0; step < count; ++step) {
     scene->step();

@@ -18,6 +18,9 @@ function(tautline_target target)
     -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
     -Wnon-virtual-dtor -Woverloaded-virtual
     $<$<BOOL:${TAUTLINE_WARNINGS_AS_ERRORS}>:-Werror>)
+  # the same package from wherever the source lies
+  target_compile_options(${target} PRIVATE
+    $<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>)
   # Clang has limits GCC has not: long literals, and names that another source of a unity build gave a function
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:Clang>:-Wno-overlength-strings>

@@ -1,7 +1,7 @@
 # What `cmake --install` puts where: two libraries with their headers for a user of the package, who
-# needs Eigen alone; cables for a user's own Bullet or ODE, who needs not even that; the program; the
-# plug-ins (see tautline_engine_module). The components become packages in TautlinePackages.cmake; what
-# names none belongs to the program.
+# needs Eigen alone, and a third that reads case files, with toml++; cables for a user's own Bullet or ODE,
+# who needs not even that; the program; the plug-ins (see tautline_engine_module). The components become
+# packages in TautlinePackages.cmake; what names none belongs to the program.
 include(CMakePackageConfigHelpers)
 
 set(TAUTLINE_INSTALL_ENGINEDIR ${CMAKE_INSTALL_LIBDIR}/tautline/engines)
@@ -11,8 +11,15 @@ install(TARGETS tautline_analytic tautline_interface tautline_engine
   EXPORT tautlineTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(TARGETS tautline_bullet_cable tautline_ode_cable EXPORT tautlineCableTargets)
+set(cases_headers "")
+if(TARGET tautline_cases)
+  install(TARGETS tautline_cases
+    EXPORT tautlineCasesTargets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  set(cases_headers bench/cases/include/)
+endif()
 install(DIRECTORY
-  analytic/include/ engines/interface/include/ engines/adapter/include/ engines/cables/include/
+  ${cases_headers} analytic/include/ engines/interface/include/ engines/adapter/include/ engines/cables/include/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 if(TARGET tautline)
@@ -48,7 +55,11 @@ configure_package_config_file(
 # before 1.0 a minor version may break what a user wrote
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/generated/tautlineConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
-foreach(targets IN ITEMS tautlineTargets tautlineCableTargets)
+set(exports tautlineTargets tautlineCableTargets)
+if(TARGET tautline_cases)
+  list(APPEND exports tautlineCasesTargets)
+endif()
+foreach(targets IN LISTS exports)
   install(EXPORT ${targets} NAMESPACE tautline:: DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR}
     COMPONENT development)
 endforeach()

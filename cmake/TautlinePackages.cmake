@@ -101,11 +101,15 @@ endif()
 
 tautline_debian_package(development tautline-dev "cables for Bullet and ODE, exact solver and engine interface"
   "Headers and static libraries: a cable for your own Bullet or ODE world whose"
-  "restitution is right, the exact solver of tautline, and the interface of its"
-  "engine plug-ins; with a CMake package and examples.")
+  "restitution is right, the exact solver of tautline, a reader of its case"
+  "files, and the interface of its engine plug-ins; with a CMake package and"
+  "examples.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-# the cables need it not, the libraries do
+# the cables need neither, the libraries do
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tautline ${same_version}, cmake, libbullet-dev, libode-dev")
+if(TARGET tautline_cases)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libtomlplusplus-dev")
+endif()
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tautline ${same_version}, cmake, pkg-config, libbullet-dev, libode-dev")
 
 include(CPack)

@@ -1,7 +1,5 @@
 #include "bench/base/text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -112,7 +110,10 @@ std::string shortest(double value) {
 }
 
 std::string fixed_text(double value, int digits) {
-  std::string text = fmt::format("{:.{}f}", value, digits);
+  std::string text(330 + static_cast<std::size_t>(digits), '\0');  // 1e308 has 309 digits
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::fixed, digits);
+  text.resize(static_cast<std::size_t>(end - text.data()));
   const bool is_zero = text.find_first_of("123456789infa") == std::string::npos;
   return is_zero && text.front() == '-' ? text.substr(1) : text;
 }

@@ -1,4 +1,4 @@
-#include "bench/cases/case_file.hpp"
+#include "tautline/case_file.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -80,11 +80,14 @@ std::size_t line_of_problem(const toml::table& file, const std::string& sentence
 }
 
 }  // namespace
+}  // namespace tautline::bench
 
-CaseReading read_case_file(const std::filesystem::path& path) {
-  const InputFile file = read_input_file(path, longest_case_file);
+namespace tautline {
+
+CaseReading read_case(const std::filesystem::path& path) {
+  const bench::InputFile file = bench::read_input_file(path, longest_case_file);
   if (file.problem) {
-    FileProblems wrong(path.native());
+    bench::FileProblems wrong(path.native());
     wrong.add(0, *file.problem);
     return {std::nullopt, wrong.sentences()};
   }
@@ -92,15 +95,15 @@ CaseReading read_case_file(const std::filesystem::path& path) {
 }
 
 CaseReading read_case_text(std::string_view text, const std::string& source_name) {
-  FileProblems wrong(source_name);
-  const std::optional<toml::table> file = parse_toml(text, wrong);
+  bench::FileProblems wrong(source_name);
+  const std::optional<toml::table> file = bench::parse_toml(text, wrong);
   if (!file) {
     return {std::nullopt, wrong.sentences()};
   }
-  Case the_case = read_tables(*file, wrong);
+  Case the_case = bench::read_tables(*file, wrong);
   if (wrong.empty()) {  // rules that tie several keys together
     for (const std::string& sentence : problems(the_case)) {
-      wrong.add(line_of_problem(*file, sentence), sentence);
+      wrong.add(bench::line_of_problem(*file, sentence), sentence);
     }
   }
   if (!wrong.empty()) {
@@ -109,4 +112,4 @@ CaseReading read_case_text(std::string_view text, const std::string& source_name
   return {std::move(the_case), {}};
 }
 
-}  // namespace tautline::bench
+}  // namespace tautline

@@ -1,6 +1,6 @@
-#include "bench/cases/case_writer.hpp"
-
+#include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
+#include "tautline/case_file.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -38,9 +38,7 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-}  // namespace
-
-std::string write_case(const Case& the_case) {
+std::string case_text(const Case& the_case) {
   std::string text = "name = " + quoted(the_case.name) + "\n";
   const auto line = [&text](const std::string& key, const std::string& value) {
     text += key + " = " + value + "\n";
@@ -77,4 +75,25 @@ std::string write_case(const Case& the_case) {
   return text;
 }
 
+}  // namespace
 }  // namespace tautline::bench
+
+namespace tautline {
+
+std::string write_case(const Case& the_case) { return bench::case_text(the_case); }
+
+std::vector<std::string> write_case(const Case& the_case, const std::filesystem::path& path) {
+  const std::string text = bench::case_text(the_case);
+  std::vector<std::string> wrong = read_case_text(text, path.native()).problems;
+  if (!wrong.empty()) {
+    return wrong;
+  }
+  try {
+    bench::write_file(path, text);
+  } catch (const bench::FileError& error) {
+    return {error.what()};
+  }
+  return {};
+}
+
+}  // namespace tautline

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "bench/base/text.hpp"
-#include "bench/cases/case_file.hpp"
+#include "tautline/case_file.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
@@ -95,7 +95,7 @@ class Selector {
       return;
     }
     read_.push_back(file);
-    CaseReading reading = read_case_file(path);
+    CaseReading reading = read_case(path);
     if (reading.the_case) {
       files_.push_back({std::move(*reading.the_case), printable(path)});
     }

@@ -9,7 +9,7 @@
 #include "bench/base/input_file.hpp"
 #include "bench/base/toml/problems.hpp"
 #include "bench/base/toml/value.hpp"
-#include "bench/cases/case_file.hpp"
+#include "tautline/case_file.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -13,7 +13,6 @@
 #include "bench/base/progress.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
-#include "bench/cases/case_writer.hpp"
 #include "bench/ensemble/output/output.hpp"
 #include "bench/ensemble/output/results_so_far.hpp"
 #include "bench/ensemble/solve/visibly.hpp"
@@ -22,6 +21,7 @@
 #include "bench/program/common.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/tree.hpp"
+#include "tautline/case_file.hpp"
 
 namespace tautline::bench {
 namespace {

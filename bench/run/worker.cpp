@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
-#include "bench/cases/case_writer.hpp"
 #include "bench/check/claims.hpp"
 #include "bench/run/wire.hpp"
 #include "bench/run/workplace.hpp"
+#include "tautline/case_file.hpp"
 
 namespace tautline::bench {
 namespace {

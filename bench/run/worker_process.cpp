@@ -16,7 +16,6 @@
 #include <variant>
 
 #include "bench/base/process.hpp"
-#include "bench/cases/case_file.hpp"
 #include "bench/check/claims/measures.hpp"
 #include "bench/check/settle.hpp"
 #include "bench/check/strike.hpp"
@@ -25,6 +24,7 @@
 #include "bench/run/protocol/messages.hpp"
 #include "bench/run/record.hpp"
 #include "bench/run/wire.hpp"
+#include "tautline/case_file.hpp"
 
 namespace tautline::bench {
 namespace {

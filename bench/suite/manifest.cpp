@@ -12,11 +12,10 @@
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/input_file.hpp"
 #include "bench/base/text.hpp"
-#include "bench/cases/case_file.hpp"
-#include "bench/cases/case_writer.hpp"
 #include "bench/report/manifest.hpp"
 #include "bench/suite/run_files.hpp"
 #include "bench/suite/source_commit.hpp"
+#include "tautline/case_file.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -14,10 +14,10 @@
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
-#include "bench/cases/case_writer.hpp"
 #include "bench/cases/catalogue.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/run/protocol/engine_file.hpp"
+#include "tautline/case_file.hpp"
 
 namespace tautline::bench {
 namespace {

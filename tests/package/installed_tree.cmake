@@ -55,24 +55,27 @@ foreach(example IN LISTS EXAMPLES)
   run("${WORK_DIR}/${example}/${example}")
 endforeach()
 
+# block_of(<result> <page> <mark>): what a page shows in the block below the comment `mark`
+function(block_of result page mark)
+  file(READ "${page}" text)
+  string(FIND "${text}" "<!-- ${mark} -->\n```" start)
+  if(start EQUAL -1)
+    message(FATAL_ERROR "${page} has no block of <!-- ${mark} -->")
+  endif()
+  string(SUBSTRING "${text}" ${start} -1 text)
+  string(REGEX REPLACE "^[^\n]*\n```[a-z]*\n" "" text "${text}")
+  string(FIND "${text}" "```" length)
+  string(SUBSTRING "${text}" 0 ${length} text)
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
 # so do the programs on the page about cables, each in the place of an example's
-set(page "${prefix}/${EXAMPLE_DIR}/../cables.md")
 if(NOT EXISTS "${prefix}/${EXAMPLE_DIR}/../cables.svg")
   message(FATAL_ERROR "the picture of cables.md is not installed")
 endif()
-file(READ "${page}" page)
 foreach(example IN LISTS EXAMPLES)
   string(REPLACE "_crane" "" engine ${example})
-  set(mark "<!-- program of: ${engine} -->\n```cpp\n")
-  string(FIND "${page}" "${mark}" start)
-  if(start EQUAL -1)
-    message(FATAL_ERROR "cables.md has no program of ${engine}")
-  endif()
-  string(LENGTH "${mark}" skipped)
-  math(EXPR start "${start} + ${skipped}")
-  string(SUBSTRING "${page}" ${start} -1 program)
-  string(FIND "${program}" "```" length)
-  string(SUBSTRING "${program}" 0 ${length} program)
+  block_of(program "${prefix}/${EXAMPLE_DIR}/../cables.md" "program of: ${engine}")
   file(COPY "${prefix}/${EXAMPLE_DIR}/${example}/" DESTINATION "${WORK_DIR}/page_${engine}")
   file(WRITE "${WORK_DIR}/page_${engine}/main.cpp" "${program}")
   build_project("${WORK_DIR}/page_${engine}" "${WORK_DIR}/page_${engine}/build"
@@ -82,6 +85,30 @@ endforeach()
 
 if(NOT PROGRAM)
   return()
+endif()
+
+# the project of docs/api.md reads case files, says all that is wrong with one, and writes one
+set(mine "${WORK_DIR}/mine")
+foreach(file IN ITEMS CMakeLists.txt main.cpp)
+  block_of(text "${SOURCE_DIR}/docs/api.md" "file: ${file}")
+  file(WRITE "${mine}/${file}" "${text}")
+endforeach()
+build_project("${mine}" "${mine}/build")
+execute_process(COMMAND "${prefix}/${PROGRAM}" cases bouncing-ball OUTPUT_FILE "${mine}/ball.toml"
+  COMMAND_ERROR_IS_FATAL ANY)
+foreach(file IN ITEMS ball softer)  # what it has written is read as well
+  execute_process(COMMAND "${mine}/build/mine" "${mine}/${file}.toml" "${mine}/softer.toml"
+    OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT said STREQUAL "first impact at 1.000000 s\n")
+    message(FATAL_ERROR "the ball of ${file}.toml falls for 1 s, the project of docs/api.md says\n${said}")
+  endif()
+endforeach()
+file(WRITE "${mine}/wrong.toml" "name = 3\nduration = -1\n")
+execute_process(COMMAND "${mine}/build/mine" "${mine}/wrong.toml" "${mine}/never.toml"
+  RESULT_VARIABLE result OUTPUT_VARIABLE said)
+if(NOT result EQUAL 2 OR EXISTS "${mine}/never.toml"
+    OR NOT said MATCHES "wrong.toml:1: name = 3.*wrong.toml:2: duration = -1")
+  message(FATAL_ERROR "a wrong file ends with exit code ${result} and\n${said}")
 endif()
 
 # the program finds the plug-ins it was installed with ...

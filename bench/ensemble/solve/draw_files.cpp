@@ -10,9 +10,9 @@
 
 #include "bench/base/input_file.hpp"
 #include "bench/base/text.hpp"
-#include "bench/cases/case_writer.hpp"
 #include "bench/cases/catalogue.hpp"
 #include "bench/ensemble/draw/statistic.hpp"
+#include "tautline/case_file.hpp"
 
 namespace tautline::bench {
 namespace {

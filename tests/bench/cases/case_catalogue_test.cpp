@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "bench/cases/case_writer.hpp"
+#include "tautline/case_file.hpp"
 #include "tautline/scenarios.hpp"
 #include "tests/bench/support.hpp"
 

@@ -1,10 +1,9 @@
-#include "bench/cases/case_file.hpp"
-#include "bench/cases/case_writer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <ostream>
 
+#include "tautline/case_file.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {

@@ -8,8 +8,7 @@
 #include <limits>
 
 #include "bench/base/text.hpp"
-#include "bench/cases/case_file.hpp"
-#include "bench/cases/case_writer.hpp"
+#include "tautline/case_file.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 #include "tests/bench/support.hpp"

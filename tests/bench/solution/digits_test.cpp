@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/cases/case_file.hpp"
 #include "bench/cases/literals.hpp"
 #include "bench/solution/digits/in_digits.hpp"
 #include "bench/solution/digits/many_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/texts.hpp"
+#include "tautline/case_file.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"

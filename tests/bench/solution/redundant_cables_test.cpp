@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "bench/cases/case_file.hpp"
+#include "tautline/case_file.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/solve.hpp"
 
@@ -28,7 +28,7 @@ std::vector<std::filesystem::path> kept_systems() {
 class RedundantCables : public ::testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(RedundantCables, ComeToTheirEndInTimeUnderEveryLaw) {
-  const CaseReading reading = read_case_file(GetParam());
+  const CaseReading reading = read_case(GetParam());
   ASSERT_TRUE(reading.the_case.has_value());
   for (const ImpactLaw law : impact_laws) {
     SolveOptions options;

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "bench/base/text.hpp"
-#include "bench/cases/case_file.hpp"
+#include "tautline/case_file.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "tautline/case.hpp"
 
-namespace tautline::bench {
+namespace tautline {
 
 /// A case, or all that is wrong with its file.
 struct CaseReading {
@@ -23,9 +23,18 @@ inline constexpr std::size_t longest_case_file = std::size_t{1} << 20U;
 
 /// Reads a case file. Never throws on bad input and never waits for it: what is not a regular file
 /// is refused.
-[[nodiscard]] CaseReading read_case_file(const std::filesystem::path& path);
+[[nodiscard]] CaseReading read_case(const std::filesystem::path& path);
 
 /// Reads the text of a case file; `source_name` stands for the file in the sentences.
 [[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name);
 
-}  // namespace tautline::bench
+/// The text of a case file that reads back as the same case, bit for bit.
+/// Requires a name in UTF-8.
+[[nodiscard]] std::string write_case(const Case& the_case);
+
+/// Writes a case file whole or not at all, and makes its folder as needed. Returns what is wrong in
+/// sentences, none if the file is written: a case that `read_case` would refuse is not written.
+[[nodiscard]] std::vector<std::string> write_case(const Case& the_case,
+                                                  const std::filesystem::path& path);
+
+}  // namespace tautline

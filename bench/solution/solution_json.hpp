@@ -29,15 +29,19 @@ inline constexpr int solution_schema = 3;
 ///     energy: {start, impacts, completions, end, residual}, settling,
 ///     accumulations: [{start, time, uncertainty, cables, energy_lost}],
 ///     unsure: [{from, until|null}],
-///     samples: [{time, position, angle, velocity, spin, errors: state|null}], if there are sample
-///     times,
+///     taut: [{cable, from, until, least: {tension, time}, largest, indeterminate}], a tension and
+///     its time as {value, error|null},
+///     samples: [{time, position, angle, velocity, spin, gaps, gap_rates, tensions, energy,
+///     errors: {state, gaps, gap_rates, tensions, energy}|null}], if there are sample times,
 ///     certificate, if there is one: {digits, completion_error, correct: [{digits, until|null}],
 ///         events: {same, until, all, next_in_double: {time, kind, cables}|null, next_in_digits,
 ///         in_digits}, ending, end_time, energy, settling}
 ///
 /// `errors` bound those of the numbers beside them, as `Uncertainty` does; null where the solution
 /// is one of many motions that start alike, which are the `unsure` stretches of time. That of the
-/// time of a completed accumulation is of its limit. Impulses are >= 0.
+/// time of a completed accumulation is of its limit. Impulses are >= 0. `taut` has the stretches of
+/// time in which a cable stays taut, with its least and its largest tension [N] there and the first
+/// time of each; `indeterminate` where statics leave its share open: it is the smallest then.
 ///
 /// Each value, event and sample is a line.
 ///

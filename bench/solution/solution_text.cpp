@@ -141,6 +141,7 @@ std::string solution_text(const Case& the_case, const Solution& solution, const 
                           const Uncertainty& uncertainty) {
   const SummaryErrors<double> errors = summary_errors(the_case, solution, settling, uncertainty);
   return Summary<double>(the_case, solution, settling, errors, Figures{}).text() +
+         rest_tensions_text(the_case, solution, uncertainty) +
          horizon_text(the_case, solution, uncertainty);
 }
 

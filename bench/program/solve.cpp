@@ -1,19 +1,26 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
+#include "bench/cases/catalogue.hpp"
+#include "bench/cases/literals.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/solve_files.hpp"
 #include "bench/solution/certify.hpp"
 #include "bench/solution/digits/many_digits.hpp"
+#include "bench/solution/plot/motion_svg.hpp"
+#include "bench/solution/plot/png.hpp"
 #include "bench/solution/plot_svg.hpp"
+#include "bench/solution/samples/sample_times.hpp"
+#include "bench/solution/samples/samples.hpp"
 #include "bench/solution/solution_json.hpp"
 #include "bench/solution/texts.hpp"
 #include "tautline/settling.hpp"
@@ -24,9 +31,10 @@ namespace {
 
 /// What `tautline solve` was asked.
 struct SolveCommand {
-  std::string the_case;
+  std::vector<std::string> cases;
   std::optional<double> until;        // [s], instead of the case's duration
-  std::vector<double> at;             // [s], times of samples
+  std::vector<std::string> at;        // times of samples, and ranges of them
+  std::optional<double> every;        // [s], between samples
   std::optional<double> angle_limit;  // [rad], instead of the case's
   std::optional<double> ceiling;      // [m], instead of the case's
   std::vector<std::size_t> taut;      // cables that start taut
@@ -37,14 +45,16 @@ struct SolveCommand {
   std::optional<int> digits;  // of that, `default_digits` if not given; else right ones to print
   bool decimal = false;       // of the decimals that the case is written in
   std::string json;           // file, "-" for standard output, or empty
-  std::string plot;           // the same, for a picture (SVG)
-  bool events = false;        // print all of them
+  std::vector<std::string> plots;  // KIND=FILE, KIND or FILE: pictures
+  std::string csv;                 // the same, for the samples
+  bool events = false;             // print all of them
 };
 
 /// Everything `solve` says of a case beside its motion.
 struct Extras {
   Settling settling;
   std::optional<Certificate> certificate;
+  std::vector<double> times;  // [s], of samples
 };
 
 /// The summary first, and below it what was asked for.
@@ -62,31 +72,41 @@ void print_solution(const SolveCommand& command, const Case& the_case, const Sol
                wrapped_lines(certificate_text(*extras.certificate, the_case, solution, style),
                              style.text, 2));
   }
-  fmt::print("{}{}", samples_text(solution, uncertainty, command.at, style),
-             events_text(the_case, solution, uncertainty, command.events, style));
+  const bool in_a_table = command.csv.empty();  // else the file has the samples
+  fmt::print("{}{}{}",
+             in_a_table ? samples_text(the_case, solution, uncertainty, extras.times, style) : "",
+             events_text(the_case, solution, uncertainty, command.events, style),
+             command.events ? tensions_text(the_case, solution, uncertainty, style) : "");
 }
 
-/// The one case that `command` means, with its overrides; or complains.
-std::optional<Case> wanted_case(const SolveCommand& command) {
+/// The cases that `command` means, with its overrides; none, after complaining of every one that is
+/// wrong, if one is.
+std::vector<Case> wanted_cases(const SolveCommand& command) {
   CableSet taut;
+  std::vector<std::string> broken;
   for (const std::size_t index : command.taut) {
     if (index >= max_cables) {
-      complain({fmt::format("--taut {}: cables count from 0 to {}", index, max_cables - 1)});
-      return std::nullopt;
+      broken.push_back(fmt::format("--taut {}: cables count from 0 to {}", index, max_cables - 1));
+    } else {
+      taut.insert(index);
     }
-    taut.insert(index);
   }
-  std::optional<Case> found = one_case(command.the_case, taut);
-  if (!found) {
-    return std::nullopt;
+  CaseSelection selection = select_cases(command.cases, taut);
+  append(broken, selection.problems);
+  complain(selection.notes);
+  for (Case& found : selection.cases) {
+    found.duration = command.until.value_or(found.duration);
+    found.angle_limit = command.angle_limit ? command.angle_limit : found.angle_limit;
+    found.ceiling = command.ceiling ? command.ceiling : found.ceiling;
+    const bool several = selection.cases.size() > 1;
+    for (const std::string& sentence : problems(found)) {
+      broken.push_back(several ? printable(found.name) + ": " + sentence : sentence);
+    }
   }
-  found->duration = command.until.value_or(found->duration);
-  found->angle_limit = command.angle_limit ? command.angle_limit : found->angle_limit;
-  found->ceiling = command.ceiling ? command.ceiling : found->ceiling;
-  if (complain(problems(*found))) {
-    return std::nullopt;
+  if (complain(broken)) {
+    selection.cases.clear();
   }
-  return found;
+  return std::move(selection.cases);
 }
 
 /// What is wrong with --certify, --digits and --decimal; none if nothing is.
@@ -100,48 +120,64 @@ std::optional<std::string> digits_usage_problem(const SolveCommand& command) {
   if (*command.digits < 1 || *command.digits > most_right_digits) {
     return fmt::format("--digits {}: must be 1 to {}", *command.digits, most_right_digits);
   }
-  if (!command.json.empty() || !command.plot.empty()) {
+  if (!command.json.empty() || !command.csv.empty() || !command.plots.empty()) {
     return fmt::format(
-        "--digits {}: prints a summary, samples and events; --json and --plot need --certify",
+        "--digits {}: prints a summary, samples and events; --json, --csv and --plot need "
+        "--certify",
         *command.digits);
   }
   return std::nullopt;
 }
 
-/// What is wrong with --plot and --json together; none if nothing is.
-std::optional<std::string> output_problem(const SolveCommand& command) {
-  if (command.plot.empty() || command.json.empty()) {
-    return std::nullopt;
+/// The files that `command` writes, by their options.
+std::vector<OutputFile> outputs_of(const SolveCommand& command) {
+  std::vector<OutputFile> result;
+  for (const std::string& plot : command.plots) {
+    result.push_back({"--plot", picture_of(plot).file, false});
   }
-  if (command.plot == "-" && command.json == "-") {
-    return "--plot - and --json -: standard output takes one of them; give the other a file";
+  if (!command.json.empty()) {
+    result.push_back({"--json", command.json, true});
   }
-  const auto file = [](const std::string& name) {
-    return std::filesystem::absolute(name).lexically_normal();
-  };
-  if (command.plot != "-" && command.json != "-" && file(command.plot) == file(command.json)) {
-    return fmt::format("--plot and --json are both {}: one would overwrite the other",
-                       printable(command.plot));
+  if (!command.csv.empty()) {
+    result.push_back({"--csv", command.csv, false});
   }
-  return std::nullopt;
+  return result;
 }
 
-/// Everything that is wrong with what was asked, but for the case.
+/// Everything that is wrong with what was asked, but for the cases.
 std::vector<std::string> usage_problems(const SolveCommand& command) {
-  std::vector<std::string> broken = missing_folder("--json", command.json);
-  append(broken, missing_folder("--plot", command.plot));
+  std::vector<std::string> broken;
+  for (const OutputFile& output : outputs_of(command)) {
+    append(broken, missing_folder(output.option, output.file));
+  }
+  for (const std::string& plot : command.plots) {
+    append(broken, picture_problems(plot));
+  }
   for (const auto& [option, most] : {std::pair("--max-events", command.max_events),
                                      std::pair("--max-steps", command.max_steps)}) {
     if (most < 1) {
       broken.push_back(fmt::format("{} {}: must be at least 1", option, most));
     }
   }
-  for (const auto& sentence : {digits_usage_problem(command), output_problem(command)}) {
-    if (sentence) {
-      broken.push_back(*sentence);
-    }
+  if (!command.csv.empty() && command.at.empty() && !command.every) {
+    broken.push_back("--csv: writes samples; say at which times with --every STEP or --at TIMES");
+  }
+  append(broken, times_at(command.at).problems);
+  if (const auto sentence = digits_usage_problem(command)) {
+    broken.push_back(*sentence);
   }
   return broken;
+}
+
+/// The times at which to sample each case, or what is wrong with them.
+SampleTimes times_for(const SolveCommand& command, const Case& the_case) {
+  SampleTimes result = times_at(command.at);
+  if (command.every) {
+    SampleTimes regular = times_every(*command.every, the_case.duration);
+    result.times.insert(result.times.end(), regular.times.begin(), regular.times.end());
+    append(result.problems, regular.problems);
+  }
+  return result;
 }
 
 /// Says on standard error with how many digits the motion is solved next, where it takes long.
@@ -165,59 +201,127 @@ int exit_code(Ending ending) {
   return given_up ? exit_failed : exit_done;
 }
 
-int solve_command(const SolveCommand& command) {
-  if (complain(usage_problems(command))) {
-    return exit_usage;
-  }
-  const std::optional<Case> the_case = wanted_case(command);
-  if (!the_case) {
-    return exit_usage;
-  }
+/// Solves one case of `command` and writes what is asked of it, but for the JSON, which it returns.
+struct Solved {
+  int code = exit_done;
+  std::string json;
+};
+Solved solve_one(const SolveCommand& command, const Case& the_case, const std::string& argument) {
   SolveOptions options;
   options.law = command.law;
   options.max_events = static_cast<std::size_t>(command.max_events);
   options.max_steps = static_cast<std::size_t>(command.max_steps);
-  const Solution solution = solve(*the_case, options);
-  if (complain(sample_problems(solution, command.at))) {
-    return exit_usage;
+  const Solution solution = solve(the_case, options);
+  Extras extras{{}, std::nullopt, times_for(command, the_case).times};
+  if (command.every) {  // it goes as far as the solution does
+    std::erase_if(extras.times, [&](double time) { return time > solution.end_time(); });
   }
+  std::vector<double> given = times_at(command.at).times;
+  if (complain(sample_problems(solution, given))) {
+    return {exit_usage, ""};
+  }
+  const int code = exit_code(solution.ending());
   if (command.digits && !command.certify) {
-    fmt::print("{}", many_digits_text(*the_case, options, solution,
+    fmt::print("{}", many_digits_text(the_case, options, solution,
                                       {*command.digits, command.decimal, command.events,
-                                       literals_of(command.the_case), command.at, PatienceNote()},
+                                       literals_of(argument), extras.times, PatienceNote()},
                                       output_style()));
-    return exit_code(solution.ending());
+    return {code, ""};
   }
-  Extras extras{settling(*the_case, solution), std::nullopt};
+  extras.settling = settling(the_case, solution);
   if (command.certify) {
     extras.certificate =
-        certify(*the_case, options, solution, command.digits.value_or(default_digits));
+        certify(the_case, options, solution, command.digits.value_or(default_digits));
   }
-  if (!command.plot.empty()) {
-    write_output(command.plot, plot_svg(*the_case, solution));
+  bool to_output = command.json == "-";
+  for (const std::string& plot : command.plots) {
+    const Picture picture = picture_of(plot);
+    to_output = to_output || picture.file == "-";
+    const std::string svg =
+        picture.motion ? plot_motion_svg(the_case, solution) : plot_svg(the_case, solution);
+    write_output(file_for(picture.file, the_case), is_png(picture.file) ? png_of(svg) : svg);
+  }
+  if (!command.csv.empty()) {
+    to_output = to_output || command.csv == "-";
+    const Uncertainty uncertainty(the_case, solution, options);
+    write_output(file_for(command.csv, the_case),
+                 samples_csv(the_case, solution, uncertainty, extras.times));
   }
   if (command.json.empty()) {
-    if (command.plot != "-") {
-      print_solution(command, *the_case, options, solution, extras);
+    if (!to_output) {
+      print_solution(command, the_case, options, solution, extras);
     }
-    return exit_code(solution.ending());
+    return {code, ""};
   }
-  write_output(command.json, solution_json(*the_case, options, solution, extras.settling,
-                                           command.at, extras.certificate));
-  return exit_code(solution.ending());
+  return {code, solution_json(the_case, options, solution, extras.settling, extras.times,
+                              extras.certificate)};
+}
+
+/// Each case of a file is a name that `argument` gave; "" of a shipped one.
+std::string argument_of(const SolveCommand& command, const Case& the_case) {
+  for (const std::string& argument : command.cases) {
+    const CaseSelection alone = select_cases({&argument, 1});
+    if (alone.cases.size() == 1 && alone.cases.front().name == the_case.name) {
+      return argument;
+    }
+  }
+  return "";
+}
+
+int solve_command(const SolveCommand& command) {
+  if (complain(usage_problems(command))) {
+    return exit_usage;
+  }
+  const std::vector<Case> cases = wanted_cases(command);
+  if (cases.empty()) {
+    return exit_usage;
+  }
+  std::vector<std::string> broken = file_problems(outputs_of(command), cases);
+  for (const Case& the_case : cases) {
+    append(broken, times_for(command, the_case).problems);
+  }
+  if (complain(broken)) {
+    return exit_usage;
+  }
+  const bool several = cases.size() > 1;
+  int code = exit_done;
+  std::string all;  // the JSON of every case, where it goes into one list
+  for (const Case& the_case : cases) {
+    if (several && &the_case != &cases.front() && command.json.empty() && command.csv != "-") {
+      fmt::print("\n");
+    }
+    const Solved solved = solve_one(command, the_case, argument_of(command, the_case));
+    code = std::max(code, solved.code);
+    if (command.json.empty() || solved.json.empty()) {
+      continue;
+    }
+    if (several && !names_case(command.json)) {
+      all += (all.empty() ? "[\n" : ",\n") + solved.json.substr(0, solved.json.size() - 1);
+    } else {
+      write_output(file_for(command.json, the_case), solved.json);
+    }
+  }
+  if (!all.empty()) {
+    write_output(command.json, all + "\n]\n");
+  }
+  return code;
 }
 
 }  // namespace
 
 void add_solve(CLI::App& app, int& code) {
-  CLI::App* const command =
-      app.add_subcommand("solve", "The exact motion of a case: its events and its end");
+  CLI::App* const command = app.add_subcommand(
+      "solve", "The exact motion of cases: events, tensions, samples and pictures");
   const auto asked = std::make_shared<SolveCommand>();
-  command->add_option("CASE", asked->the_case, case_help)->required();
+  command->add_option("CASES", asked->cases, case_help)->required();
   command->add_option("--until", asked->until,
                       "end the run at this time [s], not at the case's duration");
-  command->add_option("--at", asked->at, "also give the state at these times [s]: 1,2.5,3")
+  command
+      ->add_option("--at", asked->at,
+                   "also give the state, gaps and tensions at these times [s]: 1,2.5,3 or 0:0.1:5")
       ->delimiter(',');
+  command->add_option("--every", asked->every,
+                      "the same from 0 to the end, with this time between samples [s]");
   command->add_option("--angle-limit", asked->angle_limit, "end where |angle| reaches this [rad]");
   command->add_option("--ceiling", asked->ceiling,
                       "end where an attachment rises to this height [m]");
@@ -235,18 +339,29 @@ void add_solve(CLI::App& app, int& code) {
   command->add_flag("--decimal", asked->decimal,
                     "--digits of the decimals that the case is written in, not of their doubles");
   add_target(*command, "--json", asked->json, "write everything as JSON");
-  add_target(*command, "--plot", asked->plot, "write a picture of the motion (SVG)");
+  add_target(*command, "--csv", asked->csv,
+             "write the samples of --every and --at as a table, with two rows for each impact");
+  command
+      ->add_option("--plot", asked->plots,
+                   "write a picture (SVG, or PNG by its name): [KIND=]FILE, where KIND is path "
+                   "(the default: the path in "
+                   "the plane) or motion (position, gaps and tensions over time); KIND alone: to "
+                   "stdout")
+      ->allow_extra_args(false);
   command->add_option("--max-events", asked->max_events,
                       fmt::format("give up after so many events (default: {})", asked->max_events));
   command->add_option("--max-steps", asked->max_steps,
                       fmt::format("give up after so many steps of taut motion, and of springs "
                                   "within impacts (default: {})",
                                   asked->max_steps));
-  command->add_flag("--events", asked->events, "print all events, not the first 20");
+  command->add_flag("--events", asked->events,
+                    "print all events, not the first 20, and the least and largest tensions");
   command->footer(
       "tautline solve breakwater/1910121100 --digits 12     twelve right digits\n"
       "tautline solve bouncing-ball --until 2.7             a few events\n"
-      "tautline solve breakwater/1910121100 --plot p.svg    a picture of the motion");
+      "tautline solve breakwater/1910121100 --plot p.svg    a picture of the motion\n"
+      "tautline solve bouncing-ball --every 0.01 --csv b.csv    the motion over time\n"
+      "tautline solve 'breakwater/19*' --json '{case}.json'     a file for each case");
   command->callback([asked, &code] { code = solve_command(*asked); });
 }
 

@@ -1,14 +1,15 @@
 #include "bench/solution/plot_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
-#include "bench/base/listed.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
-constexpr std::size_t path_points = 4000;  // a finer path is not seen
+constexpr std::size_t path_points = 40'000;  // half a megabyte: more would be a smear
 
 /// Every impact, the fastest first.
 std::vector<Mark> marks_of(const Case& the_case, const Solution& solution) {
@@ -28,20 +29,56 @@ std::vector<Mark> marks_of(const Case& the_case, const Solution& solution) {
   return marks;
 }
 
-/// Points of the path in rising time: evenly in time, and at the ends of every arc while they fit.
-std::vector<Vec2> path_of(const Solution& solution) {
-  const double end = solution.end_time();
-  std::vector<double> times;
-  for (std::size_t index = 0; index <= path_points; ++index) {
-    times.push_back(end * static_cast<double>(index) / static_cast<double>(path_points));
+/// Arcs from the start to the end of the first period of what repeats itself: the rest of the path
+/// lies on these.
+std::size_t arcs_of_path(const Solution& solution) {
+  const std::size_t all = solution.arcs().size();
+  const auto& repetition = solution.repetition();
+  return repetition ? std::min(all, repetition->first + repetition->arcs) : all;
+}
+
+/// The path in rising time: a chord of it lies less than the width of its line from the motion,
+/// however long that is. It ends early where it has more points than a picture can show.
+struct Path {
+  std::vector<Vec2> points;
+  double end;  // [s]
+};
+Path path_of(const Solution& solution) {
+  const auto& arcs = solution.arcs();
+  const std::size_t count = arcs_of_path(solution);
+  const auto position = [&](const Arc& arc, double part) {
+    return arc.after(part * (arc.end - arc.start), solution.gravity()).position;
+  };
+  Extent extent;
+  for (std::size_t index = 0; index < count; ++index) {
+    extent.add(position(arcs[index], 0.0));
+    extent.add(position(arcs[index], 0.5));
+    extent.add(position(arcs[index], 1.0));
   }
-  if (solution.arcs().size() <= path_points) {
-    for (const Arc& arc : solution.arcs()) {
-      times.push_back(std::min(arc.start, end));
+  constexpr double sharpness = 4000.0;  // [-], of the path's size: a sixth of a pixel
+  const double chord = std::max(extent.size().maxCoeff(), 1e-300) / sharpness;
+  Path result{{position(arcs.front(), 0.0)}, arcs.front().start};
+  for (std::size_t index = 0; index < count && result.points.size() < path_points; ++index) {
+    const Arc& arc = arcs[index];
+    const Vec2 first = position(arc, 0.0);
+    const Vec2 last = position(arc, 1.0);
+    double sag = 0.0;  // [m], of the arc's chord: that of n parts is smaller by n^2
+    for (const double part : {0.25, 0.5, 0.75}) {
+      sag = std::max(sag, (position(arc, part) - (1.0 - part) * first - part * last).norm());
     }
+    constexpr double most_parts = 500.0;  // of one flight, or where its numbers are too large
+    const double wanted = std::ceil(std::sqrt(sag / chord));
+    const int parts =
+        std::isfinite(wanted) ? static_cast<int>(std::clamp(wanted, 1.0, most_parts)) : 1;
+    for (int k = 1; k <= parts; ++k) {
+      result.points.push_back(position(arc, static_cast<double>(k) / parts));
+    }
+    result.end = arc.end;
   }
-  std::sort(times.begin(), times.end());
-  return listed(times, [&](double time) { return solution.at(time).position; });
+  if (result.points.size() < path_points) {
+    result.end = solution.end_time();
+  }
+  return result;
 }
 
 /// The unit vector down; where nothing pulls, down on the sheet.
@@ -53,7 +90,12 @@ Vec2 down(const Case& the_case) {
 }  // namespace
 
 PlotMotion plot_motion(const Case& the_case, const Solution& solution) {
-  return {the_case, solution, path_of(solution), marks_of(the_case, solution),
+  Path path = path_of(solution);
+  return {the_case,
+          solution,
+          std::move(path.points),
+          path.end,
+          marks_of(the_case, solution),
           solution.at(solution.end_time())};
 }
 

@@ -23,6 +23,7 @@ struct PlotMotion {
   const Case& the_case;
   const Solution& solution;
   std::vector<Vec2> path;   // of the centre of mass, in rising time
+  double path_end;          // [s], to which the path is drawn; what repeats itself is drawn once
   std::vector<Mark> marks;  // every impact, the fastest first
   State end;
 };

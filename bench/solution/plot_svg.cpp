@@ -68,9 +68,12 @@ struct Heading {
 Heading heading_of(const PlotMotion& motion) {
   constexpr std::size_t longest_title = 64;  // [bytes]
   return {printable(motion.the_case.name, longest_title),
-          fmt::format("t = 0 to {:.6g} s, {} impact{}, ends {}", motion.solution.end_time(),
+          fmt::format("t = 0 to {:.6g} s, {} impact{}, ends {}{}", motion.solution.end_time(),
                       motion.marks.size(), motion.marks.size() == 1 ? "" : "s",
-                      ending_words(motion.solution))};
+                      ending_words(motion.solution),
+                      motion.path_end < motion.solution.end_time()
+                          ? fmt::format("; path to t = {:.6g} s", motion.path_end)
+                          : "")};
 }
 
 /// The sheet, its title and what it is.

@@ -6,6 +6,8 @@
 
 #include "bench/base/json_list.hpp"
 #include "bench/base/text.hpp"
+#include "bench/solution/samples/samples.hpp"
+#include "bench/solution/samples/taut_phases.hpp"
 #include "bench/solution/time_errors.hpp"
 #include "tautline/uncertainty.hpp"
 
@@ -95,15 +97,50 @@ Json mark_json(const std::optional<EventMark>& mark) {
       {"time", mark->time}, {"kind", to_string(mark->kind)}, {"cables", mark->cables.indices()}};
 }
 
-Json sample_json(double time, const State& state, const std::optional<State>& errors) {
-  Json result = {{"time", time}};
-  result.update(state_json(state));
-  result["errors"] = errors ? state_json(*errors) : Json(nullptr);
+/// The numbers of a cable, or their errors, one list for each kind.
+template <class Number>
+void add_cables(Json& object, const MotionSample& sample, const Number& number) {
+  const auto list = [&](Bounded CableSample::*member) {
+    return json_list(sample.cables,
+                     [&](const CableSample& cable) { return Json(number(cable.*member)); });
+  };
+  object["gaps"] = list(&CableSample::gap);
+  object["gap_rates"] = list(&CableSample::gap_rate);
+  object["tensions"] = list(&CableSample::tension);
+  object["energy"] = number(sample.energy);
+}
+
+Json sample_json(const MotionSample& sample) {
+  Json result = {{"time", sample.time.value}};
+  result.update(state_json(sample.state));
+  add_cables(result, sample, [](const Bounded& one) { return one.value; });
+  result["errors"] = nullptr;
+  if (sample.errors) {
+    result["errors"] = state_json(*sample.errors);
+    add_cables(result["errors"], sample, [](const Bounded& one) { return one.error; });
+  }
   return result;
 }
 
 Json tie_json(const Tie& tie) {
   return {{"kind", to_string(tie.kind)}, {"cables", tie.cables.indices()}};
+}
+
+Json bounded_json(const Bounded& one) {
+  return {{"value", one.value}, {"error", one.error < 0.0 ? Json(nullptr) : Json(one.error)}};
+}
+
+Json tension_at_json(const TensionAt& extreme) {
+  return {{"tension", bounded_json(extreme.tension)}, {"time", bounded_json(extreme.time)}};
+}
+
+Json phase_json(const TautPhase& phase) {
+  return {{"cable", phase.cable},
+          {"from", phase.from.value},
+          {"until", phase.until.value},
+          {"least", tension_at_json(phase.least)},
+          {"largest", tension_at_json(phase.largest)},
+          {"indeterminate", phase.indeterminate}};
 }
 
 Json unsure_json(const Unsure& stretch) {
@@ -234,9 +271,10 @@ std::string solution_json(const Case& the_case, const SolveOptions& options,
   result["accumulations"] = json_list(solution.accumulations(), [&](const Accumulation& one) {
     return accumulation_json(one, limit_error(solution, uncertainty, one));
   });
+  result["taut"] = json_list(taut_phases(the_case, solution, uncertainty), phase_json);
   if (!sample_times.empty()) {
     result["samples"] = json_list(sample_times, [&](double time) {
-      return sample_json(time, solution.at(time), uncertainty.at(time));
+      return sample_json(sample_at(the_case, solution, uncertainty, time));
     });
   }
   if (certificate) {

@@ -31,8 +31,10 @@ inline constexpr int solution_schema = 4;
 ///     permanent, rests, swing: {energy, period, least, largest, amplitude}|null}|null},
 ///     accumulations: [{start, time, uncertainty|null, cables, energy_lost}],
 ///     unsure: [{from, until|null, tie: {kind, cables}|null}],
-///     samples: [{time, position, angle, velocity, spin, errors: state|null}], if there are sample
-///     times,
+///     taut: [{cable, from, until, least: {tension, time}, largest, indeterminate}], a tension and
+///     its time as {value, error|null},
+///     samples: [{time, position, angle, velocity, spin, gaps, gap_rates, tensions, energy,
+///     errors: {state, gaps, gap_rates, tensions, energy}|null}], if there are sample times,
 ///     certificate, if there is one: {digits, completion_error, correct: [{digits, until|null}],
 ///         events: {same, until, all, next_in_double: {time, kind, cables}|null, next_in_digits,
 ///         in_digits}, ending, end_time, energy, settling}
@@ -41,7 +43,9 @@ inline constexpr int solution_schema = 4;
 /// is one of many motions that start alike, which are the `unsure` stretches of time. That of the
 /// time of a completed accumulation is of its limit. `uncertainty` bounds the error of the time
 /// beside it: rounding, and how the bounces end; in the certificate the latter alone. Impulses are
-/// >= 0.
+/// >= 0. `taut` has the stretches of time in which a cable stays taut, with its least and its
+/// largest tension [N] there and the first time of each; `indeterminate` where statics leave its
+/// share open: it is the smallest then.
 ///
 /// A `tie` is what rounding decides at `from`: with kind impact which of the cables, taut at one
 /// instant, is hit first; with kind slack whether the cable lets go, whose tension touches zero.

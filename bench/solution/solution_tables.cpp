@@ -20,9 +20,6 @@ namespace {
 constexpr int time_digits = 12;
 constexpr int state_digits = 6;
 
-/// Digits after the point that a double has at most where it is printed whole.
-constexpr int most_digits_of_sample = 17;
-
 /// The cells of six numbers with their errors.
 void add_state(std::vector<std::string>& cells, const State& state, const State& errors) {
   const auto add = [&](double value, double error) {
@@ -111,47 +108,6 @@ std::string events_text(const Case& the_case, const Solution& solution,
                                      count - shown)
                                : "";
   return "\n" + table.plain(style) + wrapped(rest, style.text);
-}
-
-std::string samples_text(const Solution& solution, const Uncertainty& uncertainty,
-                         const std::vector<double>& times, const TerminalStyle& style) {
-  constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
-  constexpr std::size_t longest_name = 9;     // [columns], "sample at"
-  const std::size_t fit =
-      std::max<std::size_t>(1, (style.width - longest_name) / (longest_number + 2));
-  std::string result;
-  for (std::size_t first = 0; first < times.size(); first += fit) {
-    std::vector<std::string> headings = {"sample at"};
-    std::vector<std::vector<std::string>> rows = {{"x"},  {"y"},  {"angle"},
-                                                  {"vx"}, {"vy"}, {"spin"}};
-    for (std::size_t index = first; index < std::min(times.size(), first + fit); ++index) {
-      headings.push_back(shortest(times[index]));
-      std::vector<std::string> cells;
-      if (const auto errors = uncertainty.at(times[index])) {
-        const State state = solution.at(times[index]);
-        const auto add = [&](double value, double error) {
-          cells.push_back(right_general(value, error, most_digits_of_sample));
-        };
-        add(state.position.x(), errors->position.x());
-        add(state.position.y(), errors->position.y());
-        add(state.angle, errors->angle);
-        add(state.velocity.x(), errors->velocity.x());
-        add(state.velocity.y(), errors->velocity.y());
-        add(state.spin, errors->spin);
-      } else {
-        cells.assign(rows.size(), "beyond the horizon");
-      }
-      for (std::size_t row = 0; row < rows.size(); ++row) {
-        rows[row].push_back(cells[row]);
-      }
-    }
-    Table samples(headings, 1);
-    for (const std::vector<std::string>& row : rows) {
-      samples.add(row);
-    }
-    result += "\n" + samples.plain(style);
-  }
-  return result;
 }
 
 }  // namespace tautline::bench

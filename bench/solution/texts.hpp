@@ -18,6 +18,10 @@ namespace tautline::bench {
 [[nodiscard]] std::string solution_text(const Case& the_case, const Solution& solution,
                                         const Settling& settling, const Uncertainty& uncertainty);
 
+/// The tensions that hold a body at rest at the end, as a line of the summary; "" where it moves.
+[[nodiscard]] std::string rest_tensions_text(const Case& the_case, const Solution& solution,
+                                             const Uncertainty& uncertainty);
+
 /// Events below a summary, unless all are asked for.
 inline constexpr std::size_t most_events = 20;
 
@@ -37,9 +41,15 @@ inline constexpr std::size_t most_events = 20;
                                       const Uncertainty& uncertainty, bool all,
                                       const TerminalStyle& style);
 
-/// The state at each time with every right digit, likewise: a column for a time, as many beside
-/// each other as fit.
-[[nodiscard]] std::string samples_text(const Solution& solution, const Uncertainty& uncertainty,
+/// The stretches in which cables stay taut, with the least and the largest tension and when they
+/// are reached, likewise; "" without one. Where statics do not determine a tension, it says so.
+[[nodiscard]] std::string tensions_text(const Case& the_case, const Solution& solution,
+                                        const Uncertainty& uncertainty, const TerminalStyle& style);
+
+/// The state, the gaps, their rates, the tensions and the energy at each time with every right
+/// digit, likewise: a column for a time, as many beside each other as fit.
+[[nodiscard]] std::string samples_text(const Case& the_case, const Solution& solution,
+                                       const Uncertainty& uncertainty,
                                        const std::vector<double>& times,
                                        const TerminalStyle& style);
 

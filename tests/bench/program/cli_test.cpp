@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"solve", "bouncing-ball", "--max-events", "0"},
                  "--max-events 0: must be at least 1"},
         BadUsage{"PatternWhereOneIsMeant",
-                 {"solve", "breakwater/*"},
+                 {"run", "breakwater/*", "--engine", "exact", "--model", "event"},
                  "means 21 cases; this command takes one"},
         BadUsage{"UnknownCommand", {"slove", "x"}, "unknown command slove; did you mean solve?"},
         BadUsage{
@@ -104,7 +104,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "there is no option --verison; did you mean --version?"},
         BadUsage{
             "OneWordTooMany", {"engines", "bullet64"}, "engines takes no further word: bullet64"},
-        BadUsage{"NoCase", {"solve"}, "solve: CASE is required; `tautline solve --help` says more"},
+        BadUsage{
+            "NoCase", {"solve"}, "solve: CASES is required; `tautline solve --help` says more"},
         BadUsage{"EngineTwice",
                  {"bench", "bouncing-ball", "--engines", "exact,exact"},
                  "engine exact is given twice"},

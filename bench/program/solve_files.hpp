@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tautline/case.hpp"
+
+namespace tautline::bench {
+
+// The names of the files that `tautline solve` writes.
+
+/// A file that an option names.
+struct OutputFile {
+  std::string option;  // "--csv"
+  std::string file;    // or "-"
+  bool takes_all;      // one file may hold all cases
+};
+
+/// What "{case}" in the name of a file stands for: the name of the case.
+inline constexpr const char* case_mark = "{case}";
+
+/// Whether the name of `file` has it.
+[[nodiscard]] bool names_case(const std::string& file);
+
+/// The file of one case. Its name stands for "{case}", with "-" for "/".
+[[nodiscard]] std::string file_for(const std::string& file, const Case& the_case);
+
+/// What is wrong with `files` for `cases`: several cases would write one file, or two options the
+/// same.
+[[nodiscard]] std::vector<std::string> file_problems(const std::vector<OutputFile>& files,
+                                                     const std::vector<Case>& cases);
+
+/// Whether `file` is to be a PNG picture, by its name; else it is SVG.
+[[nodiscard]] bool is_png(const std::string& file);
+
+/// A picture that --plot asks for.
+struct Picture {
+  bool motion = false;  // over time; else the path in the plane
+  std::string file;     // or "-"
+};
+
+/// `asked` is "KIND=FILE", "KIND" for standard output, or "FILE" for a path.
+[[nodiscard]] Picture picture_of(const std::string& asked);
+
+/// What is wrong with it.
+[[nodiscard]] std::vector<std::string> picture_problems(const std::string& asked);
+
+}  // namespace tautline::bench

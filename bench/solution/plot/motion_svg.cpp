@@ -1,0 +1,312 @@
+#include "bench/solution/plot/motion_svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "bench/base/text.hpp"
+#include "bench/solution/plot_panel.hpp"
+#include "bench/solution/plot_style.hpp"
+#include "bench/solution/plot_view.hpp"
+#include "tautline/geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+// The sheet [px].
+constexpr double panel_width = 636.0;
+constexpr double panel_height = 112.0;
+constexpr double sheet_width = panel_left + panel_width + 20.0;
+constexpr double top = 76.0;
+constexpr double between = 32.0;  // panels
+
+constexpr std::size_t marked_impacts = 400;  // the fastest; more is a smear
+
+/// Lines of cables differ in dashes and in colour.
+constexpr std::array<const char*, max_cables> cable_lines = {
+    "stroke=\"#1f6fb4\"",
+    "stroke=\"#c4320a\" stroke-dasharray=\"7 3\"",
+    "stroke=\"#2a8a4a\" stroke-dasharray=\"2 3\"",
+    "stroke=\"#8a4fb0\" stroke-dasharray=\"9 3 2 3\"",
+    "stroke=\"#a0700a\" stroke-dasharray=\"4 2\"",
+    "stroke=\"#0a8a96\" stroke-dasharray=\"12 4\"",
+    "stroke=\"#c03a80\" stroke-dasharray=\"1 2\"",
+    "stroke=\"#6a6a6a\" stroke-dasharray=\"6 2 1 2 1 2\""};
+
+/// A curve over time.
+struct Curve {
+  const char* line;            // how it is drawn
+  std::vector<double> values;  // one for each time
+};
+
+/// Curves that share axes.
+struct Panel {
+  std::string name;  // with its unit
+  std::vector<Curve> curves;
+};
+
+/// The motion at many times, in order; a jump is two values of one time.
+struct Curves {
+  std::vector<double> times;
+  std::array<Panel, 5> panels;
+};
+
+class Gatherer {
+ public:
+  Gatherer(const Case& the_case, const Solution& solution) : case_(the_case), solution_(solution) {
+    constexpr const char* plain = "stroke=\"#1f6fb4\"";
+    result_.panels = {Panel{"x [m]", {{plain, {}}}}, Panel{"y [m]", {{plain, {}}}},
+                      Panel{"angle [rad]", {{plain, {}}}}, Panel{"gap [m]", {}},
+                      Panel{"tension [N]", {}}};
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      result_.panels[3].curves.push_back({cable_lines.at(index), {}});
+      result_.panels[4].curves.push_back({cable_lines.at(index), {}});
+    }
+  }
+
+  Curves gather() {
+    const auto& arcs = solution_.arcs();
+    const double end = solution_.end_time();
+    for (const Arc& arc : arcs) {
+      // what bends shows within an arc, what takes long needs points on its way
+      constexpr double bends = 6.0;
+      const double length = arc.end - arc.start;
+      const double pixels = end > 0.0 ? length / end * panel_width : 0.0;
+      const int parts = static_cast<int>(std::clamp(pixels, bends, panel_width));
+      for (int k = 0; k <= parts && (k == 0 || length > 0.0); ++k) {
+        const double dt = k == parts ? length : length * k / parts;
+        add(arc.start + dt, arc.after(dt, solution_.gravity()), arc.taut,
+            solution_.tensions(arc, dt));
+      }
+    }
+    add_repeated(end);
+    return std::move(result_);
+  }
+
+ private:
+  /// What follows the arcs, where those of one period stand for all.
+  void add_repeated(double end) {
+    const double known = solution_.arcs().back().end;
+    const auto& repetition = solution_.repetition();
+    if (!repetition || !(known < end)) {
+      return;
+    }
+    constexpr double in_a_period = 24.0;
+    constexpr double most = 60'000.0;
+    const double count =
+        std::min(most, std::ceil((end - known) / repetition->period * in_a_period));
+    for (double k = 1.0; k <= count; ++k) {
+      const double time = std::min(end, known + (end - known) * k / count);
+      add(time, solution_.at(time), solution_.arcs().back().taut, solution_.tensions(time));
+    }
+  }
+
+  void add(double time, const State& state, CableSet taut, const CableVector& tensions) {
+    result_.times.push_back(time);
+    result_.panels[0].curves.front().values.push_back(state.position.x());
+    result_.panels[1].curves.front().values.push_back(state.position.y());
+    result_.panels[2].curves.front().values.push_back(state.angle);
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const double open = taut.contains(index) ? 0.0 : gap(case_.cables[index], state);
+      result_.panels[3].curves[index].values.push_back(open);
+      result_.panels[4].curves[index].values.push_back(tensions[static_cast<Eigen::Index>(index)]);
+    }
+  }
+
+  const Case& case_;
+  const Solution& solution_;
+  Curves result_;
+};
+
+/// The instants of the fastest impacts.
+std::vector<double> impact_times(const Case& the_case, const Solution& solution) {
+  std::vector<std::pair<double, double>> impacts;  // speed [m/s], time [s]
+  for (const Event& event : solution.events()) {
+    if (event.kind == EventKind::impact) {
+      double speed = 0.0;
+      for (const std::size_t index : event.cables) {
+        speed = std::max(speed, -gap_rate(the_case.cables[index], event.before));
+      }
+      impacts.emplace_back(-speed, event.time);
+    }
+  }
+  std::stable_sort(impacts.begin(), impacts.end());
+  impacts.resize(std::min(impacts.size(), marked_impacts));
+  std::vector<double> result;
+  for (const auto& [speed, time] : impacts) {
+    result.push_back(time);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// A panel on the sheet.
+class DrawnPanel {
+ public:
+  DrawnPanel(const Panel& panel, const std::vector<double>& times, double end, double from_top)
+      : panel_(panel), times_(times), end_(end), top_(from_top) {
+    bool any = false;
+    for (const Curve& curve : panel.curves) {
+      for (const double value : curve.values) {
+        if (std::isfinite(value)) {
+          low_ = any ? std::min(low_, value) : value;
+          high_ = any ? std::max(high_, value) : value;
+          any = true;
+        }
+      }
+    }
+    // values that differ by rounding alone are one
+    const double scale = std::max(std::abs(low_), std::abs(high_));
+    constexpr double thinnest = 1e-9;  // [-]
+    const double size = high_ - low_;
+    const double missing = size > thinnest * scale && size > 0.0 ? 0.0 : scale > 0.0 ? scale : 1.0;
+    constexpr double margin = 0.08;  // [-]
+    const double more = margin * (size + missing) + 0.5 * missing;
+    low_ -= more;
+    high_ += more;
+  }
+
+  [[nodiscard]] std::string text(const std::vector<double>& impacts, bool last) const {
+    std::string out = axes(last);
+    std::string marks;
+    for (const double time : impacts) {
+      marks += fmt::format("M{:.1f} {:.1f}v{:.1f}", px(time), top_, panel_height);
+    }
+    if (!marks.empty()) {
+      out += "<path class=\"impact\" style=\"stroke-width:.6;opacity:.35\" d=\"" + marks + "\"/>\n";
+    }
+    for (const Curve& curve : panel_.curves) {
+      out += "<path fill=\"none\" stroke-width=\"1.3\" " + std::string(curve.line) + " d=\"" +
+             line(curve) + "\"/>\n";
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] double px(double time) const {
+    return panel_left + (end_ > 0.0 ? panel_width * time / end_ : 0.0);
+  }
+  [[nodiscard]] double py(double value) const {
+    return top_ + panel_height * (1.0 - (value - low_) / (high_ - low_));
+  }
+
+  [[nodiscard]] std::string axes(bool last) const {
+    std::string out;
+    for (const double time : ticks(0.0, end_ > 0.0 ? end_ : 1.0)) {
+      out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}v{:.1f}\"/>\n", px(time), top_,
+                         panel_height);
+      if (last) {
+        out += fmt::format(
+            "<text class=\"muted\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{:.6g}"
+            "</text>\n",
+            px(time), top_ + panel_height + 18.0, time);
+      }
+    }
+    for (const double value : ticks(low_, high_ - low_)) {
+      const std::string number = fmt::format("{:.6g}", value);
+      constexpr double room = panel_left - 12.0;  // a longer number is set narrower
+      const std::string narrower =
+          room_for(number, letters) > room
+              ? fmt::format("textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\" ", room)
+              : "";
+      out += fmt::format(
+          "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}h{2:.1f}\"/><text class=\"muted\" "
+          "text-anchor=\"end\" {3}x=\"{4:.1f}\" y=\"{5:.1f}\">{6}</text>\n",
+          panel_left, py(value), panel_width, narrower, panel_left - 6.0, py(value) + 4.0, number);
+    }
+    out += fmt::format(
+        "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>"
+        "\n<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+        panel_left, top_, panel_width, panel_height, panel_left, top_ - 6.0, panel_.name);
+    if (last) {
+      out += fmt::format("<text text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">t [s]</text>\n",
+                         panel_left + 0.5 * panel_width, top_ + panel_height + 38.0);
+    }
+    return out;
+  }
+
+  /// Of the points within one pixel the first, the least, the largest and the last.
+  [[nodiscard]] std::string line(const Curve& curve) const {
+    std::string out;
+    char move = 'M';
+    const auto point = [&](std::size_t k) {
+      out += fmt::format("{}{:.1f} {:.1f}", move, px(times_[k]), py(curve.values[k]));
+      move = 'L';
+    };
+    for (std::size_t first = 0; first < times_.size();) {
+      const double pixel = std::floor(px(times_[first]));
+      std::size_t least = first;
+      std::size_t largest = first;
+      std::size_t next = first;
+      bool finite = true;
+      for (; next < times_.size() && std::floor(px(times_[next])) == pixel; ++next) {
+        finite = finite && std::isfinite(curve.values[next]);
+        least = curve.values[next] < curve.values[least] ? next : least;
+        largest = curve.values[next] > curve.values[largest] ? next : largest;
+      }
+      std::array<std::size_t, 4> chosen = {first, least, largest, next - 1};
+      std::sort(chosen.begin(), chosen.end());
+      const auto end = std::unique(chosen.begin(), chosen.end());
+      if (finite) {
+        std::for_each(chosen.begin(), end, point);
+      }
+      first = next;
+    }
+    return out;
+  }
+
+  const Panel& panel_;
+  const std::vector<double>& times_;
+  double end_;  // [s]
+  double top_;  // [px]
+  double low_ = 0.0;
+  double high_ = 0.0;
+};
+
+/// Which line is which cable.
+std::string legend(const Case& the_case, double y) {
+  std::string out;
+  constexpr double step = 78.0;  // [px]
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    const double x = panel_left + step * static_cast<double>(index);
+    out += fmt::format(
+        "<path fill=\"none\" stroke-width=\"1.6\" {} d=\"M{:.1f} {:.1f}h22\"/><text x=\"{:.1f}\" "
+        "y=\"{:.1f}\">cable {}</text>\n",
+        cable_lines.at(index), x, y, x + 26.0, y + 4.0, index);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string plot_motion_svg(const Case& the_case, const Solution& solution) {
+  constexpr std::size_t longest_title = 64;  // [bytes]
+  const Curves curves = Gatherer(the_case, solution).gather();
+  const std::vector<double> impacts = impact_times(the_case, solution);
+  const auto panels = static_cast<double>(curves.panels.size());
+  const double bottom = top + panels * panel_height + (panels - 1.0) * between;
+  const double height = bottom + 92.0;
+  const std::string name = xml_text(printable(the_case.name, longest_title));
+  const std::string words =
+      fmt::format("t = 0 to {:.6g} s; a thin line marks an impact", solution.end_time());
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+      "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n<desc>Exact "
+      "motion over time: position, angle, gaps and tensions, {3}.</desc>\n{4}<rect "
+      "class=\"paper\" width=\"100%\" height=\"100%\"/>\n<text class=\"title\" x=\"{5}\" "
+      "y=\"26\">{2}</text>\n<text class=\"muted\" x=\"{5}\" y=\"47\">{3}</text>\n",
+      sheet_width, height, name, words, plot_style, panel_left);
+  double from_top = top;
+  for (std::size_t index = 0; index < curves.panels.size(); ++index) {
+    const bool last = index + 1 == curves.panels.size();
+    out += DrawnPanel(curves.panels.at(index), curves.times, solution.end_time(), from_top)
+               .text(impacts, last);
+    from_top += panel_height + between;
+  }
+  return out + legend(the_case, bottom + 66.0) + "</svg>\n";
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/base/text.hpp"
+#include "bench/solution/cable_words.hpp"
+#include "bench/solution/digits/right_digits.hpp"
+#include "bench/solution/samples/samples.hpp"
+#include "bench/solution/samples/taut_phases.hpp"
+#include "bench/solution/texts.hpp"
+#include "tautline/impact.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Digits that a double has at most where it is printed whole.
+constexpr int most_digits_of_sample = 17;
+
+/// The numbers of a sample in the order of `names`.
+std::vector<Bounded> numbers_of(const MotionSample& sample) {
+  const State& state = sample.state;
+  const State errors = sample.errors.value_or(State{{-1.0, -1.0}, -1.0, {-1.0, -1.0}, -1.0});
+  std::vector<Bounded> result = {{state.position.x(), errors.position.x()},
+                                 {state.position.y(), errors.position.y()},
+                                 {state.angle, errors.angle},
+                                 {state.velocity.x(), errors.velocity.x()},
+                                 {state.velocity.y(), errors.velocity.y()},
+                                 {state.spin, errors.spin}};
+  for (const CableSample& cable : sample.cables) {
+    result.insert(result.end(), {cable.gap, cable.gap_rate, cable.tension});
+  }
+  result.push_back(sample.energy);
+  return result;
+}
+
+std::vector<std::string> names(const Case& the_case) {
+  std::vector<std::string> result = {"x", "y", "angle", "vx", "vy", "spin"};
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    for (const char* name : {"gap", "gap rate", "tension"}) {
+      result.push_back(fmt::format("{} {}", name, index));
+    }
+  }
+  result.emplace_back("energy");
+  return result;
+}
+
+/// A number, or a dash for a cell.
+std::string cell(const Bounded& one, int digits) {
+  return right_fixed(one.value, one.error, digits);
+}
+
+}  // namespace
+
+std::string samples_text(const Case& the_case, const Solution& solution,
+                         const Uncertainty& uncertainty, const std::vector<double>& times,
+                         const TerminalStyle& style) {
+  constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
+  constexpr std::size_t longest_name = 10;    // [columns], "gap rate 0"
+  const std::size_t fit =
+      std::max<std::size_t>(1, (style.width - longest_name) / (longest_number + 2));
+  std::string result;
+  for (std::size_t first = 0; first < times.size(); first += fit) {
+    std::vector<std::string> headings = {"sample at"};
+    std::vector<std::vector<std::string>> rows;
+    for (const std::string& name : names(the_case)) {
+      rows.push_back({name});
+    }
+    for (std::size_t index = first; index < std::min(times.size(), first + fit); ++index) {
+      headings.push_back(shortest(times[index]));
+      const MotionSample sample = sample_at(the_case, solution, uncertainty, times[index]);
+      const std::vector<Bounded> numbers = numbers_of(sample);
+      for (std::size_t row = 0; row < rows.size(); ++row) {
+        rows[row].push_back(sample.errors ? right_general(numbers[row].value, numbers[row].error,
+                                                          most_digits_of_sample)
+                                          : "beyond the horizon");
+      }
+    }
+    Table samples(headings, 1);
+    for (const std::vector<std::string>& row : rows) {
+      samples.add(row);
+    }
+    result += "\n" + samples.plain(style);
+  }
+  return result;
+}
+
+std::string tensions_text(const Case& the_case, const Solution& solution,
+                          const Uncertainty& uncertainty, const TerminalStyle& style) {
+  const std::vector<TautPhase> phases = taut_phases(the_case, solution, uncertainty);
+  if (phases.empty()) {
+    return "";
+  }
+  constexpr int time_digits = 6;
+  Table table({ranked("taut from", 0), ranked("until", 0), ranked("cable", 0),
+               ranked("least tension", 0), ranked("first at", 0), ranked("largest tension", 0),
+               ranked("first at", 0)});
+  bool indeterminate = false;
+  for (const TautPhase& phase : phases) {
+    const auto number = [](const Bounded& one) { return right_general(one.value, one.error, 10); };
+    table.add(std::vector<std::string>{
+        cell(phase.from, time_digits), cell(phase.until, time_digits),
+        std::to_string(phase.cable) + (phase.indeterminate ? "*" : ""), number(phase.least.tension),
+        cell(phase.least.time, time_digits), number(phase.largest.tension),
+        cell(phase.largest.time, time_digits)});
+    indeterminate = indeterminate || phase.indeterminate;
+  }
+  const std::string note =
+      indeterminate ? "* indeterminate: more cables are taut than statics can tell apart; these "
+                      "are the smallest tensions that give the motion"
+                    : "";
+  return "\n" + table.plain(style) + wrapped(note, style.text);
+}
+
+std::string rest_tensions_text(const Case& the_case, const Solution& solution,
+                               const Uncertainty& uncertainty) {
+  const double end = solution.end_time();
+  const CableSet taut = taut_at(solution, end);
+  const bool rests =
+      solution.ending() == Ending::rest || solution.ending() == Ending::unstable_rest;
+  if (!rests || taut.empty()) {
+    return "";
+  }
+  const MotionSample sample = sample_at(the_case, solution, uncertainty, end);
+  std::string list;
+  for (const std::size_t index : taut) {
+    const Bounded& tension = sample.cables[index].tension;
+    const std::string text = right_general(tension.value, tension.error, 6);
+    if (text == dash) {
+      return "";
+    }
+    list += fmt::format("{}{} on cable {}", list.empty() ? "" : ", ", text, index);
+  }
+  const bool determinate = independent(the_case, sample.state, taut);
+  return fmt::format("Tension at rest: {}{}.\n", list,
+                     determinate ? "" : " (indeterminate: the smallest that hold the body)");
+}
+
+}  // namespace tautline::bench

@@ -7,7 +7,7 @@
 
 #include "instantiate.hpp"
 #include "tautline/flight.hpp"
-#include "tension.hpp"
+#include "tension/tension.hpp"
 
 namespace tautline {
 

@@ -1,6 +1,6 @@
 // Solves the shipped cases, 1,000 random systems and 300 hard ones, and prints a line for each: its
 // name and a hash of every bit of its motion and of the bounds of its errors. Whatever compiles it
-// prints the same: tests/analytic/same-bits holds two compilers to that.
+// prints the same: tests/analytic/benchmarks/same-bits holds two compilers to that.
 
 #include <bit>
 #include <cmath>

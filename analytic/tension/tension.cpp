@@ -1,4 +1,4 @@
-#include "tension.hpp"
+#include "tension/tension.hpp"
 
 #include <optional>
 #include <vector>

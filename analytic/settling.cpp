@@ -24,14 +24,16 @@ CableSet resting_at(const BasicCase<Real>& the_case, const BasicState<Real>& sta
   return result;
 }
 
-/// Some multiple of this is the period of any swing of `the_case` [s].
+/// Some multiple of this is the period of any swing of `the_case` [s], or of any turn.
 template <class Real>
-Real time_scale(const BasicCase<Real>& the_case) {
+Real time_scale(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
   Real longest(0);
   for (const BasicCable<Real>& cable : the_case.cables) {
     longest = max(longest, cable.length);
   }
-  return sqrt(Real(longest / the_case.gravity.norm()));
+  const Real gravity = the_case.gravity.norm();
+  return gravity > 0 ? Real(sqrt(Real(longest / gravity)))
+                     : Real(longest / speed_scale(the_case, state));
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ template <class Real>
 std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
                                       const BasicState<Real>& state) {
   const CableSet taut = resting_at(the_case, state);
-  if (taut.empty() || !(the_case.gravity.norm() > 0)) {
+  if (taut.empty() || !(the_case.gravity.norm() > 0 || speed_scale(the_case, state) > 0)) {
     return std::nullopt;
   }
   BasicCase<Real> free = the_case;
@@ -60,7 +62,7 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
   limited.max_events = 2;      // the first is this: with another one it is no swing
   limited.max_steps = 20'000;  // steps of its series; a period of a usual swing takes a hundred
   limited.until_locked = true;
-  free.duration = 256 * time_scale(the_case);  // near-critical swings are slow
+  free.duration = 256 * time_scale(the_case, state);  // near-critical swings are slow
   return solve(free, limited).swing();
 }
 

@@ -1,6 +1,7 @@
 #include "tautline/solution.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,29 +45,74 @@ BasicSolution<Real>::BasicSolution(BasicCase<Real> system, std::vector<BasicArc<
 }
 
 template <class Real>
-const BasicArc<Real>& BasicSolution<Real>::arc_at(const Real& time) const {
+typename BasicSolution<Real>::Place BasicSolution<Real>::place(const Real& time) const {
   if (!(time >= 0 && time <= end_time())) {
     throw std::out_of_range("time " + std::to_string(static_cast<double>(time)) +
                             " is outside the solution, which ends at " +
                             std::to_string(static_cast<double>(end_time())));
   }
-  // after an event, not before it
+  Real in_period = time;
+  double periods = 0.0;
+  if (repetition_ && time > arcs_.back().end) {
+    const Real& start = arcs_[repetition_->first].start;
+    periods = std::floor(static_cast<double>(Real((time - start) / repetition_->period)));
+    // up to rounding, which may put it just before the period or behind it
+    in_period = max(start, min(arcs_.back().end, Real(time - periods * repetition_->period)));
+  }
+  // the last arc that starts at or before it: after an event, not before it
   const auto next =
-      std::upper_bound(arcs_.begin(), arcs_.end(), time,
+      std::upper_bound(arcs_.begin(), arcs_.end(), in_period,
                        [](const Real& t, const BasicArc<Real>& arc) { return t < arc.start; });
-  return *std::prev(next);
+  const auto index = static_cast<std::size_t>(std::distance(arcs_.begin(), next)) - 1;
+  return {index, in_period - arcs_[index].start, periods};
 }
 
 template <class Real>
 BasicState<Real> BasicSolution<Real>::at(const Real& time) const {
-  const BasicArc<Real>& arc = arc_at(time);
-  return arc.after(time - arc.start, gravity());
+  const Place found = place(time);
+  BasicState<Real> state = arcs_[found.arc].after(found.dt, gravity());
+  if (found.periods > 0.0) {
+    state.angle += found.periods * repetition_->turn;
+  }
+  return state;
+}
+
+template <class Real>
+std::vector<BasicArc<Real>> BasicSolution<Real>::arcs_until(const Real& time) const {
+  std::vector<BasicArc<Real>> result;
+  const auto add = [&](BasicArc<Real> arc, const Real& later, const Real& turned) {
+    arc.start = result.empty() ? arc.start : result.back().end;
+    arc.end = min(time, Real(arc.end + later));
+    arc.initial.angle += turned;
+    if (arc.series.rows() > 0) {
+      arc.series(0, 2) += turned;
+    }
+    result.push_back(std::move(arc));
+    return result.back().end < time;
+  };
+  for (const BasicArc<Real>& arc : arcs_) {
+    if (!result.empty() && arc.start > time) {
+      return result;
+    }
+    add(arc, Real(0), Real(0));
+  }
+  if (repetition_) {
+    for (double periods = 1.0; result.back().end < time; periods += 1.0) {
+      for (std::size_t index = repetition_->first; index < arcs_.size(); ++index) {
+        if (!add(arcs_[index], Real(periods * repetition_->period),
+                 Real(periods * repetition_->turn))) {
+          return result;
+        }
+      }
+    }
+  }
+  return result;
 }
 
 template <class Real>
 BasicCableVector<Real> BasicSolution<Real>::tensions(const Real& time) const {
-  const BasicArc<Real>& arc = arc_at(time);
-  return tensions(arc, time - arc.start);
+  const Place found = place(time);
+  return tensions(arcs_[found.arc], found.dt);
 }
 
 template <class Real>

@@ -89,17 +89,15 @@ class Motion final : public PausedMotion<Real> {
         }
         stop = next_stop(case_, state_, touching_, held_, time_left());
       }
+      const CableSet pulling = held_ ? held_->pulling : CableSet{};
       if (isnan(stop.dt) || !move(stop)) {
         return finish(Ending::overflow);
       }
+      if (const auto half = half_swing(stop, pulling)) {
+        return swing_on(*half, pulling);
+      }
       if (stop.ending) {
         return finish(*stop.ending);
-      }
-      if (stop.is_step && held_ && leaves_one_way(case_, state_, held_->pulling)) {
-        if (const auto half =
-                swing_.follow(case_, record_.arcs, state_, stop.dt, record_.events.size())) {
-          return swing_on(*half);
-        }
       }
       if (!stop.cables.empty()) {
         if (const auto ending = hit()) {
@@ -297,28 +295,25 @@ class Motion final : public PausedMotion<Real> {
     state_ = std::move(after);
   }
 
-  /// Swings to and fro on the arcs of half a swing, meeting nothing new. False, as `finish`.
-  bool swing_on(const HalfSwing<Real>& half) {
-    record_.arcs.back().end = half.end(record_.arcs);
+  /// The half swing or whole turn that the last arc, up to `stop` on the cables `pulling`,
+  /// completes, if it does.
+  [[nodiscard]] std::optional<HalfSwing<Real>> half_swing(const Stop<Real>& stop,
+                                                          CableSet pulling) {
+    const bool is_whole = stop.is_step || stop.ending == Ending::reached_duration;
+    return is_whole && leaves_one_way(case_, state_, pulling)
+               ? swing_.follow(case_, record_.arcs, state_, stop.dt, record_.events.size())
+               : std::nullopt;
+  }
+
+  /// Repeats the motion of half a swing or a whole turn, meeting nothing new. False, as `finish`.
+  bool swing_on(const HalfSwing<Real>& half, CableSet pulling) {
     if (options_.until_locked) {
-      record_.swing = swing_of(case_, half, record_.arcs);
+      record_.arcs.back().end = half.end(record_.arcs);
+      record_.swing = swing_of(case_, half, record_.arcs, pulling);
       return end(Ending::locked);
     }
-    EndlessSwing<Real> swing(half, record_.arcs);
-    record_.repetition = swing.from(record_.arcs.size());
-    while (true) {
-      time_ = record_.arcs.back().end;
-      BasicArc<Real> arc = swing.next(case_, time_);
-      state_ = arc.initial;
-      if (time_ >= case_.duration) {
-        return finish(Ending::reached_duration);
-      }
-      if (const auto ending = limit_reached()) {
-        return finish(*ending);
-      }
-      record_.arcs.push_back(std::move(arc));
-      ++steps_;
-    }
+    record_.repetition = repetition_of(case_, half, record_.arcs);
+    return end(Ending::reached_duration);
   }
 
   /// The body stays where it is. False, as `finish`.

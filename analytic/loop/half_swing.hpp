@@ -11,15 +11,16 @@
 
 namespace tautline {
 
-/// The arcs of a motion from one turning point to another.
+/// The arcs of a motion from one turning point to another, or those of a whole turn.
 template <class Real>
 struct HalfSwing {
-  std::size_t first;  // arc with the first turning point
+  std::size_t first;  // arc with the first turning point, or at whose start the turn begins
   Real from;          // [s], of that point, after the start of that arc
   Real to;            // [s], of the other, after the start of the last arc
   Real period;  // [s]: of the arcs' own lengths, as instants are rounded and its error adds up
+  bool goes_round = false;  // a whole turn: it comes back to its start
 
-  /// The instant of the second turning point [s].
+  /// The instant at which it ends [s].
   [[nodiscard]] Real end(const std::vector<BasicArc<Real>>& arcs) const {
     return arcs.back().start + to;
   }
@@ -71,16 +72,93 @@ template <class Real>
   return zero && !isnan(*zero) ? zero : std::nullopt;
 }
 
+/// Watches motion on taut cables that leave one degree of freedom for its return to a state that it
+/// has been in. On its one way the energy gives the speed, so that it returns where it passes the
+/// same pose in the same direction. It goes round and round from there on, and meets nothing that
+/// it has not met in the first turn.
+template <class Real>
+class ReturnWatch {
+ public:
+  /// Goes on with the last of `arcs`, as HalfSwingWatch does. The whole turn that this arc
+  /// completes, if it does.
+  std::optional<HalfSwing<Real>> follow(const BasicCase<Real>& the_case,
+                                        const std::vector<BasicArc<Real>>& arcs,
+                                        const BasicState<Real>& end, const Real& length) {
+    const BasicArc<Real>& arc = arcs.back();
+    const BasicBody<Real>& body = the_case.body;
+    turns_ = !is_point_mass(the_case);
+    // a pose at which it is slow tells its direction badly: take one at which it is faster
+    const Real energy = kinetic_energy(body, arc.initial);
+    if (!start_ || energy > 4 * energy_) {
+      start_ = arcs.size() - 1;
+      energy_ = energy;
+      since_ = length;
+      return std::nullopt;
+    }
+    const BasicState<Real>& from = arcs[*start_].initial;
+    const Vector3<Real> weights(body.mass * from.velocity.x(), body.mass * from.velocity.y(),
+                                turns_ ? Real(body.inertia * from.spin) : Real(0));
+    const Real before = apart(from, arc.initial).dot(weights);
+    if (before < 0 && apart(from, end).dot(weights) >= 0) {
+      std::vector<Real> way{Real(-before)};  // that is left, which falls to zero
+      for (Eigen::Index k = 1; k < arc.series.rows(); ++k) {
+        way.push_back(-arc.series.row(k).dot(weights));
+      }
+      const auto root = first_root_if_any(Polynomial<Real>(way), length).root;
+      const Real to = root ? min(*root, length) : length;
+      if (returns(the_case, from, arc.after(to, the_case.gravity))) {
+        return HalfSwing<Real>{*start_, Real(0), to, Real(since_ + to), true};
+      }
+    }
+    since_ += length;
+    return std::nullopt;
+  }
+
+ private:
+  /// The way from one pose to the other, by less than half a turn.
+  [[nodiscard]] Vector3<Real> apart(const BasicState<Real>& from,
+                                    const BasicState<Real>& to) const {
+    const BasicVec2<Real> way = to.position - from.position;
+    if (!turns_) {
+      return {way.x(), way.y(), Real(0)};
+    }
+    const Real full_turn = Real(8) * atan(Real(1));  // [rad]
+    const Real angle = to.angle - from.angle;
+    return {way.x(), way.y(), Real(angle - full_turn * round(Real(angle / full_turn)))};
+  }
+
+  /// True where `state` is `from` again, and no limit of the case comes nearer with each turn.
+  /// Rounding is far less than what is allowed, and another place of the way is farther away.
+  [[nodiscard]] bool returns(const BasicCase<Real>& the_case, const BasicState<Real>& from,
+                             const BasicState<Real>& state) const {
+    const Real same = sqrt(epsilon<Real>());  // [-]
+    const Vector3<Real> way = apart(from, state);
+    const Real size = from.position.norm() + state.position.norm();
+    BasicState<Real> change = state;
+    change.velocity -= from.velocity;
+    change.spin = turns_ ? Real(state.spin - from.spin) : Real(0);
+    const bool nearer = turns_ && the_case.angle_limit && abs(Real(state.angle - from.angle)) > 1;
+    return !nearer && way.template head<2>().norm() <= same * size && abs(way[2]) <= same &&
+           kinetic_energy(the_case.body, change) <= same * same * energy_;
+  }
+
+  std::optional<std::size_t> start_;  // arc, with whose start poses are compared
+  Real energy_ = Real(0);             // [J], there
+  Real since_ = Real(0);              // [s], from there to the start of the next arc
+  bool turns_ = false;                // its angle is a part of the motion
+};
+
 /// Watches motion on taut cables that leave one degree of freedom for its turning points, at which
 /// the whole body is still for an instant. From there it goes back the way it has come, at the same
 /// speeds, as time reversed shows, up to the turning point before; and so to and fro for ever. It
-/// meets nothing on its way that it has not met on half a swing.
+/// meets nothing on its way that it has not met on half a swing. A motion that does not turn may
+/// return: see ReturnWatch.
 template <class Real>
 class HalfSwingWatch {
  public:
   /// Goes on with the last of `arcs`, of `length` [s], which leads to `end` and which `events`
-  /// events precede: the first of others begins anew. The half swing that this arc completes, if it
-  /// does.
+  /// events precede: the first of others begins anew. The half swing or the whole turn that this
+  /// arc completes, if it does.
   std::optional<HalfSwing<Real>> follow(const BasicCase<Real>& the_case,
                                         const std::vector<BasicArc<Real>>& arcs,
                                         const BasicState<Real>& end, const Real& length,
@@ -104,7 +182,7 @@ class HalfSwingWatch {
       return HalfSwing<Real>{turn_->first, turn_->from, *turn, Real(2 * (since_ + *turn))};
     }
     since_ += length;
-    return std::nullopt;
+    return turn_ ? std::nullopt : round_.follow(the_case, arcs, end, length);
   }
 
  private:
@@ -134,14 +212,15 @@ class HalfSwingWatch {
   std::optional<HalfSwing<Real>> turn_;  // its first turning point
   Real since_ = Real(0);                 // [s], from there to the start of the next arc
   Real most_ = Real(0);                  // [J], of the kinetic energies where arcs start and end
+  ReturnWatch<Real> round_;
 };
 
-/// The swing of which `half` are the last of `arcs`. Tensions do no work: it is fastest where
-/// gravity, having sped it up, begins to slow it down.
+/// The swing of which `half` are the last of `arcs`, on the cables `pulling`. Tensions do no work:
+/// it is fastest where gravity, having sped it up, begins to slow it down.
 template <class Real>
 [[nodiscard]] BasicSwing<Real> swing_of(const BasicCase<Real>& the_case,
                                         const HalfSwing<Real>& half,
-                                        const std::vector<BasicArc<Real>>& arcs) {
+                                        const std::vector<BasicArc<Real>>& arcs, CableSet pulling) {
   const BasicVec2<Real>& gravity = the_case.gravity;
   const Vector3<Real> down(gravity.x(), gravity.y(), Real(0));
   Real fastest(0);  // [J]
@@ -153,7 +232,7 @@ template <class Real>
     const bool is_last = i + 1 == arcs.size();
     const bool falls = is_first || gravity.dot(arcs[i].initial.velocity) > 0;
     const bool rises = is_last || gravity.dot(arcs[i + 1].initial.velocity) <= 0;
-    if (falls && rises) {
+    if (falls && rises && !gravity.isZero(0)) {
       const Real from = is_first ? half.from : Real(0);
       const Real to = is_last ? half.to : Real(arcs[i].end - arcs[i].start);
       const BasicArc<Real> arc = part_of(arcs[i], from);
@@ -161,13 +240,32 @@ template <class Real>
         note(arc.after(*lowest, gravity));
       }
     }
-    if (!is_first) {
+    if (!is_first || half.goes_round) {
       note(arcs[i].initial);
     }
   }
-  const Real start = arcs[half.first].after(half.from, gravity).angle;
-  const Real end = arcs.back().after(half.to, gravity).angle;
-  return {fastest, half.period, min(start, end), max(start, end), Real(abs(Real(end - start)) / 2)};
+  const bool turns = !is_point_mass(the_case);
+  const SwingAngle body = turns ? SwingAngle::body : SwingAngle::cable;
+  if (half.goes_round) {
+    return {fastest, half.period, Real(0), Real(0), Real(0), body, true};
+  }
+  const auto swing = [&](const Real& start, const Real& end, SwingAngle angle) {
+    return BasicSwing<Real>{
+        fastest, half.period, min(start, end), max(start, end), Real(abs(Real(end - start)) / 2),
+        angle};
+  };
+  const BasicState<Real> start = arcs[half.first].after(half.from, gravity);
+  const BasicState<Real> end = arcs.back().after(half.to, gravity);
+  const BasicSwing<Real> of_body = swing(start.angle, end.angle, SwingAngle::body);
+  if (turns && of_body.amplitude > sqrt(epsilon<Real>())) {
+    return of_body;
+  }
+  const BasicCable<Real>& cable = the_case.cables[*pulling.begin()];
+  const BasicSwing<Real> of_cable = swing(cable_angle(cable, start, gravity),
+                                          cable_angle(cable, end, gravity), SwingAngle::cable);
+  // the turn of a body that its cables do not turn is rounding
+  return turns && of_body.amplitude > sqrt(epsilon<Real>()) * of_cable.amplitude ? of_body
+                                                                                 : of_cable;
 }
 
 /// `arc` from `high` [s] after its start back to it, but for its instants.
@@ -219,48 +317,42 @@ template <class Real>
   return pulling.size() == 2;
 }
 
-/// The arcs of a swing from the end of half a swing on, for ever.
+/// Lets the motion of which `half` are the last of `arcs` repeat to the duration of the case:
+/// appends what a whole period lacks. None where the duration ends it before.
 template <class Real>
-class EndlessSwing {
- public:
-  /// After `half`, the end of `arcs`.
-  EndlessSwing(const HalfSwing<Real>& half, const std::vector<BasicArc<Real>>& arcs)
-      : arcs_(swing_after(half, arcs)),
-        period_(half.period),
-        started_(arcs.back().start),
-        angle_(arcs.back().initial.angle),
-        spin_(arcs.back().initial.spin) {}
-
-  /// How its arcs come again, of which `first` is the place of the next.
-  [[nodiscard]] BasicRepetition<Real> from(std::size_t first) const {
-    return {first, arcs_.size(), period_};
-  }
-
-  /// The next arc, which starts `now` [s] and ends with the case at the latest.
-  [[nodiscard]] BasicArc<Real> next(const BasicCase<Real>& the_case, const Real& now) {
-    BasicArc<Real> arc = arcs_[next_ % arcs_.size()];
-    const std::size_t periods = next_ / arcs_.size();
-    const Real later = period_ * static_cast<double>(periods);
-    ++next_;
-    arc.start = now;
-    arc.end = min(the_case.duration, Real(arc.end + later));
-    if (is_point_mass(the_case)) {  // its own turn is never turned back
-      arc.initial.angle = angle_ + spin_ * (now - started_);
-      arc.initial.spin = spin_;
-      arc.series(0, 2) = arc.initial.angle;
-      arc.series(1, 2) = spin_;
+[[nodiscard]] std::optional<BasicRepetition<Real>> repetition_of(
+    const BasicCase<Real>& the_case, const HalfSwing<Real>& half,
+    std::vector<BasicArc<Real>>& arcs) {
+  const bool turns = !is_point_mass(the_case);
+  const Real end = half.end(arcs);
+  arcs.back().end = min(the_case.duration, end);
+  std::size_t first = half.first;
+  const BasicState<Real> start = arcs[first].initial;
+  Real turn = turns ? Real(arcs.back().after(half.to, the_case.gravity).angle - start.angle)
+                    : Real(half.period * start.spin);
+  if (!half.goes_round) {
+    turn = turns ? Real(0) : turn;
+    first = arcs.size();
+    const Real started = arcs.back().start;
+    const Real angle = arcs.back().initial.angle;
+    arcs.back().end = end;  // the way back starts there
+    for (BasicArc<Real>& arc : swing_after(half, arcs)) {
+      if (!(arc.start < the_case.duration)) {
+        break;
+      }
+      if (!turns) {  // its own turn is never turned back
+        arc.initial.angle = angle + start.spin * (arc.start - started);
+        arc.initial.spin = start.spin;
+        arc.series(0, 2) = arc.initial.angle;
+        arc.series(1, 2) = start.spin;
+      }
+      arc.end = min(the_case.duration, arc.end);
+      arcs.push_back(std::move(arc));
     }
-    return arc;
   }
-
- private:
-  std::vector<BasicArc<Real>> arcs_;  // of a period
-  Real period_;                       // [s]
-  // of the arc that the half swing ends on
-  Real started_;  // [s]
-  Real angle_;    // [rad]
-  Real spin_;     // [rad/s]
-  std::size_t next_ = 0;
-};
+  return arcs.back().end < the_case.duration
+             ? std::optional(BasicRepetition<Real>{first, half.period, turn, the_case.duration})
+             : std::nullopt;
+}
 
 }  // namespace tautline

@@ -30,6 +30,9 @@ void ErrorTracker::run() {
     }
     before_ = &arc;
   }
+  if (solution_.repetition() && !lost_) {
+    repeat(*solution_.repetition());
+  }
 }
 
 /// Takes the events at the start of an arc: an impact, and what follows from it at once.
@@ -55,10 +58,10 @@ void ErrorTracker::take(const Event& event, bool arrives) {
   const CableSet hit = event.kind == EventKind::impact ? event.cables - taut_ : CableSet{};
   if (!lost_ && arrives &&
       !(hit.empty() ? event.kind != EventKind::slack || release(event) : arrive(event, hit))) {
-    lose();
+    lose(last_event());
   }
   if (!lost_ && !(event.time > 0.0) && event.kind == EventKind::impact && !start(event)) {
-    lose();
+    lose(last_event());
   }
   if (lost_) {
     taut_ = taut_after(event, taut_);
@@ -71,7 +74,7 @@ void ErrorTracker::take(const Event& event, bool arrives) {
                              : event.kind == EventKind::taut ? take_taut(event)
                                                              : take_slack(event);
   if (!is_sure()) {
-    lose();
+    lose(last_event());
     return;
   }
   result_.events_[next_] = errors;
@@ -142,7 +145,7 @@ void ErrorTracker::follow(std::size_t index) {
   }
   followed_ = &arc;
   if (!arc.taut.empty() && !releases_are_sure(index)) {
-    lose();
+    lose(arc.start);
     return;
   }
   now_ = along(now_, case_, sizes_, arc, basis_, dt, last);
@@ -151,13 +154,12 @@ void ErrorTracker::follow(std::size_t index) {
   }
   fastest_ = std::max({fastest_, sizes_.speed(arc.initial), sizes_.speed(last)});
   if (!is_sure()) {
-    lose();
+    lose(arc.start);  // where they still were
   }
 }
 
 /// The square of what the instants of this taut arc add to how late a state is [s^2]: their
-/// rounding; where a swing comes again for the n-th time the error of its period, which is the same
-/// every time, so that the square of n times it grows by 2 n - 1.
+/// rounding; in the period of a motion that repeats the error of that period.
 double ErrorTracker::late_at_end(std::size_t index) {
   const auto& again = solution_.repetition();
   if (!again || index < again->first) {
@@ -166,39 +168,111 @@ double ErrorTracker::late_at_end(std::size_t index) {
   if (!period_error_) {
     period_error_ = period_error(*again);
   }
-  const std::size_t times = (index - again->first) / again->arcs + 1;
-  return static_cast<double>(2 * times - 1) / static_cast<double>(again->arcs) * *period_error_ *
-         *period_error_;
+  return *period_error_ * *period_error_ /
+         static_cast<double>(solution_.arcs().size() - again->first);
 }
 
-/// By how much the period is off [s], the root of its square: twice what the arcs of half a swing
-/// make of their own rounding.
+/// By how much the arcs of a period are off it [s], the root of the square, for their own rounding.
 double ErrorTracker::period_error(const Repetition& again) const {
   const auto& arcs = solution_.arcs();
+  const State& start = arcs[again.first].initial;
+  // a swing turns there and once more after half of its arcs, which are those of the other half
+  const std::size_t half = (arcs.size() - again.first) / 2;
+  const double still = 1e-8 * fastest_ * fastest_ * case_.body.mass;
+  const bool turns_back = kinetic_energy(case_.body, start) <= still;
   Spread own = Spread::Zero();
-  for (std::size_t k = again.first - again.arcs / 2; k < again.first; ++k) {
-    const double dt = arcs[k].end - arcs[k].start;
-    own = along(own, case_, sizes_, arcs[k], basis_, dt, arcs[k + 1].initial);
+  for (std::size_t k = again.first + (turns_back ? half : 0); k < arcs.size(); ++k) {
+    const State& last = k + 1 < arcs.size() ? arcs[k + 1].initial : start;
+    own = along(own, case_, sizes_, arcs[k], basis_, arcs[k].end - arcs[k].start, last);
   }
-  // at the turning point nothing moves: an error of the velocities is one of the instant
-  const Arc& turned = arcs[again.first];
-  const Eigen::Vector3d acceleration =
-      rate_at(turned, 0.0, turned.initial, case_.gravity).tail<3>();
-  const Eigen::Vector3d force =
-      Eigen::Vector3d(case_.body.mass, case_.body.mass, case_.body.inertia)
-          .cwiseProduct(acceleration);
-  const double square = force.dot(own.block<3, 3>(3, 3) * force);
-  const double late = std::sqrt(std::max(square, 0.0)) / force.dot(acceleration);
-  return std::hypot(2.0 * late, one_rounding * again.period);
+  const StateVector rate = rate_at(arcs[again.first], 0.0, start, case_.gravity);
+  const StateVector weighted = along_motion(again.period).cwiseProduct(rate);
+  const double square = weighted.dot(own.topLeftCorner<6, 6>() * weighted);
+  const double late = std::sqrt(std::max(square, 0.0)) / weighted.dot(rate);
+  return std::hypot((turns_back ? 2.0 : 1.0) * late, one_rounding * again.period);
 }
 
-/// From here on the solution is one of many.
-void ErrorTracker::lose() {
+/// The weights that compare changes of a state with those of a time: of masses and, for rates, of
+/// `time` [s].
+StateVector ErrorTracker::along_motion(double time) const {
+  const double inertia = is_point_mass(case_) ? 0.0 : case_.body.inertia;  // its turn does nothing
+  StateVector weights;
+  weights << case_.body.mass, case_.body.mass, inertia, Eigen::Vector3d::Zero();
+  weights.tail<3>() = time * time * weights.head<3>();
+  return weights;
+}
+
+/// By how much a period is off for the error of the energy [s], the root of the square: the motion
+/// is one of a family that differ in energy, and so in their period.
+double ErrorTracker::period_drift(const Repetition& again) const {
+  const auto& arcs = solution_.arcs();
+  const auto energy_at = [&](std::size_t arc) {
+    return kinetic_energy(case_.body, arcs[arc].initial);
+  };
+  std::size_t fastest = again.first;
+  for (std::size_t arc = again.first; arc < arcs.size(); ++arc) {
+    fastest = energy_at(arc) > energy_at(fastest) ? arc : fastest;
+  }
+  const State& state = arcs[fastest].initial;
+  const Vec2 momentum = case_.body.mass * state.velocity;
+  const double spin = is_point_mass(case_) ? 0.0 : state.spin;
+  StateRow energy;
+  energy << -case_.body.mass * case_.gravity.transpose(), 0.0, momentum.transpose(),
+      case_.body.inertia * spin;
+  // a neighbour that has 1 J more there, one period later
+  StateVector faster = StateVector::Zero();
+  faster.tail<3>() << state.velocity, spin;
+  faster /= energy * faster;
+  Spread squares = Spread::Zero();
+  squares.topLeftCorner<6, 6>() = faster * faster.transpose();
+  const std::size_t count = arcs.size() - again.first;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto at = [&](std::size_t later) {
+      return again.first + (fastest - again.first + later) % count;
+    };
+    const Arc& arc = arcs[at(k)];
+    squares =
+        along(squares, case_, sizes_, arc, basis_, arc.end - arc.start, arcs[at(k + 1)].initial);
+  }
+  Eigen::Index largest = 0;
+  const double square = squares.diagonal().head<6>().maxCoeff(&largest);
+  StateVector later = squares.col(largest).head<6>() / std::sqrt(square);
+  later *= energy * later < 0.0 ? -1.0 : 1.0;  // it has as much energy as before
+  const StateVector rate = rate_at(arcs[fastest], 0.0, state, case_.gravity);
+  const StateVector weighted = along_motion(again.period).cwiseProduct(rate);
+  const double per_joule = std::abs(weighted.dot(later - faster)) / weighted.dot(rate);
+  return per_joule * bound(energy, at_instant(result_.starts_[fastest], rate)) / bound_margin;
+}
+
+/// What the periods of a motion that repeats come to, one after the other: the same error each.
+void ErrorTracker::repeat(const Repetition& again) {
+  const auto& arcs = solution_.arcs();
+  result_.period_error_ = std::hypot(period_error(again), period_drift(again));
+  double fastest = 0.0;
+  double turning = 0.0;
+  for (std::size_t arc = again.first; arc < arcs.size(); ++arc) {
+    fastest = std::max(fastest, arcs[arc].initial.velocity.norm());
+    turning = std::max(turning, sizes_.turns ? std::abs(arcs[arc].initial.spin) : 0.0);
+  }
+  const double part = largest_part / bound_margin;
+  const double lateness = part * std::min(sizes_.shortest / fastest, 1.0 / turning);  // [s]
+  const double until = arcs[again.first].start + lateness / result_.period_error_ * again.period;
+  if (!(until >= solution_.end_time())) {
+    lose(until);
+  }
+}
+
+/// From here on, `since` [s], the solution is one of many.
+void ErrorTracker::lose(double since) {
   lost_ = true;
   meeting_ = meeting();
-  const double last = before_ != nullptr && next_ > 0 ? solution_.events()[next_ - 1].time : 0.0;
-  result_.unsure_.push_back({std::max(last, sure_to_), std::numeric_limits<double>::infinity(),
+  result_.unsure_.push_back({std::max(since, sure_to_), std::numeric_limits<double>::infinity(),
                              std::exchange(tie_, std::nullopt)});
+}
+
+/// The instant of the last event [s].
+double ErrorTracker::last_event() const {
+  return before_ != nullptr && next_ > 0 ? solution_.events()[next_ - 1].time : 0.0;
 }
 
 }  // namespace tautline

@@ -64,7 +64,11 @@ class ErrorTracker {
   void follow(std::size_t arc);
   [[nodiscard]] double late_at_end(std::size_t arc);
   [[nodiscard]] double period_error(const Repetition& again) const;
-  void lose();
+  [[nodiscard]] StateVector along_motion(double time) const;
+  [[nodiscard]] double period_drift(const Repetition& again) const;
+  void repeat(const Repetition& again);
+  void lose(double since);
+  [[nodiscard]] double last_event() const;
   [[nodiscard]] std::optional<Meeting> meeting() const;
   [[nodiscard]] std::optional<Meeting> meeting_from(std::size_t arc) const;
   [[nodiscard]] std::optional<Meeting> sampled_meeting(std::size_t arc) const;
@@ -89,7 +93,7 @@ class ErrorTracker {
   CableSet basis_;                      // independent ones of the arc before's taut cables
   std::size_t next_ = 0;                // event
   std::size_t accumulation_ = 0;        // not before that event
-  std::optional<double> period_error_;  // [s], of a swing that comes again
+  std::optional<double> period_error_;  // [s], of a motion that repeats
   double curvature_ = square_rounding;  // [-], square of the largest part that is not first order
   bool lost_ = false;
   std::optional<Tie> tie_;            // that rounding decides, where it does next

@@ -104,7 +104,7 @@ BasicSensitivity<Real>::BasicSensitivity(const BasicCase<Real>& the_case,
                   ? Real(0)
                   : Real(sqrt(Real(the_case.body.inertia / the_case.body.mass)))),
       end_(solution.end_time()) {
-  const auto& arcs = solution.arcs();
+  const std::vector<BasicArc<Real>> arcs = solution.arcs_until(end_);
   std::span<const BasicEvent<Real>> left(solution.events());
   Eigen::Matrix<Real, 6, 1> before = state_rate(arcs.front(), Real(0), solution.gravity());
   CableSet taut;

@@ -27,17 +27,14 @@ std::optional<Uncertainty::Spread> Uncertainty::spread(double time) const {
       return std::nullopt;
     }
   }
-  const auto& arcs = solution_->arcs();
-  const auto next = std::upper_bound(arcs.begin(), arcs.end(), time,
-                                     [](double t, const Arc& arc) { return t < arc.start; });
-  const Arc& arc = *std::prev(next);
-  const double dt = time - arc.start;
-  const auto index = static_cast<std::size_t>(std::distance(arcs.begin(), next)) - 1;
+  const auto [index, dt, periods] = solution_->place(time);
+  const Arc& arc = solution_->arcs()[index];
   const State state = arc.after(dt, case_->gravity);
   Spread result = along(starts_[index], *case_, Sizes(*case_), arc,
                         basis(*case_, arc.initial, arc.taut), dt, state);
   const StateVector rate = rate_at(arc, dt, state, case_->gravity);
-  add_late(result, tick_square(time), rate);  // of the start of the arc
+  const double late = periods * period_error_;              // of all of them alike
+  add_late(result, tick_square(time) + late * late, rate);  // of the start of the arc
   result.topLeftCorner<6, 6>() = at_instant(result, rate);
   return result;
 }
@@ -92,10 +89,7 @@ std::optional<double> Uncertainty::lock() const {
     return std::nullopt;
   }
   const double from = unsure_.back().from;
-  const auto& arcs = solution_->arcs();
-  const auto next = std::upper_bound(arcs.begin(), arcs.end(), from,
-                                     [](double t, const Arc& arc) { return t < arc.start; });
-  const auto arc = static_cast<std::size_t>(std::distance(arcs.begin(), next)) - 1;
+  const std::size_t arc = solution_->place(from).arc;
   if (merges_after(*case_, options_.law, *solution_, arc)) {
     return std::nullopt;
   }

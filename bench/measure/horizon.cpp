@@ -22,7 +22,7 @@ double sure_until(const Case& the_case, const Solution& solution, ImpactLaw law,
     return errors && errors->position.norm() <= part * visible;
   };
   const double last = std::nextafter(uncertainty.horizon().value_or(solution.end_time()), 0.0);
-  for (const Arc& arc : solution.arcs()) {
+  for (const Arc& arc : solution.arcs_until(solution.end_time())) {
     if (!sure_at(arc.end)) {
       return last > arc.start && last < arc.end && sure_at(last) ? last : arc.start;
     }

@@ -75,13 +75,17 @@ std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solu
   for (auto point = first; point != last; ++point) {
     sum += energy(the_case, point->state) - equilibrium;
   }
+  const auto angle = [&](const Point& point) {
+    const Cable& cable = the_case.cables[*settling.lock->cables.begin()];
+    return exact.angle == SwingAngle::body ? point.state.angle
+                                           : cable_angle(cable, point.state, the_case.gravity);
+  };
   const auto [least, largest] = std::minmax_element(
-      first, last,
-      [](const Point& one, const Point& other) { return one.state.angle < other.state.angle; });
+      first, last, [&](const Point& one, const Point& other) { return angle(one) < angle(other); });
   return SwingMatch{from,
                     until,
                     {exact.energy, sum / static_cast<double>(last - first)},
-                    {exact.amplitude, 0.5 * (largest->state.angle - least->state.angle)}};
+                    {exact.amplitude, 0.5 * (angle(*largest) - angle(*least))}};
 }
 
 }  // namespace tautline::bench

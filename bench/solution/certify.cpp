@@ -57,8 +57,10 @@ Settling rounded(const BasicSettling<Multi>& settling) {
                    lock->cables,        lock->permanent,
                    lock->rests,         std::nullopt};
     if (const auto& swing = lock->swing) {
-      result.lock->swing = {rounded(swing->energy), rounded(swing->period), rounded(swing->least),
-                            rounded(swing->largest), rounded(swing->amplitude)};
+      result.lock->swing = {rounded(swing->energy),    rounded(swing->period),
+                            rounded(swing->least),     rounded(swing->largest),
+                            rounded(swing->amplitude), swing->angle,
+                            swing->goes_round};
     }
   }
   return result;
@@ -98,7 +100,7 @@ class Pair {
     const double allowed = std::pow(10.0, -correct.digits);
     const double end = std::min(one_.end_time(), static_cast<double>(other_.end_time()));
     double good = 0.0;
-    for (const Arc& arc : one_.arcs()) {
+    for (const Arc& arc : one_.arcs_until(end)) {
       for (int sample = 0; sample <= samples_per_arc; ++sample) {
         const double time = arc.start + (arc.end - arc.start) * sample / samples_per_arc;
         if (time > end || distance(time) <= allowed) {

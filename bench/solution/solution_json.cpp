@@ -73,11 +73,14 @@ Json accumulation_json(const Accumulation& accumulation, const std::optional<dou
 }
 
 Json swing_json(const Swing& swing) {
+  const auto angle = [&](double value) { return swing.goes_round ? Json(nullptr) : Json(value); };
   return {{"energy", swing.energy},
           {"period", swing.period},
-          {"least", swing.least},
-          {"largest", swing.largest},
-          {"amplitude", swing.amplitude}};
+          {"least", angle(swing.least)},
+          {"largest", angle(swing.largest)},
+          {"amplitude", angle(swing.amplitude)},
+          {"angle_of", swing.angle == SwingAngle::body ? "body" : "cable"},
+          {"goes_round", swing.goes_round}};
 }
 
 Json lock_json(const Lock& lock, const std::optional<double>& error) {

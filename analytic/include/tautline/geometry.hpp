@@ -247,6 +247,16 @@ template <class Real>
   return state.velocity.norm() + abs(state.spin) * attachment_radius(the_case);
 }
 
+/// The angle of `cable` from gravity's direction, or from that of x without gravity, anticlockwise
+/// [rad].
+template <class Real>
+[[nodiscard]] Real cable_angle(const BasicCable<Real>& cable, const BasicState<Real>& state,
+                               const BasicVec2<Real>& gravity) {
+  const BasicVec2<Real> along = attachment_point(state, cable) - cable.anchor;
+  const BasicVec2<Real> down = gravity.isZero(0) ? BasicVec2<Real>(Real(1), Real(0)) : gravity;
+  return atan2(Real(down.x() * along.y() - down.y() * along.x()), Real(down.dot(along)));
+}
+
 /// The shortest length of a cable [m].
 template <class Real>
 [[nodiscard]] Real shortest_length(const BasicCase<Real>& the_case) {

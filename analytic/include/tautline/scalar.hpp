@@ -14,6 +14,7 @@ namespace tautline {
 // What a call abs(x) in this namespace finds for a double; for other scalars their own is found.
 using std::abs;
 using std::atan;
+using std::atan2;
 using std::copysign;
 using std::cos;
 using std::isfinite;
@@ -21,6 +22,7 @@ using std::isnan;
 using std::max;
 using std::min;
 using std::pow;
+using std::round;
 using std::sin;
 using std::sqrt;
 

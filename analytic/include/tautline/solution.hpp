@@ -76,13 +76,14 @@ struct BasicAccumulation {
 };
 using Accumulation = BasicAccumulation<double>;
 
-/// A swing that comes again for ever: from arc `first` on each is that of so many `arcs` before,
-/// but for its instants. Half of them, just before, are those that were computed.
+/// A motion that repeats for ever: the arcs from `first` on are one period of it, which is kept
+/// once, however long the solution is.
 template <class Real>
 struct BasicRepetition {
-  std::size_t first;  // arc
-  std::size_t arcs;   // of a period
+  std::size_t first;  // arc, where the period starts; it ends with the last arc
   Real period;        // [s]
+  Real turn;          // [rad], by which the body's angle grows in a period
+  Real end;           // [s], of the solution
 };
 using Repetition = BasicRepetition<double>;
 
@@ -117,12 +118,25 @@ class BasicSolution {
   /// The body, the cables and the gravity of its case.
   [[nodiscard]] const BasicCase<Real>& system() const { return system_; }
   [[nodiscard]] const BasicVec2<Real>& gravity() const { return system_.gravity; }  // [m/s^2]
-  /// In order, at least one.
+  /// In order, at least one. A motion that repeats has them up to the end of its first period.
   [[nodiscard]] const std::vector<BasicArc<Real>>& arcs() const { return arcs_; }
+  /// The arcs from the start to `time` [s], each as often as it comes; the last ends there.
+  [[nodiscard]] std::vector<BasicArc<Real>> arcs_until(const Real& time) const;
   /// In order of time.
   [[nodiscard]] const std::vector<BasicEvent<Real>>& events() const { return events_; }
-  [[nodiscard]] Ending ending() const { return ending_; }                  // why it ends
-  [[nodiscard]] const Real& end_time() const { return arcs_.back().end; }  // [s]
+  [[nodiscard]] Ending ending() const { return ending_; }  // why it ends
+  [[nodiscard]] const Real& end_time() const {             // [s]
+    return repetition_ ? repetition_->end : arcs_.back().end;
+  }
+
+  /// Where in the arcs the motion is at a time.
+  struct Place {
+    std::size_t arc;
+    Real dt;         // [s], since its start
+    double periods;  // [-], whole ones that have gone by since then
+  };
+  /// Of `time` in [0, end_time()]; at an event, after it. Throws std::out_of_range outside.
+  [[nodiscard]] Place place(const Real& time) const;
 
   /// Every accumulation that was completed, in rising time.
   [[nodiscard]] const std::vector<BasicAccumulation<Real>>& accumulations() const {
@@ -132,17 +146,13 @@ class BasicSolution {
   /// The swing that goes on for ever where it ends with Ending::locked, else none.
   [[nodiscard]] const std::optional<BasicSwing<Real>>& swing() const { return swing_; }
 
-  /// How its last arcs repeat themselves, if they do.
+  /// How its last arcs repeat, if they do so before its end.
   [[nodiscard]] const std::optional<BasicRepetition<Real>>& repetition() const {
     return repetition_;
   }
 
  private:
   friend struct Record<Real>;  // whose room it may have, and gives back
-
-  /// The last arc that starts at or before `time`. Throws std::out_of_range outside of the
-  /// solution.
-  [[nodiscard]] const BasicArc<Real>& arc_at(const Real& time) const;
 
   BasicCase<Real> system_;            // without a name, a start and a duration
   std::vector<BasicArc<Real>> arcs_;  // never empty; each starts where the one before ends

@@ -108,6 +108,7 @@ class Uncertainty {
   const Solution* solution_;
   SolveOptions options_;
   std::vector<Spread> starts_;  // of each arc; those in an unsure stretch are not looked at
+  double period_error_ = 0.0;   // [s], of a motion that repeats, the root of the square
   std::vector<std::optional<EventErrors>> events_;
   std::vector<Unsure> unsure_;
 };

@@ -222,7 +222,9 @@ double largest_angle(const Arc& arc, double length) {
 /// The largest |angle| of an exact motion, also of a swing that has not been followed.
 double largest_angle(const Solution& solution) {
   const std::optional<Swing>& swing = solution.swing();
-  double largest = swing ? std::max(std::abs(swing->least), std::abs(swing->largest)) : 0.0;
+  double largest = swing && swing->angle == SwingAngle::body
+                       ? std::max(std::abs(swing->least), std::abs(swing->largest))
+                       : 0.0;
   for (const Arc& arc : solution.arcs()) {
     const double length = arc.end - arc.start;
     if (arc.series.rows() == 0) {  // in flight the spin is constant

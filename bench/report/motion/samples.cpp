@@ -95,7 +95,7 @@ std::vector<Sample> samples_of(const Case& the_case, const Solution& solution) {
     const State state = arc.after(dt, solution.gravity());
     samples.push_back(sample(the_case, arc.start + dt, state, state));
   };
-  for (const Arc& arc : solution.arcs()) {
+  for (const Arc& arc : solution.arcs_until(solution.end_time())) {
     const double length = arc.end - arc.start;
     add(arc, 0.0);
     if (static_cast<double>(least) * soon < length) {

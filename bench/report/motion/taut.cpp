@@ -101,7 +101,7 @@ std::vector<TautColumns> taut_columns(const Case& the_case, const Solution& solu
     const Cable& cable = the_case.cables[index];
     std::vector<Stretch> stretches;
     bool held = false;  // at the end of the arc before
-    for (const Arc& arc : solution.arcs()) {
+    for (const Arc& arc : solution.arcs_until(solution.end_time())) {
       if (!arc.taut.contains(index)) {
         held = false;
         continue;

@@ -52,10 +52,6 @@ double tension_rounding(const Case& the_case, const State& state) {
 /// False where rounding decides whether a cable lets go along the arc of this index: its tension
 /// touches zero within the errors. `basis_` is that of the arc.
 bool ErrorTracker::releases_are_sure(std::size_t index) {
-  const auto& again = solution_.repetition();
-  if (again && index >= again->first) {  // nothing new
-    return true;
-  }
   const Arc& arc = solution_.arcs()[index];
   for (const Touch& touch : touches(case_, solution_, index)) {
     const double dt = std::clamp(touch.time, arc.start, arc.end) - arc.start;

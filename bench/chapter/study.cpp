@@ -51,8 +51,17 @@ Solution rounded(const BasicSolution<Multi>& solution) {
   const auto of_each = [](const auto& all) {
     return listed(all, [](const auto& one) { return rounded(one); });
   };
-  return {in_double(solution.system()), of_each(solution.arcs()), of_each(solution.events()),
-          solution.ending(), of_each(solution.accumulations())};
+  std::optional<Repetition> repetition;
+  if (const auto& again = solution.repetition()) {
+    repetition = {again->first, rounded(again->period), rounded(again->turn), rounded(again->end)};
+  }
+  return {in_double(solution.system()),
+          of_each(solution.arcs()),
+          of_each(solution.events()),
+          solution.ending(),
+          of_each(solution.accumulations()),
+          std::nullopt,
+          repetition};
 }
 
 ChapterCase solved(std::string_view number, const BasicCase<Multi>& the_case,

@@ -53,7 +53,7 @@ std::optional<Swing> measured_swing(const Case& the_case, const Solution& soluti
 std::optional<SwingMatch> match_swing(const Case& the_case, const Solution& solution,
                                       const Settling& settling, const Trajectory& run) {
   const std::optional<Swing> measured = measured_swing(the_case, solution, settling.lock);
-  if (run.diverged || !measured) {
+  if (run.diverged || !measured || measured->goes_round) {
     return std::nullopt;
   }
   const Swing& exact = *measured;

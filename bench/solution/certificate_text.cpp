@@ -19,7 +19,9 @@ std::string mark_text(const std::optional<EventMark>& mark) {
 std::string certified_lock(const Lock& lock) {
   std::string result =
       fmt::format("{} taut from t = {:.9f} on", cables_are(lock.cables), lock.time);
-  if (lock.swing) {
+  if (lock.swing && lock.swing->goes_round) {
+    result += fmt::format(", going round and round with period {:.9g}", lock.swing->period);
+  } else if (lock.swing) {
     result += fmt::format(", with a swing of energy {:.9g} and amplitude {:.9g} rad",
                           lock.swing->energy, lock.swing->amplitude);
   }

@@ -29,14 +29,6 @@ std::vector<Mark> marks_of(const Case& the_case, const Solution& solution) {
   return marks;
 }
 
-/// Arcs from the start to the end of the first period of what repeats itself: the rest of the path
-/// lies on these.
-std::size_t arcs_of_path(const Solution& solution) {
-  const std::size_t all = solution.arcs().size();
-  const auto& repetition = solution.repetition();
-  return repetition ? std::min(all, repetition->first + repetition->arcs) : all;
-}
-
 /// The path in rising time: a chord of it lies less than the width of its line from the motion,
 /// however long that is. It ends early where it has more points than a picture can show.
 struct Path {
@@ -45,7 +37,7 @@ struct Path {
 };
 Path path_of(const Solution& solution) {
   const auto& arcs = solution.arcs();
-  const std::size_t count = arcs_of_path(solution);
+  const std::size_t count = arcs.size();  // what repeats lies on its first period
   const auto position = [&](const Arc& arc, double part) {
     return arc.after(part * (arc.end - arc.start), solution.gravity()).position;
   };

@@ -146,6 +146,12 @@ Json phase_json(const TautPhase& phase) {
           {"indeterminate", phase.indeterminate}};
 }
 
+Json period_json(const PeriodTension& one) {
+  return {{"cable", one.cable},
+          {"least", bounded_json(one.least)},
+          {"largest", bounded_json(one.largest)}};
+}
+
 Json unsure_json(const Unsure& stretch) {
   return {{"from", stretch.from},
           {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)},
@@ -269,6 +275,12 @@ std::string solution_json(const Case& the_case, const SolveOptions& options,
     result["events"].push_back(
         event_json(solution.events()[index], uncertainty.events()[index],
                    indeterminate(options.law, the_case, solution.events()[index])));
+  }
+  if (settling.lock && settling.lock->swing) {
+    const auto tensions = period_tensions(the_case, solution.events().back().after,
+                                          settling.lock->cables, *settling.lock->swing,
+                                          uncertainty.energy(solution.end_time()).value_or(-1.0));
+    result["settling"]["lock"]["swing"]["tensions"] = json_list(tensions, period_json);
   }
   result["unsure"] = json_list(uncertainty.unsure(), unsure_json);
   result["accumulations"] = json_list(solution.accumulations(), [&](const Accumulation& one) {

@@ -28,7 +28,8 @@ inline constexpr int solution_schema = 4;
 ///     after}|null, indeterminate: [cable] if there are any}], ending, end_time, end_state,
 ///     energy: {start, impacts, completions, end, residual},
 ///     settling: {last_impacts: [{speed, time|null}], lock: {time, uncertainty|null, cables,
-///     permanent, rests, swing: {energy, period, least, largest, amplitude}|null}|null},
+///     permanent, rests, swing: {energy, period, least|null, largest|null, amplitude|null,
+///     angle_of, goes_round, tensions: [{cable, least: {value, error|null}, largest}]}|null}|null},
 ///     accumulations: [{start, time, uncertainty|null, cables, energy_lost}],
 ///     unsure: [{from, until|null, tie: {kind, cables}|null}],
 ///     taut: [{cable, from, until, least: {tension, time}, largest, indeterminate}], a tension and
@@ -50,6 +51,10 @@ inline constexpr int solution_schema = 4;
 /// A `tie` is what rounding decides at `from`: with kind impact which of the cables, taut at one
 /// instant, is hit first; with kind slack whether the cable lets go, whose tension touches zero.
 /// Among `indeterminate` cables the split of an impulse is one of several: that of smallest size.
+///
+/// A `swing` goes to and fro, or round and round: then it has no turning points. Its angles are
+/// those of the "body", or of its first "cable" where the body does not turn with it. `tensions`
+/// are the extremes of a period [N].
 ///
 /// Each value, event and sample is a line.
 ///

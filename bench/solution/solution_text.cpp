@@ -166,8 +166,9 @@ std::string solution_text(const Case& the_case, const Solution& solution, const 
                           const Uncertainty& uncertainty) {
   const SummaryErrors<double> errors = summary_errors(the_case, solution, settling, uncertainty);
   return Summary<double>(the_case, solution, settling, errors, Figures{}).text() +
-         rest_tensions_text(the_case, solution, uncertainty) + split_line(solution, uncertainty) +
-         horizon_text(the_case, solution, uncertainty);
+         rest_tensions_text(the_case, solution, uncertainty) +
+         period_tensions_text(the_case, solution, settling, uncertainty) +
+         split_line(solution, uncertainty) + horizon_text(the_case, solution, uncertainty);
 }
 
 }  // namespace tautline::bench

@@ -18,6 +18,12 @@ namespace tautline::bench {
 [[nodiscard]] std::string solution_text(const Case& the_case, const Solution& solution,
                                         const Settling& settling, const Uncertainty& uncertainty);
 
+/// The least and the largest tension of each cable over a period, a line each; "" where the motion
+/// is not known to repeat, or is beyond the horizon.
+[[nodiscard]] std::string period_tensions_text(const Case& the_case, const Solution& solution,
+                                               const Settling& settling,
+                                               const Uncertainty& uncertainty);
+
 /// The tensions that hold a body at rest at the end, as a line of the summary; "" where it moves.
 [[nodiscard]] std::string rest_tensions_text(const Case& the_case, const Solution& solution,
                                              const Uncertainty& uncertainty);

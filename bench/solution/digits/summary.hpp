@@ -198,6 +198,11 @@ class Summary {
 
   /// What is left of the initial energy, and the swing.
   [[nodiscard]] std::string swing_sentence(const BasicSwing<Real>& swing) const {
+    if (swing.goes_round) {
+      const std::string period =
+          errors_.energy < Real(0) ? "" : " with period " + number(swing.period, errors_.period);
+      return fmt::format("The body goes round and round{}. {}", period, energy_sentence());
+    }
     const Real lowest = energy(case_, solution_.at(solution_.end_time())) - swing.energy;
     const Real start = energy(case_, case_.initial) - lowest;
     const Real rounding = 16 * epsilon<Real>() * (abs(start) + abs(lowest));
@@ -211,10 +216,13 @@ class Summary {
         start > rounding
             ? right_fixed(Real(100 * swing.energy / start), Real(100 * errors_.energy / start), 2)
             : dash;
+    const std::string what = swing.angle == SwingAngle::body
+                                 ? "The body"
+                                 : fmt::format("Cable {}", *settling_.lock->cables.begin());
     return fmt::format(
-        "The body swings with amplitude {} rad and period {}. Of the initial energy {} above the "
+        "{} swings with amplitude {} rad and period {}. Of the initial energy {} above the "
         "equilibrium {} is left{}.",
-        number(swing.amplitude, errors_.amplitude), number(swing.period, errors_.period),
+        what, number(swing.amplitude, errors_.amplitude), number(swing.period, errors_.period),
         number(start, rounding), number(swing.energy, errors_.energy),
         part == dash ? "" : fmt::format(" ({} %)", part));
   }

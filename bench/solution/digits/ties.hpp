@@ -20,9 +20,7 @@ struct NumberTie {
                                                         const BasicSolution<Multi>& solution,
                                                         int digits) {
   const Multi part = pow(Multi(10), -(3 * digits) / 4);  // [-], of the forces of the motion
-  const auto& again = solution.repetition();
-  const std::size_t count = again ? again->first : solution.arcs().size();
-  for (std::size_t index = 0; index < count; ++index) {
+  for (std::size_t index = 0; index < solution.arcs().size(); ++index) {
     const BasicArc<Multi>& arc = solution.arcs()[index];
     const Multi force = the_case.body.mass * acceleration_scale(the_case, arc.initial);
     for (const BasicTouch<Multi>& touch : touches(the_case, solution, index)) {

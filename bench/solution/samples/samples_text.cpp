@@ -135,4 +135,21 @@ std::string rest_tensions_text(const Case& the_case, const Solution& solution,
                      determinate ? "" : " (indeterminate: the smallest that hold the body)");
 }
 
+std::string period_tensions_text(const Case& the_case, const Solution& solution,
+                                 const Settling& settling, const Uncertainty& uncertainty) {
+  const auto error = uncertainty.energy(solution.end_time());
+  if (!error || !settling.lock || !settling.lock->swing) {
+    return "";
+  }
+  const Lock& lock = *settling.lock;
+  std::string result;
+  for (const PeriodTension& one : period_tensions(the_case, solution.events().back().after,
+                                                  lock.cables, *lock.swing, *error)) {
+    result += fmt::format("Tension of cable {} over a period: {} to {}.\n", one.cable,
+                          number_in_words(one.least.value, one.least.error, 6),
+                          number_in_words(one.largest.value, one.largest.error, 6));
+  }
+  return result;
+}
+
 }  // namespace tautline::bench

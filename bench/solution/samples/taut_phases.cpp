@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
+#include "tautline/projection.hpp"
 #include "tautline/rounding.hpp"
+#include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -174,7 +177,9 @@ std::vector<TautPhase> taut_phases(const Case& the_case, const Solution& solutio
           indeterminate = indeterminate || !independent(the_case, arcs[last].initial, seen);
         }
       }
-      TautPhase phase{cable, {arcs[first].start}, {arcs[last - 1].end}, {}, {}, indeterminate};
+      // what repeats goes on to the end
+      const double until = last < arcs.size() ? arcs[last - 1].end : solution.end_time();
+      TautPhase phase{cable, {arcs[first].start}, {until}, {}, {}, indeterminate};
       phase.from.error = event_error(solution, uncertainty, phase.from.value);
       phase.until.error = event_error(solution, uncertainty, phase.until.value);
       if (phase.until.value > phase.from.value) {
@@ -188,6 +193,39 @@ std::vector<TautPhase> taut_phases(const Case& the_case, const Solution& solutio
   std::stable_sort(result.begin(), result.end(), [](const TautPhase& a, const TautPhase& b) {
     return a.from.value < b.from.value;
   });
+  return result;
+}
+
+std::vector<PeriodTension> period_tensions(const Case& the_case, const State& state,
+                                           CableSet cables, const Swing& swing,
+                                           double energy_error) {
+  const auto over_period = [&](double faster) {
+    Case period = the_case;
+    period.initial = projected(the_case, state, cables);
+    period.initial.velocity *= faster;
+    period.initial.spin *= faster;
+    period.duration = swing.period;
+    const Solution solution = solve(period);
+    return std::pair(taut_phases(period, solution, Uncertainty(period, solution)),
+                     energy(period, period.initial));
+  };
+  constexpr double faster = 1.001;  // [-]
+  const auto [phases, energy] = over_period(1.0);
+  const auto [others, more] = over_period(faster);
+  std::vector<PeriodTension> result;
+  for (std::size_t index = 0; index < phases.size(); ++index) {
+    PeriodTension found{phases[index].cable, phases[index].least.tension,
+                        phases[index].largest.tension};
+    if (energy_error < 0.0) {
+      found.least.error = found.largest.error = -1.0;
+    } else if (others.size() == phases.size() && more > energy) {
+      const double part = energy_error / (more - energy);
+      found.least.error += part * std::abs(others[index].least.tension.value - found.least.value);
+      found.largest.error +=
+          part * std::abs(others[index].largest.tension.value - found.largest.value);
+    }
+    result.push_back(found);
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bench/solution/samples/samples.hpp"
+#include "tautline/swing.hpp"
 
 namespace tautline::bench {
 
@@ -25,5 +26,19 @@ struct TautPhase {
 /// Those of every cable, by time and then by cable. A cable that is taut for an instant has none.
 [[nodiscard]] std::vector<TautPhase> taut_phases(const Case& the_case, const Solution& solution,
                                                  const Uncertainty& uncertainty);
+
+/// The extremes of a cable's tension over a period.
+struct PeriodTension {
+  std::size_t cable;
+  Bounded least;    // [N]
+  Bounded largest;  // [N]
+};
+
+/// Those of `cables` in the periodic motion `swing` on them, in which the body of `the_case` is at
+/// `state`. Its energy may be off by `energy_error` [J]; a motion of a little more energy shows
+/// what that does.
+[[nodiscard]] std::vector<PeriodTension> period_tensions(const Case& the_case, const State& state,
+                                                         CableSet cables, const Swing& swing,
+                                                         double energy_error);
 
 }  // namespace tautline::bench

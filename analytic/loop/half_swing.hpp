@@ -26,6 +26,13 @@ struct HalfSwing {
   }
 };
 
+/// The body as far as the cables move it: the turn of a point mass is no part of that, whatever its
+/// inertia.
+template <class Real>
+[[nodiscard]] BasicBody<Real> moved_body(const BasicCase<Real>& the_case) {
+  return {the_case.body.mass, is_point_mass(the_case) ? Real(0) : the_case.body.inertia};
+}
+
 /// The Taylor coefficients of an arc, one row each, in the time since `start` [s], by Horner's
 /// scheme.
 template <class Real>
@@ -85,7 +92,7 @@ class ReturnWatch {
                                         const std::vector<BasicArc<Real>>& arcs,
                                         const BasicState<Real>& end, const Real& length) {
     const BasicArc<Real>& arc = arcs.back();
-    const BasicBody<Real>& body = the_case.body;
+    const BasicBody<Real> body = moved_body(the_case);
     turns_ = !is_point_mass(the_case);
     // a pose at which it is slow tells its direction badly: take one at which it is faster
     const Real energy = kinetic_energy(body, arc.initial);
@@ -139,7 +146,7 @@ class ReturnWatch {
     change.spin = turns_ ? Real(state.spin - from.spin) : Real(0);
     const bool nearer = turns_ && the_case.angle_limit && abs(Real(state.angle - from.angle)) > 1;
     return !nearer && way.template head<2>().norm() <= same * size && abs(way[2]) <= same &&
-           kinetic_energy(the_case.body, change) <= same * same * energy_;
+           kinetic_energy(moved_body(the_case), change) <= same * same * energy_;
   }
 
   std::optional<std::size_t> start_;  // arc, with whose start poses are compared
@@ -168,8 +175,8 @@ class HalfSwingWatch {
       events_ = events;
     }
     const BasicArc<Real>& arc = arcs.back();
-    most_ = max(
-        most_, max(kinetic_energy(the_case.body, arc.initial), kinetic_energy(the_case.body, end)));
+    const BasicBody<Real> body = moved_body(the_case);
+    most_ = max(most_, max(kinetic_energy(body, arc.initial), kinetic_energy(body, end)));
     auto turn = turning_point(the_case, arc, length);
     if (turn && !turn_) {
       turn_ = HalfSwing<Real>{arcs.size() - 1, *turn, Real(0), Real(0)};
@@ -190,7 +197,7 @@ class HalfSwingWatch {
   [[nodiscard]] std::optional<Real> turning_point(const BasicCase<Real>& the_case,
                                                   const BasicArc<Real>& arc,
                                                   const Real& length) const {
-    const BasicBody<Real>& body = the_case.body;
+    const BasicBody<Real> body = moved_body(the_case);
     const Vector3<Real> mass(body.mass, body.mass, body.inertia);
     // it turns where its velocity is against that at the start, or against where it goes from there
     const bool still = is_still(body, arc.initial);
@@ -225,7 +232,7 @@ template <class Real>
   const Vector3<Real> down(gravity.x(), gravity.y(), Real(0));
   Real fastest(0);  // [J]
   const auto note = [&](const BasicState<Real>& state) {
-    fastest = max(fastest, kinetic_energy(the_case.body, state));
+    fastest = max(fastest, kinetic_energy(moved_body(the_case), state));
   };
   for (std::size_t i = half.first; i < arcs.size(); ++i) {
     const bool is_first = i == half.first;

@@ -179,7 +179,8 @@ double ErrorTracker::period_error(const Repetition& again) const {
   // a swing turns there and once more after half of its arcs, which are those of the other half
   const std::size_t half = (arcs.size() - again.first) / 2;
   const double still = 1e-8 * fastest_ * fastest_ * case_.body.mass;
-  const bool turns_back = kinetic_energy(case_.body, start) <= still;
+  const Body moved{case_.body.mass, is_point_mass(case_) ? 0.0 : case_.body.inertia};
+  const bool turns_back = kinetic_energy(moved, start) <= still;
   Spread own = Spread::Zero();
   for (std::size_t k = again.first + (turns_back ? half : 0); k < arcs.size(); ++k) {
     const State& last = k + 1 < arcs.size() ? arcs[k + 1].initial : start;

@@ -111,7 +111,8 @@ BasicReboundSlopes<Real> rebound_slopes(const BasicCase<Real>& the_case, ImpactL
   }
   BasicReboundSlopes<Real> result;
   result.impulses.setZero(impact.impulses.size(), 6);
-  const CableSet active = pulled(impact);
+  // of redundant cables the others follow the independent ones
+  const CableSet active = basis(the_case, impact.before, pulled(impact));
   if (active.empty()) {
     result.after.setIdentity();
     return result;

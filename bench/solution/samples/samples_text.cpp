@@ -145,9 +145,10 @@ std::string period_tensions_text(const Case& the_case, const Solution& solution,
   std::string result;
   for (const PeriodTension& one : period_tensions(the_case, solution.events().back().after,
                                                   lock.cables, *lock.swing, *error)) {
-    result += fmt::format("Tension of cable {} over a period: {} to {}.\n", one.cable,
-                          number_in_words(one.least.value, one.least.error, 6),
-                          number_in_words(one.largest.value, one.largest.error, 6));
+    const std::string least = number_in_words(one.least.value, one.least.error, 6);
+    const std::string largest = number_in_words(one.largest.value, one.largest.error, 6);
+    result += fmt::format("Tension of cable {} over a period: {}.\n", one.cable,
+                          least == largest ? least : least + " to " + largest);
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "loop/record.hpp"
 #include "tautline/case.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/solution.hpp"
@@ -35,10 +36,11 @@ template <class Real>
   return the_case;
 }
 
-/// The same motion with the world's origin at `origin`.
+/// The same motion with the world's origin at `origin`, where it is that of `the_case`.
 template <class Real>
 [[nodiscard]] BasicSolution<Real> seen_from(const BasicVec2<Real>& origin,
-                                            const BasicSolution<Real>& solution) {
+                                            const BasicSolution<Real>& solution,
+                                            const BasicCase<Real>& the_case) {
   std::vector<BasicArc<Real>> arcs = solution.arcs();
   for (BasicArc<Real>& arc : arcs) {
     arc.initial.position -= origin;
@@ -52,7 +54,7 @@ template <class Real>
     event.before.position -= origin;
     event.after.position -= origin;
   }
-  return {solution.gravity(),       std::move(arcs),  std::move(events),    solution.ending(),
+  return {system_of(the_case),      std::move(arcs),  std::move(events),    solution.ending(),
           solution.accumulations(), solution.swing(), solution.repetition()};
 }
 

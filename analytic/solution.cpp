@@ -7,6 +7,7 @@
 
 #include "instantiate.hpp"
 #include "tautline/flight.hpp"
+#include "tautline/tension.hpp"
 
 namespace tautline {
 
@@ -25,12 +26,12 @@ BasicState<Real> BasicArc<Real>::after(const Real& dt, const BasicVec2<Real>& gr
 }
 
 template <class Real>
-BasicSolution<Real>::BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc<Real>> arcs,
+BasicSolution<Real>::BasicSolution(BasicCase<Real> system, std::vector<BasicArc<Real>> arcs,
                                    std::vector<BasicEvent<Real>> events, Ending ending,
                                    std::vector<BasicAccumulation<Real>> accumulations,
                                    std::optional<BasicSwing<Real>> swing,
                                    std::optional<BasicRepetition<Real>> repetition)
-    : gravity_(std::move(gravity)),
+    : system_(std::move(system)),
       arcs_(std::move(arcs)),
       events_(std::move(events)),
       ending_(ending),
@@ -43,18 +44,46 @@ BasicSolution<Real>::BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc
 }
 
 template <class Real>
-BasicState<Real> BasicSolution<Real>::at(const Real& time) const {
+const BasicArc<Real>& BasicSolution<Real>::arc_at(const Real& time) const {
   if (!(time >= 0 && time <= end_time())) {
     throw std::out_of_range("time " + std::to_string(static_cast<double>(time)) +
                             " is outside the solution, which ends at " +
                             std::to_string(static_cast<double>(end_time())));
   }
-  // the last arc that starts at or before `time`: after an event, not before it
+  // after an event, not before it
   const auto next =
       std::upper_bound(arcs_.begin(), arcs_.end(), time,
                        [](const Real& t, const BasicArc<Real>& arc) { return t < arc.start; });
-  const BasicArc<Real>& arc = *std::prev(next);
-  return arc.after(time - arc.start, gravity_);
+  return *std::prev(next);
+}
+
+template <class Real>
+BasicState<Real> BasicSolution<Real>::at(const Real& time) const {
+  const BasicArc<Real>& arc = arc_at(time);
+  return arc.after(time - arc.start, gravity());
+}
+
+template <class Real>
+BasicCableVector<Real> BasicSolution<Real>::tensions(const Real& time) const {
+  const BasicArc<Real>& arc = arc_at(time);
+  return tensions(arc, time - arc.start);
+}
+
+template <class Real>
+BasicCableVector<Real> BasicSolution<Real>::tensions(const BasicArc<Real>& arc,
+                                                     const Real& dt) const {
+  BasicCableVector<Real> result =
+      BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(system_.cables.size()));
+  if (arc.taut.empty()) {
+    return result;
+  }
+  const BasicCableVector<Real> pulls =
+      holding_tensions(system_, arc.after(dt, gravity()), arc.taut);
+  Eigen::Index row = 0;
+  for (const std::size_t index : arc.taut) {
+    result[static_cast<Eigen::Index>(index)] = pulls[row++];
+  }
+  return result;
 }
 
 template struct BasicArc<Instance>;

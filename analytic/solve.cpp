@@ -132,7 +132,7 @@ class Motion final : public PausedMotion<Real> {
   }
 
   [[nodiscard]] BasicSolution<Real> solution() override {
-    return record_.solution(case_.gravity, *ending_);
+    return record_.solution(case_, *ending_);
   }
 
  private:
@@ -376,7 +376,7 @@ BasicSolution<Real> solve(const BasicCase<Real>& the_case, const SolveOptions& o
     return Motion<Real>(the_case, options, touching).run();
   }
   const BasicCase<Real> near = seen_from(origin, the_case);
-  return seen_from<Real>(-origin, Motion<Real>(near, options, touching).run());
+  return seen_from<Real>(-origin, Motion<Real>(near, options, touching).run(), the_case);
 }
 
 template BasicSolution<Instance> solve(const BasicCase<Instance>&, const SolveOptions&);

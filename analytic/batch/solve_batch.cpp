@@ -101,7 +101,7 @@ class Batch {
     if (!body.motion->advance()) {
       Solution solution = body.motion->solution();
       if (!body.origin.isZero(0)) {
-        solution = seen_from<double>(-body.origin, solution);
+        solution = seen_from<double>(-body.origin, solution, cases_[body.index]);
       }
       take_(body.index, solution);
       body.room = Record<double>::in_room_of(std::move(solution));

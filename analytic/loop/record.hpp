@@ -24,6 +24,18 @@ template <class Real>
   return rest;
 }
 
+/// The body, the cables and gravity of `the_case`; `room` is for the cables.
+template <class Real>
+[[nodiscard]] BasicCase<Real> system_of(const BasicCase<Real>& the_case,
+                                        std::vector<BasicCable<Real>> room = {}) {
+  BasicCase<Real> result;
+  result.body = the_case.body;
+  room = the_case.cables;
+  result.cables = std::move(room);
+  result.gravity = the_case.gravity;
+  return result;
+}
+
 /// What has been found out of a motion, in order of time.
 template <class Real>
 struct Record {
@@ -32,6 +44,7 @@ struct Record {
   std::vector<BasicAccumulation<Real>> accumulations;
   std::optional<BasicSwing<Real>> swing;  // to and fro at its end, for ever
   std::optional<BasicRepetition<Real>> repetition;
+  std::vector<BasicCable<Real>> cables = {};  // of a solution before: room
 
   /// An empty one with the room that a solution has had: memory comes and goes in pages, which cost
   /// more than what is written there.
@@ -40,18 +53,23 @@ struct Record {
                   std::move(solution.events_),
                   std::move(solution.accumulations_),
                   {},
-                  {}};
+                  {},
+                  std::move(solution.system_.cables)};
     record.arcs.clear();
     record.events.clear();
     record.accumulations.clear();
     return record;
   }
 
-  /// Its end: the record is then empty.
-  [[nodiscard]] BasicSolution<Real> solution(const BasicVec2<Real>& gravity, Ending ending) {
-    return {
-        gravity,          std::move(arcs),      std::move(events), ending, std::move(accumulations),
-        std::move(swing), std::move(repetition)};
+  /// Its end, of the motion of `the_case`: the record is then empty.
+  [[nodiscard]] BasicSolution<Real> solution(const BasicCase<Real>& the_case, Ending ending) {
+    return {system_of(the_case, std::move(cables)),
+            std::move(arcs),
+            std::move(events),
+            ending,
+            std::move(accumulations),
+            std::move(swing),
+            std::move(repetition)};
   }
 };
 

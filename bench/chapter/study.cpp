@@ -51,7 +51,7 @@ Solution rounded(const BasicSolution<Multi>& solution) {
   const auto of_each = [](const auto& all) {
     return listed(all, [](const auto& one) { return rounded(one); });
   };
-  return {rounded(solution.gravity()), of_each(solution.arcs()), of_each(solution.events()),
+  return {in_double(solution.system()), of_each(solution.arcs()), of_each(solution.events()),
           solution.ending(), of_each(solution.accumulations())};
 }
 

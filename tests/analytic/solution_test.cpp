@@ -75,7 +75,7 @@ TEST(Solution, ThrowsOutsideItsTimes) {
 }
 
 TEST(Solution, NeedsAnArc) {
-  EXPECT_THROW(Solution(Vec2::Zero(), {}, {}, Ending::rest, {}), std::invalid_argument);
+  EXPECT_THROW(Solution(Case(), {}, {}, Ending::rest, {}), std::invalid_argument);
 }
 
 TEST(Solution, IsTheSameToTheLastBitEveryTime) {

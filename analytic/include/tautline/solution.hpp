@@ -93,8 +93,9 @@ struct Record;
 template <class Real>
 class BasicSolution {
  public:
-  /// Made by solve(): arcs in order, each from the end of the one before.
-  BasicSolution(BasicVec2<Real> gravity, std::vector<BasicArc<Real>> arcs,
+  /// Made by solve(): arcs in order, each from the end of the one before. Of `system` the body, the
+  /// cables and gravity are used.
+  BasicSolution(BasicCase<Real> system, std::vector<BasicArc<Real>> arcs,
                 std::vector<BasicEvent<Real>> events, Ending ending,
                 std::vector<BasicAccumulation<Real>> accumulations,
                 std::optional<BasicSwing<Real>> swing = std::nullopt,
@@ -104,7 +105,18 @@ class BasicSolution {
   /// Throws std::out_of_range outside.
   [[nodiscard]] BasicState<Real> at(const Real& time) const;
 
-  [[nodiscard]] const BasicVec2<Real>& gravity() const { return gravity_; }  // [m/s^2]
+  /// The tension [N] of each cable of the case at `time` in [0, end_time()], 0 for a slack one; at
+  /// an event, the tension after it (Eq. 16). Statics do not determine the tensions of a redundant
+  /// set of cables: these are the smallest, by the sum of their squares, of those that pull.
+  /// Throws std::out_of_range outside.
+  [[nodiscard]] BasicCableVector<Real> tensions(const Real& time) const;
+
+  /// The same `dt` [s] after the start of `arc`, one of arcs(). At its end: before the event there.
+  [[nodiscard]] BasicCableVector<Real> tensions(const BasicArc<Real>& arc, const Real& dt) const;
+
+  /// The body, the cables and the gravity of its case.
+  [[nodiscard]] const BasicCase<Real>& system() const { return system_; }
+  [[nodiscard]] const BasicVec2<Real>& gravity() const { return system_.gravity; }  // [m/s^2]
   /// In order, at least one.
   [[nodiscard]] const std::vector<BasicArc<Real>>& arcs() const { return arcs_; }
   /// In order of time.
@@ -128,7 +140,11 @@ class BasicSolution {
  private:
   friend struct Record<Real>;  // whose room it may have, and gives back
 
-  BasicVec2<Real> gravity_;
+  /// The last arc that starts at or before `time`. Throws std::out_of_range outside of the
+  /// solution.
+  [[nodiscard]] const BasicArc<Real>& arc_at(const Real& time) const;
+
+  BasicCase<Real> system_;            // without a name, a start and a duration
   std::vector<BasicArc<Real>> arcs_;  // never empty; each starts where the one before ends
   std::vector<BasicEvent<Real>> events_;
   Ending ending_;

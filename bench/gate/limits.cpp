@@ -14,6 +14,7 @@
 #include "bench/base/toml/value.hpp"
 #include "bench/measure/metric_list.hpp"
 #include "shipped_limits.inc"
+#include "tautline/case.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -24,8 +25,12 @@ constexpr std::size_t longest_limits_file = std::size_t{1} << 20U;
 /// More entries of one kind than this are a mistake: every run is held against each of them.
 constexpr std::size_t most_entries = 10'000;
 
+/// What a limit is made of: finite, too, times a step or over one.
+const Range part_of_limit = {"from 0 to 1e20",
+                             [](double x) { return x >= 0.0 && x <= largest_number; }, 0.0};
+
 const Range right_schema = {"1, the form that this program reads",
-                            [](double x) { return x == limits_schema; }};
+                            [](double x) { return x == limits_schema; }, limits_schema};
 
 std::vector<std::string> metric_names() {
   return listed<std::string>(metric_list(), &Metric::name);
@@ -140,9 +145,9 @@ Limit read_limit(StrictTable& table, const Names& names) {
   limit.metric = table.one_of("metric", metric_names());
   const std::string unit = unit_of(limit.metric);
   const std::string shown = unit.empty() ? "" : "[" + unit + "]";
-  limit.constant = table.number("limit", zero_or_above, shown);
-  limit.per_step = table.optional_number("per_step", zero_or_above, "").value_or(0.0);
-  limit.over_step = table.optional_number("over_step", zero_or_above, "").value_or(0.0);
+  limit.constant = table.number("limit", part_of_limit, shown);
+  limit.per_step = table.optional_number("per_step", part_of_limit, "").value_or(0.0);
+  limit.over_step = table.optional_number("over_step", part_of_limit, "").value_or(0.0);
   if (unit.empty()) {  // the metric has been refused: nothing to hold the unit against
     static_cast<void>(table.text("unit"));
   } else {

@@ -7,6 +7,7 @@
 #include "bench/measure/impact_errors.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "bench/measure/settling_match.hpp"
+#include "bench/measure/tension_match.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -105,6 +106,12 @@ Metrics compare(const Case& the_case, const Solution& solution, const Settling& 
                                             pairs, ends[static_cast<std::size_t>(Window::horizon)]);
   metrics.impulse_error = errors.impulse;
   metrics.energy_loss_error = errors.energy_loss;
+  const double sure_end = ends[static_cast<std::size_t>(Window::horizon)];
+  const TensionMatch tensions = match_tensions(the_case, solution, run, sure_end);
+  metrics.rest_tension = tensions.at_rest;
+  metrics.largest_tension = tensions.largest;
+  metrics.first_impulse =
+      match_first_impulse(the_case, solution, run, options.count_speed, sure_end);
   return metrics;
 }
 

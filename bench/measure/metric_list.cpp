@@ -54,6 +54,13 @@ Value optional_number(const Metrics& metrics) {
   return metrics.*number;
 }
 
+/// How far a number of the run is off the exact one.
+template <std::optional<ExactAndFound> Metrics::*number>
+Value distance_of(const Metrics& metrics) {
+  const std::optional<ExactAndFound>& both = metrics.*number;
+  return both ? Value(std::abs(both->found - both->exact)) : std::nullopt;
+}
+
 constexpr std::string_view position = "position error";
 constexpr std::string_view angle = "angle error";
 constexpr std::string_view velocity = "velocity error";
@@ -140,6 +147,21 @@ constexpr std::array list = {
            "alone, in one step, up to the horizon.",
            optional_number<&Metrics::energy_loss_error>, as_error, Aggregate::typical,
            NoiseKind::any, Shown::by_run_and_over_cases},
+    Metric{"first_impulse_error", "first impulse", "impacts off by", "", "N s",
+           "How far the impulse of the first impact is off, where one cable alone is hit.",
+           distance_of<&Metrics::first_impulse>, as_error, Aggregate::none, NoiseKind::any,
+           Shown::by_run},
+    Metric{
+        "rest_tension_error", "at rest", "tension off by", "", "N",
+        "How far the tension of a cable is off at worst, where the exact motion ends at rest and "
+        "the engine tells its tensions.",
+        distance_of<&Metrics::rest_tension>, as_error, Aggregate::none, NoiseKind::any,
+        Shown::by_run},
+    Metric{"largest_tension_error", "largest", "tension off by", "", "N",
+           "How far the largest tension of a taut phase is off, up to the predictability horizon, "
+           "where the engine tells its tensions.",
+           distance_of<&Metrics::largest_tension>, as_error, Aggregate::none, NoiseKind::any,
+           Shown::by_run},
     Metric{"overstretch", "overstretch", "", "stretch", "m",
            "Largest length of a cable beyond its own.", always<&Metrics::overstretch>, as_error,
            Aggregate::extreme, NoiseKind::extreme, Shown::by_run_and_over_cases, 5},

@@ -76,6 +76,9 @@ struct Metrics {
   std::optional<MeasuredRestitution> restitution;  // none if no impact was counted
   std::optional<double> impulse_error;             // [%] of the exact impulse, at worst
   std::optional<double> energy_loss_error;         // [J] of one impact, at worst
+  std::optional<ExactAndFound> rest_tension;       // [N], of the cable that is off most
+  std::optional<ExactAndFound> largest_tension;    // [N], of a taut phase
+  std::optional<ExactAndFound> first_impulse;      // [N s], of the first impact
 
   [[nodiscard]] const Deviation& deviation_in(Window window) const {
     return deviation[static_cast<std::size_t>(window)];

@@ -31,7 +31,6 @@ namespace fs = std::filesystem;
 /// What `tautline ensemble` was asked.
 struct EnsembleCommand {
   std::string spec;
-  std::string command_line;
   std::optional<std::string> the_case;  // none: that of the spec
   std::optional<long long> count;       // none: that of the spec
   fs::path out = "ensemble";
@@ -131,7 +130,7 @@ EnsembleReading read_ensemble(const EnsembleCommand& command) {
 
 /// Writes the page, Markdown and JSON, and prints what differs.
 void give(const EnsembleCommand& command, const EnsembleReport& report) {
-  write_ensemble(command.out, report, command.command_line);
+  write_ensemble(command.out, report);
   if (command.json != "-") {
     fmt::print("{}\nensemble: {}, with ensemble.md, ensemble.json and draws/ beside it\n",
                ensemble_text(report, output_style()), (command.out / "index.html").string());
@@ -145,7 +144,7 @@ void give(const EnsembleCommand& command, const EnsembleReport& report) {
 EnsembleResult solve_alone(const EnsembleCommand& command, const EnsembleReading& reading) {
   const auto write = [&](const EnsembleResult& so_far) {
     const Findings findings = findings_of(reading.request, so_far, reading.options.jobs);
-    write_ensemble(command.out, {reading.request, so_far, findings}, command.command_line);
+    write_ensemble(command.out, {reading.request, so_far, findings});
   };
   ResultsSoFar results(write, error_screen().clock);
   EnsembleOptions options = reading.options;
@@ -274,11 +273,10 @@ int ensemble_command(const EnsembleCommand& command) {
 
 }  // namespace
 
-void add_ensemble(CLI::App& app, int& code, const std::string& command_line) {
+void add_ensemble(CLI::App& app, int& code) {
   CLI::App* const command =
       app.add_subcommand("ensemble", "Many draws of a case, by engines too, as distributions");
   const auto asked = std::make_shared<EnsembleCommand>();
-  asked->command_line = command_line;
   command
       ->add_option(
           "SPEC", asked->spec,

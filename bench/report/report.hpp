@@ -90,9 +90,12 @@ struct RunDetails {
   std::vector<LastImpactMatch> last_impacts;
   std::optional<SwingMatch> swing;
   std::optional<MeasuredRestitution> restitution;
-  std::size_t stride = 1;            // every stride-th step was sampled
-  std::size_t recorded_impacts = 0;  //
-  std::size_t slow_impacts = 0;      // that were only counted
+  std::optional<ExactAndFound> rest_tension;     // [N]
+  std::optional<ExactAndFound> largest_tension;  // [N]
+  std::optional<ExactAndFound> first_impulse;    // [N s]
+  std::size_t stride = 1;                        // every stride-th step was sampled
+  std::size_t recorded_impacts = 0;              //
+  std::size_t slow_impacts = 0;                  // that were only counted
 
   [[nodiscard]] const OfWindow& in(Window window) const {
     return of_windows[static_cast<std::size_t>(window)];

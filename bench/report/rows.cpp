@@ -56,6 +56,9 @@ RunDetails details_of(const Metrics& metrics, const Trajectory& run) {
   details.last_impacts = metrics.last_impacts;
   details.swing = metrics.swing;
   details.restitution = metrics.restitution;
+  details.rest_tension = metrics.rest_tension;
+  details.largest_tension = metrics.largest_tension;
+  details.first_impulse = metrics.first_impulse;
   details.stride = run.stride;
   details.recorded_impacts = run.impacts.size();
   details.slow_impacts = run.slow_impacts;

@@ -99,6 +99,22 @@ std::string swing_sentence(const SwingMatch& swing) {
                      found_and_exact(swing.amplitude.found, swing.amplitude.exact, "rad", 5));
 }
 
+/// The tensions and the first impulse, a sentence each where there is one.
+std::vector<std::string> pull_sentences(const RunDetails& details) {
+  std::vector<std::string> sentences;
+  const auto add = [&](const char* name, const std::optional<ExactAndFound>& both,
+                       const char* unit) {
+    if (both) {
+      sentences.push_back(
+          fmt::format("{}: {}.", name, found_and_exact(both->found, both->exact, unit, 6)));
+    }
+  };
+  add("Tension at rest", details.rest_tension, "N");
+  add("Largest tension of a taut phase", details.largest_tension, "N");
+  add("Impulse of the first impact", details.first_impulse, "N s");
+  return sentences;
+}
+
 std::string restitution_sentence(const MeasuredRestitution& measured) {
   return fmt::format("Restitution of {}: {} in the mean, from {} to {}.",
                      counted(measured.count, "impact"), fixed_text(measured.mean, 4),
@@ -125,6 +141,8 @@ std::string sentences_of(const RunDetails& details, bool all, std::size_t width)
   if (details.restitution) {
     sentences.push_back(restitution_sentence(*details.restitution));
   }
+  const std::vector<std::string> pulls = pull_sentences(details);
+  sentences.insert(sentences.end(), pulls.begin(), pulls.end());
   if (all) {
     sentences.push_back(fmt::format("Recorded: {}.", counted(details.recorded_impacts, "impact")));
   }

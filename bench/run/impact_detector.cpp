@@ -34,6 +34,7 @@ ImpactDetector::ImpactDetector(const Case& the_case, double slowest)
     : case_(the_case),
       slowest_(slowest),
       bursts_(the_case.cables.size()),
+      turned_(the_case.cables.size()),
       threshold_(least_impulse * the_case.body.mass * speed(the_case)) {}
 
 void ImpactDetector::take(double start, double dt, const State& before, const State& after,
@@ -54,7 +55,7 @@ void ImpactDetector::take(double start, double dt, const State& before, const St
                                     [this](double impulse) { return impulse > threshold_; }) > 1;
   for (std::size_t index = 0; index < bursts_.size(); ++index) {
     if (impulses[index] > threshold_) {
-      extend(index, start, before, after, impulses[index]);
+      extend(index, start, dt, before, after, impulses[index]);
       bursts_[index]->stray += stray;
       bursts_[index]->shared = bursts_[index]->shared || shared;
     } else {
@@ -93,7 +94,7 @@ void ImpactDetector::take_located(const Event& event) {
     const Cable& cable = case_.cables[index];
     keep({event.time, index, impulses[index], gap_rate(cable, event.before),
           gap_rate(cable, event.after), 0, event.before, event.after, stray, event.time,
-          cables.size() > 1});
+          cables.size() > 1, impulses[index]});
   }
 }
 
@@ -115,24 +116,33 @@ Eigen::Vector3d ImpactDetector::unexplained(const State& before, const State& af
 /// The rates are of the engine's own velocities before and after the step, at the pose the step
 /// started from: an engine bounces the velocity it stores, so this is its restitution as it means
 /// it.
-void ImpactDetector::extend(std::size_t index, double start, const State& before,
+void ImpactDetector::extend(std::size_t index, double start, double dt, const State& before,
                             const State& after, double impulse) {
   const Cable& cable = case_.cables[index];
   std::optional<RecordedImpact>& burst = bursts_[index];
   if (!burst) {
     burst = RecordedImpact{start, index, 0.0, gap_rate(cable, before), 0.0, 0, before, before};
+    burst->snap = 0.0;
   }
   burst->ended = start;
   burst->after = before;
   burst->after.velocity = after.velocity;
   burst->after.spin = after.spin;
   burst->rate_after = gap_rate(cable, burst->after);
+  if (burst->steps == 0 || !turned_[index]) {
+    burst->snap += impulse;
+    // an engine may give a part of gravity's impulse after the cable has stopped the body
+    turned_[index] = burst->rate_after > -(slowest_ + dt * case_.gravity.norm());
+  }
   burst->impulse += impulse;
   ++burst->steps;
 }
 
 void ImpactDetector::close(std::size_t index) {
   if (bursts_[index]) {
+    if (bursts_[index]->rate_after > slowest_) {  // thrown back: all of it was the impact
+      bursts_[index]->snap = bursts_[index]->impulse;
+    }
     keep(*bursts_[index]);
     bursts_[index].reset();
   }

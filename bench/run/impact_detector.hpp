@@ -30,7 +30,7 @@ class ImpactDetector {
   void take_located(const Event& event);
   [[nodiscard]] Eigen::Vector3d unexplained(const State& before, const State& after,
                                             std::span<const double> impulses, double dt) const;
-  void extend(std::size_t index, double start, const State& before, const State& after,
+  void extend(std::size_t index, double start, double dt, const State& before, const State& after,
               double impulse);
   void close(std::size_t index);
   void keep(const RecordedImpact& impact);
@@ -38,6 +38,7 @@ class ImpactDetector {
   const Case& case_;
   double slowest_;                                     // [m/s]
   std::vector<std::optional<RecordedImpact>> bursts_;  // one per cable: the impact now going on
+  std::vector<bool> turned_;                           // of each burst: it closes no more
   double threshold_;                                   // [N s]
   std::vector<RecordedImpact> impacts_;
   std::size_t slow_impacts_ = 0;

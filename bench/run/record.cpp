@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "bench/run/impact_detector.hpp"
 #include "tautline/geometry.hpp"
@@ -33,6 +36,51 @@ double worst_overstretch(const Case& the_case, const State& state) {
   return worst;
 }
 
+/// The tensions of a run, from the impulses of its steps.
+class TensionRecorder {
+ public:
+  TensionRecorder(const Case& the_case, const Simulation& simulation, Trajectory& run)
+      : told_(dynamic_cast<const TensionImpulses*>(&simulation)),
+        sums_(the_case.cables.size()),
+        run_(run) {
+    if (told_ != nullptr) {
+      run_.tensions.assign(sums_.size(), std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+
+  void take_step() {
+    if (told_ == nullptr) {
+      return;
+    }
+    const auto impulses = told_->tension_impulses();
+    if (impulses.size() != sums_.size()) {
+      throw std::runtime_error("the engine gave " + std::to_string(impulses.size()) +
+                               " impulses of tensions for " + std::to_string(sums_.size()) +
+                               " cables");
+    }
+    for (std::size_t index = 0; index < sums_.size(); ++index) {
+      sums_[index] += impulses[index];
+    }
+  }
+
+  /// The last two points of the run are the ends of the stretch.
+  void take_point() {
+    if (told_ == nullptr) {
+      return;
+    }
+    const double length = run_.points.back().time - run_.points.end()[-2].time;
+    for (double& sum : sums_) {
+      run_.tensions.push_back(sum / length);
+      sum = 0.0;
+    }
+  }
+
+ private:
+  const TensionImpulses* told_;  // null: of none
+  std::vector<double> sums_;     // [N s], since the last point
+  Trajectory& run_;
+};
+
 }  // namespace
 
 bool reaches(const Trajectory& run, double time) {
@@ -58,6 +106,7 @@ Trajectory record(const Case& the_case, Simulation& simulation, double step,
   run.largest_energy = energy(the_case, now);
   run.stop = simulation.stopped();
   ImpactDetector detector(the_case, options.slowest);
+  TensionRecorder tensions(the_case, simulation, run);
   for (std::size_t index = 0; index < steps && !run.stop; ++index) {
     const double start = static_cast<double>(index) * step;
     const bool last = index + 1 == steps;
@@ -71,11 +120,13 @@ Trajectory record(const Case& the_case, Simulation& simulation, double step,
       break;
     }
     detector.take(start, dt, before, now, simulation);
+    tensions.take_step();
     run.overstretch = std::max(run.overstretch, worst_overstretch(the_case, now));
     run.largest_energy = std::max(run.largest_energy, energy(the_case, now));
     if (last || run.stop || (index + 1) % run.stride == 0) {
       const double end = last ? the_case.duration : static_cast<double>(index + 1) * step;
       run.points.push_back({run.stop ? run.stop->time : end, now});
+      tensions.take_point();
     }
   }
   if (run.stop && !within_run(the_case, run.stop->time)) {

@@ -20,7 +20,8 @@ struct RecordOptions {
 
 /// Steps `simulation` of `the_case` to the case's duration and records it. The one impact detector
 /// for all engines is in here: a simulation that locates its impacts is believed; else a run of
-/// consecutive steps with an impulse of one cable is one impact of that cable.
+/// consecutive steps with an impulse of one cable is one impact of that cable. A simulation that
+/// tells of its tensions (`TensionImpulses`) has them recorded.
 /// Throws std::runtime_error if the simulation says what makes no sense: too few impulses, an event
 /// of a cable that is not there, a time outside the run.
 [[nodiscard]] Trajectory record(const Case& the_case, Simulation& simulation, double step,
@@ -29,6 +30,9 @@ struct RecordOptions {
 /// True where `run` goes on to `time` [s]. It may stop where impacts accumulate, and rounding moves
 /// that instant: a little before is near enough.
 [[nodiscard]] bool reaches(const Trajectory& run, double time);
+
+/// More steps than this in one run are refused: at a microsecond each they take 15 minutes.
+inline constexpr double most_steps = 1e9;
 
 /// Steps needed for `duration` [s]; the last may be shorter.
 [[nodiscard]] std::size_t step_count(double duration, double step);

@@ -31,13 +31,18 @@ struct RecordedImpact {
   Eigen::Vector3d stray = Eigen::Vector3d::Zero();
   double ended = time;  // [s], start of the last of those steps: where `after` is
   bool shared = false;  // another cable pulled in its steps: the velocity jump is of both
+  /// [N s], of the impact alone: where a cable goes on taut, `impulse` has its tension, too.
+  double snap = impulse;
 };
 
 /// What one run did.
 struct Trajectory {
-  double step = 0.0;                     // [s]
-  std::size_t stride = 1;                // every stride-th step is in `points`
-  std::vector<Point> points;             // the first is the start, the last the end of the run
+  double step = 0.0;          // [s]
+  std::size_t stride = 1;     // every stride-th step is in `points`
+  std::vector<Point> points;  // the first is the start, the last the end of the run
+  /// The mean tension [N] of each cable between every point and the one before, point after point;
+  /// no number at the start. Without that of located impacts. Empty: the engine tells of none.
+  std::vector<double> tensions;
   std::vector<RecordedImpact> impacts;   // in rising time, all but the slow ones
   std::size_t slow_impacts = 0;          // the others: chatter of a cable that is as good as taut
   double overstretch = 0.0;              // [m], the largest, over every step

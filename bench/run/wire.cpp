@@ -136,6 +136,7 @@ void pass_impact(auto& numbers, auto& impact) {
     numbers(impact.stray[k]);
   }
   numbers(impact.shared);
+  numbers(impact.snap);
 }
 
 void pass_run(auto& numbers, auto& run) {
@@ -158,6 +159,10 @@ void pass_run(auto& numbers, auto& run) {
   for (auto& point : trajectory.points) {
     numbers(point.time);
     pass_state(numbers, point.state);
+  }
+  numbers.fit(trajectory.tensions);
+  for (auto& tension : trajectory.tensions) {
+    numbers(tension);
   }
   numbers.fit(trajectory.impacts);
   for (auto& impact : trajectory.impacts) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bench/base/text.hpp"
+#include "bench/run/record.hpp"
 #include "bench/suite/tree.hpp"
 
 namespace tautline::bench {

@@ -66,7 +66,4 @@ inline constexpr std::size_t longest_command = 1000;
 /// More worker processes than this at a time are refused.
 inline constexpr unsigned most_jobs = 256;
 
-/// More steps than this in one run are refused: at a microsecond each they take 15 minutes.
-inline constexpr double most_steps = 1e9;
-
 }  // namespace tautline::bench

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -105,21 +106,33 @@ fs::path run_folder(const fs::path& out, const RunKey& run) {
 }
 
 std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
-  std::string csv = "time,x,y,angle,vx,vy,spin,event\n";
+  const std::size_t cables = run.tensions.size() / run.points.size();
+  std::string csv = "time,x,y,angle,vx,vy,spin,event";
+  for (std::size_t cable = 0; cable < cables; ++cable) {
+    csv += fmt::format(",tension_{}", cable);
+  }
+  csv += '\n';
+  const std::string no_tensions(cables, ',');
   const std::size_t stride =
       std::max<std::size_t>(1, run.points.size() / std::max<std::size_t>(1, samples));
   const std::vector<ImpactLine> impacts = impact_lines(run);
   auto impact = impacts.begin();
   const auto impacts_until = [&](double time) {
     for (; impact != impacts.end() && impact->time <= time; ++impact) {
-      csv += fmt::format("{},{},{}\n", impact->time, state_columns(*impact->state), impact->side);
+      csv += fmt::format("{},{},{}{}\n", impact->time, state_columns(*impact->state), impact->side,
+                         no_tensions);
     }
   };
   for (std::size_t index = 0; index < run.points.size(); ++index) {
     const auto& [time, state] = run.points[index];
     if (index % stride == 0 || index + 1 == run.points.size()) {
       impacts_until(time);
-      csv += fmt::format("{},{},\n", time, state_columns(state));
+      csv += fmt::format("{},{},", time, state_columns(state));
+      for (std::size_t cable = 0; cable < cables; ++cable) {
+        const double tension = run.tensions[index * cables + cable];
+        csv += std::isfinite(tension) ? fmt::format(",{}", tension) : ",";
+      }
+      csv += '\n';
     }
   }
   impacts_until(std::numeric_limits<double>::infinity());

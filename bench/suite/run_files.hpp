@@ -15,8 +15,9 @@ namespace tautline::bench {
 /// The folder of one run inside a result tree: runs/<case>/<engine>/<model>/<step>.
 [[nodiscard]] std::filesystem::path run_folder(const std::filesystem::path& out, const RunKey& run);
 
-/// Time, state and event of a run as CSV; an impact is two rows, before and
-/// after: at one time, but where a push lasts several steps.
+/// Time, state and event of a run as CSV; an impact is two rows, before and after: at one time, but
+/// where a push lasts several steps. Where the engine tells of them, the mean tension [N] of each
+/// cable since the point before: a row of an impact has none.
 [[nodiscard]] std::string trajectory_csv(const Trajectory& run, std::size_t samples);
 
 /// The impacts of a run as CSV.

@@ -45,14 +45,15 @@ std::string at_time(const std::string& what, double time) {
   return what + " at t = " + buffer;
 }
 
-class EventDriven final : public Simulation {
+class EventDriven final : public Simulation, public TensionImpulses {
  public:
   EventDriven(const Case& the_case, std::unique_ptr<EventAdapter> adapter, ImpactLaw law)
       : case_(the_case),
         adapter_(std::move(adapter)),
         law_(law),
         rounding_(adapter_->rounding()),
-        impulses_(the_case.cables.size()) {
+        impulses_(the_case.cables.size()),
+        tension_impulses_(the_case.cables.size()) {
     // what is completed at once is shorter than the square of that; a rebound near the engine's
     // rounding would be told from none by chance
     completion_.speed = std::sqrt(rounding_.rate);
@@ -66,12 +67,16 @@ class EventDriven final : public Simulation {
 
   [[nodiscard]] State state() const override { return adapter_->state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] std::span<const double> tension_impulses() const override {
+    return tension_impulses_;
+  }
   [[nodiscard]] std::span<const Event> events() const override { return events_; }
   [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
 
   /// Flight or swing, strike, and again, until the step is over.
   void step(double dt) override {
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
+    std::fill(tension_impulses_.begin(), tension_impulses_.end(), 0.0);
     events_.clear();
     double rest = dt;
     std::size_t idle = 0;  // moves since the latest strike
@@ -181,9 +186,9 @@ class EventDriven final : public Simulation {
       return rest;
     }
     dt = std::clamp(dt, shortest_move(start, rest), rest);
-    bool holds = taut_step(case_, *adapter_, held_->pulling, dt);
+    std::optional<CableVector> pulled = taut_step(case_, *adapter_, held_->pulling, dt);
     // the exact motion foretells the contact of the engine's but for the error of its step
-    for (int pass = 0; holds && pass < most_corrections; ++pass) {
+    for (int pass = 0; pulled && pass < most_corrections; ++pass) {
       const auto [correction, cables] = late_by(contact);
       const bool near = std::abs(correction) <= contact_rounding * rest;
       contact = cables;
@@ -194,11 +199,15 @@ class EventDriven final : public Simulation {
       }
       dt -= correction;
       adapter_->place(start);
-      holds = taut_step(case_, *adapter_, held_->pulling, dt);
+      pulled = taut_step(case_, *adapter_, held_->pulling, dt);
     }
-    if (!holds) {
+    if (!pulled) {
       stop("no impulses hold the taut cables", time);
       return dt;
+    }
+    Eigen::Index row = 0;
+    for (const std::size_t index : held_->pulling) {
+      tension_impulses_[index] += (*pulled)[row++];
     }
     touching_ = taut_ | contact;
     return dt;
@@ -297,6 +306,7 @@ class EventDriven final : public Simulation {
   CableSet taut_;             // of those, the ones that stay so
   std::optional<Hold> held_;  // the exact motion from here while cables pull, or as they let go
   std::vector<double> impulses_;
+  std::vector<double> tension_impulses_;
   std::vector<Event> events_;
   std::optional<Stop> stop_;
 };

@@ -30,7 +30,7 @@ namespace tautline {
 /// A cable is a row while `activation` says so; it asks for the larger of the bounce and a part of
 /// the overstretch.
 template <class RowWorld>
-class RowSimulation final : public Simulation {
+class RowSimulation final : public SteppedSimulation {
  public:
   template <class... Own>
   RowSimulation(const Case& the_case, const RunSettings& run, Activation activation,

@@ -34,9 +34,10 @@ double correct(const Case& the_case, const State& state, CableSet held, const Ca
   return worst;
 }
 
-/// Flies with the impulses before it that leave the gaps of `held` at zero after it. False where
-/// they are not found; the body is then anywhere.
-bool fly_held(const Case& the_case, EventAdapter& adapter, CableSet held, double dt) {
+/// Flies with the impulses before it that leave the gaps of `held` at zero after it, and returns
+/// them. None where they are not found; the body is then anywhere.
+std::optional<CableVector> fly_held(const Case& the_case, EventAdapter& adapter, CableSet held,
+                                    double dt) {
   const State start = adapter.state();
   const double allowed = adapter.rounding().gap;
   CableVector rates(static_cast<Eigen::Index>(held.size()));
@@ -47,38 +48,45 @@ bool fly_held(const Case& the_case, EventAdapter& adapter, CableSet held, double
   double before = std::numeric_limits<double>::infinity();
   for (int pass = 0; pass < most_passes; ++pass) {
     adapter.place(start);
-    const CableVector impulses = adapter.solve(held, rates);
+    CableVector impulses = adapter.solve(held, rates);
     adapter.fly(dt);
     const double worst = correct(the_case, adapter.state(), held, impulses, dt, rates);
     constexpr double near_rounding = 100.0;  // [-], where more passes help no more
     if (worst <= allowed || (worst <= near_rounding * allowed && worst > 0.5 * before)) {
-      return true;
+      return impulses;
     }
     before = worst;
   }
-  return false;
+  return std::nullopt;
 }
 
 /// `taut_step` with `halvings` left.
-bool step_or_halves(const Case& the_case, EventAdapter& adapter, CableSet held, double dt,
-                    int halvings) {
+std::optional<CableVector> step_or_halves(const Case& the_case, EventAdapter& adapter,
+                                          CableSet held, double dt, int halvings) {
   const State start = adapter.state();
-  if (fly_held(the_case, adapter, held, dt)) {
-    static_cast<void>(
-        adapter.solve(held, CableVector::Zero(static_cast<Eigen::Index>(held.size()))));
-    return true;
+  if (std::optional<CableVector> impulses = fly_held(the_case, adapter, held, dt)) {
+    *impulses += adapter.solve(held, CableVector::Zero(static_cast<Eigen::Index>(held.size())));
+    return impulses;
   }
   if (halvings == 0) {
-    return false;
+    return std::nullopt;
   }
   adapter.place(start);
-  return step_or_halves(the_case, adapter, held, 0.5 * dt, halvings - 1) &&
-         step_or_halves(the_case, adapter, held, 0.5 * dt, halvings - 1);
+  std::optional<CableVector> impulses =
+      step_or_halves(the_case, adapter, held, 0.5 * dt, halvings - 1);
+  const std::optional<CableVector> more =
+      impulses ? step_or_halves(the_case, adapter, held, 0.5 * dt, halvings - 1) : std::nullopt;
+  if (!more) {
+    return std::nullopt;
+  }
+  *impulses += *more;
+  return impulses;
 }
 
 }  // namespace
 
-bool taut_step(const Case& the_case, EventAdapter& adapter, CableSet held, double dt) {
+std::optional<CableVector> taut_step(const Case& the_case, EventAdapter& adapter, CableSet held,
+                                     double dt) {
   return step_or_halves(the_case, adapter, held, dt, most_halvings);
 }
 

@@ -25,7 +25,7 @@ b2DistanceJointDef definition_of(const Cable& cable, World& world) {
   return definition;
 }
 
-class DistanceJointSimulation final : public Simulation {
+class DistanceJointSimulation final : public SteppedSimulation {
  public:
   DistanceJointSimulation(const Case& the_case, Bounce bounce)
       : case_(the_case), bounce_(bounce), world_(the_case), impulses_(the_case.cables.size()) {

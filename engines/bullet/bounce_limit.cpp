@@ -43,7 +43,7 @@ std::unique_ptr<Joint> make_joint(btRigidBody& body, const Cable& cable, const R
   return joint;
 }
 
-class BounceLimitSimulation final : public Simulation {
+class BounceLimitSimulation final : public SteppedSimulation {
  public:
   BounceLimitSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case), step_(run.step), world_(the_case), impulses_(the_case.cables.size()) {

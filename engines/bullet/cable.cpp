@@ -29,7 +29,7 @@ std::vector<btCableConstraint*> add_cables(const Case& the_case, World& world) {
   return result;
 }
 
-class CableSimulation final : public Simulation {
+class CableSimulation final : public SteppedSimulation {
  public:
   explicit CableSimulation(const Case& the_case)
       : world_(the_case),

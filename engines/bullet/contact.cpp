@@ -54,7 +54,7 @@ class CableContact {
 /// What the two models set otherwise.
 enum class Tuning { as_shipped, best };
 
-class ContactSimulation final : public Simulation {
+class ContactSimulation final : public SteppedSimulation {
  public:
   ContactSimulation(const Case& the_case, const RunSettings& run, Tuning tuning)
       : case_(the_case), run_(run), world_(the_case), impulses_(the_case.cables.size()) {

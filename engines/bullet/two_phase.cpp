@@ -18,7 +18,7 @@ namespace {
 /// As for `row`: with Bullet's 10 the order of the cables shows.
 constexpr int phase_iterations = 50;
 
-class TwoPhaseSimulation final : public Simulation {
+class TwoPhaseSimulation final : public SteppedSimulation {
  public:
   TwoPhaseSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case),

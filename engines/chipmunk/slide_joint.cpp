@@ -18,7 +18,7 @@ enum class Bounce { none, by_hand };
 /// Two coupled cables converge by a factor per iteration; a few leave an order of cables.
 constexpr int joint_iterations = 50;
 
-class SlideJointSimulation final : public Simulation {
+class SlideJointSimulation final : public SteppedSimulation {
  public:
   SlideJointSimulation(const Case& the_case, Bounce bounce)
       : case_(the_case), bounce_(bounce), world_(the_case), impulses_(the_case.cables.size()) {

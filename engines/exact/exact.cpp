@@ -5,6 +5,7 @@
 // other of how impacts are detected.
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -22,12 +23,13 @@ constexpr double time_rounding = 1e-12;
 /// What a run tells of the impacts in a step.
 enum class Report { events, impulses_only };
 
-class ExactSimulation final : public Simulation {
+class ExactSimulation final : public Simulation, public TensionImpulses {
  public:
   ExactSimulation(const Case& the_case, const RunSettings& run, Report report)
       : report_(report),
         solution_(solve(the_case, {.law = run.law})),
-        impulses_(the_case.cables.size()) {}
+        impulses_(the_case.cables.size()),
+        tension_impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] State state() const override {
     // before the first step no event has happened, not even one at time 0
@@ -35,17 +37,28 @@ class ExactSimulation final : public Simulation {
                               : solution_.arcs().front().initial;
   }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  /// Of `sampled` with those of the impacts, as an engine with fixed steps has them.
+  [[nodiscard]] std::span<const double> tension_impulses() const override {
+    return tension_impulses_;
+  }
   [[nodiscard]] std::span<const Event> events() const override { return events_; }
   [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
 
   void step(double dt) override {
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
+    std::fill(tension_impulses_.begin(), tension_impulses_.end(), 0.0);
     events_.clear();
     if (stop_) {
       return;
     }
+    const double start = clock_.now();
     clock_.advance(dt);
     report_impacts();
+    add_tensions(start, std::min(clock_.now(), solution_.end_time()));
+    if (report_ == Report::impulses_only) {
+      std::transform(impulses_.begin(), impulses_.end(), tension_impulses_.begin(),
+                     tension_impulses_.begin(), std::plus<>());
+    }
     const double end = solution_.end_time();
     if (clock_.now() > end * (1.0 + time_rounding)) {
       stop_ = Stop{end, "the exact solution ends: " + std::string(to_string(solution_.ending()))};
@@ -69,11 +82,34 @@ class ExactSimulation final : public Simulation {
     }
   }
 
+  /// The integral of the tensions from `start` to `end` [s]: Simpson's rule between two events.
+  void add_tensions(double start, double end) {
+    const auto& all = solution_.events();
+    auto next = std::upper_bound(all.begin(), all.end(), start,
+                                 [](double time, const Event& event) { return time < event.time; });
+    while (start < end) {
+      const double until = next != all.end() ? std::min(next->time, end) : end;
+      // just inside: at an event the tensions are those after it
+      const double inset = 1e-6 * (until - start);  // [s], what the rule misses by is far less
+      const CableVector sum = solution_.tensions(start + inset) +
+                              4.0 * solution_.tensions(0.5 * (start + until)) +
+                              solution_.tensions(until - inset);
+      for (std::size_t index = 0; index < tension_impulses_.size(); ++index) {
+        tension_impulses_[index] += (until - start) / 6.0 * sum[static_cast<Eigen::Index>(index)];
+      }
+      start = until;
+      if (next != all.end()) {
+        ++next;
+      }
+    }
+  }
+
   Report report_;
   Solution solution_;
   Clock clock_;
   std::size_t next_ = 0;  // the first event not yet reported
   std::vector<double> impulses_;
+  std::vector<double> tension_impulses_;
   std::vector<Event> events_;
   std::optional<Stop> stop_;
 };

@@ -7,7 +7,7 @@
 namespace tautline::mujoco {
 namespace {
 
-class ImpulseSimulation final : public Simulation {
+class ImpulseSimulation final : public SteppedSimulation {
  public:
   ImpulseSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case),

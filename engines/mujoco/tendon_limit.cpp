@@ -66,7 +66,7 @@ std::vector<Parameter> limit_parameters() {
           {.name = "stiffness", .low = 4.4e-4, .high = 0.1, .logarithmic = true, .step_power = -2}};
 }
 
-class TendonLimitSimulation final : public Simulation {
+class TendonLimitSimulation final : public SteppedSimulation {
  public:
   TendonLimitSimulation(const Case& the_case, const RunSettings& run, Integrator integrator)
       : world_(the_case, integrator, limits_of(the_case, run)), impulses_(the_case.cables.size()) {}

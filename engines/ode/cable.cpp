@@ -48,7 +48,7 @@ class Cables {
   std::vector<std::unique_ptr<std::remove_pointer_t<dCableID>, DestroyCable>> owned_;
 };
 
-class CableSimulation final : public Simulation {
+class CableSimulation final : public SteppedSimulation {
  public:
   explicit CableSimulation(const Case& the_case)
       : world_(the_case, World::Rotation::infinitesimal),

@@ -25,7 +25,7 @@ constexpr Choice early{Activation::crossing, World::Rotation::finite, 0.0, 0.0};
 /// 0.1 is our choice, the value of ODE's demos: ODE itself ships no default.
 constexpr Choice contact{Activation::overstretched, World::Rotation::infinitesimal, 0.1, {}};
 
-class FixedStepSimulation final : public Simulation {
+class FixedStepSimulation final : public SteppedSimulation {
  public:
   FixedStepSimulation(const Case& the_case, const RunSettings& run, const Choice& choice)
       : case_(the_case), choice_(choice), run_(run), world_(the_case, choice.rotation) {

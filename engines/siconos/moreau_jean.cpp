@@ -46,7 +46,7 @@ std::shared_ptr<TimeStepping> stepping(const System& system, double dt, Projecti
   return result;
 }
 
-class MoreauJeanSimulation final : public Simulation {
+class MoreauJeanSimulation final : public SteppedSimulation {
  public:
   MoreauJeanSimulation(const Case& the_case, const RunSettings& run, Projection projection)
       : case_(the_case),

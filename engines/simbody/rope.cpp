@@ -49,7 +49,7 @@ class SummingSolver final : public SimTK::PLUSImpulseSolver {
   mutable SimTK::Vector sum_;
 };
 
-class RopeSimulation final : public Simulation {
+class RopeSimulation final : public SteppedSimulation {
  public:
   explicit RopeSimulation(const Case& the_case)
       : body_(the_case), stepper_(body_.system()), impulses_(the_case.cables.size()) {

@@ -19,12 +19,12 @@ bool has_key(const toml::table* table, std::string_view key) {
 
 }  // namespace
 
-const Range any_number = {"a finite number", [](double x) { return std::isfinite(x); }};
+const Range any_number = {"a finite number", [](double x) { return std::isfinite(x); }, 0.0};
 const Range above_zero = {"a finite number above 0",
-                          [](double x) { return std::isfinite(x) && x > 0.0; }};
+                          [](double x) { return std::isfinite(x) && x > 0.0; }, 1.0};
 const Range zero_or_above = {"a finite number, 0 or above",
-                             [](double x) { return std::isfinite(x) && x >= 0.0; }};
-const Range zero_to_one = {"in [0, 1]", [](double x) { return x >= 0.0 && x <= 1.0; }};
+                             [](double x) { return std::isfinite(x) && x >= 0.0; }, 0.0};
+const Range zero_to_one = {"in [0, 1]", [](double x) { return x >= 0.0 && x <= 1.0; }, 0.0};
 
 StrictTable::StrictTable(const toml::table* table, std::string path, FileProblems& wrong)
     : table_(table), path_(std::move(path)), wrong_(&wrong) {}
@@ -99,7 +99,7 @@ std::vector<std::string> StrictTable::texts(std::string_view key, const std::str
 
 double StrictTable::number(std::string_view key, const Range& range, std::string_view unit) {
   const toml::node* node = find_required(key, with_unit(range.right, unit));
-  return node != nullptr ? checked(*node, full_name(key), range, unit) : 0.0;
+  return node != nullptr ? checked(*node, full_name(key), range, unit) : range.otherwise;
 }
 
 std::optional<double> StrictTable::optional_number(std::string_view key, const Range& range,
@@ -109,7 +109,8 @@ std::optional<double> StrictTable::optional_number(std::string_view key, const R
                          : std::nullopt;
 }
 
-std::vector<double> StrictTable::numbers(std::string_view key, std::string_view unit) {
+std::vector<double> StrictTable::numbers(std::string_view key, std::string_view unit,
+                                         const Range& range) {
   std::vector<double> result;
   const toml::node* node = find(key);
   const toml::array* array = node != nullptr ? node->as_array() : nullptr;
@@ -118,7 +119,7 @@ std::vector<double> StrictTable::numbers(std::string_view key, std::string_view 
   }
   for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
     const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
-    result.push_back(checked(*array->get(index), name, any_number, unit));
+    result.push_back(checked(*array->get(index), name, range, unit));
   }
   return result;
 }
@@ -128,9 +129,10 @@ Vec2 StrictTable::pair(std::string_view key, std::string_view unit) {
   return node != nullptr ? checked_pair(*node, full_name(key), "[x, y]", unit) : Vec2(Vec2::Zero());
 }
 
-std::optional<Vec2> StrictTable::optional_pair(std::string_view key, std::string_view unit) {
+std::optional<Vec2> StrictTable::optional_pair(std::string_view key, std::string_view unit,
+                                               const Range& range) {
   const toml::node* node = find(key);
-  return node != nullptr ? std::optional(checked_pair(*node, full_name(key), "[x, y]", unit))
+  return node != nullptr ? std::optional(checked_pair(*node, full_name(key), "[x, y]", unit, range))
                          : std::nullopt;
 }
 
@@ -260,16 +262,17 @@ double StrictTable::checked(const toml::node& node, const std::string& name, con
   const std::optional<double> value = as_number(node);
   if (!value) {
     refuse(node, name, "is " + type_name(node) + ", " + with_unit(range.right, unit));
-    return 0.0;
+    return range.otherwise;
   }
   if (!range.holds(*value)) {
     refuse(node, name, with_unit(range.right, unit));
+    return range.otherwise;  // nothing is made of a number that is out of range
   }
   return *value;
 }
 
 Vec2 StrictTable::checked_pair(const toml::node& node, const std::string& name,
-                               std::string_view form, std::string_view unit) {
+                               std::string_view form, std::string_view unit, const Range& range) {
   const toml::array* array = node.as_array();
   const std::string right = with_unit("two numbers " + std::string(form), unit);
   if (array == nullptr) {
@@ -280,8 +283,8 @@ Vec2 StrictTable::checked_pair(const toml::node& node, const std::string& name,
     refuse(node, name, "is an array of length " + std::to_string(array->size()) + ", " + right);
     return Vec2::Zero();
   }
-  return {checked(*array->get(0), name + "[0]", any_number, unit),
-          checked(*array->get(1), name + "[1]", any_number, unit)};
+  return {checked(*array->get(0), name + "[0]", range, unit),
+          checked(*array->get(1), name + "[1]", range, unit)};
 }
 
 void StrictTable::refuse(const toml::node& node, const std::string& name, const std::string& why) {

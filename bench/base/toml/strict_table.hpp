@@ -16,6 +16,7 @@ namespace tautline::bench {
 struct Range {
   std::string_view right;  // ends the sentence "must be ..."
   bool (*holds)(double);   // false for what is not finite
+  double otherwise;        // a number in it: what a refused one is read as
 };
 extern const Range any_number;
 extern const Range above_zero;
@@ -43,10 +44,12 @@ class StrictTable {
   [[nodiscard]] double number(std::string_view key, const Range& range, std::string_view unit);
   [[nodiscard]] std::optional<double> optional_number(std::string_view key, const Range& range,
                                                       std::string_view unit);
-  /// An array of finite numbers; empty where the key is missing.
-  [[nodiscard]] std::vector<double> numbers(std::string_view key, std::string_view unit);
+  /// An array of numbers; empty where the key is missing.
+  [[nodiscard]] std::vector<double> numbers(std::string_view key, std::string_view unit,
+                                            const Range& range = any_number);
   [[nodiscard]] Vec2 pair(std::string_view key, std::string_view unit);
-  [[nodiscard]] std::optional<Vec2> optional_pair(std::string_view key, std::string_view unit);
+  [[nodiscard]] std::optional<Vec2> optional_pair(std::string_view key, std::string_view unit,
+                                                  const Range& range = any_number);
   [[nodiscard]] StrictTable table(std::string_view key);
   [[nodiscard]] bool has(std::string_view key) { return find(key) != nullptr; }
 
@@ -79,7 +82,7 @@ class StrictTable {
   double checked(const toml::node& node, const std::string& name, const Range& range,
                  std::string_view unit);
   Vec2 checked_pair(const toml::node& node, const std::string& name, std::string_view form,
-                    std::string_view unit);
+                    std::string_view unit, const Range& range = any_number);
   void refuse(const toml::node& node, const std::string& name, const std::string& why);
   [[nodiscard]] std::string full_name(std::string_view key) const;
   void refuse_unknown_keys(const toml::table& table);

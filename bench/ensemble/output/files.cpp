@@ -27,12 +27,11 @@ void write_pictures(const std::filesystem::path& out, const EnsembleReport& repo
 
 }  // namespace
 
-void write_ensemble(const std::filesystem::path& out, const EnsembleReport& report,
-                    const std::string& command) {
+void write_ensemble(const std::filesystem::path& out, const EnsembleReport& report) {
   write_pictures(out, report);
   write_file(out / "ensemble.json", ensemble_json(report));
   write_file(out / "ensemble.md", ensemble_markdown(report));
-  write_file(out / "index.html", ensemble_html(report, command, page_assets()));
+  write_file(out / "index.html", ensemble_html(report, page_assets()));
 }
 
 }  // namespace tautline::bench

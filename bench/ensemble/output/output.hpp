@@ -10,15 +10,13 @@
 
 namespace tautline::bench {
 
-/// Writes index.html, ensemble.md, ensemble.json and the pictures of an atlas into `out`. `command`
-/// made them. Throws FileError if one cannot be written.
-void write_ensemble(const std::filesystem::path& out, const EnsembleReport& report,
-                    const std::string& command);
+/// Writes index.html, ensemble.md, ensemble.json and the pictures of an atlas into `out`. The
+/// same draws give the same bytes. Throws FileError if one cannot be written.
+void write_ensemble(const std::filesystem::path& out, const EnsembleReport& report);
 
 /// One page that needs no other file but the pictures of an atlas' cells: what differs, each
-/// distribution over the others, and the atlas. `command` made it.
-[[nodiscard]] std::string ensemble_html(const EnsembleReport& report, const std::string& command,
-                                        const PageAssets& assets);
+/// distribution over the others, and the atlas.
+[[nodiscard]] std::string ensemble_html(const EnsembleReport& report, const PageAssets& assets);
 
 /// For a terminal: the tables, and what they say.
 [[nodiscard]] std::string ensemble_text(const EnsembleReport& report, const TerminalStyle& style);

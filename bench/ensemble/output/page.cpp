@@ -81,8 +81,7 @@ std::string atlas(const EnsembleReport& report) {
 
 }  // namespace
 
-std::string ensemble_html(const EnsembleReport& report, const std::string& command,
-                          const PageAssets& assets) {
+std::string ensemble_html(const EnsembleReport& report, const PageAssets& assets) {
   const std::string title = "Ensemble of " + ensemble_title(report);
   PageAssets style_alone;
   style_alone.style = assets.style;
@@ -91,7 +90,7 @@ std::string ensemble_html(const EnsembleReport& report, const std::string& comma
        .content = fmt::format("<header>\n<h1>{}</h1>\n</header>\n<main>\n", html_text(title)) +
                   answers(report) + comparisons(report) + atlas(report) + distributions(report) +
                   "</main>\n",
-       .command = command,
+       .command = "tautline ensemble",  // as typed it says nothing of the draws
        .data_id = "ensemble-data",
        .data = html_json(ensemble_json(report)),
        .scripts = ""},

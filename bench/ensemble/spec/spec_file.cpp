@@ -14,6 +14,8 @@
 #include "bench/base/toml/value.hpp"
 #include "bench/cases/catalogue.hpp"
 #include "bench/ensemble/spec/quantity.hpp"
+#include "bench/run/record.hpp"
+#include "tautline/case.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -27,20 +29,29 @@ constexpr std::size_t most_tables = 100;
 /// Points of one grid, which is drawn with a cell for each.
 constexpr double most_points = 1000;
 
-const Range whole_number = {"a whole number from 1 to 10000000", [](double x) {
+const Range whole_number = {"a whole number from 1 to 10000000",
+                            [](double x) {
                               return x >= 1.0 && x <= static_cast<double>(most_draws) &&
                                      x == std::floor(x);  // exactly: it is an integer
-                            }};
+                            },
+                            1.0};
 const Range seed_number = {"a whole number from 0 to 2^53",
-                           [](double x) { return x >= 0.0 && x <= 0x1p53 && x == std::floor(x); }};
-const Range point_count = {"a whole number from 2 to 1000", [](double x) {
-                             return x >= 2.0 && x <= most_points && x == std::floor(x);
-                           }};
+                           [](double x) { return x >= 0.0 && x <= 0x1p53 && x == std::floor(x); },
+                           1.0};
+const Range point_count = {
+    "a whole number from 2 to 1000",
+    [](double x) { return x >= 2.0 && x <= most_points && x == std::floor(x); }, 2.0};
+
+// a case takes no larger numbers, and differences of such numbers are finite
+const Range case_number = {"a number from -1e20 to 1e20",
+                           [](double x) { return std::abs(x) <= largest_number; }, 0.0};
+const Range positive_number = {"above 0 and at most 1e20",
+                               [](double x) { return x > 0.0 && x <= largest_number; }, 1.0};
 
 /// More would leave out bounces that the slower of the speeds asks for, in systems of sizes near
 /// one.
 const Range completion_error = {"above 0 and at most 1e-10",
-                                [](double x) { return x > 0.0 && x <= 1e-10; }};
+                                [](double x) { return x > 0.0 && x <= 1e-10; }, 1e-10};
 
 /// `otherwise`: where none is given.
 ImpactLaw read_law(StrictTable& table, ImpactLaw otherwise) {
@@ -100,7 +111,7 @@ std::vector<double> evenly(const Vec2& ends, double points) {
 }
 
 Vec2 rising_pair(StrictTable& table, std::string_view key) {
-  Vec2 ends = table.optional_pair(key, "").value_or(Vec2(0.0, 1.0));
+  Vec2 ends = table.optional_pair(key, "", case_number).value_or(Vec2(0.0, 1.0));
   if (!(ends.x() < ends.y())) {
     table.refuse_value(key, "must be two numbers [low, high] with low below high");
   }
@@ -113,17 +124,17 @@ Distribution read_distribution(StrictTable& table) {
   const auto has = [&](const char* kind) { return table.has(kind); };
   const auto kinds = {"normal", "uniform", "list", "grid"};
   const auto count = std::count_if(kinds.begin(), kinds.end(), has);
-  if (const auto deviation = table.optional_number("normal", above_zero, "")) {
+  if (const auto deviation = table.optional_number("normal", positive_number, "")) {
     given.push_back({Kind::normal, {*deviation}});
   }
-  if (table.optional_pair("uniform", "")) {
+  if (table.has("uniform")) {
     const Vec2 ends = rising_pair(table, "uniform");
     given.push_back({Kind::uniform, {ends.x(), ends.y()}});
   }
-  if (auto values = table.numbers("list", ""); !values.empty()) {
+  if (auto values = table.numbers("list", "", case_number); !values.empty()) {
     given.push_back({Kind::list, std::move(values)});
   }
-  if (table.optional_pair("grid", "")) {
+  if (table.has("grid")) {
     const Vec2 ends = rising_pair(table, "grid");
     given.push_back({Kind::grid, evenly(ends, table.number("points", point_count, ""))});
   }
@@ -173,7 +184,7 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
   }
   result.quantity = table.optional_one_of("quantity", names).value_or("");
   if (!result.quantity.empty()) {
-    result.factor = table.number("factor", any_number, "");
+    result.factor = table.number("factor", case_number, "");
   }
   result.completion =
       table.optional_number("completion", completion_error, "").value_or(spec.completion);
@@ -189,21 +200,27 @@ void read_engines(StrictTable table, const std::filesystem::path& source, Ensemb
   if (table.has("models")) {
     spec.models = table.texts("models", names);
   }
-  spec.steps = table.numbers("steps", "[s]");
+  spec.steps = table.numbers("steps", "[s]", positive_number);
   if (spec.steps.empty()) {
     spec.steps = {1e-3};  // the middle one of those that `tautline bench` takes
   }
   for (const double step : spec.steps) {
-    if (step <= 0.0) {  // what is no number has been refused
-      table.refuse_value("steps", fmt::format("{} is not above 0 [s]", shortest(step)));
+    if (const double count = spec.the_case.duration / step; count > most_steps) {
+      table.refuse_value(
+          "steps",
+          fmt::format("{} needs {:.0e} steps for {} s, must need at most {:.0e}", shortest(step),
+                      count, shortest(spec.the_case.duration), most_steps));
     }
+  }
+  if (std::set<double>(spec.steps.begin(), spec.steps.end()).size() != spec.steps.size()) {
+    table.refuse_value("steps", "a step is given twice");
   }
   table.refuse_unknown_keys();
 }
 
 void read_speeds(StrictTable& root, EnsembleSpec& spec) {
-  const Vec2 speeds =
-      root.optional_pair("speeds", "[m/s]").value_or(Vec2(spec.speeds[0], spec.speeds[1]));
+  const Vec2 speeds = root.optional_pair("speeds", "[m/s]", case_number)
+                          .value_or(Vec2(spec.speeds[0], spec.speeds[1]));
   spec.speeds = {speeds.x(), speeds.y()};
   if (!(speeds.x() > speeds.y() && speeds.y() >= 1e-3)) {
     // RecordOptions::slowest: an engine's slower impacts are not kept
@@ -228,7 +245,7 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
   any_case.cables.resize(max_cables);
   spec.the_case = read_case(root, source, other_case, wrong, notes).value_or(any_case);
   spec.the_case.duration =
-      root.optional_number("until", above_zero, "[s]").value_or(spec.the_case.duration);
+      root.optional_number("until", positive_number, "[s]").value_or(spec.the_case.duration);
   spec.count =
       static_cast<std::size_t>(root.optional_number("count", whole_number, "").value_or(1000.0));
   spec.seed =

@@ -58,7 +58,7 @@ RunSuite run_request(const Request& request, const std::string& command_line) {
   const auto digits = certification.digits();
   std::optional<Distributions> distributions;
   if (options.draws > 0 && !result.interrupted) {
-    distributions = compare_draws(options, command_line);
+    distributions = compare_draws(options);
     result.interrupted = interruption();
   }
   context.elapsed = seconds_since(start);

@@ -150,6 +150,14 @@ void fields(Visitor& visit, RunDetails& details) {
         "not a period of it");
   visit("restitution", details.restitution,
         "measured at each counted impact of a single step, up to the exact lock; null without one");
+  visit("rest_tension", details.rest_tension,
+        "of the cable that is off most [N]; null if the exact motion does not end at rest, statics "
+        "do not determine it, or the engine does not tell its tensions");
+  visit("largest_tension", details.largest_tension,
+        "the largest mean over a step of a taut phase, up to the horizon [N]; null if there is "
+        "none, or the engine does not tell its tensions");
+  visit("first_impulse", details.first_impulse,
+        "of the first counted impact [N s]; null without one, or if several cables share it");
   visit("stride", details.stride, at_least(1, "every stride-th step was compared"));
   visit("recorded_impacts", details.recorded_impacts);
   visit("slow_impacts", details.slow_impacts, "slower than 1e-3, only counted: chatter");

@@ -143,14 +143,17 @@ ChildModel model_part(const Part& part) {
   ChildModel result;
   result.model.name = part.at("name").name();
   result.model.sentence = part.at("sentence").text();
-  part.has_only(
-      {"name", "sentence", "maker", "drive", "follows_speed", "settings", "parameters", "code"});
+  part.has_only({"name", "sentence", "maker", "drive", "follows_speed", "tension", "settings",
+                 "parameters", "code"});
   result.model.maker = maker_from(part.at("maker").one_of({"engine", "by_hand", "tautline"}));
   if (const auto drive = part.find("drive")) {
     result.by_events = drive->one_of({"steps", "events"}) == "events";
   }
   if (const auto follows = part.find("follows_speed")) {
     result.follows_speed = follows->flag();
+  }
+  if (const auto tension = part.find("tension")) {
+    result.tells_tension = tension->flag();
   }
   if (const auto settings = part.find("settings")) {
     result.model.settings = settings_part(*settings);

@@ -24,7 +24,7 @@ bool same_bits(const State& one, const State& other) {
   return std::memcmp(ones.data(), others.data(), sizeof(ones)) == 0;
 }
 
-class BySteps final : public Simulation {
+class BySteps : public Simulation {
  public:
   BySteps(Children& children, const Case& the_case, const ChildModel& model,
           const RunSettings& settings)
@@ -115,10 +115,20 @@ class BySteps final : public Simulation {
   std::optional<Stop> stop_;
 };
 
+/// The same where these impulses are all that the cables pull with.
+class ByStepsWithTension final : public BySteps, public TensionImpulses {
+ public:
+  using BySteps::BySteps;
+  [[nodiscard]] std::span<const double> tension_impulses() const override { return impulses(); }
+};
+
 }  // namespace
 
 std::unique_ptr<Simulation> start_by_steps(Children& children, const Case& the_case,
                                            const ChildModel& model, const RunSettings& settings) {
+  if (model.tells_tension) {
+    return std::make_unique<ByStepsWithTension>(children, the_case, model, settings);
+  }
   return std::make_unique<BySteps>(children, the_case, model, settings);
 }
 

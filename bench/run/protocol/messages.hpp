@@ -39,6 +39,7 @@ struct ChildModel {
   Model model;
   bool by_events = false;      // the program's event driver finds its events
   bool follows_speed = false;  // its restitution may depend on the speed
+  bool tells_tension = false;  // the impulses of its steps are the engine's own, tensions included
 };
 
 /// The answer to `info`.

@@ -101,8 +101,7 @@ std::vector<std::uint64_t> programs_of(const EnsembleRequest& request) {
   return hashes;
 }
 
-std::optional<Distributions> compare_draws(const SuiteOptions& options,
-                                           const std::string& command) {
+std::optional<Distributions> compare_draws(const SuiteOptions& options) {
   const EnsembleRequest request = request_of(options);
   if (request.setups.size() == 1) {  // the exact motion alone
     return std::nullopt;
@@ -114,7 +113,7 @@ std::optional<Distributions> compare_draws(const SuiteOptions& options,
     return std::nullopt;
   }
   const Findings findings = findings_of(request, result, options.jobs);
-  write_ensemble(how.out, {request, result, findings}, command);
+  write_ensemble(how.out, {request, result, findings});
   return distributions_of(request, findings);
 }
 

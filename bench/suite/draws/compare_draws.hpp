@@ -25,7 +25,6 @@ inline constexpr std::size_t most_draws_of_suite = 10'000;
 /// model, at the finest step that is not below 0.001 s. Shows how far it is, leaves the draws and a
 /// page in the folder `ensemble` of the result tree, and keeps those that are there if `options`
 /// say so. None where no engine has a model, or if the program was interrupted.
-[[nodiscard]] std::optional<Distributions> compare_draws(const SuiteOptions& options,
-                                                         const std::string& command);
+[[nodiscard]] std::optional<Distributions> compare_draws(const SuiteOptions& options);
 
 }  // namespace tautline::bench

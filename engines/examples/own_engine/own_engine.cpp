@@ -59,7 +59,7 @@ struct Toy {
 };
 
 /// Fixed steps: a cable has a row in a step that starts with it overstretched.
-class RowSimulation final : public Simulation {
+class RowSimulation final : public SteppedSimulation {
  public:
   RowSimulation(const Case& the_case, const RunSettings& run)
       : case_(the_case),

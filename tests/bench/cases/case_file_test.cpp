@@ -1,8 +1,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <ostream>
+#include <string>
 
 #include "tautline/case_file.hpp"
 #include "tautline/geometry.hpp"
@@ -215,6 +218,34 @@ INSTANTIATE_TEST_SUITE_P(Types, BadInputs, testing::ValuesIn(wrong_types));
 INSTANTIATE_TEST_SUITE_P(Keys, BadInputs, testing::ValuesIn(wrong_keys));
 INSTANTIATE_TEST_SUITE_P(Cases, BadInputs, testing::ValuesIn(wrong_cases));
 INSTANTIATE_TEST_SUITE_P(Text, BadInputs, testing::ValuesIn(wrong_text));
+
+TEST(CaseText, EveryNumberHasItsRange) {
+  const std::string all = "angle_limit = 1.5\nceiling = 9.5\n" + sound +
+                          "angle = 0.125\nvelocity = [0.5, 0.75]\n" + "spin = 0.625\n";
+  const std::string full = std::string(all).replace(
+      all.find("restitution = 0.9"), 17,
+      "restitution = 0.9\ncapture_speed = 0.0625\nrestitution_table = [[0.3, 0.8]]");
+  ASSERT_TRUE(read_case_text(full, "ball.toml").the_case);
+  std::size_t numbers = 0;
+  for (std::size_t at = 0; at < full.size(); ++at) {
+    const bool starts =
+        (std::isdigit(static_cast<unsigned char>(full[at])) != 0 || full[at] == '-') &&
+        (full[at - 1] == ' ' || full[at - 1] == '[');
+    if (!starts) {
+      continue;
+    }
+    ++numbers;
+    const std::size_t end = std::min(full.find_first_of(",]\n", at), full.size());
+    for (const char* wrong :
+         {"nan", "inf", "-inf", "1e300", "-1e300", "9223372036854775807000.0"}) {
+      const std::string text = std::string(full).replace(at, end - at, wrong);
+      const CaseReading reading = read_case_text(text, "ball.toml");
+      EXPECT_FALSE(reading.the_case) << text;
+      EXPECT_FALSE(reading.problems.empty()) << text;
+    }
+  }
+  EXPECT_EQ(numbers, 22U);
+}
 
 TEST(CaseText, SoundFileIsReadWithZeroForWhatMayBeLeftOut) {
   const CaseReading reading = read_case_text(sound, "ball.toml");

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "bench/ensemble/draw/draw.hpp"
 #include "bench/ensemble/draw/random.hpp"
@@ -138,6 +141,59 @@ TEST(EnsembleSpec, NamesEveryMistakeWithItsLine) {
         "test.toml:10: vary[1].quantities", "several are given", "vary[2].points: is missing",
         "test.toml:16: vary[2].colour = 3: unknown key"}) {
     EXPECT_NE(all.find(part), std::string::npos) << part << "\nis not in:\n" << all;
+  }
+}
+
+// each is refused with its line before anything is made of it
+TEST(EnsembleSpec, EveryNumberHasItsRange) {
+  const std::string vary = standard + "[[vary]]\nquantities = [\"x\"]\n";
+  const std::string drawn = vary + "normal = 1\n";
+  const std::string grid = vary + "grid = [0, 1]\npoints = ";
+  const std::string exact = drawn + "[[exact]]\nname = \"b\"\n";
+  const std::string engines = drawn + "[engines]\nnames = [\"ode\"]\nsteps = ";
+  for (const auto& [text, line, key] : std::vector<std::tuple<std::string, int, std::string>>{
+           {grid + "-3", 5, "vary[0].points"},
+           {grid + "9223372036854775807", 5, "vary[0].points"},
+           {grid + "1", 5, "vary[0].points"},
+           {grid + "2.5", 5, "vary[0].points"},
+           {grid + "nan", 5, "vary[0].points"},
+           {grid + "inf", 5, "vary[0].points"},
+           {grid + "1e300", 5, "vary[0].points"},
+           {vary + "grid = [-1e308, 1e308]\npoints = 3", 4, "vary[0].grid[0]"},
+           {vary + "grid = [0, inf]\npoints = 3", 4, "vary[0].grid[1]"},
+           {vary + "uniform = [-1e308, 1e308]", 4, "vary[0].uniform[0]"},
+           {vary + "uniform = [nan, 1]", 4, "vary[0].uniform[0]"},
+           {vary + "uniform = [1, 1]", 4, "vary[0].uniform"},
+           {vary + "normal = 1e308", 4, "vary[0].normal"},
+           {vary + "normal = 0", 4, "vary[0].normal"},
+           {vary + "normal = -1", 4, "vary[0].normal"},
+           {vary + "list = [1, 1e300]", 4, "vary[0].list[1]"},
+           {vary + "list = [nan]", 4, "vary[0].list[0]"},
+           {"count = 0\n" + drawn, 1, "count"},
+           {"count = -1\n" + drawn, 1, "count"},
+           {"count = 9223372036854775807\n" + drawn, 1, "count"},
+           {"seed = -1\n" + drawn, 1, "seed"},
+           {"seed = 9223372036854775807\n" + drawn, 1, "seed"},
+           {"until = 0\n" + drawn, 1, "until"},
+           {"until = -inf\n" + drawn, 1, "until"},
+           {"until = 1e300\n" + drawn, 1, "until"},
+           {"speeds = [1e300, 1]\n" + drawn, 1, "speeds[0]"},
+           {"speeds = [1, -1]\n" + drawn, 1, "speeds"},
+           {"completion = 0\n" + drawn, 1, "completion"},
+           {"completion = 1\n" + drawn, 1, "completion"},
+           {exact + "seed = 0.5", 7, "exact[0].seed"},
+           {exact + "completion = -1e-12", 7, "exact[0].completion"},
+           {exact + "quantity = \"x\"\nfactor = 1e300", 8, "exact[0].factor"},
+           {engines + "[0]", 7, "engines.steps[0]"},
+           {engines + "[-1e-3]", 7, "engines.steps[0]"},
+           {engines + "[1e-3, inf]", 7, "engines.steps[1]"},
+           {engines + "[1e-300]", 7, "engines.steps"},
+           {engines + "[1e-3, 1e-3]", 7, "engines.steps"}}) {
+    const SpecReading reading = read_spec_text(text, "test.toml");
+    EXPECT_FALSE(reading.spec) << text;
+    ASSERT_FALSE(reading.problems.empty()) << text;
+    const std::string start = "test.toml:" + std::to_string(line) + ": " + key + " = ";
+    EXPECT_TRUE(reading.problems.front().starts_with(start)) << reading.problems.front();
   }
 }
 

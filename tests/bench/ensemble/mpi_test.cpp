@@ -52,6 +52,8 @@ TEST(EnsembleOfProcesses, FindsTheSameInAnyNumberOfThem) {
     const Outcome outcome = spec.run(together(ranks), out);
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_EQ(content_of(out / "ensemble.json"), alone) << ranks << " processes";
+    EXPECT_EQ(content_of(out / "index.html"), content_of(spec.out("alone") / "index.html"))
+        << ranks << " processes";
     EXPECT_NE(outcome.output.find("index.html, with"), std::string::npos);
     EXPECT_EQ(outcome.output.find("index.html, with"), outcome.output.rfind("index.html, with"))
         << "one of them speaks";

@@ -72,6 +72,17 @@ TEST(EnsembleProgram, IsTheSameInAnyNumberOfThreads) {
   EXPECT_EQ(one.output, three.output);
 }
 
+TEST(EnsembleProgram, IdenticalDrawsGiveIdenticalFolders) {
+  const Ensembles one(quick);
+  const Ensembles other(quick);
+  EXPECT_EQ(one.run({"--jobs", "1"}).code, 0);
+  EXPECT_EQ(other.run({"--jobs", "2", "--time-limit", "50"}).code, 0);
+  for (const char* file : {"index.html", "ensemble.md", "ensemble.json"}) {
+    EXPECT_EQ(content_of(one.out() / file), content_of(other.out() / file)) << file;
+  }
+  EXPECT_EQ(content_of(one.out() / "index.html").find("--jobs"), std::string::npos);
+}
+
 TEST(EnsembleProgram, ComparesAnEngineOnTheSameDraws) {
   const Ensembles ensembles(quick +
                             "[engines]\nnames = [\"exact\"]\nmodels = [\"event\"]\nsteps = [0.01]");

@@ -111,9 +111,9 @@ TEST(EnsembleWords, ACellWhoseDrawIsNoCaseLeadsNowhere) {
   ASSERT_GT(findings.problems[0], 0U);
   ASSERT_LT(findings.problems[0], 18U);
   const Atlas atlas = atlas_of(report).value();
-  const std::string page = ensemble_html(report, "", {});
+  const std::string page = ensemble_html(report, {});
   const test::TemporaryFolder folder;
-  write_ensemble(folder.path(), report, "");
+  write_ensemble(folder.path(), report);
   for (std::size_t cell = 0; cell < 18; ++cell) {
     const bool is_case = result.draws[0].solved(cell);
     EXPECT_EQ(atlas.pictured[cell], is_case);

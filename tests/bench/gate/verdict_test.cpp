@@ -88,6 +88,26 @@ TEST(Limits, EveryMistakeOfAFileIsNamedWithLineKeyValueAndWhatWouldBeRight) {
   }
 }
 
+TEST(Limits, EveryNumberHasItsRange) {
+  for (const auto& [key, wrong] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"limit", {"nan", "inf", "-1", "1e300"}},
+           {"per_step", {"nan", "inf", "-1", "1e300"}},
+           {"over_step", {"nan", "inf", "-1", "1e300"}},
+           {"step", {"nan", "inf", "-1", "0"}}}) {
+    for (const std::string& value : wrong) {
+      const std::string text =
+          "schema = 1\nversion = \"1\"\n[[limits]]\nengine = \"*\"\nmodel = \"*\"\n"
+          "metric = \"overstretch\"\nunit = \"m\"\nreason = \"r\"\n" +
+          std::string(key == "limit" ? "" : "limit = 1\n") + key + " = " + value + "\n";
+      const bench::LimitsReading reading = bench::read_limits_text(text, "l.toml");
+      EXPECT_FALSE(reading.limits) << text;
+      ASSERT_EQ(reading.problems.size(), 1U) << text;
+      EXPECT_NE(reading.problems[0].find("limits[0]." + key + " = "), std::string::npos)
+          << reading.problems[0];
+    }
+  }
+}
+
 TEST(Limits, AnEntryOfEachHasWhatTheTableAroundItSaysAndItDoesNot) {
   const std::string head =
       "schema = 1\nversion = \"1\"\n[[limits]]\nmodel = \"row\"\nunit = \"m\"\n";

@@ -45,6 +45,21 @@ class Scripted final : public Simulation {
   int index_ = 0;
 };
 
+/// The same, which tells that its pulls hold its tensions.
+class ScriptedTensions final : public TensionImpulses, public Simulation {
+ public:
+  ScriptedTensions(const Case& the_case, Scripted::Step step) : inner_(the_case, std::move(step)) {}
+  [[nodiscard]] State state() const override { return inner_.state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return inner_.impulses(); }
+  [[nodiscard]] std::span<const double> tension_impulses() const override {
+    return inner_.impulses();
+  }
+  void step(double dt) override { inner_.step(dt); }
+
+ private:
+  Scripted inner_;
+};
+
 /// A mass 1 on one cable straight below its anchor, without gravity: gap rate = vertical velocity.
 Case plumb() {
   Case the_case = bouncing_ball(0.5);
@@ -104,6 +119,62 @@ TEST(Record, TellsImpactsThatShareAStep) {
   EXPECT_TRUE(run.impacts[0].shared);
   EXPECT_TRUE(run.impacts[1].shared);
   EXPECT_FALSE(run.impacts[2].shared);
+}
+
+// a pull of 0.5 N that grows by 0.5 N from step to step
+TEST(Record, TensionsAreMeansBetweenPoints) {
+  const auto grow = [](Scripted& s, int index, double dt) { s.pulls[0] = 0.5 * (index + 1) * dt; };
+  ScriptedTensions simulation(plumb(), grow);
+  const Trajectory run = record(plumb(), simulation, 0.125);
+  ASSERT_EQ(run.tensions.size(), run.points.size());
+  EXPECT_TRUE(std::isnan(run.tensions[0]));
+  for (std::size_t point = 1; point < run.points.size(); ++point) {
+    EXPECT_NEAR(run.tensions[point], 0.5 * static_cast<double>(point), 1e-12);
+  }
+  ScriptedTensions again(plumb(), grow);
+  const Trajectory thinned = record(plumb(), again, 0.125, {.most_points = 4});
+  ASSERT_EQ(thinned.stride, 2U);
+  EXPECT_NEAR(thinned.tensions[1], 0.75, 1e-12) << "the mean of 0.5 N and 1 N";
+  const std::string csv = trajectory_csv(run, 1000);
+  EXPECT_TRUE(csv.starts_with("time,x,y,angle,vx,vy,spin,event,tension_0\n")) << csv.substr(0, 80);
+  EXPECT_NE(csv.find(",,0.5\n"), std::string::npos) << csv;
+}
+
+// as every plug-in does that is older than TensionImpulses
+TEST(Record, ASimulationThatTellsNoTensionsHasNone) {
+  Scripted simulation(plumb(), [](Scripted& s, int, double dt) { s.pulls[0] = dt; });
+  const Trajectory run = record(plumb(), simulation, 0.125);
+  EXPECT_TRUE(run.tensions.empty());
+  EXPECT_TRUE(trajectory_csv(run, 1000).starts_with("time,x,y,angle,vx,vy,spin,event\n"));
+}
+
+TEST(Record, TheSnapOfACableThatGoesOnTautIsItsImpactAlone) {
+  Scripted simulation(plumb(), [](Scripted& s, int index, double dt) {
+    if (index == 3) {  // stops it, and then it pulls for ever
+      s.pulls[0] = 1.0;
+      s.now.velocity.y() = 0.0;
+    } else if (index > 3) {
+      s.pulls[0] = 9.81 * dt;
+    }
+    s.now.position += dt * s.now.velocity;
+  });
+  const Trajectory run = record(plumb(), simulation, 0.125);
+  ASSERT_EQ(run.impacts.size(), 1U);
+  EXPECT_EQ(run.impacts[0].snap, 1.0);
+  EXPECT_GT(run.impacts[0].impulse, 1.0);
+}
+
+TEST(Record, TheSnapOfACableThatThrowsBackIsAllItPulled) {
+  Scripted simulation(plumb(), [](Scripted& s, int index, double dt) {
+    if (index >= 3 && index < 6) {  // closing at 1, 0.5, 0, then opening at 0.5
+      s.pulls[0] = 0.5;
+      s.now.velocity.y() += 0.5;
+    }
+    s.now.position += dt * s.now.velocity;
+  });
+  const Trajectory run = record(plumb(), simulation, 0.125);
+  ASSERT_EQ(run.impacts.size(), 1U);
+  EXPECT_EQ(run.impacts[0].snap, 1.5);
 }
 
 TEST(Record, TheRowAfterAPushOverSeveralStepsStandsWhereItEnded) {

@@ -101,6 +101,28 @@ class Simulation {
   [[nodiscard]] virtual std::optional<Stop> stopped() const { return std::nullopt; }
 };
 
+/// What a simulation derives from, too, if it knows what its cables pull with while they are taut.
+/// The program asks for it by dynamic_cast: a plug-in that does not have it, or is older, loads as
+/// before.
+class TensionImpulses {
+ public:
+  TensionImpulses() = default;
+  TensionImpulses(const TensionImpulses&) = delete;
+  TensionImpulses& operator=(const TensionImpulses&) = delete;
+  virtual ~TensionImpulses() = default;
+
+  /// The impulse of each cable over the latest step [N s], >= 0, one per cable of the case, without
+  /// those of the impacts in `Simulation::events`: over the length of the step, the mean tension
+  /// [N].
+  [[nodiscard]] virtual std::span<const double> tension_impulses() const = 0;
+};
+
+/// A simulation with fixed steps, whose `impulses` are of all that its cables pull in a step.
+class SteppedSimulation : public Simulation, public TensionImpulses {
+ public:
+  [[nodiscard]] std::span<const double> tension_impulses() const final { return impulses(); }
+};
+
 /// How a run is done.
 struct RunSettings {
   /// Implicit: most runs have no wish but a step.

@@ -53,7 +53,7 @@ int main(void) {
   const char* info = "{\"name\": \"c-example\", \"version\": \"1.0\", \"precision\": \"float64\"}";
   const char* row =
       "{\"name\": \"row\", \"sentence\": \"One row for each overstretched cable.\","
-      " \"maker\": \"by_hand\", \"follows_speed\": true, \"settings\": []}";
+      " \"maker\": \"by_hand\", \"follows_speed\": true, \"tension\": true, \"settings\": []}";
   const tautline_model model = {"row", row, start, state, step, NULL, NULL, NULL, free};
   return tautline_serve(info, &model, 1);
 }

@@ -52,6 +52,7 @@ const row = {
   maker: "by_hand",
   drive: "steps",
   follows_speed: true,
+  tension: true,
   settings: [],
   start,
 };

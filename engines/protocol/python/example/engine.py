@@ -37,7 +37,7 @@ class Body:
 
 class Row:
     info = {"name": "row", "sentence": "One row for each cable that is at its length.", "maker": "by_hand",
-            "follows_speed": True, "settings": []}
+            "follows_speed": True, "tension": True, "settings": []}
 
     def __init__(self, case, step, law):
         self.cables, self.correction = case["cables"], CORRECTION / step

@@ -1,0 +1,99 @@
+// Engines that tell what their cables pull with, beside statics.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/bench/program.hpp"
+#include "tests/bench/run/protocol_support.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+
+/// A box of 5 kg on two vertical ropes, let go 0.05 m above their end.
+const std::string hanging_box =
+    "name = \"hanging-box\"\nduration = 4.0\ngravity = [0.0, -9.81]\n"
+    "[body]\nmass = 5.0\ninertia = 0.8333333333333334\n"
+    "[[cables]]\nanchor = [-0.5, 5.0]\nattachment = [-0.5, 0.5]\nlength = 3.0\nrestitution = 0.0\n"
+    "[[cables]]\nanchor = [0.5, 5.0]\nattachment = [0.5, 0.5]\nlength = 3.0\nrestitution = 0.0\n"
+    "[initial]\nposition = [0.0, 1.55]\n";
+
+/// Models that have a cable's impulse from their engine.
+const std::set<std::pair<std::string, std::string>> told = {
+    {"exact", "sampled"},  {"exact", "event"},  {"bullet64", "row"},   {"bullet64", "cable"},
+    {"bullet64", "event"}, {"bullet32", "row"}, {"bullet32", "cable"}, {"ode", "row"},
+    {"ode", "cable"},      {"ode", "event"}};
+
+TEST(TensionOfEngines, AtRestIsHalfTheWeightToAPercent) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const Outcome outcome = program({"bench", folder.file("box.toml", hanging_box).string(),
+                                   "--engines", "exact,bullet64,bullet32,ode", "--models",
+                                   "sampled,event,row,cable", "--steps", "1e-3", "--out", out});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const json report = json::parse(content_of(folder.path() / "out/report.json"));
+  std::set<std::pair<std::string, std::string>> found;
+  for (const json& run : report["runs"]) {
+    const std::string name =
+        run["engine"].get<std::string>() + " " + run["model"].get<std::string>();
+    const json& tension = run["details"]["rest_tension"];
+    if (tension.is_null()) {
+      continue;
+    }
+    found.insert({run["engine"], run["model"]});
+    EXPECT_NEAR(tension["exact"].get<double>(), 24.525, 1e-10) << name;
+    EXPECT_NEAR(tension["found"].get<double>(), 24.525, 0.01 * 24.525) << name;
+    EXPECT_NEAR(run["metrics"]["rest_tension_error"].get<double>(),
+                std::abs(tension["found"].get<double>() - 24.525), 1e-9)
+        << name;
+  }
+  for (const auto& one : told) {
+    EXPECT_TRUE(found.contains(one)) << one.first << " " << one.second;
+  }
+}
+
+// an engine in another language says so of a model; a kit from before it was there does not
+TEST(TensionOfEngines, InAnotherProcessIsToldByTheModelThatHasIt) {
+  if (!has_python()) {
+    GTEST_SKIP() << no_python;
+  }
+  const TemporaryFolder folder;
+  const std::string box = folder.file("box.toml", hanging_box).string();
+  const auto first_row = [&](const std::string& engine, const std::string& model,
+                             const std::string& name) {
+    const std::string out = (folder.path() / name).string();
+    const Outcome outcome = program({"run", box, "--engine", engine, "--model", model, "--step",
+                                     "1e-2", "--out", out, "--json", "-"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    const std::string csv = content_of(folder.path() / name / "runs/hanging-box" / name / model /
+                                       "0.01/trajectory.csv");
+    return std::pair(csv.substr(0, csv.find('\n')), json::parse(outcome.output));
+  };
+  const auto [told, result] =
+      first_row(TAUTLINE_PYTHON_KIT "/example/engine.toml", "row", "python-example");
+  EXPECT_EQ(told, "time,x,y,angle,vx,vy,spin,event,tension_0,tension_1");
+  EXPECT_NEAR(result["details"]["rest_tension"]["found"].get<double>(), 24.525, 0.01 * 24.525);
+  std::filesystem::create_directory(folder.path() / "old");
+  const std::string untold =
+      folder.file("old/engine.toml", "name = \"old\"\ncommand = [\"python3\", \"engine.py\"]\n")
+          .string();
+  std::string source = content_of(TAUTLINE_PYTHON_KIT "/example/engine.py");
+  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+           {"\"tension\": True, ", ""}, {"python-example", "old"}}) {
+    source.replace(source.find(from), from.size(), to);
+  }
+  folder.file("old/engine.py", source);
+  folder.file("old/tautline_engine.py", content_of(TAUTLINE_PYTHON_KIT "/tautline_engine.py"));
+  EXPECT_EQ(first_row(untold, "row", "old").first, "time,x,y,angle,vx,vy,spin,event");
+}
+
+}  // namespace
+}  // namespace tautline::test

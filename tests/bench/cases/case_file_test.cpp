@@ -396,17 +396,5 @@ TEST(CaseText, FloodOfProblemsIsCutWithTheirNumber) {
   EXPECT_EQ(problems.back(), "ball.toml: and 49904 more problems");
 }
 
-TEST(CaseText, DeepNestingIsAnAnswerNotAStackOverflow) {
-  std::string dots;
-  while (dots.size() < 4000) {
-    dots += "a.";
-  }
-  const std::string nested_tables = "[" + dots + "a]\n" + dots + "a = 1\n";
-  const std::string nested_arrays = "a = " + std::string(4000, '[');
-  for (const std::string& text : {nested_tables, nested_arrays, dots}) {
-    EXPECT_FALSE(read_case_text(text, "deep.toml").problems.empty());
-  }
-}
-
 }  // namespace
 }  // namespace tautline::bench

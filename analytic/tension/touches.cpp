@@ -134,8 +134,9 @@ std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
   const bool begins = index == 0 || has_event<Real>(solution, arc.start, 0, std::nullopt);
   for (const std::size_t cable : pulling) {
     const TensionAlongArc<Real> tension(the_case, arc, pulling, cable);
+    const Real most = near_zero * tension.force();  // [N]
     const auto add = [&](std::optional<BasicTouch<Real>> found) {
-      if (found && found->tension <= near_zero * tension.force()) {
+      if (found && found->tension <= most) {
         found->cable = cable;
         found->time += arc.start;
         result.push_back(*found);

@@ -16,8 +16,6 @@ namespace {
 constexpr double widest = 636.0;   // [px], of a sheet of 720
 constexpr double tallest = 900.0;  // [px]
 
-constexpr std::size_t marked_impacts = 400;  // the fastest; more is a smear
-
 const char* name_of(PlotPanel::Kind kind) {
   constexpr std::array names = {"all", "whole", "enlarged"};
   return names.at(static_cast<std::size_t>(kind));

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "bench/solution/plot_motion.hpp"
 #include "bench/solution/plot_view.hpp"
 
 namespace tautline::bench {
+
+/// So many of the fastest impacts are marked in a picture: more is a smear.
+inline constexpr std::size_t marked_impacts = 400;
 
 /// Left of a panel is room for the numbers of its axis [px].
 inline constexpr double panel_left = 64.0;

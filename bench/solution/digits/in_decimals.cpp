@@ -33,7 +33,8 @@ class Decimals {
   const Literals& written_;
 };
 
-BasicCable<Multi> in_decimals(const Decimals& read, const std::string& place, const Cable& cable) {
+BasicCable<Multi> cable_in_decimals(const Decimals& read, const std::string& place,
+                                    const Cable& cable) {
   BasicCable<Multi> result{read.pair(place + ".anchor", cable.anchor),
                            read.pair(place + ".attachment", cable.attachment),
                            read.number(place + ".length", cable.length),
@@ -78,7 +79,7 @@ BasicCase<Multi> in_decimals(const Case& the_case, const Literals& written) {
       read.pair("initial.velocity", start.velocity), read.number("initial.spin", start.spin)};
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     result.cables[index] =
-        in_decimals(read, fmt::format("cables[{}]", index), the_case.cables[index]);
+        cable_in_decimals(read, fmt::format("cables[{}]", index), the_case.cables[index]);
   }
   return result;
 }

@@ -19,11 +19,9 @@ namespace {
 // The sheet [px].
 constexpr double panel_width = 636.0;
 constexpr double panel_height = 112.0;
-constexpr double sheet_width = panel_left + panel_width + 20.0;
-constexpr double top = 76.0;
-constexpr double between = 32.0;  // panels
-
-constexpr std::size_t marked_impacts = 400;  // the fastest; more is a smear
+constexpr double motion_width = panel_left + panel_width + 20.0;
+constexpr double motion_top = 76.0;
+constexpr double between_panels = 32.0;  // panels
 
 /// Lines of cables differ in dashes and in colour.
 constexpr std::array<const char*, max_cables> cable_lines = {
@@ -287,7 +285,7 @@ std::string plot_motion_svg(const Case& the_case, const Solution& solution) {
   const Curves curves = Gatherer(the_case, solution).gather();
   const std::vector<double> impacts = impact_times(the_case, solution);
   const auto panels = static_cast<double>(curves.panels.size());
-  const double bottom = top + panels * panel_height + (panels - 1.0) * between;
+  const double bottom = motion_top + panels * panel_height + (panels - 1.0) * between_panels;
   const double height = bottom + 92.0;
   const std::string name = xml_text(printable(the_case.name, longest_title));
   const std::string words =
@@ -298,13 +296,13 @@ std::string plot_motion_svg(const Case& the_case, const Solution& solution) {
       "motion over time: position, angle, gaps and tensions, {3}.</desc>\n{4}<rect "
       "class=\"paper\" width=\"100%\" height=\"100%\"/>\n<text class=\"title\" x=\"{5}\" "
       "y=\"26\">{2}</text>\n<text class=\"muted\" x=\"{5}\" y=\"47\">{3}</text>\n",
-      sheet_width, height, name, words, plot_style, panel_left);
-  double from_top = top;
+      motion_width, height, name, words, plot_style, panel_left);
+  double from_top = motion_top;
   for (std::size_t index = 0; index < curves.panels.size(); ++index) {
     const bool last = index + 1 == curves.panels.size();
     out += DrawnPanel(curves.panels.at(index), curves.times, solution.end_time(), from_top)
                .text(impacts, last);
-    from_top += panel_height + between;
+    from_top += panel_height + between_panels;
   }
   return out + legend(the_case, bottom + 66.0) + "</svg>\n";
 }

@@ -18,7 +18,7 @@ namespace {
 /// Of the largest tension of a motion [-].
 constexpr double of_the_largest = 1e-11;
 
-constexpr int samples = 200;  // of a motion
+constexpr int tension_samples = 200;  // of a motion
 
 Case on_one_cable(double length, double mass, const Vec2& gravity) {
   Case result;
@@ -34,8 +34,9 @@ template <class Wanted>
 double worst_error(const Solution& solution, const Wanted& wanted) {
   double worst = 0.0;
   double largest = 0.0;
-  for (int k = 0; k <= samples; ++k) {
-    const double time = solution.end_time() * std::min(1.0, static_cast<double>(k) / samples);
+  for (int k = 0; k <= tension_samples; ++k) {
+    const double time =
+        solution.end_time() * std::min(1.0, static_cast<double>(k) / tension_samples);
     const double right = wanted(time, solution.at(time));
     worst = std::max(worst, std::abs(solution.tensions(time)[0] - right));
     largest = std::max(largest, std::abs(right));

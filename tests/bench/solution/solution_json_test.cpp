@@ -37,33 +37,33 @@ Json printed(const Case& the_case, const std::vector<double>& sample_times = {})
 }
 
 TEST(SolutionJson, HasTheNamesScriptsDependOn) {
-  const Json json = printed(bouncing_ball(), {0.5});
+  const Json written = printed(bouncing_ball(), {0.5});
   const Strings state = {"position", "angle", "velocity", "spin"};
-  EXPECT_EQ(json.at("schema"), 4);
-  EXPECT_EQ(keys(json.at("case")),
+  EXPECT_EQ(written.at("schema"), 4);
+  EXPECT_EQ(keys(written.at("case")),
             (Strings{"name", "duration", "gravity", "body", "cables", "initial"}));
-  EXPECT_EQ(keys(json.at("case").at("body")), (Strings{"mass", "inertia"}));
-  EXPECT_EQ(keys(json.at("case").at("cables").at(0)),
+  EXPECT_EQ(keys(written.at("case").at("body")), (Strings{"mass", "inertia"}));
+  EXPECT_EQ(keys(written.at("case").at("cables").at(0)),
             (Strings{"anchor", "attachment", "length", "restitution"}));
-  EXPECT_EQ(keys(json.at("options")),
+  EXPECT_EQ(keys(written.at("options")),
             (Strings{"law", "completion_error", "max_events", "max_steps"}));
-  const Json& event = json.at("events").at(0);
+  const Json& event = written.at("events").at(0);
   EXPECT_EQ(keys(event),
             (Strings{"time", "kind", "cables", "impulses", "before", "after", "errors"}));
   EXPECT_EQ(keys(event.at("errors")), (Strings{"time", "impulses", "before", "after"}));
   EXPECT_EQ(keys(event.at("before")), state);
-  EXPECT_EQ(keys(json.at("end_state")), state);
-  EXPECT_EQ(keys(json.at("energy")),
+  EXPECT_EQ(keys(written.at("end_state")), state);
+  EXPECT_EQ(keys(written.at("energy")),
             (Strings{"start", "impacts", "completions", "end", "residual"}));
-  EXPECT_EQ(keys(json.at("settling")), (Strings{"last_impacts", "lock"}));
-  EXPECT_EQ(keys(json.at("settling").at("last_impacts").at(0)), (Strings{"speed", "time"}));
-  EXPECT_EQ(keys(json.at("settling").at("lock")),
+  EXPECT_EQ(keys(written.at("settling")), (Strings{"last_impacts", "lock"}));
+  EXPECT_EQ(keys(written.at("settling").at("last_impacts").at(0)), (Strings{"speed", "time"}));
+  EXPECT_EQ(keys(written.at("settling").at("lock")),
             (Strings{"time", "uncertainty", "cables", "permanent", "rests", "swing"}));
-  EXPECT_TRUE(json.at("settling").at("lock").at("swing").is_null()) << "the ball rests";
-  EXPECT_EQ(keys(json.at("samples").at(0)),
+  EXPECT_TRUE(written.at("settling").at("lock").at("swing").is_null()) << "the ball rests";
+  EXPECT_EQ(keys(written.at("samples").at(0)),
             (Strings{"time", "position", "angle", "velocity", "spin", "errors"}));
-  EXPECT_EQ(keys(json.at("samples").at(0).at("errors")), state);
-  EXPECT_EQ(json.at("unsure"), Json::array());
+  EXPECT_EQ(keys(written.at("samples").at(0).at("errors")), state);
+  EXPECT_EQ(written.at("unsure"), Json::array());
 }
 
 TEST(SolutionJson, AnEventIsALineWithoutIndents) {
@@ -92,29 +92,29 @@ TEST(SolutionJson, FirstBounceHasItsClosedForm) {
 TEST(SolutionJson, EveryNumberOfTheSolutionReadsBackEqual) {
   const Case the_case = breakwater(table_5_1().front().parameters, "x");
   const Solution solution = solve(the_case);
-  const Json json = printed(the_case);
-  ASSERT_EQ(json.at("events").size(), solution.events().size());
+  const Json written = printed(the_case);
+  ASSERT_EQ(written.at("events").size(), solution.events().size());
   for (std::size_t index = 0; index < solution.events().size(); ++index) {
     const Event& event = solution.events()[index];
-    const Json& other = json.at("events").at(index);
+    const Json& other = written.at("events").at(index);
     EXPECT_EQ(other.at("time").get<double>(), event.time);
     EXPECT_EQ(other.at("impulses").at(0).get<double>(), std::max(0.0, event.impulses[0]));
     EXPECT_EQ(other.at("after").at("spin").get<double>(), event.after.spin);
   }
-  EXPECT_EQ(json.at("end_time").get<double>(), solution.end_time());
-  EXPECT_EQ(json.at("energy").at("start").get<double>(), energy(the_case, the_case.initial));
+  EXPECT_EQ(written.at("end_time").get<double>(), solution.end_time());
+  EXPECT_EQ(written.at("energy").at("start").get<double>(), energy(the_case, the_case.initial));
 }
 
 TEST(SolutionJson, CaseHasTheKeysOfACaseFile) {
   Case the_case = bouncing_ball();
   the_case.angle_limit = 1.5;
   the_case.ceiling = 1.75;
-  const Json json = printed(the_case).at("case");
-  EXPECT_EQ(json.at("angle_limit"), 1.5);
-  EXPECT_EQ(json.at("ceiling"), 1.75);
+  const Json written = printed(the_case).at("case");
+  EXPECT_EQ(written.at("angle_limit"), 1.5);
+  EXPECT_EQ(written.at("ceiling"), 1.75);
   // every key of the file is in the object: a reader of one can read the other
-  EXPECT_EQ(keys(json), (Strings{"name", "duration", "gravity", "angle_limit", "ceiling", "body",
-                                 "cables", "initial"}));
+  EXPECT_EQ(keys(written), (Strings{"name", "duration", "gravity", "angle_limit", "ceiling", "body",
+                                    "cables", "initial"}));
 }
 
 TEST(SolutionJson, HasEveryAccumulationOfTheSolution) {
@@ -143,9 +143,9 @@ TEST(SolutionJson, TheUncertaintyOfALockHasItsRoundingInIt) {
       const long double fall = 2.0L * gap(ball.cables[0], ball.initial);
       const long double e = restitution;
       const long double rest = std::sqrt(fall / gravity) * (1 + e) / (1 - e);
-      const Json json = printed(ball);
-      const Json& lock = json.at("settling").at("lock");
-      const Json& limit = json.at("accumulations").back();
+      const Json written = printed(ball);
+      const Json& lock = written.at("settling").at("lock");
+      const Json& limit = written.at("accumulations").back();
       const auto bound = lock.at("uncertainty").get<double>();
       EXPECT_LE(std::abs(lock.at("time").get<double>() - rest), bound) << restitution;
       EXPECT_GE(bound, epsilon<double>()) << "a double is no better than that";
@@ -181,11 +181,11 @@ TEST(SolutionJson, LedgerAccountsForEveryJouleOfTheBall) {
 }
 
 TEST(SolutionJson, SamplesComeInTheOrderAsked) {
-  const Json json = printed(bouncing_ball(), {0.5, 0.0, 0.5});
-  ASSERT_EQ(json.at("samples").size(), 3U);
-  EXPECT_EQ(json.at("samples").at(1).at("time"), 0.0);
-  EXPECT_EQ(json.at("samples").at(1).at("position"), Json::array({0.0, 0.5}));
-  EXPECT_EQ(json.at("samples").at(0), json.at("samples").at(2));
+  const Json written = printed(bouncing_ball(), {0.5, 0.0, 0.5});
+  ASSERT_EQ(written.at("samples").size(), 3U);
+  EXPECT_EQ(written.at("samples").at(1).at("time"), 0.0);
+  EXPECT_EQ(written.at("samples").at(1).at("position"), Json::array({0.0, 0.5}));
+  EXPECT_EQ(written.at("samples").at(0), written.at("samples").at(2));
   EXPECT_FALSE(printed(bouncing_ball()).contains("samples"));
 }
 

@@ -13,7 +13,7 @@
 #include "tests/bench/program.hpp"
 #include "tests/bench/run/protocol_support.hpp"
 
-namespace tautline::test {
+namespace tautline::test::tensions {
 namespace {
 
 using nlohmann::json;
@@ -77,9 +77,9 @@ TEST(TensionOfEngines, InAnotherProcessIsToldByTheModelThatHasIt) {
                                        "0.01/trajectory.csv");
     return std::pair(csv.substr(0, csv.find('\n')), json::parse(outcome.output));
   };
-  const auto [told, result] =
+  const auto [header, result] =
       first_row(TAUTLINE_PYTHON_KIT "/example/engine.toml", "row", "python-example");
-  EXPECT_EQ(told, "time,x,y,angle,vx,vy,spin,event,tension_0,tension_1");
+  EXPECT_EQ(header, "time,x,y,angle,vx,vy,spin,event,tension_0,tension_1");
   EXPECT_NEAR(result["details"]["rest_tension"]["found"].get<double>(), 24.525, 0.01 * 24.525);
   std::filesystem::create_directory(folder.path() / "old");
   const std::string untold =
@@ -90,10 +90,11 @@ TEST(TensionOfEngines, InAnotherProcessIsToldByTheModelThatHasIt) {
            {"\"tension\": True, ", ""}, {"python-example", "old"}}) {
     source.replace(source.find(from), from.size(), to);
   }
-  folder.file("old/engine.py", source);
-  folder.file("old/tautline_engine.py", content_of(TAUTLINE_PYTHON_KIT "/tautline_engine.py"));
+  (void)folder.file("old/engine.py", source);
+  (void)folder.file("old/tautline_engine.py",
+                    content_of(TAUTLINE_PYTHON_KIT "/tautline_engine.py"));
   EXPECT_EQ(first_row(untold, "row", "old").first, "time,x,y,angle,vx,vy,spin,event");
 }
 
 }  // namespace
-}  // namespace tautline::test
+}  // namespace tautline::test::tensions

@@ -17,7 +17,7 @@
 #include "tautline/solve.hpp"
 #include "tests/bench/program.hpp"
 
-namespace tautline::test {
+namespace tautline::test::outputs {
 namespace {
 
 using bench::SampleTimes;
@@ -234,10 +234,11 @@ TEST(Solve, WritesSamplesAndTensionsOfManyCases) {
   EXPECT_EQ(rows_of(content_of(folder.path() / "bouncing-ball.csv")).front().at("time"), "0");
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "breakwater-1910121100.csv"));
 
-  const Outcome json = program({"solve", "bouncing-ball", "breakwater/1910121100", "--json", "-"});
-  EXPECT_EQ(json.code, 0) << json.errors;
-  EXPECT_TRUE(json.output.starts_with("[\n{")) << json.output.substr(0, 40);
-  EXPECT_TRUE(json.output.ends_with("}\n]\n"));
+  const Outcome written =
+      program({"solve", "bouncing-ball", "breakwater/1910121100", "--json", "-"});
+  EXPECT_EQ(written.code, 0) << written.errors;
+  EXPECT_TRUE(written.output.starts_with("[\n{")) << written.output.substr(0, 40);
+  EXPECT_TRUE(written.output.ends_with("}\n]\n"));
 
   const Outcome events = program({"solve", "bouncing-ball", "--events"});
   EXPECT_NE(events.output.find("Tension at rest: 1 on cable 0"), std::string::npos)
@@ -272,4 +273,4 @@ TEST(Solve, SaysWhatIsWrongWithItsFilesBeforeItSolves) {
 }
 
 }  // namespace
-}  // namespace tautline::test
+}  // namespace tautline::test::outputs

@@ -82,8 +82,8 @@ std::string cell_html(const Cell& cell, bool numbers, std::size_t span) {
     if (cell.number && span == 1 && cell.text == shortest(*cell.number)) {
       return "<td class=\"n\">" + html_text(cell.text) + "</td>";  // which says it all
     }
-    return fmt::format("<td data-value=\"{}\"{}>{}</td>", cell.number ? shortest(*cell.number) : "",
-                       wide, html_text(cell.text));
+    const std::string value = cell.number ? "=\"" + shortest(*cell.number) + "\"" : "";
+    return fmt::format("<td data-value{}{}>{}</td>", value, wide, html_text(cell.text));
   }
   const std::string look = !cell.kind.empty()     ? html_text(cell.kind)
                            : numbers && span == 1 ? "n"

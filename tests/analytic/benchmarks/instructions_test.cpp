@@ -16,8 +16,9 @@ namespace {
 /// by a tenth.
 constexpr double most_per_impact = 10'600.0;
 
-/// [instructions per impact], what the bounds of a solution take besides: 8,440 when it was set.
-constexpr double most_of_bounds = 9'700.0;
+/// [instructions per impact], what the bounds of a solution take besides, with the search for
+/// tensions that touch zero: 10,750 when it was set.
+constexpr double most_of_bounds = 12'400.0;
 
 TEST(Counts, ASolutionAndItsBoundsTakeTheirInstructions) {
   const auto cost = [](const std::string& what) {

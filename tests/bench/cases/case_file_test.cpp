@@ -340,7 +340,7 @@ TEST(CaseText, TautTakesUpNoMoreThanAThousandthOfTheLength) {
         << reading.problems.front();
   }
   EXPECT_EQ(read_case_text(typed("-0.25", "taut = 1"), "ball.toml").problems,
-            Strings{"ball.toml:14: cables[0].taut = 1: must be true or false"});
+            Strings{"ball.toml:14: cables[0].taut = 1: is an integer, must be true or false"});
   EXPECT_EQ(read_case_text(sound, "ball.toml", CableSet::of(3)).problems,
             Strings{"ball.toml: cable 3 cannot start taut: the case has 1 cable"});
 }

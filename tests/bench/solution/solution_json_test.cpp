@@ -60,9 +60,12 @@ TEST(SolutionJson, HasTheNamesScriptsDependOn) {
   EXPECT_EQ(keys(written.at("settling").at("lock")),
             (Strings{"time", "uncertainty", "cables", "permanent", "rests", "swing"}));
   EXPECT_TRUE(written.at("settling").at("lock").at("swing").is_null()) << "the ball rests";
-  EXPECT_EQ(keys(written.at("samples").at(0)),
-            (Strings{"time", "position", "angle", "velocity", "spin", "errors"}));
-  EXPECT_EQ(keys(written.at("samples").at(0).at("errors")), state);
+  Strings sampled = state;
+  sampled.insert(sampled.end(), {"gaps", "gap_rates", "tensions", "energy"});
+  EXPECT_EQ(keys(written.at("samples").at(0).at("errors")), sampled);
+  sampled.insert(sampled.begin(), "time");
+  sampled.emplace_back("errors");
+  EXPECT_EQ(keys(written.at("samples").at(0)), sampled);
   EXPECT_EQ(written.at("unsure"), Json::array());
 }
 

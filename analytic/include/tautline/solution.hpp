@@ -125,15 +125,16 @@ class BasicSolution {
   /// In order of time.
   [[nodiscard]] const std::vector<BasicEvent<Real>>& events() const { return events_; }
   [[nodiscard]] Ending ending() const { return ending_; }  // why it ends
-  [[nodiscard]] const Real& end_time() const {             // [s]
+  /// The end of the solution [s], which may lie beyond its arcs if the motion repeats.
+  [[nodiscard]] const Real& end_time() const {
     return repetition_ ? repetition_->end : arcs_.back().end;
   }
 
   /// Where in the arcs the motion is at a time.
   struct Place {
-    std::size_t arc;
-    Real dt;         // [s], since its start
-    double periods;  // [-], whole ones that have gone by since then
+    std::size_t arc;  // index
+    Real dt;          // [s], since its start
+    double periods;   // [-], whole ones that have gone by since then
   };
   /// Of `time` in [0, end_time()]; at an event, after it. Throws std::out_of_range outside.
   [[nodiscard]] Place place(const Real& time) const;

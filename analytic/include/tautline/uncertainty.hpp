@@ -48,10 +48,10 @@ template <class Real>
 /// An instant at which the tension of a taut cable is least, or would be had it not let go before.
 template <class Real>
 struct BasicTouch {
-  std::size_t cable;
-  Real time;     // [s]
-  Real tension;  // [N], < 0 where the cable has let go
-  Real bend;     // [N/s^2], its second derivative there, > 0
+  std::size_t cable;  // index
+  Real time;          // [s]
+  Real tension;       // [N], < 0 where the cable has let go
+  Real bend;          // [N/s^2], its second derivative there, > 0
 };
 using Touch = BasicTouch<double>;
 

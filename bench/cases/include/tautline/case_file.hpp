@@ -30,12 +30,13 @@ inline constexpr std::size_t longest_case_file = std::size_t{1} << 20U;
 [[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name,
                                          CableSet taut = {});
 
-/// Makes `taut` cables of `the_case` start taut. What is wrong with that, or how the start has
-/// changed.
+/// What is wrong with a start that was to be taut, or how it has changed.
 struct StartChange {
-  std::vector<std::string> problems;
-  std::vector<std::string> notes;
+  std::vector<std::string> problems;  // sentences; the case is as it was unless this is empty
+  std::vector<std::string> notes;     // sentences
 };
+
+/// Makes `taut` cables of `the_case` start taut (`taut_start`).
 [[nodiscard]] StartChange start_taut(Case& the_case, CableSet taut);
 
 /// The text of a case file that reads back as the same case, bit for bit.

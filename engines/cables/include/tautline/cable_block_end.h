@@ -9,7 +9,7 @@ namespace tautline {
 /// pull * velocity + moment * spin of its body, and an impulse of 1 N s changes these by `move` and
 /// `turn`. A body of null does not move.
 struct CableBlockEnd {
-  const void* body;
+  const void* body;  // whose end it is; null: does not move
   double pull[3];    // [-]
   double moment[3];  // [m]
   double move[3];    // [1/kg]
@@ -18,6 +18,7 @@ struct CableBlockEnd {
   double arm;        // from its centre to the end [m]
   double kept;       // the part of the torque that `turn` stands for [-], see solve_stiffly
 
+  /// The product of two vectors in space.
   static double dot(const double* a, const double* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }

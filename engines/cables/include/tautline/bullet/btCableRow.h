@@ -7,7 +7,7 @@
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 
-/// Overstretch is taken out by velocity there.
+// overstretch is taken out by velocity there
 inline void btCableInSolver::getInfo2(btConstraintInfo2* info) {
   const btScalar timeStep = 1 / info->fps;
   m_line = getLineBefore(timeStep);

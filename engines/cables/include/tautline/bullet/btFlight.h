@@ -13,6 +13,7 @@
 
 /// The bodies of btStepWithCables between impacts.
 struct btFlight {
+  /// True if forces move the body.
   static bool isMoved(const btRigidBody& body) {
     return !body.isStaticOrKinematicObject() && body.isActive();
   }
@@ -23,6 +24,7 @@ struct btFlight {
                                body.getTotalForce() * body.getInvMass()
                          : btVector3(0, 0, 0);
   }
+  /// The velocity after `timeStep` [s] of Bullet's damping.
   static btVector3 damped(const btVector3& velocity, btScalar damping, btScalar timeStep) {
     return damping > 0 ? velocity * btPow(1 - damping, timeStep) : velocity;
   }

@@ -18,6 +18,7 @@
 /// For the length of one btStepWithCables.
 class btForcesOfStep {
  public:
+  /// Of a step of `timeStep` [s] with these cables, all of which outlive it.
   btForcesOfStep(btDiscreteDynamicsWorld* world, btCableInSolver* const* cables, int numCables,
                  btScalar timeStep)
       : m_world(world) {

@@ -22,6 +22,7 @@
 /// For the length of one dStepWithCables. It limits the world to one thread meanwhile.
 class dxForcesOfStep {
  public:
+  /// Of a step of `stepsize` [s] with these cables, all of which outlive it.
   dxForcesOfStep(dWorldID world, const dCableID* cables, int count, dReal stepsize)
       : m_world(world),
         m_cables(cables),
@@ -57,8 +58,9 @@ class dxForcesOfStep {
     dWorldSetStepIslandsProcessingMaxThreadCount(m_world, m_threads);
   }
 
-  /// How many bodies are at cables' ends, and which.
+  /// How many bodies are at cables' ends.
   std::size_t ends() const { return m_ends; }
+  /// The body of this index, below `ends`.
   dBodyID end(std::size_t index) const { return m_pushed[index].body; }
 
   /// Gives all bodies the forces that the next part is expected to have.

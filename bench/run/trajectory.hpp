@@ -18,14 +18,14 @@ struct Point {
 
 /// One impact of a run, as the detector saw it.
 struct RecordedImpact {
-  double time = 0.0;   // [s], when the velocity jumps: exact if located, else the start of the step
-  std::size_t cable;   //
-  double impulse;      // [N s], > 0
-  double rate_before;  // [m/s], gap rate just before; negative when closing
-  double rate_after;   // [m/s], just after, at the same pose
-  std::size_t steps;   // consecutive steps with an impulse; 0 if the simulation located the impact
-  State before;        // where the jump starts
-  State after;         // the pose at `ended`, and the velocity that the jump gave
+  double time = 0.0;  // [s], when the velocity jumps: exact if located, else the start of the step
+  std::size_t cable;  //
+  double impulse = 0.0;  // [N s], > 0
+  double rate_before;    // [m/s], gap rate just before; negative when closing
+  double rate_after;     // [m/s], just after, at the same pose
+  std::size_t steps;  // consecutive steps with an impulse; 0 if the simulation located the impact
+  State before;       // where the jump starts
+  State after;        // the pose at `ended`, and the velocity that the jump gave
   /// Change of momentum (x, y, angle) over the impact that neither gravity nor the impulses along
   /// the cables explain [N s, N s, N m s].
   Eigen::Vector3d stray = Eigen::Vector3d::Zero();

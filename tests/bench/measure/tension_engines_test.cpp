@@ -54,7 +54,7 @@ TEST(TensionOfEngines, AtRestIsHalfTheWeightToAPercent) {
     if (tension.is_null()) {
       continue;
     }
-    found.insert({run["engine"], run["model"]});
+    found.emplace(run["engine"].get<std::string>(), run["model"].get<std::string>());
     EXPECT_NEAR(tension["exact"].get<double>(), 24.525, 1e-10) << name;
     EXPECT_NEAR(tension["found"].get<double>(), 24.525, 0.01 * 24.525) << name;
     EXPECT_NEAR(run["metrics"]["rest_tension_error"].get<double>(),

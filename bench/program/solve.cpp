@@ -37,7 +37,7 @@ struct SolveCommand {
   std::optional<double> every;        // [s], between samples
   std::optional<double> angle_limit;  // [rad], instead of the case's
   std::optional<double> ceiling;      // [m], instead of the case's
-  std::vector<std::size_t> taut;      // cables that start taut
+  std::vector<std::int64_t> taut;     // cables that start taut
   ImpactLaw law = ImpactLaw::simultaneous;
   std::int64_t max_events = static_cast<std::int64_t>(SolveOptions().max_events);
   std::int64_t max_steps = static_cast<std::int64_t>(SolveOptions().max_steps);
@@ -84,11 +84,11 @@ void print_solution(const SolveCommand& command, const Case& the_case, const Sol
 std::vector<Case> wanted_cases(const SolveCommand& command) {
   CableSet taut;
   std::vector<std::string> broken;
-  for (const std::size_t index : command.taut) {
-    if (index >= max_cables) {
+  for (const std::int64_t index : command.taut) {
+    if (index < 0 || index >= static_cast<std::int64_t>(max_cables)) {
       broken.push_back(fmt::format("--taut {}: cables count from 0 to {}", index, max_cables - 1));
     } else {
-      taut.insert(index);
+      taut.insert(static_cast<std::size_t>(index));
     }
   }
   CaseSelection selection = select_cases(command.cases, taut);

@@ -87,6 +87,12 @@ std::vector<std::string> picture_problems(const std::string& asked) {
   if (picture.file.empty()) {
     return {fmt::format("--plot \"{}\": must be the name of a file, or -", printable(asked))};
   }
+  const std::size_t equals = asked.find('=');
+  if (picture.file == asked && equals != std::string::npos && asked.find_first_of("./") > equals) {
+    return {fmt::format(
+        "--plot {}: there is no picture {}; draw path=FILE or motion=FILE, or name the file ./{}",
+        printable(asked), printable(asked.substr(0, equals)), printable(asked))};
+  }
   if (is_png(picture.file) && !makes_png()) {
     return {fmt::format(
         "--plot {}: this build makes no PNG pictures, because librsvg (Debian: librsvg2-dev) was "

@@ -267,6 +267,8 @@ TEST(Solve, SaysWhatIsWrongWithItsFilesBeforeItSolves) {
   refused({"bouncing-ball", "--every", "1", "--csv", "-", "--plot", "motion"},
           "--plot - and --csv -: standard output takes one of them");
   refused({"bouncing-ball", "no-such-case", "x.toml"}, "unknown case \"no-such-case\"");
+  refused({"bouncing-ball", "--plot", "moton=x.svg"}, "there is no picture moton");
+  refused({"bouncing-ball", "--taut", "-1"}, "--taut -1: cables count from 0 to 7");
   const Outcome full = program({"solve", "bouncing-ball", "--every", "1", "--csv", "/dev/full"});
   EXPECT_EQ(full.code, 1);
   EXPECT_NE(full.errors.find("No space left on device"), std::string::npos) << full.errors;

@@ -54,7 +54,10 @@ struct PendulumOf {
 class PendulumTension : public ::testing::TestWithParam<PendulumOf> {};
 
 TEST_P(PendulumTension, IsThreeCosinesLessTwoOfTheStart) {
-  const auto [mass, length, gravity, start] = GetParam();
+  const double mass = GetParam().mass;
+  const double length = GetParam().length;
+  const double gravity = GetParam().gravity;
+  const double start = GetParam().start;
   Case the_case = on_one_cable(length, mass, {0.0, -gravity});
   the_case.initial.position = {length * std::sin(start), -length * std::cos(start)};
   the_case.duration = 7.0 * std::sqrt(length / gravity);

@@ -70,7 +70,7 @@ Audit::Audit(const World& world, Stepping stepping, double dt, const Scene& scen
       ledger_(world, stepping, dt),
       past_(world.cables.size()) {
   for (const Load& load : world.loads) {
-    findings_.weight += load.mass * world_gravity;
+    findings_.weight += load.mass * world_.gravity;
   }
 }
 
@@ -154,9 +154,10 @@ void Audit::look_at_impact(const Scene& scene, std::size_t cable, int parts) {
   }
   const CableData& data = world_.cables[cable];
   const std::optional<SeenImpact> impact =
-      stepping_ == Stepping::fixed ? fixed_impact(data, before_, now_)
-                                   : event_impact(data, before_, now_, now_.impulses[cable], dt_);
-  const double slowest = std::max(0.05, world_gravity * dt_);
+      stepping_ == Stepping::fixed
+          ? fixed_impact(data, before_, now_)
+          : event_impact(data, before_, now_, now_.impulses[cable], dt_, world_.gravity);
+  const double slowest = std::max(0.05, world_.gravity * dt_);
   if (!impact || impact->closing < slowest) {
     return;
   }

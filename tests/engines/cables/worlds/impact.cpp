@@ -22,13 +22,13 @@ std::vector<BodyState> with_hook_velocities_of(std::vector<BodyState> bodies,
 /// Bullet does not turn a body any further.
 constexpr double most_turn = 0.78;
 
-BodyState flown(BodyState body, double time) {
+BodyState flown(BodyState body, double time, double gravity) {
   body.position += time * body.velocity;
   if (body.is_hook()) {
     return body;
   }
-  body.position -= 0.5 * time * time * world_gravity * Vec3::UnitY();
-  body.velocity -= time * world_gravity * Vec3::UnitY();
+  body.position -= 0.5 * time * time * gravity * Vec3::UnitY();
+  body.velocity -= time * gravity * Vec3::UnitY();
   const double spin = body.spin.norm();
   if (spin > 0.0) {
     const Eigen::AngleAxisd turned(Scene::turn(spin, time), body.spin / spin);
@@ -37,11 +37,11 @@ BodyState flown(BodyState body, double time) {
   return body;
 }
 
-std::vector<BodyState> flown(const std::vector<BodyState>& bodies, double time) {
+std::vector<BodyState> flown(const std::vector<BodyState>& bodies, double time, double gravity) {
   std::vector<BodyState> result;
   result.reserve(bodies.size());
   for (const BodyState& body : bodies) {
-    result.push_back(flown(body, time));
+    result.push_back(flown(body, time, gravity));
   }
   return result;
 }
@@ -56,7 +56,8 @@ SeenImpact fixed_impact(const CableData& cable, const Moment& before, const Mome
 }
 
 std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& before,
-                                       const Moment& after, double impulse, double dt) {
+                                       const Moment& after, double impulse, double dt,
+                                       double gravity) {
   const auto start = with_hook_velocities_of(before.bodies, after.bodies);
   for (const int body : {cable.first.body, cable.second.body}) {
     if (body >= 0 && start[static_cast<std::size_t>(body)].spin.norm() * dt > most_turn) {
@@ -64,7 +65,7 @@ std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& bef
     }
   }
   const auto gap_at = [&](double time) {
-    return cable.length - line_of(cable, flown(start, time)).distance;
+    return cable.length - line_of(cable, flown(start, time, gravity)).distance;
   };
   if (gap_at(dt) >= 0.0) {
     return std::nullopt;
@@ -76,11 +77,11 @@ std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& bef
     const double middle = 0.5 * (slack + taut);
     (gap_at(middle) < 0.0 ? taut : slack) = middle;
   }
-  const auto then = flown(start, taut);
+  const auto then = flown(start, taut, gravity);
   const Line line = line_of(cable, then);
   const double closing = -gap_rate(line, cable, then);
   // what opens so slowly closes again before the step is over
-  if (cable.restitution * closing < 2.0 * world_gravity * dt) {
+  if (cable.restitution * closing < 2.0 * gravity * dt) {
     return std::nullopt;
   }
   const double rebound = impulse * (line.inverse[0] + line.inverse[1]) - closing;

@@ -23,7 +23,7 @@ struct SeenImpact {
 /// if a load turns so far in the step that the first instant is not to be told, or if the rebound
 /// is so slow that the cable may be taut, and pull, again in the same step.
 [[nodiscard]] std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& before,
-                                                     const Moment& after, double impulse,
-                                                     double dt);
+                                                     const Moment& after, double impulse, double dt,
+                                                     double gravity);
 
 }  // namespace tautline::test

@@ -18,7 +18,9 @@ double kinetic(const BodyState& body, const Vec3& velocity, const Vec3& spin) {
 /// an hour of steps goes astray by the root of their number.
 constexpr double roundings = 100.0;
 
-double potential(const BodyState& body) { return body.mass * world_gravity * body.position.y(); }
+double potential(const BodyState& body, double gravity) {
+  return body.mass * gravity * body.position.y();
+}
 
 double distance_along(const CableData& cable, const std::vector<BodyState>& bodies,
                       const Vec3& displacement) {
@@ -28,7 +30,7 @@ double distance_along(const CableData& cable, const std::vector<BodyState>& bodi
 }  // namespace
 
 Energy energy_between(const std::vector<BodyState>& at, const std::vector<BodyState>& next,
-                      int loads, Stepping stepping) {
+                      int loads, Stepping stepping, double gravity) {
   Energy result{0.0, 0.0};
   for (std::size_t index = 0; index < static_cast<std::size_t>(loads); ++index) {
     const BodyState& body = at[index];
@@ -36,20 +38,20 @@ Energy energy_between(const std::vector<BodyState>& at, const std::vector<BodySt
                                    0.5 * (body.spin + next[index].spin));
     const double here = kinetic(body, body.velocity, body.spin);
     result.kinetic += stepping == Stepping::fixed ? halfway : std::min(halfway, here);
-    result.potential += potential(body);
+    result.potential += potential(body, gravity);
   }
   return result;
 }
 
 Energy energy_at_start(const std::vector<BodyState>& bodies, int loads, Stepping stepping,
-                       double dt) {
+                       double dt, double gravity) {
   const double lag = stepping == Stepping::fixed ? 0.5 * dt : 0.0;
   Energy result{0.0, 0.0};
   for (std::size_t index = 0; index < static_cast<std::size_t>(loads); ++index) {
     const BodyState& body = bodies[index];
-    const Vec3 now = body.velocity - lag * world_gravity * Vec3::UnitY();
+    const Vec3 now = body.velocity - lag * gravity * Vec3::UnitY();
     result.kinetic += kinetic(body, now, body.spin);
-    result.potential += potential(body);
+    result.potential += potential(body, gravity);
   }
   return result;
 }
@@ -58,7 +60,8 @@ Ledger::Ledger(const World& world, Stepping stepping, double dt)
     : world_(world), stepping_(stepping), dt_(dt) {}
 
 void Ledger::start(const Moment& before, const Moment& after) {
-  const Energy energy = energy_at_start(before.bodies, world_.load_count(), stepping_, dt_);
+  const Energy energy =
+      energy_at_start(before.bodies, world_.load_count(), stepping_, dt_, world_.gravity);
   start_ = energy.kinetic + energy.potential;
   highest_kinetic_ = energy.kinetic;
   highest_ = lowest_ = energy.potential;
@@ -101,13 +104,14 @@ void Ledger::add(const Moment& before, const Moment& after) {
   work_ += work_to_come_;
   work_to_come_ = 0.0;
   add_work(before, after);
-  const Energy energy = energy_between(before.bodies, after.bodies, world_.load_count(), stepping_);
+  const Energy energy =
+      energy_between(before.bodies, after.bodies, world_.load_count(), stepping_, world_.gravity);
   highest_kinetic_ = std::max(highest_kinetic_, energy.kinetic);
   highest_ = std::max(highest_, energy.potential);
   lowest_ = std::min(lowest_, energy.potential);
   double largest = energy.kinetic + std::abs(work_);  // of what is added up
   for (std::size_t load = 0; load < world_.loads.size(); ++load) {
-    largest += std::abs(potential(before.bodies[load]));
+    largest += std::abs(potential(before.bodies[load], world_.gravity));
   }
   const double rounding = roundings * Scene::rounding * largest;
   gain_ = std::max(0.0, energy.kinetic + energy.potential - start_ - work_ - rounding);

@@ -31,12 +31,12 @@ struct Energy {
 };
 [[nodiscard]] Energy energy_between(const std::vector<BodyState>& at,
                                     const std::vector<BodyState>& next, int loads,
-                                    Stepping stepping);
+                                    Stepping stepping, double gravity);
 
 /// The energy with which a world begins: in fixed steps, the velocities given are those of half a
 /// step before the first pose.
 [[nodiscard]] Energy energy_at_start(const std::vector<BodyState>& bodies, int loads,
-                                     Stepping stepping, double dt);
+                                     Stepping stepping, double dt, double gravity);
 
 /// What goes in and what is there, step by step.
 class Ledger {

@@ -234,6 +234,45 @@ void web(Maker& make) {
   }
 }
 
+/// Loads that go round on taut cables, which nothing but their swing presses outwards: without
+/// gravity, which is a table seen from above too, or falling together. Some are fast.
+void whirl(Maker& make) {
+  make.world.has_ground = false;
+  make.taut = make.draw.chance(0.8);
+  const bool anchored = make.draw.chance(0.4);
+  const bool falls = !anchored && make.draw.chance(0.3);
+  make.world.gravity = falls ? world_gravity : 0.0;
+  const double pace = make.draw.scale(0.2, 20.0);  // [rad/s]
+  const bool turning = make.draw.chance(0.5);      // with the swing, as a stone on a string
+  const std::vector<double> of_each = make.masses(make.draw.whole(anchored ? 1 : 2, 3));
+  std::vector<double> along;
+  double reach = 0.0;
+  double mass = 0.0;
+  double moment = 0.0;
+  for (const double one : of_each) {
+    reach += make.draw.between(0.4, 1.5);
+    along.push_back(reach);
+    mass += one;
+    moment += one * reach;
+  }
+  // about the anchor, or about their centre of mass
+  const double centre = anchored ? 0.0 : moment / mass;
+  for (std::size_t index = 0; index < of_each.size(); ++index) {
+    const Vec3 out = (along[index] - centre) * Vec3::UnitX();
+    make.world.loads.push_back({of_each[index], make.draw.between(0.1, 0.3), middle + out,
+                                pace * Vec3::UnitZ().cross(out),
+                                (turning ? pace : 0.0) * Vec3::UnitZ(), false});
+  }
+  CableEnd from = {-1, middle};
+  for (int load = 0; load < make.world.load_count(); ++load) {
+    const double arm = turning ? make.draw.between(0.0, 0.15) : 0.0;
+    if (load > 0 || anchored) {
+      make.add_cable({load, -arm * Vec3::UnitX()}, from);
+    }
+    from = {load, arm * Vec3::UnitX()};
+  }
+}
+
 /// Boxes that lie and fall where no load gets.
 void add_boxes(Maker& make) {
   const int levels = make.draw.whole(1, 3);
@@ -249,7 +288,9 @@ World random_world(std::uint64_t seed) {
   Maker make(seed);
   constexpr std::array kinds = {"one", "several",  "series", "chain", "moving hooks",
                                 "web", "platform", "series", "boxes", "several"};
-  make.world.kind = kinds[seed % kinds.size()];
+  // one in twelve is a whirl; the others take turns
+  constexpr std::uint64_t whirls = 12;
+  make.world.kind = seed % whirls == whirls - 1 ? "whirl" : kinds[seed % kinds.size()];
   const std::string& kind = make.world.kind;
   if (kind == "one") {
     one_load(make, 1);
@@ -261,6 +302,8 @@ World random_world(std::uint64_t seed) {
     chain(make);
   } else if (kind == "moving hooks") {
     moving_hooks(make);
+  } else if (kind == "whirl") {
+    whirl(make);
   } else if (kind == "web") {
     web(make);
   } else if (kind == "platform") {

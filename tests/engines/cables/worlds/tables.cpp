@@ -52,12 +52,13 @@ Fall fall(double ratio, Held held, double rate) {
   const auto scene = series({1.0, ratio}, held, rate, 0.0);
   auto before = bodies_of(*scene, loads);
   const double start = before[1].position.y();
-  const Energy at_start = energy_at_start(before, loads, Stepping::fixed, scene->dt());
+  const Energy at_start =
+      energy_at_start(before, loads, Stepping::fixed, scene->dt(), world_gravity);
   Fall result{0.0, 0.0};
   for (int step = 0; step < static_cast<int>(60.0 * rate); ++step) {
     scene->step();
     const auto after = bodies_of(*scene, loads);
-    const Energy now = energy_between(before, after, loads, Stepping::fixed);
+    const Energy now = energy_between(before, after, loads, Stepping::fixed, world_gravity);
     result.drop = std::max(result.drop, start - after[1].position.y());
     result.gain =
         std::max(result.gain, now.kinetic + now.potential - at_start.kinetic - at_start.potential);

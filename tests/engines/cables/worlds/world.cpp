@@ -3,7 +3,7 @@
 namespace tautline::test {
 
 std::unique_ptr<Scene> play(const World& world, double rate) {
-  auto scene = std::make_unique<Scene>(world_gravity, rate);
+  auto scene = std::make_unique<Scene>(world.gravity, rate);
   for (const Load& load : world.loads) {
     const double moment = load.mass * load.radius * load.radius;
     const int body = load.is_box ? scene->add_box(load.mass, load.position)

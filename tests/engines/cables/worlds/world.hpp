@@ -17,6 +17,9 @@
 
 namespace tautline::test {
 
+constexpr double world_gravity = 9.81;  // [m/s^2], unless a world has another
+constexpr double box_side = 0.2;        // [m]
+
 struct Load {
   double mass;    // [kg]
   double radius;  // of gyration [m]; that of the box if it is one
@@ -45,14 +48,12 @@ struct World {
   std::vector<CableData> cables;
   bool has_ground = false;
   bool may_sleep = false;
-  std::vector<Vec3> boxes;  // out of the loads' reach [m]
+  double gravity = world_gravity;  // [m/s^2], downwards
+  std::vector<Vec3> boxes;         // out of the loads' reach [m]
 
   [[nodiscard]] int load_count() const { return static_cast<int>(loads.size()); }
   [[nodiscard]] int hook(int index) const { return load_count() + index; }
 };
-
-constexpr double world_gravity = 9.81;  // [m/s^2]
-constexpr double box_side = 0.2;        // [m]
 
 /// A scene of `world`, `rate` steps a second.
 [[nodiscard]] std::unique_ptr<Scene> play(const World& world, double rate);

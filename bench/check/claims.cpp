@@ -44,6 +44,8 @@ constexpr std::array all_claims = {
           "one step late, or a spring contact of 20 steps", measure_overstretch},
     Claim{"taut-growth", "a cable that stays taut does not lengthen",
           "a tenth of what a cable held in its rate alone lengthens by", measure_taut_growth},
+    Claim{"taut-turning", "a taut body turned without gravity keeps its energy and tension",
+          "half of what a rule that brakes every step takes in 10 s", measure_taut_turning},
     Claim{"mirror-symmetry", "the mirrored case moves in the mirror",
           "what ten sweeps of a solver leave of the order of the cables", measure_mirror_symmetry},
     Claim{"determinism", "a second run is the same, bit by bit", "none: the same is the same",

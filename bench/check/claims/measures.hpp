@@ -39,6 +39,7 @@ namespace tautline::bench {
 [[nodiscard]] Measure measure_energy(const Subject& subject);
 [[nodiscard]] Measure measure_overstretch(const Subject& subject);
 [[nodiscard]] Measure measure_taut_growth(const Subject& subject);
+[[nodiscard]] Measure measure_taut_turning(const Subject& subject);
 
 // Whether a model does the same again, and the same in a mirror.
 [[nodiscard]] Measure measure_mirror_symmetry(const Subject& subject);

@@ -51,6 +51,55 @@ Case swing() {
   return result;
 }
 
+/// A rule that takes every step of a swing for an impact takes w^2 h t of its energy, 4 % in this
+/// time; rounding to float is 1 % of the speed that a step turns by [-].
+constexpr double turning_limit = 2e-2;
+
+/// A body that goes round on its taut cable and turns with it, without gravity.
+Case turning() {
+  Case result;
+  result.name = "turning";
+  result.body = {1.0, 0.05};
+  result.gravity = Vec2::Zero();
+  result.cables = {{Vec2::Zero(), Vec2(-0.3, 0.0), 0.7, 0.0}};
+  result.initial = {Vec2(1.0, 0.0), 0.0, Vec2(0.0, 2.0), 2.0};
+  result.duration = 10.0;
+  return result;
+}
+
+/// What became of it.
+struct Turned {
+  double energy = 0.0;   // the largest change of it, of it [-]
+  double tension = 0.0;  // the largest error of it, of m v^2 / r; 0 if none is reported [-]
+  int slack = 0;         // steps without a pull, where others have one
+};
+
+Turned turned(const Subject& subject) {
+  const Case the_case = turning();
+  const auto simulation = subject.start(the_case, usual_step);
+  const double start = energy(the_case, the_case.initial);
+  const double radius = the_case.initial.position.norm();
+  const double right = the_case.body.mass * the_case.initial.velocity.squaredNorm() / radius;
+  const double settled = 0.1;  // [s]; the first steps bring it onto its circle
+  Turned result;
+  double error = 0.0;
+  int pulls = 0;
+  run_whole(*simulation, usual_step, the_case.duration, [&](const Moment& moment) {
+    result.energy = worse(result.energy, std::abs(energy(the_case, moment.after) / start - 1.0));
+    if (moment.time > settled && !simulation->impulses().empty()) {
+      const double impulse = simulation->impulses().front();
+      pulls += impulse > 0.0 ? 1 : 0;
+      result.slack += impulse > 0.0 ? 0 : 1;
+      error = worse(error, std::abs(impulse / (right * usual_step) - 1.0));
+    }
+  });
+  // some report the impulses of impacts alone
+  const bool reported = pulls > result.slack / 2;
+  result.tension = reported ? error : 0.0;
+  result.slack = reported ? result.slack : 0;
+  return result;
+}
+
 /// The largest overstretch of any cable [m].
 double overstretch(const Case& the_case, const State& state) {
   double largest = 0.0;
@@ -110,6 +159,27 @@ Measure measure_taut_growth(const Subject& subject) {
           : fmt::format("a taut cable lengthens: by {:.2g} m in the first 10 s, {:.2g} m in the "
                         "next",
                         early, late)};
+}
+
+Measure measure_taut_turning(const Subject& subject) {
+  const Turned of = turned(subject);
+  const double found = worse(of.energy, of.tension);
+  if (found <= turning_limit) {
+    return {found, turning_limit,
+            fmt::format("a taut body that turns without gravity keeps its energy to {:.2g} and its "
+                        "tension to {:.2g} in 10 s",
+                        of.energy, of.tension)};
+  }
+  if (!(of.energy <= turning_limit)) {
+    return {found, turning_limit,
+            fmt::format("a taut swing is braked, though nothing presses it outwards: a body that "
+                        "turns without gravity changes its energy by {:.3g} % in 10 s",
+                        100.0 * of.energy)};
+  }
+  return {found, turning_limit,
+          fmt::format("the tension of a taut body that turns without gravity is off by {:.3g} of "
+                      "m v^2 / r; slack in {} steps of 10 s",
+                      of.tension, of.slack)};
 }
 
 }  // namespace tautline::bench

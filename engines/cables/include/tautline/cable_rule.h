@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
 namespace tautline {
@@ -129,9 +130,11 @@ class CableRule {
   Row rest(const Start& at) {
     const Real keeps = std::max(at.turn, Real(0)) / 2;
     const Real outward = std::max(std::max(taken_, at.fall), Real(0));
-    const Real back = std::max(at.gap, Real(0)) / at.dt;
-    const Real modest = std::min(keeps, -at.rate);
     swings_ = outward < keeps;
+    // in short steps, a gap of rounding would be more than a swing's whole rate
+    const Real rounding = 32 * std::numeric_limits<Real>::epsilon() * length;
+    const Real back = std::max(swings_ ? at.gap - rounding : at.gap, Real(0)) / at.dt;
+    const Real modest = std::min(keeps, -at.rate);
     modest_ = modest - back;
     way_ = swings_ ? keeps * at.dt : Real(0);
     return pull(at, (swings_ ? swing(at, keeps, outward) : modest) - back);

@@ -93,8 +93,9 @@ class CableBlock {
   /// I (tension, arm, inertia), which takes steps with T a dt^2 < 4 I; with longer ones it is torn
   /// around by radians, and its cables unwind from it without end. So of the torque of two cables
   /// or more on a body, no more is kept than what would turn one of the inertia I + T a dt^2 - 4 I
-  /// (the geometric stiffness of an implicit step). What is left out would have done work on the
-  /// spin, or the torque is kept until it does: it takes energy out, never in.
+  /// (the geometric stiffness of an implicit step), nor more than what turns it by `farthest_turn`.
+  /// What is left out would have done work on the spin, or the torque is kept until it does: it
+  /// takes energy out, never in.
   void solve_stiffly(double dt) {
     solve(velocities);
     const int rounds = 12;  // the tension grows as the body stiffens; two or three do mostly
@@ -104,6 +105,9 @@ class CableBlock {
       solve(velocities);
     }
   }
+
+  /// A step follows what turns by less than this in it [rad].
+  static double farthest_turn() { return 0.3; }
 
   /// Which guess a solve begins with, and leaves behind.
   enum Kind { velocities, positions };
@@ -167,12 +171,22 @@ class CableBlock {
     }
     const double inertia = CableBlockEnd::dot(torque, torque) / work;
     const double resolved = 4.0;
-    if (stiffness <= resolved * inertia) {
-      return 1.0;
-    }
-    const double wanted = inertia / (inertia + stiffness - resolved * inertia);
+    double wanted =
+        stiffness > resolved * inertia ? inertia / (inertia + stiffness - resolved * inertia) : 1.0;
+    wanted = std::min(wanted, part_within(change, at.spin, farthest_turn() / dt));
     const double reverses = -2.0 * CableBlockEnd::dot(torque, at.spin) / work;
     return std::min(std::max(wanted, reverses), 1.0);
+  }
+  /// Of `change`, as much as leaves `spin` no faster than `fastest`.
+  static double part_within(const double* change, const double* spin, double fastest) {
+    const double square = CableBlockEnd::dot(change, change);
+    const double along = CableBlockEnd::dot(change, spin);
+    const double room = fastest * fastest - CableBlockEnd::dot(spin, spin);
+    if (square + 2.0 * along <= room) {
+      return 1.0;
+    }
+    const double root = along * along + square * room;
+    return std::max(((root > 0.0 ? std::sqrt(root) : 0.0) - along) / square, 0.0);
   }
   void take_turn(const void* body, double part) {
     for (std::size_t index = 0; index < count_; ++index) {

@@ -133,6 +133,25 @@ void chain(Maker& make) {
   }
 }
 
+/// Lengthens the cables of a load on several hooks where these go farther apart than two of them
+/// reach: no cable could keep its length there.
+void give_room(World& world) {
+  constexpr int steps = 3600;
+  constexpr double step = 1.0 / 60.0;  // [s]
+  for (std::size_t one = 1; one < world.hooks.size(); ++one) {
+    for (std::size_t other = 0; other < one; ++other) {
+      double farthest = 0.0;
+      for (int index = 0; index < steps; ++index) {
+        const double time = index * step;
+        farthest =
+            std::max(farthest, (world.hooks[one].at(time) - world.hooks[other].at(time)).norm());
+      }
+      double& longer = world.cables[one].length;
+      longer = std::max(longer, farthest - world.cables[other].length);
+    }
+  }
+}
+
 /// One to three loads below each other on a hook, or one on several hooks.
 void moving_hooks(Maker& make) {
   // the scene numbers hooks after loads: their number is settled first
@@ -149,6 +168,7 @@ void moving_hooks(Maker& make) {
                   make.draw.within(0.8, make.planar));
     make.add_cable(make.end_on(0), {make.world.hook(index), Vec3::Zero()});
   }
+  give_room(make.world);
   for (int load = 1; load < loads; ++load) {
     make.add_cable(make.end_on(load), make.end_on(load - 1));
   }

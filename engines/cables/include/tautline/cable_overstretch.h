@@ -48,7 +48,7 @@ void move_out_of_overstretch(Host& host, CableBlock& block, std::size_t count) {
     for (std::size_t index = 0; index < count; ++index) {
       block.lacking(index) = host.distance(index) - host.aimed(index);
     }
-    block.solve(CableBlock::positions);
+    const bool bounded = block.solve_moves();
     for (std::size_t index = 0; index < count; ++index) {
       if (block.impulse(index) > 0) {
         host.move(index, block.impulse(index));
@@ -60,13 +60,17 @@ void move_out_of_overstretch(Host& host, CableBlock& block, std::size_t count) {
       left = std::max(left, host.distance_now(index) - host.aimed(index) - rounding);
     }
     const Real enough = Real(0.1);  // of the correction: the rest comes in the next steps
-    if (left <= enough * most) {
+    const bool is_done = left <= enough * most;
+    if (is_done && !bounded) {
       break;
     }
-    if (done == 0) {
+    if (done == 0 && !is_done) {
       host.slow_turning();
     }
     host.look_again();
+    if (is_done) {
+      break;
+    }
   }
 }
 

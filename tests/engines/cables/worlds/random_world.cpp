@@ -261,7 +261,8 @@ void whirl(Maker& make) {
   make.taut = make.draw.chance(0.8);
   const bool anchored = make.draw.chance(0.4);
   const bool falls = !anchored && make.draw.chance(0.3);
-  make.world.gravity = falls ? world_gravity : 0.0;
+  constexpr double gentle = 0.1;  // [m/s^2]: they fall for a minute, and floats see millimetres
+  make.world.gravity = falls ? gentle : 0.0;
   const double pace = make.draw.scale(0.2, 20.0);  // [rad/s]
   const bool turning = make.draw.chance(0.5);      // with the swing, as a stone on a string
   const std::vector<double> of_each = make.masses(make.draw.whole(anchored ? 1 : 2, 3));

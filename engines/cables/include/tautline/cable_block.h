@@ -93,38 +93,25 @@ class CableBlock {
   /// I (tension, arm, inertia), which takes steps with T a dt^2 < 4 I; with longer ones it is torn
   /// around by radians, and its cables unwind from it without end. So of the torque of two cables
   /// or more on a body, no more is kept than what would turn one of the inertia I + T a dt^2 - 4 I
-  /// (the geometric stiffness of an implicit step), nor more than what turns it by `farthest_turn`.
-  /// What is left out would have done work on the spin, or the torque is kept until it does: it
-  /// takes energy out, never in.
+  /// (the geometric stiffness of an implicit step), nor more than what turns it by
+  /// CableTorque::farthest_turn. What is left out would have done work on the spin, or the torque
+  /// is kept until it does: it takes energy out, never in.
   void solve_stiffly(double dt) {
-    solve(velocities);
-    const int rounds = 12;  // the tension grows as the body stiffens; two or three do mostly
-    for (int done = 0; done < rounds && stiffen(dt); ++done) {
-      assemble();
-      factored_ = false;
-      solve(velocities);
-    }
+    solve_keeping(velocities, [this, dt](const CableBlockEnd& end) {
+      return torque_on(end.body).part_to_keep(end.spin, dt);
+    });
   }
 
-  /// Finds the moves of what `lacking` says [m], in which no body turns by more than
-  /// `farthest_turn`: the lines turn with it, and what they ask for farther on is another thing. Of
-  /// what would turn by more, less of the torque is kept, so that it is moved the more. True if that
-  /// was so; then the rows are to be filled anew.
+  /// Finds the moves of what `lacking` says [m], in which no body turns by more than a step
+  /// follows: the lines turn with it, and what they ask for farther on is another thing. What would
+  /// turn by more is moved the more. True if that was so; then the rows are to be filled anew.
   bool solve_moves() {
-    solve(positions);
-    bool any = false;
-    const int rounds = 12;  // two or three do mostly
-    for (int done = 0; done < rounds && turn_less(); ++done) {
-      any = true;
-      assemble();
-      factored_ = false;
-      solve(positions);
-    }
-    return any;
+    return solve_keeping(positions, [this](const CableBlockEnd& end) {
+      const CableTorque all = torque_on(end.body);
+      const double angle = std::sqrt(CableBlockEnd::dot(all.turned, all.turned));
+      return end.kept * std::min(CableTorque::farthest_turn() / std::max(angle, 1e-9), 1.0);
+    });
   }
-
-  /// A step follows what turns by less than this in it [rad].
-  static double farthest_turn() { return 0.3; }
 
   /// Which guess a solve begins with, and leaves behind.
   enum Kind { velocities, positions };
@@ -147,12 +134,26 @@ class CableBlock {
   }
 
  private:
-  /// Takes from `turn` what a step cannot follow; false if that is nothing.
-  bool stiffen(double dt) {
+  /// Solves, and keeps no more of the torque on a body than `part_of` its end; true if not all.
+  template <typename Part>
+  bool solve_keeping(Kind kind, const Part& part_of) {
+    solve(kind);
+    const int rounds = 12;  // the tension grows as bodies stiffen; two or three do mostly
+    bool any = false;
+    for (int done = 0; done < rounds && keep_less(part_of); ++done) {
+      any = true;
+      assemble();
+      factored_ = false;
+      solve(kind);
+    }
+    return any;
+  }
+  template <typename Part>
+  bool keep_less(const Part& part_of) {
     bool any = false;
     for (std::size_t index = 0; index < count_; ++index) {
       for (const CableBlockEnd& end : rows_[index].end) {
-        const double part = end.body != nullptr ? part_to_keep(end, dt) : 1.0;
+        const double part = end.body != nullptr ? part_of(end) : 1.0;
         const double worth = 0.99;  // a round for less gains nothing
         if (part < worth * end.kept) {
           any = true;
@@ -162,75 +163,16 @@ class CableBlock {
     }
     return any;
   }
-
-  /// Takes from `turn` what turns a body by more than `farthest_turn`; false if that is nothing.
-  bool turn_less() {
-    bool any = false;
+  CableTorque torque_on(const void* body) const {
+    CableTorque result;
     for (std::size_t index = 0; index < count_; ++index) {
       for (const CableBlockEnd& end : rows_[index].end) {
-        const double angle = end.body != nullptr ? turn_of(end.body) : 0.0;
-        const double rounding = 1.01;
-        if (angle > rounding * farthest_turn()) {
-          any = true;
-          take_turn(end.body, farthest_turn() / angle);
+        if (end.body == body && impulse_[index] > 0.0) {
+          result.add(end, impulse_[index]);
         }
       }
     }
-    return any;
-  }
-  double turn_of(const void* body) const {
-    double turn[3] = {0.0, 0.0, 0.0};
-    for (std::size_t index = 0; index < count_; ++index) {
-      for (const CableBlockEnd& end : rows_[index].end) {
-        for (int axis = 0; axis < 3 && end.body == body; ++axis) {
-          turn[axis] += impulse_[index] * end.turn[axis];
-        }
-      }
-    }
-    return std::sqrt(CableBlockEnd::dot(turn, turn));
-  }
-
-  /// Of the torque on the body of `at`.
-  double part_to_keep(const CableBlockEnd& at, double dt) const {
-    double torque[3] = {0.0, 0.0, 0.0};
-    double change[3] = {0.0, 0.0, 0.0};  // of the spin, by all of it
-    double stiffness = 0.0;              // T a dt^2
-    int pulling = 0;
-    for (std::size_t index = 0; index < count_; ++index) {
-      for (const CableBlockEnd& end : rows_[index].end) {
-        if (end.body != at.body || !(impulse_[index] > 0.0)) {
-          continue;
-        }
-        ++pulling;
-        stiffness += impulse_[index] * dt * end.arm;
-        for (int axis = 0; axis < 3; ++axis) {
-          torque[axis] += end.moment[axis] * impulse_[index];
-          change[axis] += end.turn[axis] * impulse_[index] / end.kept;
-        }
-      }
-    }
-    const double work = CableBlockEnd::dot(torque, change);
-    if (pulling < 2 || !(work > 0.0)) {
-      return 1.0;
-    }
-    const double inertia = CableBlockEnd::dot(torque, torque) / work;
-    const double resolved = 4.0;
-    double wanted =
-        stiffness > resolved * inertia ? inertia / (inertia + stiffness - resolved * inertia) : 1.0;
-    wanted = std::min(wanted, part_within(change, at.spin, farthest_turn() / dt));
-    const double reverses = -2.0 * CableBlockEnd::dot(torque, at.spin) / work;
-    return std::min(std::max(wanted, reverses), 1.0);
-  }
-  /// Of `change`, as much as leaves `spin` no faster than `fastest`.
-  static double part_within(const double* change, const double* spin, double fastest) {
-    const double square = CableBlockEnd::dot(change, change);
-    const double along = CableBlockEnd::dot(change, spin);
-    const double room = fastest * fastest - CableBlockEnd::dot(spin, spin);
-    if (square + 2.0 * along <= room) {
-      return 1.0;
-    }
-    const double root = along * along + square * room;
-    return std::max(((root > 0.0 ? std::sqrt(root) : 0.0) - along) / square, 0.0);
+    return result;
   }
   void take_turn(const void* body, double part) {
     for (std::size_t index = 0; index < count_; ++index) {

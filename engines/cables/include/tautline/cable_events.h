@@ -15,8 +15,8 @@
 //   Real rate_rounding()           the closing rate that counts as none [m/s]
 //   Real explained()               the closing rate that a whole step explains [m/s]
 //   Real rebound()                 of its closing now, see CableRule [m/s]
-//   Real braking()                 what its winch and hooks, which brake, are slower by at the end of
-//                                  the step than in its mean [m/s]
+//   Real braking()                 what its winch and hooks, which brake, are slower by at the end
+//                                  of the step than in its mean [m/s]
 //   void fill(CableBlock::Row&)    its ends, as the impacts are solved
 //   void apply(impulse)            changes the velocities of its ends now, impulse in [N s]
 //   bool held()                    it rests taut

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,13 +25,14 @@
 //   State state() const
 //   void advance(dt, look)       one step of `dt` [s], which calls look() where it wants to know
 //                                what the rows ask for: with the pose and velocity of then
+//   bool asleep() const          optional: true if the engine has left the body out of the step
 
 namespace tautline {
 
 /// A cable is a row while `activation` says so; it asks for the larger of the bounce and a part of
 /// the overstretch.
 template <class RowWorld>
-class RowSimulation final : public SteppedSimulation {
+class RowSimulation final : public Simulation, public TensionImpulses {
  public:
   template <class... Own>
   RowSimulation(const Case& the_case, const RunSettings& run, Activation activation,
@@ -39,19 +41,32 @@ class RowSimulation final : public SteppedSimulation {
         activation_(activation),
         correction_(usual_correction / run.step),
         world_(the_case, own...),
-        impulses_(the_case.cables.size()) {}
+        impulses_(the_case.cables.size()),
+        tension_impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] State state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] std::span<const double> tension_impulses() const override {
+    return tension_impulses_;
+  }
 
   void step(double dt) override {
     world_.advance(dt, [this, dt] { look(dt); });
     for (std::size_t index = 0; index < impulses_.size(); ++index) {
-      impulses_[index] = world_.impulse(index);
+      impulses_[index] = asleep() ? 0.0 : world_.impulse(index);
+      tension_impulses_[index] =
+          asleep() ? std::numeric_limits<double>::quiet_NaN() : impulses_[index];
     }
   }
 
  private:
+  [[nodiscard]] bool asleep() const {
+    if constexpr (requires { world_.asleep(); }) {
+      return world_.asleep();
+    }
+    return false;
+  }
+
   /// Tells each row what it asks for in a step of `dt` [s].
   void look(double dt) {
     const State now = world_.state();
@@ -71,6 +86,7 @@ class RowSimulation final : public SteppedSimulation {
   double correction_;  // [1/s], part of the overstretch
   RowWorld world_;
   std::vector<double> impulses_;
+  std::vector<double> tension_impulses_;
 };
 
 /// A model of such rows; `own` goes to the world.

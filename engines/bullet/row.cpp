@@ -33,9 +33,8 @@ class RowWorld {
 
   void pull(std::size_t index, const CableRow& row, double rate) { rows_.pull(index, row, rate); }
   void let_go(std::size_t index) { rows_.let_go(index); }
-  [[nodiscard]] double impulse(std::size_t index) const {
-    return world_.asleep() ? 0.0 : rows_.impulse(index);
-  }
+  [[nodiscard]] double impulse(std::size_t index) const { return rows_.impulse(index); }
+  [[nodiscard]] bool asleep() const { return world_.asleep(); }
 
  private:
   World world_;

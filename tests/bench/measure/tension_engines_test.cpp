@@ -36,9 +36,13 @@ TEST(TensionOfEngines, AtRestIsHalfTheWeightToAPercent) {
   const TemporaryFolder folder;
   const std::string box = folder.file("box.toml", hanging_box).string();
   json runs = json::array();
+  const std::set<std::string> built = built_engines();
   // in float two cables that go taut at once keep the event model chattering
   for (const auto& [engines, models] : std::vector<std::pair<std::string, std::string>>{
            {"exact,bullet64,ode", "sampled,event,row,cable"}, {"bullet32", "row,cable"}}) {
+    if (engines == "bullet32" && !built.contains(engines)) {
+      continue;
+    }
     const std::string out = (folder.path() / engines).string();
     const Outcome outcome = program(
         {"bench", box, "--engines", engines, "--models", models, "--steps", "1e-3", "--out", out});
@@ -62,8 +66,18 @@ TEST(TensionOfEngines, AtRestIsHalfTheWeightToAPercent) {
         << name;
   }
   for (const auto& one : told) {
-    EXPECT_TRUE(found.contains(one)) << one.first << " " << one.second;
+    EXPECT_EQ(found.contains(one), built.contains(one.first)) << one.first << " " << one.second;
   }
+}
+
+TEST(TensionOfEngines, OfABodyAsleepIsNotKnown) {
+  const TemporaryFolder folder;
+  const std::string box = folder.file("box.toml", hanging_box).string();
+  const Outcome outcome =
+      program({"run", box, "--engine", "bullet64", "--model", "row-sleeping", "--step", "1e-3",
+               "--out", folder.path().string(), "--json", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(json::parse(outcome.output)["details"]["rest_tension"].is_null());
 }
 
 // an engine in another language says so of a model; a kit from before it was there does not

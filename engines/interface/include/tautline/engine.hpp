@@ -113,7 +113,7 @@ class TensionImpulses {
 
   /// The impulse of each cable over the latest step [N s], >= 0, one per cable of the case, without
   /// those of the impacts in `Simulation::events`: over the length of the step, the mean tension
-  /// [N].
+  /// [N]. Not a number if the engine does not know it: it has put the body to sleep.
   [[nodiscard]] virtual std::span<const double> tension_impulses() const = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "tautline/solve.hpp"
 
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "instantiate.hpp"
@@ -223,6 +224,11 @@ class Motion final : public PausedMotion<Real> {
     if (const CableSet won = taut - taut_; !won.empty()) {
       state_ = projected(case_, state_, taut);
       record(EventKind::taut, won, no_impulses<Real>(won), state_);
+      if constexpr (!std::is_same_v<Real, double>) {
+        // many digits see how far a start in doubles is off its cables: the motion is of the pose
+        // on them, else each later arc would close a part of it
+        held_ = hold(case_, state_, touching_, taut);
+      }
     }
     taut_ = taut;
     return true;

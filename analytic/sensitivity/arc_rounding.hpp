@@ -62,6 +62,10 @@ inline State bounds(const StateMatrix& squares, const Sizes& sizes, const State&
           bound(own[5] + turned * fast)};
 }
 
+/// Taut cables whose `independence` is below this are near a dead point, where rounding grows [-]:
+/// above it, the square of a tenth, `bound_margin` has that.
+inline constexpr double near_dead_point = 1e-2;
+
 /// Of the state at the end of an arc of length `dt`.
 inline StateVector arc_rounding(const Sizes& sizes, const State& start, const State& end,
                                 double dt) {
@@ -76,6 +80,22 @@ inline StateVector arc_rounding(const Sizes& sizes, const State& start, const St
   result << place, place, turn, rate, rate, spin;
   constexpr double operations = 3.0;  // that count, of those that make each number
   return operations * one_rounding * result;
+}
+
+/// The same on two taut cables, with the least `independence` of the arc. The rounding of their
+/// gaps turns the body by as much as it is large against the sine between their rows; in the pose
+/// turned so the cables' rates are off, and what takes them away spins the body by as much again.
+inline StateVector taut_rounding(const Sizes& sizes, const State& start, const State& end,
+                                 double dt, double independence) {
+  StateVector result = arc_rounding(sizes, start, end, dt);
+  const double sine = std::sqrt(std::max(independence, epsilon<double>()));
+  const double turn = result[0] / (sizes.radius * sine);
+  if (independence < near_dead_point) {
+    result *= std::sqrt(near_dead_point) / sine;
+  }
+  result[2] += turn;
+  result[5] += sizes.speed(end) / sizes.shortest * turn / sine;
+  return result;
 }
 
 }  // namespace tautline

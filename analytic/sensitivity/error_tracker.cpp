@@ -56,8 +56,10 @@ void ErrorTracker::start_events(std::size_t arc) {
 /// Carries the errors over `event`; `arrives` where it ends an arc.
 void ErrorTracker::take(const Event& event, bool arrives) {
   const CableSet hit = event.kind == EventKind::impact ? event.cables - taut_ : CableSet{};
-  if (!lost_ && arrives &&
-      !(hit.empty() ? event.kind != EventKind::slack || release(event) : arrive(event, hit))) {
+  if (!lost_ && arrives && hit.empty() && event.kind == EventKind::slack && !release(event)) {
+    lose_near(event.before, before_->start);  // along the arcs before, no tension touches zero
+  }
+  if (!lost_ && arrives && !hit.empty() && !arrive(event, hit)) {
     lose(last_event());
   }
   if (!lost_ && !(event.time > 0.0) && event.kind == EventKind::impact && !start(event)) {
@@ -154,7 +156,7 @@ void ErrorTracker::follow(std::size_t index) {
   }
   fastest_ = std::max({fastest_, sizes_.speed(arc.initial), sizes_.speed(last)});
   if (!is_sure()) {
-    lose(arc.start);  // where they still were
+    lose_near(last, arc.start);  // where they still were
   }
 }
 
@@ -269,6 +271,14 @@ void ErrorTracker::lose(double since) {
   meeting_ = meeting();
   result_.unsure_.push_back({std::max(since, sure_to_), std::numeric_limits<double>::infinity(),
                              std::exchange(tie_, std::nullopt)});
+}
+
+/// `lose` where taut cables were followed up to `state`: near a dead point that is the reason.
+void ErrorTracker::lose_near(const State& state, double since) {
+  if (taut_.size() > 1 && independence(case_, state, taut_) < near_dead_point) {
+    tie_ = Tie{EventKind::taut, taut_};
+  }
+  lose(since);
 }
 
 /// The instant of the last event [s].

@@ -68,6 +68,7 @@ class ErrorTracker {
   [[nodiscard]] double period_drift(const Repetition& again) const;
   void repeat(const Repetition& again);
   void lose(double since);
+  void lose_near(const State& state, double since);
   [[nodiscard]] double last_event() const;
   [[nodiscard]] std::optional<Meeting> meeting() const;
   [[nodiscard]] std::optional<Meeting> meeting_from(std::size_t arc) const;

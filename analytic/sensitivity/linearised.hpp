@@ -42,6 +42,12 @@ template <class Real>
 [[nodiscard]] BasicCableVector<Real> tensions(const BasicCase<Real>& the_case,
                                               const BasicState<Real>& state, CableSet pulling);
 
+/// The square of the largest sine between the rows of two of `cables` [-]: 0 where all of them hold
+/// the body in one way only, as at a dead point.
+template <class Real>
+[[nodiscard]] Real independence(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                CableSet cables);
+
 /// What an impact's results gain per unit of the state before.
 template <class Real>
 struct BasicReboundSlopes {

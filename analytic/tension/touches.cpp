@@ -1,44 +1,44 @@
-// Where the tension of a taut cable touches zero.
+// Where the tension of a taut cable touches zero, and where taut cables pass a dead point.
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "instantiate.hpp"
 #include "sensitivity/linearised.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/projection.hpp"
+#include "tautline/rows.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline {
 namespace {
 
-/// Tensions this small against the forces of the motion are looked at: errors that are larger are
-/// trusted nowhere [-].
+/// Tensions this small against the forces of the motion, and sines whose squares are, are looked
+/// at: errors that are larger are trusted nowhere [-].
 constexpr double near_zero = 1e-2;
 
-/// The tension of one cable along an arc, as a function of the time since its start.
-template <class Real>
-class TensionAlongArc {
+/// Something that depends on the state along an arc, as a function of the time since its start.
+template <class Real, class Value>
+class AlongArc {
  public:
-  TensionAlongArc(const BasicCase<Real>& the_case, const BasicArc<Real>& arc, CableSet pulling,
-                  std::size_t cable)
-      : case_(the_case), arc_(arc), pulling_(pulling) {
-    for (const std::size_t index : pulling) {
-      if (index == cable) {
-        break;
-      }
-      ++row_;
-    }
+  AlongArc(const BasicCase<Real>& the_case, const BasicArc<Real>& arc, Value value)
+      : case_(the_case), arc_(arc), value_(std::move(value)) {
     const Real scale = acceleration_scale(the_case, arc.initial);
-    force_ = the_case.body.mass * scale;
-    // differences of fourth roots: the rounding of a second derivative is then its square root
-    step_ = sqrt(Real(shortest_length(the_case) / scale)) * sqrt(Real(sqrt(epsilon<Real>())));
+    // differences of fourth roots: the rounding of a second derivative is then its square root; an
+    // arc's series holds for a few lengths of the arc
+    const Real most = (arc.end - arc.start) / 4;
+    step_ = min(most, Real(sqrt(Real(shortest_length(the_case) / scale)) *
+                           sqrt(Real(sqrt(epsilon<Real>())))));
   }
 
-  [[nodiscard]] Real at(const Real& time) const {
-    return tensions(case_, arc_.after(time, case_.gravity), pulling_)[row_];
+  [[nodiscard]] Real at(const Real& time) const { return value_(arc_.after(time, case_.gravity)); }
+
+  /// Where its parabola at the end of the arc, of `length` [s], is least: from values within the
+  /// arc.
+  [[nodiscard]] std::optional<BasicTouch<Real>> bottom_beyond(const Real& length) const {
+    return bottom(Real(length - step_));
   }
-  [[nodiscard]] const Real& force() const { return force_; }  // [N], of the motion
 
   /// Where its parabola at `time` is least; none where it bends down.
   [[nodiscard]] std::optional<BasicTouch<Real>> bottom(const Real& time) const {
@@ -50,7 +50,7 @@ class TensionAlongArc {
     if (!(bend > 0)) {
       return std::nullopt;
     }
-    return BasicTouch<Real>{0, time - slope / bend, here - slope * slope / (2 * bend), bend};
+    return BasicTouch<Real>{{}, {}, time - slope / bend, here - slope * slope / (2 * bend), bend};
   }
 
   /// The minimum near `time`, by Newton's method.
@@ -64,7 +64,7 @@ class TensionAlongArc {
       const bool done = abs(Real(found->time - time)) <= step_;
       time = found->time;
       if (done) {
-        return BasicTouch<Real>{0, time, at(time), found->bend};
+        return BasicTouch<Real>{{}, {}, time, at(time), found->bend};
       }
     }
     return std::nullopt;
@@ -73,36 +73,76 @@ class TensionAlongArc {
  private:
   const BasicCase<Real>& case_;
   const BasicArc<Real>& arc_;
-  CableSet pulling_;
-  Eigen::Index row_ = 0;
-  Real force_;
+  Value value_;
   Real step_;  // [s]
 };
 
-/// True where an event of `kind`, or any if none is given, is at `time`, and has `cable`.
+/// True where an event of `kind` with one of `cables`, or any if no kind is given, is at `time`.
 template <class Real>
-bool has_event(const BasicSolution<Real>& solution, const Real& time, std::size_t cable,
+bool has_event(const BasicSolution<Real>& solution, const Real& time, CableSet cables,
                std::optional<EventKind> kind) {
   const auto& events = solution.events();
   auto event = std::lower_bound(
       events.begin(), events.end(), time,
       [](const BasicEvent<Real>& one, const Real& instant) { return one.time < instant; });
   for (; event != events.end() && event->time == time; ++event) {
-    if ((!kind || event->kind == *kind) && (!kind || event->cables.contains(cable))) {
+    if (!kind || (event->kind == *kind && !(event->cables & cables).empty())) {
       return true;
     }
   }
   return false;
 }
 
-/// False where the parabola through three tensions stays clear of zero, with a margin for what an
+/// False where the parabola through three values stays above `most`, with a margin for what an
 /// arc, a part of the radius of convergence, bends more.
 template <class Real>
-bool comes_near(const Real& start, const Real& middle, const Real& end, const Real& force) {
+bool comes_near(const Real& start, const Real& middle, const Real& end, const Real& most) {
   const Real low = min(start, min(middle, end));
   const Real high = max(start, max(middle, end));
   constexpr double margin = 0.5;  // [-]
-  return low - margin * (high - low) <= near_zero * force;
+  return low - margin * (high - low) <= most;
+}
+
+/// Which ends of an arc a minimum may lie at.
+struct Ends {
+  bool start;     // false: the motion, or this taut motion, starts there
+  bool releases;  // at the end, beyond which the motion is no longer this one
+};
+
+/// Where `along` has a minimum up to `most` in an arc of this length [s].
+template <class Real, class Value>
+std::vector<BasicTouch<Real>> minima(const AlongArc<Real, Value>& along, const Real& length,
+                                     const Real& most, Ends ends) {
+  std::vector<BasicTouch<Real>> result;
+  const auto add = [&](const std::optional<BasicTouch<Real>>& found) {
+    if (found && found->value <= most) {
+      result.push_back(*found);
+    }
+  };
+  if (!comes_near(along.at(Real(0)), along.at(Real(length / 2)), along.at(length), most)) {
+    return result;
+  }
+  if (ends.releases) {
+    add(along.bottom_beyond(length));
+  }
+  constexpr int parts = 8;
+  const Real near_end = length * 1e-6;  // of two arcs that meet at a minimum either may have it
+  std::array<Real, parts + 1> values;
+  for (int part = 0; part <= parts; ++part) {
+    values[static_cast<std::size_t>(part)] = along.at(Real(length * part / parts));
+  }
+  for (std::size_t part = ends.start ? 0 : 1; part <= (ends.releases ? parts - 1U : parts);
+       ++part) {
+    const bool falls = part == 0 || values[part] <= values[part - 1];
+    const bool rises = part == parts || values[part] <= values[part + 1];
+    if (falls && rises) {
+      const auto found = along.minimum(Real(length * static_cast<double>(part) / parts));
+      if (found && found->time >= -near_end && found->time <= length + near_end) {
+        add(found);
+      }
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -119,6 +159,20 @@ BasicCableVector<Real> tensions(const BasicCase<Real>& the_case, const BasicStat
 }
 
 template <class Real>
+Real independence(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
+  const Rows<Real> shapes = CableRows<Real>(the_case, state, cables).shapes();
+  Real largest(0);
+  for (Eigen::Index i = 0; i < shapes.rows(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const Vector3<Real> a = shapes.row(i).transpose();
+      const Vector3<Real> b = shapes.row(j).transpose();
+      largest = max(largest, Real(a.cross(b).squaredNorm() / (a.squaredNorm() * b.squaredNorm())));
+    }
+  }
+  return largest;
+}
+
+template <class Real>
 std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
                                       const BasicSolution<Real>& solution, std::size_t index) {
   const BasicArc<Real>& arc = solution.arcs()[index];
@@ -127,51 +181,50 @@ std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
   if (arc.series.rows() == 0 || is_rest(arc) || !(length > 0)) {
     return result;
   }
+  const auto add = [&](EventKind kind, CableSet cables, auto value, const Real& most, Ends ends) {
+    const AlongArc<Real, decltype(value)> along(the_case, arc, std::move(value));
+    for (BasicTouch<Real> found : minima<Real>(along, length, most, ends)) {
+      found.kind = kind;
+      found.cables = cables;
+      found.time += arc.start;
+      result.push_back(found);
+    }
+  };
   const CableSet pulling = basis(the_case, arc.initial, arc.taut);
+  if (pulling.size() > 1) {
+    const auto value = [&](const BasicState<Real>& state) {
+      return independence(the_case, state, arc.taut);
+    };
+    add(EventKind::taut, arc.taut, value, Real(near_zero), {true, false});
+    if (has_event<Real>(solution, arc.end, arc.taut, EventKind::slack)) {
+      const AlongArc<Real, decltype(value)> along(the_case, arc, value);
+      const Real last = along.at(length);
+      const auto bottom = along.bottom_beyond(length);
+      if (last <= Real(near_zero) && bottom) {
+        result.push_back({EventKind::taut, arc.taut, arc.end, last, bottom->bend});
+      }
+    }
+  }
   if (pulling != arc.taut) {  // redundant cables have no tensions of their own
     return result;
   }
-  const bool begins = index == 0 || has_event<Real>(solution, arc.start, 0, std::nullopt);
+  const bool begins = index == 0 || has_event<Real>(solution, arc.start, {}, std::nullopt);
+  const Real force = the_case.body.mass * acceleration_scale(the_case, arc.initial);
+  Eigen::Index row = 0;
   for (const std::size_t cable : pulling) {
-    const TensionAlongArc<Real> tension(the_case, arc, pulling, cable);
-    const Real most = near_zero * tension.force();  // [N]
-    const auto add = [&](std::optional<BasicTouch<Real>> found) {
-      if (found && found->tension <= most) {
-        found->cable = cable;
-        found->time += arc.start;
-        result.push_back(*found);
-      }
-    };
-    const std::array ends = {tension.at(Real(0)), tension.at(Real(length / 2)), tension.at(length)};
-    if (!comes_near(ends[0], ends[1], ends[2], tension.force())) {
-      continue;
-    }
-    const bool releases = has_event<Real>(solution, arc.end, cable, EventKind::slack);
-    if (releases) {
-      add(tension.bottom(length));
-    }
-    constexpr int parts = 8;
-    const Real near_end = length * 1e-6;  // of two arcs that meet at a minimum either may have it
-    std::array<Real, parts + 1> values;
-    for (int part = 0; part <= parts; ++part) {
-      values[static_cast<std::size_t>(part)] = tension.at(Real(length * part / parts));
-    }
-    for (std::size_t part = begins ? 1 : 0; part <= (releases ? parts - 1U : parts); ++part) {
-      const bool falls = part == 0 || values[part] <= values[part - 1];
-      const bool rises = part == parts || values[part] <= values[part + 1];
-      if (falls && rises) {
-        const auto found = tension.minimum(Real(length * static_cast<double>(part) / parts));
-        if (found && found->time >= -near_end && found->time <= length + near_end) {
-          add(found);
-        }
-      }
-    }
+    const CableSet one = CableSet::of(cable);
+    add(EventKind::slack, one,
+        [&, row](const BasicState<Real>& state) { return tensions(the_case, state, pulling)[row]; },
+        Real(near_zero * force),
+        {!begins, has_event<Real>(solution, arc.end, one, EventKind::slack)});
+    ++row;
   }
   return result;
 }
 
 template BasicCableVector<Instance> tensions(const BasicCase<Instance>&,
                                              const BasicState<Instance>&, CableSet);
+template Instance independence(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);
 template std::vector<BasicTouch<Instance>> touches(const BasicCase<Instance>&,
                                                    const BasicSolution<Instance>&, std::size_t);
 

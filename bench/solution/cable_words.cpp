@@ -25,6 +25,13 @@ std::string tie_sentence(EventKind kind, CableSet cables, const std::string& tim
         "decides.",
         time, one ? "" : "s", cable_list(cables), one ? "it lets go" : "they let go");
   }
+  if (kind == EventKind::taut) {
+    return fmt::format(
+        "At t = {} the taut cables {} are at a dead point, where the body can go on in more than "
+        "one "
+        "way: which one it takes is a tie that rounding decides.",
+        time, cable_list(cables));
+  }
   return fmt::format(
       "At t = {} cables {} become taut at one instant, as far as numbers tell: which of them is "
       "first is a tie that rounding decides.",

@@ -49,8 +49,9 @@ inline constexpr int solution_schema = 4;
 /// share open: it is the smallest then.
 ///
 /// A `tie` is what rounding decides at `from`: with kind impact which of the cables, taut at one
-/// instant, is hit first; with kind slack whether the cable lets go, whose tension touches zero.
-/// Among `indeterminate` cables the split of an impulse is one of several: that of smallest size.
+/// instant, is hit first; with kind slack whether the cable lets go, whose tension touches zero;
+/// with kind taut how the body goes on from a dead point of its taut cables. Among `indeterminate`
+/// cables the split of an impulse is one of several: that of smallest size.
 ///
 /// A `swing` goes to and fro, or round and round: then it has no turning points. Its angles are
 /// those of the "body", or of its first "cable" where the body does not turn with it. `tensions`

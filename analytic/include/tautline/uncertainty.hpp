@@ -25,8 +25,10 @@ struct EventErrors {
 /// What rounding decides: the doubles of the case are at, or too near to, the border of two
 /// motions.
 struct Tie {
-  EventKind kind;   // impact: which of `cables` is hit first; slack: whether they let go
-  CableSet cables;  // hit at one instant, or whose tension touches zero
+  /// impact: which of `cables` is hit first; slack: whether they let go; taut: with which of two
+  /// motions they stay taut.
+  EventKind kind;
+  CableSet cables;  // hit at one instant, whose tension touches zero, or at a dead point
 };
 
 /// A stretch of time [s] in which nothing is sure but the energy's bounds.
@@ -45,18 +47,24 @@ template <class Real>
 [[nodiscard]] CableSet indeterminate(ImpactLaw law, const BasicCase<Real>& the_case,
                                      const BasicEvent<Real>& event);
 
-/// An instant at which the tension of a taut cable is least, or would be had it not let go before.
+/// An instant at which something is least that decides how the motion goes on where it is zero.
 template <class Real>
 struct BasicTouch {
-  std::size_t cable;  // index
-  Real time;          // [s]
-  Real tension;       // [N], < 0 where the cable has let go
-  Real bend;          // [N/s^2], its second derivative there, > 0
+  /// slack: the tension of a cable, which lets go. taut: the square of the largest sine between two
+  /// rows of the taut cables, 0 at a dead point of the linkage that they make of the body: more
+  /// than one taut motion goes on from there.
+  EventKind kind;
+  CableSet cables;
+  Real time;   // [s]
+  Real value;  // [N] or [-]; a tension < 0 where the cable has let go
+  Real bend;   // its second derivative there, > 0
 };
 using Touch = BasicTouch<double>;
 
 /// Where tensions along arc `index` of `solution` come near zero, against the forces of the motion,
-/// without falling through it fast. The start of a motion counts not.
+/// without falling through it fast, and where its taut cables come near a dead point: there and
+/// where a cable is let go near one, for which rounding may be the reason. A motion that starts
+/// with a tension of zero does not touch it.
 template <class Real>
 [[nodiscard]] std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
                                                     const BasicSolution<Real>& solution,

@@ -147,14 +147,18 @@ std::string horizon_text(const Case& the_case, const Solution& solution,
     const double since = all.back().from;
     const double before = std::max(0.0, std::nextafter(since, 0.0));
     const double error = uncertainty.energy(before).value_or(-1.0);
+    const double start = energy(the_case, the_case.initial);
+    const double taken = start - energy(the_case, solution.at(before));
+    const double rounding = error + few_roundings * epsilon<double>() * std::abs(start);
     const std::string left =
         error < 0.0 ? ""
-                    : fmt::format(", {} there,",
-                                  number_in_words(energy(the_case, solution.at(before)), error, 6));
+                    : fmt::format(", and that impacts have taken {} of it until then",
+                                  taken <= rounding ? "nothing"
+                                                    : number_in_words(taken, rounding, 6));
     result += tie_line(all.back());
     result += fmt::format(
         "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "
-        "energy{} does not grow. --digits N {}, which may take long.\n",
+        "energy does not grow{}. --digits N {}, which may take long.\n",
         since, left, all.back().tie ? "looks whether more digits decide it" : "computes this one");
   }
   return result;

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <optional>
 
-#include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/solution/digits/in_decimals.hpp"
 #include "bench/solution/digits/in_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
+#include "bench/solution/digits/runs.hpp"
 #include "bench/solution/digits/summary.hpp"
 #include "bench/solution/digits/ties.hpp"
 #include "bench/solution/texts.hpp"
@@ -60,14 +60,6 @@ BasicState<Multi> rounded(const BasicState<Multi>& state, int digits) {
           {one(state.velocity.x()), one(state.velocity.y())},
           one(state.spin)};
 }
-
-/// A solution with many digits, and what it settles into.
-struct Run {
-  int digits;
-  BasicCase<Multi> the_case;
-  BasicSolution<Multi> solution;
-  BasicSettling<Multi> settling;
-};
 
 /// Computes `the_case` with many digits up to its lock, and the swing after it, which is as well
 /// conditioned as a pendulum, with those that are asked for.
@@ -166,8 +158,6 @@ class Solver {
   std::optional<double> locked_by_;  // [s]; none: it has no swing to be found apart
 };
 
-Multi apart(const Multi& a, const Multi& b) { return abs(Multi(a - b)); }
-
 /// How far two runs are apart in what the summary says, and so how wrong the better one may be.
 SummaryErrors<Multi> differences(const Run& few, const Run& many, const Multi& rounding) {
   SummaryErrors<Multi> errors;
@@ -211,8 +201,8 @@ bool samples_agree(const Run& few, const Run& many, const std::vector<double>& t
     if (time > many.solution.end_time() || time > few.solution.end_time()) {
       return true;  // beyond what both have
     }
-    const auto a = numbers(few.solution.at(Multi(time)));
-    const auto b = numbers(many.solution.at(Multi(time)));
+    const std::vector<Multi> a = sample_of(few, time);
+    const std::vector<Multi> b = sample_of(many, time);
     Multi largest(0);
     for (const Multi& number : b) {
       largest = max(largest, Multi(abs(number)));
@@ -241,112 +231,6 @@ bool agree(const Run& many, const SummaryErrors<Multi>& errors, int digits) {
          (!lock->swing || agree(lock->swing->energy, errors.energy, digits));
 }
 
-/// The state at each time with all right digits, a row each; what follows a tie is open.
-std::string samples_of(const Run& few, const Run& many, const std::optional<NumberTie>& tie,
-                       const ManyDigits& asked, const TerminalStyle& style) {
-  if (asked.at.empty()) {
-    return "";
-  }
-  Table table({ranked("sample at", 0), ranked("x", 0), ranked("y", 0), ranked("angle", 0),
-               ranked("vx", 0), ranked("vy", 0), ranked("spin", 0)});
-  for (const double time : asked.at) {
-    std::vector<std::string> cells = {shortest(time)};
-    if ((tie && time >= tie->time) || time > few.solution.end_time() ||
-        time > many.solution.end_time()) {
-      cells.emplace_back("beyond the horizon");
-    } else {
-      const auto a = numbers(few.solution.at(Multi(time)));
-      const auto b = numbers(many.solution.at(Multi(time)));
-      for (std::size_t index = 0; index < b.size(); ++index) {
-        cells.push_back(right_general(b[index], apart(a[index], b[index]), asked.digits));
-      }
-    }
-    table.add(cells);
-  }
-  return "\n" + table.plain(style);
-}
-
-/// That impulses are one split of several, a line; "" where they are not.
-std::string split_line(const Run& few, const Run& many, const SolveOptions& options,
-                       const ManyDigits& asked) {
-  std::string first;
-  std::size_t more = 0;
-  const auto& events = many.solution.events();
-  const std::size_t common = std::min(events.size(), few.solution.events().size());
-  CableSet cables;
-  std::string time;
-  for (std::size_t index = 0; index < common; ++index) {
-    const BasicEvent<Multi>& event = events[index];
-    const BasicEvent<Multi>& other = few.solution.events()[index];
-    const CableSet open = indeterminate(options.law, many.the_case, event);
-    if (open.empty() || other.cables != event.cables) {
-      continue;
-    }
-    if (!cables.empty()) {
-      ++more;
-      continue;
-    }
-    cables = open;
-    time = right_general(event.time, apart(other.time, event.time), asked.digits);
-    Eigen::Index row = 0;
-    for (const std::size_t cable : event.cables) {
-      if (open.contains(cable)) {
-        first += (first.empty() ? "" : ", ") +
-                 number_in_words(event.impulses[row],
-                                 apart(other.impulses[row], event.impulses[row]), asked.digits);
-      }
-      ++row;
-    }
-  }
-  return cables.empty() ? "" : split_sentence(cables, time, first, more) + "\n";
-}
-
-/// The events that both have, one row each, up to a tie.
-std::string events_of(const Run& few, const Run& many, const std::optional<NumberTie>& tie,
-                      const ManyDigits& asked, const TerminalStyle& style) {
-  const auto& events = many.solution.events();
-  if (events.empty()) {
-    return "";
-  }
-  Table table({ranked("event at", 0), ranked("kind", 0), ranked("cables", 0), ranked("impulse", 1),
-               ranked("x", 2), ranked("y", 2), ranked("angle", 2), ranked("vx", 3), ranked("vy", 3),
-               ranked("spin", 3)});
-  const std::size_t most = asked.all_events ? events.size() : std::min(events.size(), most_events);
-  std::size_t shown = 0;
-  for (; shown < std::min(most, few.solution.events().size()); ++shown) {
-    const BasicEvent<Multi>& a = few.solution.events()[shown];
-    const BasicEvent<Multi>& b = events[shown];
-    if (tie && b.time >= tie->time) {
-      table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});
-      return "\n" + table.plain(style);
-    }
-    if (a.kind != b.kind || a.cables != b.cables) {
-      break;  // followed further with more digits
-    }
-    const auto cell = [&](const Multi& one, const Multi& other) {
-      return right_fixed(other, apart(one, other), asked.digits);
-    };
-    const BasicState<Multi>& p = a.after;
-    const BasicState<Multi>& q = b.after;
-    const bool impact = b.kind == EventKind::impact;
-    table.add(std::vector<std::string>{
-        right_general(b.time, apart(a.time, b.time), asked.digits), std::string(to_string(b.kind)),
-        cable_list(b.cables),
-        impact ? right_scientific(Multi(b.impulses.sum()),
-                                  apart(a.impulses.sum(), b.impulses.sum()), asked.digits - 1)
-               : dash,
-        cell(p.position.x(), q.position.x()), cell(p.position.y(), q.position.y()),
-        cell(p.angle, q.angle), cell(p.velocity.x(), q.velocity.x()),
-        cell(p.velocity.y(), q.velocity.y()), cell(p.spin, q.spin)});
-  }
-  const std::string rest = shown < events.size()
-                               ? fmt::format("and {} more{}", events.size() - shown,
-                                             asked.all_events ? ", bounces too low to be told apart"
-                                                              : ": --events prints more")
-                               : "";
-  return "\n" + table.plain(style) + wrapped(rest, style.text);
-}
-
 }  // namespace
 
 std::string many_digits_text(const Case& the_case, const SolveOptions& options,
@@ -372,12 +256,13 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
     if (tie) {  // one that more digits do not decide
       const std::string time = fmt::format("{:.6g}", static_cast<double>(tie->time));
       return head +
-             wrapped_lines(tie_sentence(EventKind::slack, CableSet::of(tie->cable), time) +
+             wrapped_lines(tie_sentence(tie->tie.kind, tie->tie.cables, time) +
                                "\nFrom there on all is beyond the horizon: one of many motions. "
                                "More digits do not decide it.\n" +
                                split_line(few, many, options, asked),
                            style.text) +
-             samples_of(few, many, tie, asked, style) + events_of(few, many, tie, asked, style);
+             samples_of(the_case, few, many, tie, asked, style) +
+             events_of(few, many, tie, asked, style);
     }
     if (!(agree(many, errors, asked.digits) && samples_agree(few, many, asked.at, asked.digits)) &&
         digits <= enough_digits) {
@@ -388,9 +273,10 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
     return head +
            wrapped_lines(
                Summary<Multi>(many.the_case, many.solution, many.settling, errors, figures).text() +
-                   split_line(few, many, options, asked),
+                   rest_tensions_of(few, many, asked) + split_line(few, many, options, asked),
                style.text) +
-           samples_of(few, many, {}, asked, style) + events_of(few, many, {}, asked, style);
+           samples_of(the_case, few, many, {}, asked, style) +
+           events_of(few, many, {}, asked, style);
   }
 }
 

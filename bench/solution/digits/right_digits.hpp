@@ -84,7 +84,7 @@ template <class Real>
 
 /// The same with at most `most` significant digits and no zeros behind them.
 template <class Real>
-[[nodiscard]] std::string right_general(const Real& value, const Real& error, int most) {
+[[nodiscard]] std::string significant_digits(const Real& value, const Real& error, int most) {
   const double size = std::abs(static_cast<double>(value));
   if (size > 0.0 && (size < 1e-4 || size >= 1e6)) {
     return right_scientific(value, error, most - 1);
@@ -96,6 +96,21 @@ template <class Real>
     text.erase(text.find_last_not_of('0') + 1);  // zeros of what is exactly so
     if (text.ends_with('.')) {
       text.pop_back();
+    }
+  }
+  return text;
+}
+
+/// `significant_digits`; a number that has none but rounds to zero is the zeros that are right, as
+/// many as `most` after the point: 0.00000.
+template <class Real>
+[[nodiscard]] std::string right_general(const Real& value, const Real& error, int most) {
+  std::string text = significant_digits(value, error, most);
+  if (text == dash) {
+    std::string zeros = right_fixed(value, error, most);
+    if (zeros.find('.') != std::string::npos &&
+        zeros.find_first_of("123456789") == std::string::npos) {
+      return zeros;
     }
   }
   return text;
@@ -124,10 +139,10 @@ template <class Real>
   return fmt::format("{} to within {:.0e}", about, std::ceil(off / unit) * unit);
 }
 
-/// `right_general`, in words where no digit is right.
+/// `significant_digits`, in words where no digit is right.
 template <class Real>
 [[nodiscard]] std::string number_in_words(const Real& value, const Real& error, int most) {
-  return in_words(right_general(value, error, most), value, error);
+  return in_words(significant_digits(value, error, most), value, error);
 }
 
 }  // namespace tautline::bench

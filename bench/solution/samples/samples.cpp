@@ -1,5 +1,7 @@
 #include "bench/solution/samples/samples.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -122,11 +124,15 @@ MotionSample sample_of(const Case& the_case, const State& state, CableSet taut,
 
 }  // namespace
 
-CableSet taut_at(const Solution& solution, double time) {
-  const auto& arcs = solution.arcs();
-  const auto next = std::upper_bound(arcs.begin(), arcs.end(), time,
-                                     [](double t, const Arc& arc) { return t < arc.start; });
-  return std::prev(next)->taut;
+std::vector<std::string> sample_names(const Case& the_case) {
+  std::vector<std::string> result = {"x", "y", "angle", "vx", "vy", "spin"};
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    for (const char* name : {"gap", "gap rate", "tension"}) {
+      result.push_back(fmt::format("{} {}", name, index));
+    }
+  }
+  result.emplace_back("energy");
+  return result;
 }
 
 std::vector<Bounded> bounded_tensions(const Case& the_case, const State& state, CableSet taut,

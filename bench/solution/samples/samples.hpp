@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,7 +36,21 @@ struct MotionSample {
 };
 
 /// The cables held at zero gap at `time`, after an event there.
-[[nodiscard]] CableSet taut_at(const Solution& solution, double time);
+template <class Real>
+[[nodiscard]] CableSet taut_at(const BasicSolution<Real>& solution, const Real& time) {
+  const auto& arcs = solution.arcs();
+  const auto next =
+      std::upper_bound(arcs.begin(), arcs.end(), time,
+                       [](const Real& t, const BasicArc<Real>& arc) { return t < arc.start; });
+  return std::prev(next)->taut;
+}
+
+/// What the numbers of a sample are called: of the state, of each cable its gap, the rate of that
+/// and its tension, and the energy.
+[[nodiscard]] std::vector<std::string> sample_names(const Case& the_case);
+
+/// That of the longest of them [columns], "gap rate 0".
+inline constexpr std::size_t longest_sample_name = 10;
 
 /// The sample at `time`, after an event there.
 [[nodiscard]] MotionSample sample_at(const Case& the_case, const Solution& solution,

@@ -16,7 +16,7 @@ namespace {
 /// Digits that a double has at most where it is printed whole.
 constexpr int most_digits_of_sample = 17;
 
-/// The numbers of a sample in the order of `names`.
+/// The numbers of a sample in the order of `sample_names`.
 std::vector<Bounded> numbers_of(const MotionSample& sample) {
   const State& state = sample.state;
   const State errors = sample.errors.value_or(State{{-1.0, -1.0}, -1.0, {-1.0, -1.0}, -1.0});
@@ -33,17 +33,6 @@ std::vector<Bounded> numbers_of(const MotionSample& sample) {
   return result;
 }
 
-std::vector<std::string> names(const Case& the_case) {
-  std::vector<std::string> result = {"x", "y", "angle", "vx", "vy", "spin"};
-  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    for (const char* name : {"gap", "gap rate", "tension"}) {
-      result.push_back(fmt::format("{} {}", name, index));
-    }
-  }
-  result.emplace_back("energy");
-  return result;
-}
-
 /// A number, or a dash for a cell.
 std::string cell(const Bounded& one, int digits) {
   return right_fixed(one.value, one.error, digits);
@@ -55,14 +44,13 @@ std::string samples_text(const Case& the_case, const Solution& solution,
                          const Uncertainty& uncertainty, const std::vector<double>& times,
                          const TerminalStyle& style) {
   constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
-  constexpr std::size_t longest_name = 10;    // [columns], "gap rate 0"
   const std::size_t fit =
-      std::max<std::size_t>(1, (style.width - longest_name) / (longest_number + 2));
+      std::max<std::size_t>(1, (style.width - longest_sample_name) / (longest_number + 2));
   std::string result;
   for (std::size_t first = 0; first < times.size(); first += fit) {
     std::vector<std::string> headings = {"sample at"};
     std::vector<std::vector<std::string>> rows;
-    for (const std::string& name : names(the_case)) {
+    for (const std::string& name : sample_names(the_case)) {
       rows.push_back({name});
     }
     for (std::size_t index = first; index < std::min(times.size(), first + fit); ++index) {

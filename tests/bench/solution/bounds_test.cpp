@@ -1,4 +1,4 @@
-// What is said of the errors of a solution: bounds, words, and ties.
+// What is said of the errors of a solution: bounds and words.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "bench/solution/digits/in_digits.hpp"
-#include "bench/solution/digits/many_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/texts.hpp"
 #include "tautline/geometry.hpp"
@@ -141,13 +140,6 @@ std::string text_of(const Case& the_case) {
                        Uncertainty(the_case, solution));
 }
 
-/// What --digits prints.
-std::string digits_text(const Case& the_case, int digits, const std::vector<double>& at = {}) {
-  return many_digits_text(the_case, {}, solve(the_case),
-                          {.digits = digits, .decimal = false, .all_events = false, .at = at},
-                          unlimited);
-}
-
 // impulses (1 + e) m v in all, at v = 1; no moment about the centre; the sum of squares is least
 TEST(RedundantSlings, MoveSurelyAndShareTheirImpulseByTheLeastSquares) {
   struct Expected {
@@ -223,7 +215,7 @@ TEST(RedundantSlings, AtAnAngleOrInOneLineAreSureToo) {
   }
 }
 
-TEST(RedundantSlings, OneThatIsLongerByARoundingIsATieForEveryPrecision) {
+TEST(RedundantSlings, OneThatIsLongerByARoundingIsATieInDoubles) {
   Case the_case = bar_in_slings({-0.5, 0.0, 0.5}, 0.5);
   the_case.cables[2].length = std::nextafter(1.0, 2.0);
   const Solution solution = solve(the_case);
@@ -233,82 +225,6 @@ TEST(RedundantSlings, OneThatIsLongerByARoundingIsATieForEveryPrecision) {
   ASSERT_TRUE(tie);
   EXPECT_EQ(tie->kind, EventKind::impact);
   EXPECT_NE(text_of(the_case).find("is a tie that rounding decides"), std::string::npos);
-}
-
-/// A point that starts at the bottom of its circle with this speed [m/s]; gravity 1, length 2.
-Case swing_up(double speed) {
-  Case result;
-  result.name = "swing";
-  result.duration = 30.0;
-  result.body = {1.0, 0.0};
-  result.cables = {{{0.0, 0.0}, {0.0, 0.0}, 2.0, 0.5}};
-  result.initial.position = {0.0, -2.0};
-  result.initial.velocity = {speed, 0.0};
-  return result;
-}
-
-// v^2 = 2 g L: the tension, 3 m g cos(angle), touches zero where the body turns, at the quarter of
-// its period 4 sqrt(L / g) K(1 / sqrt 2)
-TEST(Ties, ATensionThatTouchesZeroIsOneForEveryPrecision) {
-  const Case the_case = swing_up(2.0);
-  const double touch = 10.4882302172 / 4.0;
-  const Solution solution = solve(the_case);
-  const Uncertainty uncertainty(the_case, solution);
-  ASSERT_EQ(uncertainty.unsure().size(), 1U);
-  const Unsure& open = uncertainty.unsure().front();
-  ASSERT_TRUE(open.tie);
-  EXPECT_EQ(open.tie->kind, EventKind::slack);
-  EXPECT_EQ(open.tie->cables, CableSet::of(0));
-  EXPECT_NEAR(open.from, touch, 1e-6);
-  EXPECT_TRUE(uncertainty.at(2.6)) << "before it all is sure";
-  for (std::size_t index = 1; index < uncertainty.events().size(); ++index) {
-    EXPECT_FALSE(uncertainty.events()[index]) << "an event that the motion need not have";
-  }
-  const std::string words =
-      "At t = 2.62206 the tension of cable 0 touches zero: whether it lets go there is a tie that "
-      "rounding decides.";
-  EXPECT_NE(text_of(the_case).find(words), std::string::npos) << text_of(the_case);
-  for (const int digits : {4, 8, 12, 16}) {
-    const std::string text = digits_text(the_case, digits);
-    EXPECT_NE(text.find(words), std::string::npos) << digits << "\n" << text;
-    EXPECT_EQ(text.find("slack"), std::string::npos) << digits << "\n" << text;
-  }
-}
-
-TEST(Ties, AlsoAtTheTopOfACircleAndFromRestAtTheAnchorsHeight) {
-  Case top = swing_up(std::sqrt(10.0));  // v^2 = 5 g L
-  Case level = swing_up(0.0);
-  level.initial.position = {2.0, 0.0};
-  for (const Case& the_case : {top, level}) {
-    const Solution solution = solve(the_case);
-    const Uncertainty uncertainty(the_case, solution);
-    ASSERT_TRUE(uncertainty.horizon());
-    EXPECT_TRUE(uncertainty.unsure().front().tie);
-    EXPECT_GT(*uncertainty.horizon(), 1.0) << "the start is none";
-  }
-}
-
-TEST(Ties, AMotionBesideATieIsSure) {
-  for (const double speed : {2.0 * (1.0 - 1e-7), 1.9999, 3.0, 3.3}) {
-    const Case the_case = swing_up(speed);
-    const Solution solution = solve(the_case);
-    EXPECT_FALSE(Uncertainty(the_case, solution).horizon()) << speed;
-  }
-}
-
-TEST(ManyDigits, SamplesHaveEveryDigitThatIsAskedFor) {
-  Case fall;  // exact: y = -1/4 - t^2 / 2 up to the impact
-  fall.name = "fall";
-  fall.duration = 2.0;
-  fall.body = {1.0, 0.0};
-  fall.cables = {{{0.0, 0.0}, {0.0, 0.0}, 3.0, 0.5}};
-  fall.initial.position = {0.0, -0.25};
-  fall.initial.velocity = {0.1, 0.0};
-  const std::string text = digits_text(fall, 30, {1.0, 0.5});
-  EXPECT_NE(text.find("sample at"), std::string::npos) << text;
-  // the double nearest to 0.1, halved: all of its digits
-  EXPECT_NE(text.find("0.0500000000000000027755575615629"), std::string::npos) << text;
-  EXPECT_NE(text.find("-0.375"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/base/text.hpp"
+#include "bench/solution/cable_words.hpp"
+#include "bench/solution/digits/in_digits.hpp"
+#include "bench/solution/digits/right_digits.hpp"
+#include "bench/solution/digits/runs.hpp"
+#include "bench/solution/samples/samples.hpp"
+#include "bench/solution/texts.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/impact.hpp"
+#include "tautline/uncertainty.hpp"
+
+namespace tautline::bench {
+
+std::vector<Multi> sample_of(const Run& run, double time) {
+  const Multi at(time);
+  const BasicState<Multi> state = run.solution.at(at);
+  const BasicCableVector<Multi> tensions = run.solution.tensions(at);
+  const CableSet taut = taut_at(run.solution, at);
+  const auto six = numbers(state);
+  std::vector<Multi> result(six.begin(), six.end());
+  for (std::size_t index = 0; index < run.the_case.cables.size(); ++index) {
+    const BasicCable<Multi>& cable = run.the_case.cables[index];
+    const bool slack = !taut.contains(index);
+    result.insert(result.end(),
+                  {slack ? gap(cable, state) : Multi(0), slack ? gap_rate(cable, state) : Multi(0),
+                   tensions[static_cast<Eigen::Index>(index)]});
+  }
+  result.push_back(energy(run.the_case, state));
+  return result;
+}
+
+std::string samples_of(const Case& the_case, const Run& few, const Run& many,
+                       const std::optional<NumberTie>& tie, const ManyDigits& asked,
+                       const TerminalStyle& style) {
+  const std::size_t longest_number = static_cast<std::size_t>(asked.digits) + 8;  // [columns]
+  const std::size_t room = std::max(style.width, longest_sample_name) - longest_sample_name;
+  const std::size_t fit = std::max<std::size_t>(1, room / (longest_number + 2));
+  std::string result;
+  for (std::size_t first = 0; first < asked.at.size(); first += fit) {
+    std::vector<std::string> headings = {"sample at"};
+    std::vector<std::vector<std::string>> rows;
+    for (const std::string& name : sample_names(the_case)) {
+      rows.push_back({name});
+    }
+    for (std::size_t index = first; index < std::min(asked.at.size(), first + fit); ++index) {
+      const double time = asked.at[index];
+      headings.push_back(shortest(time));
+      const bool open = (tie && time >= tie->time) || time > few.solution.end_time() ||
+                        time > many.solution.end_time();
+      const std::vector<Multi> a = open ? std::vector<Multi>() : sample_of(few, time);
+      const std::vector<Multi> b = open ? std::vector<Multi>() : sample_of(many, time);
+      for (std::size_t row = 0; row < rows.size(); ++row) {
+        rows[row].push_back(open ? "beyond the horizon"
+                                 : right_general(b[row], apart(a[row], b[row]), asked.digits));
+      }
+    }
+    Table table(headings, 1);
+    for (const std::vector<std::string>& row : rows) {
+      table.add(row);
+    }
+    result += "\n" + table.plain(style);
+  }
+  return result;
+}
+
+std::string rest_tensions_of(const Run& few, const Run& many, const ManyDigits& asked) {
+  const CableSet taut = many.solution.arcs().back().taut;
+  const bool rests =
+      many.solution.ending() == Ending::rest || many.solution.ending() == Ending::unstable_rest;
+  const BasicState<Multi> state = many.solution.at(many.solution.end_time());
+  if (!rests || taut.empty() || few.solution.arcs().back().taut != taut ||
+      !independent(many.the_case, state, taut)) {
+    return "";
+  }
+  const BasicCableVector<Multi> a = few.solution.tensions(few.solution.end_time());
+  const BasicCableVector<Multi> b = many.solution.tensions(many.solution.end_time());
+  std::string list;
+  for (const std::size_t index : taut) {
+    const auto row = static_cast<Eigen::Index>(index);
+    list += fmt::format("{}{} on cable {}", list.empty() ? "" : ", ",
+                        number_in_words(b[row], apart(a[row], b[row]), asked.digits), index);
+  }
+  return fmt::format("Tension at rest: {}.\n", list);
+}
+
+std::string split_line(const Run& few, const Run& many, const SolveOptions& options,
+                       const ManyDigits& asked) {
+  std::string first;
+  std::size_t more = 0;
+  const auto& events = many.solution.events();
+  const std::size_t common = std::min(events.size(), few.solution.events().size());
+  CableSet cables;
+  std::string time;
+  for (std::size_t index = 0; index < common; ++index) {
+    const BasicEvent<Multi>& event = events[index];
+    const BasicEvent<Multi>& other = few.solution.events()[index];
+    const CableSet open = indeterminate(options.law, many.the_case, event);
+    if (open.empty() || other.cables != event.cables) {
+      continue;
+    }
+    if (!cables.empty()) {
+      ++more;
+      continue;
+    }
+    cables = open;
+    time = right_general(event.time, apart(other.time, event.time), asked.digits);
+    Eigen::Index row = 0;
+    for (const std::size_t cable : event.cables) {
+      if (open.contains(cable)) {
+        first += (first.empty() ? "" : ", ") +
+                 number_in_words(event.impulses[row],
+                                 apart(other.impulses[row], event.impulses[row]), asked.digits);
+      }
+      ++row;
+    }
+  }
+  return cables.empty() ? "" : split_sentence(cables, time, first, more) + "\n";
+}
+
+std::string events_of(const Run& few, const Run& many, const std::optional<NumberTie>& tie,
+                      const ManyDigits& asked, const TerminalStyle& style) {
+  const auto& events = many.solution.events();
+  if (events.empty() && !tie) {
+    return "";
+  }
+  Table table({ranked("event at", 0), ranked("kind", 0), ranked("cables", 0), ranked("impulse", 1),
+               ranked("x", 2), ranked("y", 2), ranked("angle", 2), ranked("vx", 3), ranked("vy", 3),
+               ranked("spin", 3)});
+  const std::size_t most = asked.all_events ? events.size() : std::min(events.size(), most_events);
+  std::size_t shown = 0;
+  for (; shown < std::min(most, few.solution.events().size()); ++shown) {
+    const BasicEvent<Multi>& a = few.solution.events()[shown];
+    const BasicEvent<Multi>& b = events[shown];
+    if ((tie && b.time >= tie->time) || a.kind != b.kind || a.cables != b.cables) {
+      break;  // followed further with more digits
+    }
+    const auto cell = [&](const Multi& one, const Multi& other) {
+      return right_fixed(other, apart(one, other), asked.digits);
+    };
+    const BasicState<Multi>& p = a.after;
+    const BasicState<Multi>& q = b.after;
+    const bool impact = b.kind == EventKind::impact;
+    table.add(std::vector<std::string>{
+        right_general(b.time, apart(a.time, b.time), asked.digits), std::string(to_string(b.kind)),
+        cable_list(b.cables),
+        impact ? right_scientific(Multi(b.impulses.sum()),
+                                  apart(a.impulses.sum(), b.impulses.sum()), asked.digits - 1)
+               : dash,
+        cell(p.position.x(), q.position.x()), cell(p.position.y(), q.position.y()),
+        cell(p.angle, q.angle), cell(p.velocity.x(), q.velocity.x()),
+        cell(p.velocity.y(), q.velocity.y()), cell(p.spin, q.spin)});
+  }
+  if (tie && (shown < most || shown == events.size())) {
+    table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});
+    return "\n" + table.plain(style);
+  }
+  const std::string rest = shown < events.size()
+                               ? fmt::format("and {} more{}", events.size() - shown,
+                                             asked.all_events ? ", bounces too low to be told apart"
+                                                              : ": --events prints more")
+                               : "";
+  return "\n" + table.plain(style) + wrapped(rest, style.text);
+}
+
+}  // namespace tautline::bench

@@ -22,13 +22,13 @@ std::vector<BodyState> with_hook_velocities_of(std::vector<BodyState> bodies,
 /// Bullet does not turn a body any further.
 constexpr double most_turn = 0.78;
 
-BodyState flown(BodyState body, double time, double gravity) {
+BodyState flown(BodyState body, double time, double downwards) {
   body.position += time * body.velocity;
   if (body.is_hook()) {
     return body;
   }
-  body.position -= 0.5 * time * time * gravity * Vec3::UnitY();
-  body.velocity -= time * gravity * Vec3::UnitY();
+  body.position -= 0.5 * time * time * downwards * Vec3::UnitY();
+  body.velocity -= time * downwards * Vec3::UnitY();
   const double spin = body.spin.norm();
   if (spin > 0.0) {
     const Eigen::AngleAxisd turned(Scene::turn(spin, time), body.spin / spin);
@@ -37,11 +37,11 @@ BodyState flown(BodyState body, double time, double gravity) {
   return body;
 }
 
-std::vector<BodyState> flown(const std::vector<BodyState>& bodies, double time, double gravity) {
+std::vector<BodyState> flown(const std::vector<BodyState>& bodies, double time, double downwards) {
   std::vector<BodyState> result;
   result.reserve(bodies.size());
   for (const BodyState& body : bodies) {
-    result.push_back(flown(body, time, gravity));
+    result.push_back(flown(body, time, downwards));
   }
   return result;
 }
@@ -57,7 +57,7 @@ SeenImpact fixed_impact(const CableData& cable, const Moment& before, const Mome
 
 std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& before,
                                        const Moment& after, double impulse, double dt,
-                                       double gravity) {
+                                       double downwards) {
   const auto start = with_hook_velocities_of(before.bodies, after.bodies);
   for (const int body : {cable.first.body, cable.second.body}) {
     if (body >= 0 && start[static_cast<std::size_t>(body)].spin.norm() * dt > most_turn) {
@@ -65,7 +65,7 @@ std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& bef
     }
   }
   const auto gap_at = [&](double time) {
-    return cable.length - line_of(cable, flown(start, time, gravity)).distance;
+    return cable.length - line_of(cable, flown(start, time, downwards)).distance;
   };
   if (gap_at(dt) >= 0.0) {
     return std::nullopt;
@@ -77,11 +77,11 @@ std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& bef
     const double middle = 0.5 * (slack + taut);
     (gap_at(middle) < 0.0 ? taut : slack) = middle;
   }
-  const auto then = flown(start, taut, gravity);
+  const auto then = flown(start, taut, downwards);
   const Line line = line_of(cable, then);
   const double closing = -gap_rate(line, cable, then);
   // what opens so slowly closes again before the step is over
-  if (cable.restitution * closing < 2.0 * gravity * dt) {
+  if (cable.restitution * closing < 2.0 * downwards * dt) {
     return std::nullopt;
   }
   const double rebound = impulse * (line.inverse[0] + line.inverse[1]) - closing;

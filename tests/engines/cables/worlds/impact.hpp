@@ -21,9 +21,10 @@ struct SeenImpact {
 /// By events: the ends' flight from `before` to the instant at which the cable is taut, computed
 /// here, and the impulse of the step. None if the flight does not make the cable taut, or
 /// if a load turns so far in the step that the first instant is not to be told, or if the rebound
-/// is so slow that the cable may be taut, and pull, again in the same step.
+/// is so slow that the cable may be taut, and pull, again in the same step. `downwards` is gravity
+/// [m/s^2].
 [[nodiscard]] std::optional<SeenImpact> event_impact(const CableData& cable, const Moment& before,
                                                      const Moment& after, double impulse, double dt,
-                                                     double gravity);
+                                                     double downwards);
 
 }  // namespace tautline::test

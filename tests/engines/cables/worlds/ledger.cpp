@@ -18,8 +18,8 @@ double kinetic(const BodyState& body, const Vec3& velocity, const Vec3& spin) {
 /// an hour of steps goes astray by the root of their number.
 constexpr double roundings = 100.0;
 
-double potential(const BodyState& body, double gravity) {
-  return body.mass * gravity * body.position.y();
+double potential(const BodyState& body, double downwards) {
+  return body.mass * downwards * body.position.y();
 }
 
 double distance_along(const CableData& cable, const std::vector<BodyState>& bodies,
@@ -30,7 +30,7 @@ double distance_along(const CableData& cable, const std::vector<BodyState>& bodi
 }  // namespace
 
 Energy energy_between(const std::vector<BodyState>& at, const std::vector<BodyState>& next,
-                      int loads, Stepping stepping, double gravity) {
+                      int loads, Stepping stepping, double downwards) {
   Energy result{0.0, 0.0};
   for (std::size_t index = 0; index < static_cast<std::size_t>(loads); ++index) {
     const BodyState& body = at[index];
@@ -38,20 +38,20 @@ Energy energy_between(const std::vector<BodyState>& at, const std::vector<BodySt
                                    0.5 * (body.spin + next[index].spin));
     const double here = kinetic(body, body.velocity, body.spin);
     result.kinetic += stepping == Stepping::fixed ? halfway : std::min(halfway, here);
-    result.potential += potential(body, gravity);
+    result.potential += potential(body, downwards);
   }
   return result;
 }
 
 Energy energy_at_start(const std::vector<BodyState>& bodies, int loads, Stepping stepping,
-                       double dt, double gravity) {
+                       double dt, double downwards) {
   const double lag = stepping == Stepping::fixed ? 0.5 * dt : 0.0;
   Energy result{0.0, 0.0};
   for (std::size_t index = 0; index < static_cast<std::size_t>(loads); ++index) {
     const BodyState& body = bodies[index];
-    const Vec3 now = body.velocity - lag * gravity * Vec3::UnitY();
+    const Vec3 now = body.velocity - lag * downwards * Vec3::UnitY();
     result.kinetic += kinetic(body, now, body.spin);
-    result.potential += potential(body, gravity);
+    result.potential += potential(body, downwards);
   }
   return result;
 }

@@ -24,19 +24,20 @@ struct Moment {
 /// impulse P adds P (rate before + rate after) / 2, as any impulse does. By events v is at the pose
 /// in flight, and half a step older while a cable is taut; which of the two holds is not to be seen
 /// from outside, and each load is counted with the lower energy. In flight that is the true one
-/// while the load falls, so that a gain does not hide for longer than a flight.
+/// while the load falls, so that a gain does not hide for longer than a flight. `downwards` is
+/// gravity [m/s^2].
 struct Energy {
   double kinetic;    // [J]
   double potential;  // [J]
 };
 [[nodiscard]] Energy energy_between(const std::vector<BodyState>& at,
                                     const std::vector<BodyState>& next, int loads,
-                                    Stepping stepping, double gravity);
+                                    Stepping stepping, double downwards);
 
 /// The energy with which a world begins: in fixed steps, the velocities given are those of half a
 /// step before the first pose.
 [[nodiscard]] Energy energy_at_start(const std::vector<BodyState>& bodies, int loads,
-                                     Stepping stepping, double dt, double gravity);
+                                     Stepping stepping, double dt, double downwards);
 
 /// What goes in and what is there, step by step.
 class Ledger {

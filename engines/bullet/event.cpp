@@ -50,11 +50,13 @@ class BulletEventAdapter final : public EventAdapter {
   }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
-    return solve_rows(rows_, case_, world_.state(), cables, rates, [&] { solve(cables); });
+    return solve_rows(rows_, case_, world_.state(), cables, rates,
+                      [&] { solve(cables, rates.cwiseAbs().maxCoeff()); });
   }
 
  private:
-  void solve(CableSet cables) {
+  /// `fastest` [m/s] is the largest rate asked for: a body at rest has no speed to measure by.
+  void solve(CableSet cables, double fastest) {
     std::vector<btTypedConstraint*> constraints;
     for (const std::size_t index : cables) {
       constraints.push_back(rows_[index]);
@@ -62,7 +64,7 @@ class BulletEventAdapter final : public EventAdapter {
     btContactSolverInfo info = world_.solver_info();
     info.m_timeStep = 1;  // any: no force acts, and the rows ask for rates
     info.m_numIterations = event_iterations;
-    const double change = solve_rounding * speed_scale(case_, world_.state());
+    const double change = solve_rounding * std::max(speed_scale(case_, world_.state()), fastest);
     info.m_leastSquaresResidualThreshold = static_cast<btScalar>(change * change);
     btCollisionObject* body = &world_.body();
     world_.body().clearForces();

@@ -22,11 +22,18 @@
 #include "tautline/rounding.hpp"
 
 // Everything is a template on the scalar `Real`: one text serves double, for the answers, and
-// numbers of any length, which say how far those answers are right (instantiate.hpp). Three members
-// of `Motion` say how the cables stand. `touching_` are the cables at zero gap, which may close,
-// rest or open, and the rate that counts as rest. `taut_` are those of them that a recorded event
-// has made taut. `held_` is the motion that their tensions give from the present on; it holds up to
-// the next stop, and without it the body flies freely.
+// numbers of any length, which say how far those answers are right (instantiate.hpp).
+//
+// Three members of `Motion` say how the cables stand. `touching_` are the cables at zero gap, which
+// may close, rest or open, and the rate that counts as rest. `taut_` are those of them that a
+// recorded event has made taut; after an impact it is right again once `hold_resting` has looked.
+// `held_` is the motion that their tensions give from the present on: the cables `pulling` have
+// tensions > 0, all of `held_->taut()` stay at zero gap. It is found at an event and continued from
+// step to step, where a series ends and nothing happens; without it the body flies freely.
+//
+// An ordinary bounce is a free flight to one cable and the impact there (flight/bounce.hpp): most
+// of all that happens, and found a faster way. `solve_batch` finds those of several motions side by
+// side, and so asks each for its rounds.
 
 namespace tautline {
 namespace {
@@ -45,80 +52,74 @@ class Motion final : public PausedMotion<Real> {
         record_(std::move(record)) {
     touching_.cables = touching;
     touching_.note_speed(state_);
+    check_limits();
   }
 
-  /// The whole algorithm.
+  /// The whole algorithm: round after round, until an ending.
   BasicSolution<Real> run() {
-    while (advance()) {
-      take(ordinary_.next(search()));
+    while (!has_ended()) {
+      round(may_bounce() ? ordinary_.next(search()) : BasicBounce<Real>{});
     }
     return solution();
   }
 
-  /// The loop.
-  [[nodiscard]] bool advance() override {
-    while (true) {
-      if (!std::exchange(refused_, false)) {  // or this round has been counted
-        if (const auto ending = limit_reached()) {
-          return finish(*ending);
-        }
-      }
-      if (may_bounce()) {
-        return true;
-      }
-      auto [closing, resting] = contacts(case_, state_, touching_);
-      Stop<Real> stop{Real(0), std::nullopt, closing};  // left by an impact: at once
-      if (stop.cables.empty()) {
-        if (complete_accumulation()) {
-          resting = contacts(case_, state_, touching_).resting;
-        } else if (resting.empty() && may_bounce()) {  // it was too early
-          return true;
-        }
-        if (!held_) {
-          if (!hold_resting(resting)) {
-            return finish(Ending::singular);
-          }
-          if (options_.until_locked && options_.swing_ahead) {
-            record_.swing = told_swing(case_, state_, held_, time_left());
-          }
-        }
-        if (const auto ending = rest(case_, state_, touching_, taut_, held_)) {
-          return come_to_rest(*ending);
-        }
-        if (record_.swing) {
-          return finish(Ending::locked);
-        }
-        stop = next_stop(case_, state_, touching_, held_, time_left());
-      }
-      const CableSet pulling = held_ ? held_->pulling : CableSet{};
-      if (isnan(stop.dt) || !move(stop)) {
-        return finish(Ending::overflow);
-      }
-      if (const auto half = half_swing(stop, pulling)) {
-        return swing_on(*half, pulling);
-      }
-      if (stop.ending) {
-        return finish(*stop.ending);
-      }
-      if (!stop.cables.empty()) {
-        if (const auto ending = hit()) {
-          return finish(*ending);
-        }
-      }
+  /// One round: what the cables do now, then on to the next stop and what happens there. An
+  /// ordinary `bounce` is all of that in one.
+  void round(const BasicBounce<Real>& bounce) override {
+    if (bounce.ordinary) {
+      take(bounce);
+      return check_limits();
     }
+    ordinary_.refuse();
+    const auto [closing, resting] = contacts(case_, state_, touching_);
+    Stop<Real> stop{Real(0), std::nullopt, closing};  // an impact left some closing: at once
+    if (closing.empty()) {
+      if (!complete_accumulation() && resting.empty() && may_bounce()) {
+        return;  // it was too early: look for a bounce first
+      }
+      if (!hold_resting()) {
+        return finish(Ending::singular);
+      }
+      if (const auto ending = nothing_follows()) {
+        return finish(*ending);
+      }
+      stop = next_stop(case_, state_, touching_, held_, time_left());
+    }
+    const CableSet pulling = held_ ? held_->pulling : CableSet{};  // `move` replaces `held_`
+    if (isnan(stop.dt) || !move(stop)) {
+      return finish(Ending::overflow);
+    }
+    if (ends_in_repetition(stop, pulling)) {
+      return;
+    }
+    if (const auto ending = stop.ending || stop.cables.empty() ? stop.ending : hit()) {
+      return finish(*ending);
+    }
+    check_limits();
+  }
+
+  [[nodiscard]] bool has_ended() const override { return ending_.has_value(); }
+
+  /// True where the body flies, and leaves the cable it has touched last, if any, for good: what
+  /// follows then is most often one more bounce.
+  [[nodiscard]] bool may_bounce() override {
+    return !held_ && taut_.empty() && touching_.cables.size() <= 1 &&
+           ordinary_.may_follow(case_, state_, touching_);
   }
 
   [[nodiscard]] BounceSearch<Real> search() const override {
     return {ordinary_.flyer(state_, touching_), touching_.cables, time_left()};
   }
 
-  /// Goes on with `bounce`, or, where it is no ordinary one, with the general way.
-  void take(const BasicBounce<Real>& bounce) override {
-    leaves_ = bounce.ordinary && bounce.leaves;
-    refused_ = !bounce.ordinary;
-    if (refused_) {
-      return;
-    }
+  [[nodiscard]] BasicSolution<Real> solution() override {
+    return record_.solution(case_, *ending_);
+  }
+
+ private:
+  using PausedMotion<Real>::ordinary_;
+
+  /// The flight to `bounce`, and its impact.
+  void take(const BasicBounce<Real>& bounce) {
     const std::size_t index = ordinary_.take(bounce, touching_.cables);
     record_.arcs.push_back({time_, time_ + bounce.dt, state_, {}, {}});
     time_ += bounce.dt;
@@ -130,12 +131,18 @@ class Motion final : public PausedMotion<Real> {
     progress_.note_hit(touching_.cables);
   }
 
-  [[nodiscard]] BasicSolution<Real> solution() override {
-    return record_.solution(case_, *ending_);
+  /// Gives up if there is a reason.
+  void check_limits() {
+    if (const auto ending = limit_reached()) {
+      finish(*ending);
+    }
   }
 
- private:
-  using PausedMotion<Real>::ordinary_;
+  /// The ending where the body rests, or is told to swing on for ever.
+  [[nodiscard]] std::optional<Ending> nothing_follows() const {
+    const auto ending = rest(case_, state_, touching_, taut_, held_);
+    return !ending && record_.swing ? std::optional(Ending::locked) : ending;
+  }
 
   [[nodiscard]] Real time_left() const { return case_.duration - time_; }
 
@@ -152,18 +159,6 @@ class Motion final : public PausedMotion<Real> {
                                                     : std::nullopt;
   }
 
-  /// True where the body flies, and leaves the cable it has touched last, if any, for good: what
-  /// follows then is most often one more bounce.
-  [[nodiscard]] bool may_bounce() {
-    if (held_ || !taut_.empty() || touching_.cables.size() > 1 || !ordinary_.exist()) {
-      return false;
-    }
-    if (!leaves_) {
-      leaves_ = ordinary_.leave(case_, state_, touching_, touching_.cables);
-    }
-    return *leaves_;
-  }
-
   /// Ends the impacts that follow each other within this instant. False where they do not end.
   [[nodiscard]] bool stop_chatter(CableSet cables) {
     const auto after = end_of_chatter(case_, state_, cables);
@@ -173,7 +168,7 @@ class Motion final : public PausedMotion<Real> {
     record(EventKind::impact, cables,
            -multipliers<Real>(case_, state_, cables, gap_rates(case_, state_, cables)), *after);
     touching_.cables = touching_.cables | cables;
-    leaves_.reset();
+    ordinary_.forget();
     held_.reset();
     return true;
   }
@@ -187,7 +182,6 @@ class Motion final : public PausedMotion<Real> {
     const auto done = completion(case_, state_, touching_, options_.completion);
     if (!done) {
       ordinary_.note_attempt(case_, state_, bouncing);
-      leaves_.reset();
       return false;
     }
     record(EventKind::taut, done->cables,
@@ -203,10 +197,13 @@ class Motion final : public PausedMotion<Real> {
     return true;
   }
 
-  /// Finds out which of the cables `resting` at zero gap and rate stay taut, and records what has
-  /// changed. False where the motion has no continuation.
-  [[nodiscard]] bool hold_resting(CableSet resting) {
-    if (!resting.empty()) {
+  /// Finds out which of the cables at zero gap and rate stay taut, and records what has changed.
+  /// False where the motion has no continuation.
+  [[nodiscard]] bool hold_resting() {
+    if (held_) {
+      return true;
+    }
+    if (const CableSet resting = contacts(case_, state_, touching_).resting; !resting.empty()) {
       held_ = hold(case_, state_, touching_, resting);
       if (!held_ && is_caught(case_, state_, touching_)) {
         state_.velocity.setZero();
@@ -231,6 +228,9 @@ class Motion final : public PausedMotion<Real> {
       }
     }
     taut_ = taut;
+    if (options_.until_locked && options_.swing_ahead) {
+      record_.swing = told_swing(case_, state_, held_, time_left());
+    }
     return true;
   }
 
@@ -263,7 +263,7 @@ class Motion final : public PausedMotion<Real> {
     time_ = record_.arcs.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     touching_.time_rounding = epsilon<Real>() * time_;
-    leaves_.reset();
+    ordinary_.forget();
     touching_.note_speed(state_);
     steps_ += stop.cables.empty() ? 1U : 0U;
     // what has let go of all cables flies
@@ -301,50 +301,41 @@ class Motion final : public PausedMotion<Real> {
     state_ = std::move(after);
   }
 
-  /// The half swing or whole turn that the last arc, up to `stop` on the cables `pulling`,
-  /// completes, if it does.
-  [[nodiscard]] std::optional<HalfSwing<Real>> half_swing(const Stop<Real>& stop,
-                                                          CableSet pulling) {
+  /// True, and the motion has ended, where the last arc, up to `stop` on the cables `pulling`,
+  /// completes half a swing or a whole turn: it comes again for ever, and meets nothing new.
+  [[nodiscard]] bool ends_in_repetition(const Stop<Real>& stop, CableSet pulling) {
     const bool is_whole = stop.is_step || stop.ending == Ending::reached_duration;
-    return is_whole && leaves_one_way(case_, state_, pulling)
-               ? swing_.follow(case_, record_.arcs, state_, stop.dt, record_.events.size())
-               : std::nullopt;
-  }
-
-  /// Repeats the motion of half a swing or a whole turn, meeting nothing new. False, as `finish`.
-  bool swing_on(const HalfSwing<Real>& half, CableSet pulling) {
+    if (!is_whole || !leaves_one_way(case_, state_, pulling)) {
+      return false;
+    }
+    const auto half = swing_.follow(case_, record_.arcs, state_, stop.dt, record_.events.size());
+    if (!half) {
+      return false;
+    }
     if (options_.until_locked) {
-      record_.arcs.back().end = half.end(record_.arcs);
-      record_.swing = swing_of(case_, half, record_.arcs, pulling);
-      return end(Ending::locked);
+      record_.arcs.back().end = half->end(record_.arcs);
+      record_.swing = swing_of(case_, *half, record_.arcs, pulling);
+      ending_ = Ending::locked;
+    } else {
+      record_.repetition = repetition_of(case_, *half, record_.arcs);
+      ending_ = Ending::reached_duration;
     }
-    record_.repetition = repetition_of(case_, half, record_.arcs);
-    return end(Ending::reached_duration);
+    return true;
   }
 
-  /// The body stays where it is. False, as `finish`.
-  bool come_to_rest(Ending ending) {
-    state_.velocity.setZero();
-    if (!turns_freely(case_, state_, taut_)) {
-      state_.spin = Real(0);
-    }
-    record_.arcs.push_back(resting_arc(time_, case_.duration, state_, taut_));
-    return end(ending);
-  }
-
-  /// Ends the motion here. False: it does not go on.
-  bool finish(Ending ending) {
-    if (ending != Ending::reached_duration) {
+  /// Ends the motion here, with the arc that says so.
+  void finish(Ending ending) {
+    ending_ = ending;
+    if (ending == Ending::rest || ending == Ending::unstable_rest) {
+      state_.velocity.setZero();
+      if (!turns_freely(case_, state_, taut_)) {
+        state_.spin = Real(0);
+      }
+      record_.arcs.push_back(resting_arc(time_, case_.duration, state_, taut_));
+    } else if (ending != Ending::reached_duration) {
       const CableSet taut = taut_ & contacts(case_, state_, touching_).resting;
       record_.arcs.push_back({time_, time_, state_, taut, {}});
     }
-    return end(ending);
-  }
-
-  /// The same where the last arc is there already.
-  bool end(Ending ending) {
-    ending_ = ending;
-    return false;
   }
 
   const BasicCase<Real>& case_;
@@ -352,8 +343,6 @@ class Motion final : public PausedMotion<Real> {
   Real time_ = Real(0);
   BasicState<Real> state_;
   BasicTouching<Real> touching_;
-  bool refused_ = false;          // the short way, in this round
-  std::optional<bool> leaves_;    // the cable last hit, for good; none: to be found out
   std::size_t steps_ = 0;         // without an event
   std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;

@@ -83,7 +83,7 @@ class Batch {
   /// Takes the answer for `lane`; false where its motion has ended.
   bool goes_on(std::size_t lane) {
     Body& body = bodies_[lane];
-    body.motion->take(bounces_[lane]);
+    body.motion->round(bounces_[lane]);
     const CableSet left = body.left;
     if (!advance(lane)) {
       return false;
@@ -98,7 +98,10 @@ class Batch {
   /// solution given away, where it has ended.
   bool advance(std::size_t lane) {
     Body& body = bodies_[lane];
-    if (!body.motion->advance()) {
+    while (!body.motion->has_ended() && !body.motion->may_bounce()) {
+      body.motion->round({});
+    }
+    if (body.motion->has_ended()) {
       Solution solution = body.motion->solution();
       if (!body.origin.isZero(0)) {
         solution = seen_from<double>(-body.origin, solution, cases_[body.index]);

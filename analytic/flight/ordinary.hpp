@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -37,9 +38,6 @@ class OrdinaryBounces {
     }
   }
 
-  /// False where a limit of the case may end a flight, or restitutions depend on speed.
-  [[nodiscard]] bool exist() const { return exist_; }
-
   /// The cable in this place of a search: first the one that the body has just `left`, if any, as
   /// it is likely to return before any other closes; then the others in their order.
   [[nodiscard]] static std::size_t cable_at(std::size_t place, CableSet left) {
@@ -68,8 +66,23 @@ class OrdinaryBounces {
     set_tried(index, bounce.tried);
     angle_ = bounce.before.angle;
     facing_ = bounce.before.facing;
+    leaves_ = bounce.leaves;
     return index;
   }
+
+  /// True where the body, which flies, leaves the cable it touches, if any, for good, so that a
+  /// bounce may follow.
+  [[nodiscard]] bool may_follow(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                const BasicTouching<Real>& touching) {
+    if (exist_ && !leaves_) {
+      leaves_ = leave(the_case, state, touching, touching.cables);
+    }
+    return exist_ && *leaves_;
+  }
+  /// None does, up to the next flight.
+  void refuse() { leaves_ = false; }
+  /// The next flight begins here.
+  void forget() { leaves_.reset(); }
 
   /// The body in `state`. The next flight begins as it faces at the last bounce.
   [[nodiscard]] Flyer<Real> flyer(const BasicState<Real>& state,
@@ -89,6 +102,7 @@ class OrdinaryBounces {
     for (const std::size_t index : cables) {
       set_tried(index, gap_rate(the_case.cables[index], state));
     }
+    forget();
   }
   void set_tried(std::size_t index, const Real& tried) { cables_[index].tried = tried; }
 
@@ -118,7 +132,8 @@ class OrdinaryBounces {
   const CompletionLimits& limits_;
   FlightWorld<Real> world_;
   std::vector<FlightCable<Real>> cables_;
-  bool exist_;
+  bool exist_;                         // false: a limit may end a flight, or restitutions vary
+  std::optional<bool> leaves_;         // the cable last hit, for good; none: to be found out
   Real angle_ = not_a_number<Real>();  // [rad], at the last bounce
   Direction<Real> facing_{};           // there
 };

@@ -20,16 +20,16 @@ class PausedMotion {
   PausedMotion& operator=(const PausedMotion&) = delete;
   virtual ~PausedMotion() = default;
 
-  /// Goes on. True where an ordinary bounce may follow, which is to be taken then; false at the end
-  /// of the motion.
-  [[nodiscard]] virtual bool advance() = 0;
+  [[nodiscard]] virtual bool has_ended() const = 0;
 
-  /// The search for that bounce, among the bounces of the case.
+  /// True where an ordinary bounce may follow, which `search` is to find among the bounces of the
+  /// case.
+  [[nodiscard]] virtual bool may_bounce() = 0;
   [[nodiscard]] virtual BounceSearch<Real> search() const = 0;
   [[nodiscard]] const OrdinaryBounces<Real>& ordinary() const { return ordinary_; }
 
-  /// Takes `bounce`, or, where it is no ordinary one, the general way from here.
-  virtual void take(const BasicBounce<Real>& bounce) = 0;
+  /// One round of the loop, with the bounce that was found, or with none.
+  virtual void round(const BasicBounce<Real>& bounce) = 0;
 
   /// After the end: the motion, which is then no longer here.
   [[nodiscard]] virtual BasicSolution<Real> solution() = 0;

@@ -92,8 +92,6 @@ ordered_json held_out_json(const HeldOut& one) {
 
 }  // namespace
 
-std::string engine_json(const EngineInfo& info) { return engine_object(info).dump(); }
-
 std::string engines_json(const std::vector<RegisteredEngine>& engines) {
   const ordered_json result = {{"schema", engines_schema}, {"engines", json_list(engines, row_of)}};
   return result.dump(2) + "\n";

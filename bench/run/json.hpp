@@ -12,9 +12,6 @@ namespace tautline::bench {
 
 // JSON of engines, as text.
 
-/// {name, version, precision, models: [{name, sentence, settings: [{name, value, reason}]}]}
-[[nodiscard]] std::string engine_json(const EngineInfo& info);
-
 /// What `tautline engines --json` writes.
 [[nodiscard]] std::string engines_json(const std::vector<RegisteredEngine>& engines);
 

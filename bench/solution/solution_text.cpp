@@ -151,10 +151,10 @@ std::string horizon_text(const Case& the_case, const Solution& solution,
     const double taken = start - energy(the_case, solution.at(before));
     const double rounding = error + few_roundings * epsilon<double>() * std::abs(start);
     const std::string left =
-        error < 0.0 ? ""
-                    : fmt::format(", and that impacts have taken {} of it until then",
-                                  taken <= rounding ? "nothing"
-                                                    : number_in_words(taken, rounding, 6));
+        error < 0.0
+            ? ""
+            : fmt::format(", and that impacts have taken {} of it until then",
+                          taken <= rounding ? "nothing" : number_in_words(taken, rounding, 6));
     result += tie_line(all.back());
     result += fmt::format(
         "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "

@@ -53,6 +53,11 @@ class CheckIncludes(unittest.TestCase):
         self.write("bench/planted/planted.cpp", "")
         self.assertIn("bench/planted is no room", self.breaches())
 
+    def test_names_a_comment_on_a_source_that_is_gone(self):
+        self.write("bench/base/planted.cpp", "// as in gone_away" + ".hpp\n")
+        self.assertIn("bench/base/planted.cpp: a comment names gone_away.hpp, which does not exist\n",
+                      self.breaches())
+
     def test_names_a_long_source_and_a_full_folder(self):
         self.write("analytic/planted.cpp", "\n" * 401)
         for number in range(26):

@@ -22,8 +22,8 @@ namespace tautline::bench {
 //
 // Each term is what the run did wrong between t_k-1 and t_k, the local defect of one segment,
 // carried to T by the exact motion. A segment is one flight, one impact, or one stretch on taut
-// cables (attribution_segments.hpp). The defect of a flight or an impact is split again by a chain
-// of hypothetical states, each with one cause more (attribution_chain.hpp); their carried
+// cables (segments.hpp). The defect of a flight or an impact is split again by a chain
+// of hypothetical states, each with one cause more (chain.hpp); their carried
 // differences telescope too. A part is the sum of these differences for one cause, projected on the
 // unit vector of D(T); so the parts add up to |D(T)|.
 //

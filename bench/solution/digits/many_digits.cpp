@@ -83,7 +83,7 @@ class Solver {
   }
 
   /// With numbers of `digits`.
-  [[nodiscard]] Run run(int digits) const {
+  [[nodiscard]] DigitsRun run(int digits) const {
     if (asked_.on_attempt) {
       asked_.on_attempt(digits);
     }
@@ -159,7 +159,8 @@ class Solver {
 };
 
 /// How far two runs are apart in what the summary says, and so how wrong the better one may be.
-SummaryErrors<Multi> differences(const Run& few, const Run& many, const Multi& rounding) {
+SummaryErrors<Multi> differences(const DigitsRun& few, const DigitsRun& many,
+                                 const Multi& rounding) {
   SummaryErrors<Multi> errors;
   errors.end_time = apart(few.solution.arcs().back().start, many.solution.arcs().back().start);
   if (many.solution.ending() != Ending::rest) {
@@ -181,7 +182,7 @@ SummaryErrors<Multi> differences(const Run& few, const Run& many, const Multi& r
       return errors;
     }
   }
-  const auto end_energy = [](const Run& run) {
+  const auto end_energy = [](const DigitsRun& run) {
     return energy(run.the_case, run.solution.at(run.solution.end_time()));
   };
   errors.energy = few.solution.ending() == many.solution.ending()
@@ -196,7 +197,8 @@ bool agree(const Multi& value, const Multi& error, int digits) {
 
 /// True where the samples are right to `digits`; of a number that may be zero so many after those
 /// of the largest.
-bool samples_agree(const Run& few, const Run& many, const std::vector<double>& times, int digits) {
+bool samples_agree(const DigitsRun& few, const DigitsRun& many, const std::vector<double>& times,
+                   int digits) {
   return std::all_of(times.begin(), times.end(), [&](double time) {
     if (time > many.solution.end_time() || time > few.solution.end_time()) {
       return true;  // beyond what both have
@@ -219,7 +221,7 @@ bool samples_agree(const Run& few, const Run& many, const std::vector<double>& t
 }
 
 /// True where what the summary says is right to `digits`.
-bool agree(const Run& many, const SummaryErrors<Multi>& errors, int digits) {
+bool agree(const DigitsRun& many, const SummaryErrors<Multi>& errors, int digits) {
   const auto& lock = many.settling.lock;
   const bool impacts = std::all_of(
       errors.last_impacts.begin(), errors.last_impacts.end(),
@@ -239,12 +241,12 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
   const Solver solver(the_case, options, solution, asked);
   int digits = asked.digits + 2 * spare_digits +
                std::max(asked.digits, growing_digits(the_case, options, solution));
-  Run few = solver.run(digits);
+  DigitsRun few = solver.run(digits);
   int more = std::max(digits / 8, spare_digits);  // enough to tell the errors of the fewer
   while (true) {
     digits += more;
     more = digits / 2;
-    Run many = solver.run(digits);
+    DigitsRun many = solver.run(digits);
     const tautline::Digits precision(static_cast<unsigned>(digits));
     const Multi rounding = pow(Multi(10), -(asked.digits + spare_digits - 3));
     const SummaryErrors<Multi> errors = differences(few, many, rounding);

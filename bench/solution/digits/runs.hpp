@@ -4,16 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "bench/base/table.hpp"
-#include "bench/solution/digits/many_digits.hpp"
+#include "bench/base/terminal.hpp"
 #include "bench/solution/digits/ties.hpp"
 #include "tautline/multiprecision.hpp"
 #include "tautline/settling.hpp"
+#include "tautline/solution.hpp"
+#include "tautline/solve.hpp"
 
 namespace tautline::bench {
 
+struct ManyDigits;
+
 /// A solution with many digits, and what it settles into.
-struct Run {
+struct DigitsRun {
   int digits;
   BasicCase<Multi> the_case;
   BasicSolution<Multi> solution;
@@ -24,25 +27,25 @@ struct Run {
 [[nodiscard]] inline Multi apart(const Multi& a, const Multi& b) { return abs(Multi(a - b)); }
 
 /// The numbers of a sample in the order of `sample_names`.
-[[nodiscard]] std::vector<Multi> sample_of(const Run& run, double time);
+[[nodiscard]] std::vector<Multi> sample_of(const DigitsRun& run, double time);
 
 // What two runs of one case agree on, in words and tables. `few` has fewer digits than `many`.
 
 /// The samples with all right digits, a column each; what follows a tie is open.
-[[nodiscard]] std::string samples_of(const Case& the_case, const Run& few, const Run& many,
-                                     const std::optional<NumberTie>& tie, const ManyDigits& asked,
-                                     const TerminalStyle& style);
+[[nodiscard]] std::string samples_of(const Case& the_case, const DigitsRun& few,
+                                     const DigitsRun& many, const std::optional<NumberTie>& tie,
+                                     const ManyDigits& asked, const TerminalStyle& style);
 
 /// The tensions of a body at rest, a line; "" for one that is not, or on redundant cables.
-[[nodiscard]] std::string rest_tensions_of(const Run& few, const Run& many,
+[[nodiscard]] std::string rest_tensions_of(const DigitsRun& few, const DigitsRun& many,
                                            const ManyDigits& asked);
 
 /// That impulses are one split of several, a line; "" where they are not.
-[[nodiscard]] std::string split_line(const Run& few, const Run& many, const SolveOptions& options,
-                                     const ManyDigits& asked);
+[[nodiscard]] std::string split_line(const DigitsRun& few, const DigitsRun& many,
+                                     const SolveOptions& options, const ManyDigits& asked);
 
 /// The events that both have, one row each, up to a tie.
-[[nodiscard]] std::string events_of(const Run& few, const Run& many,
+[[nodiscard]] std::string events_of(const DigitsRun& few, const DigitsRun& many,
                                     const std::optional<NumberTie>& tie, const ManyDigits& asked,
                                     const TerminalStyle& style);
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/solution/cable_words.hpp"
 #include "bench/solution/digits/in_digits.hpp"
+#include "bench/solution/digits/many_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/digits/runs.hpp"
 #include "bench/solution/samples/samples.hpp"
@@ -15,7 +17,7 @@
 
 namespace tautline::bench {
 
-std::vector<Multi> sample_of(const Run& run, double time) {
+std::vector<Multi> sample_of(const DigitsRun& run, double time) {
   const Multi at(time);
   const BasicState<Multi> state = run.solution.at(at);
   const BasicCableVector<Multi> tensions = run.solution.tensions(at);
@@ -33,7 +35,7 @@ std::vector<Multi> sample_of(const Run& run, double time) {
   return result;
 }
 
-std::string samples_of(const Case& the_case, const Run& few, const Run& many,
+std::string samples_of(const Case& the_case, const DigitsRun& few, const DigitsRun& many,
                        const std::optional<NumberTie>& tie, const ManyDigits& asked,
                        const TerminalStyle& style) {
   const std::size_t longest_number = static_cast<std::size_t>(asked.digits) + 8;  // [columns]
@@ -67,7 +69,7 @@ std::string samples_of(const Case& the_case, const Run& few, const Run& many,
   return result;
 }
 
-std::string rest_tensions_of(const Run& few, const Run& many, const ManyDigits& asked) {
+std::string rest_tensions_of(const DigitsRun& few, const DigitsRun& many, const ManyDigits& asked) {
   const CableSet taut = many.solution.arcs().back().taut;
   const bool rests =
       many.solution.ending() == Ending::rest || many.solution.ending() == Ending::unstable_rest;
@@ -87,7 +89,7 @@ std::string rest_tensions_of(const Run& few, const Run& many, const ManyDigits& 
   return fmt::format("Tension at rest: {}.\n", list);
 }
 
-std::string split_line(const Run& few, const Run& many, const SolveOptions& options,
+std::string split_line(const DigitsRun& few, const DigitsRun& many, const SolveOptions& options,
                        const ManyDigits& asked) {
   std::string first;
   std::size_t more = 0;
@@ -121,8 +123,9 @@ std::string split_line(const Run& few, const Run& many, const SolveOptions& opti
   return cables.empty() ? "" : split_sentence(cables, time, first, more) + "\n";
 }
 
-std::string events_of(const Run& few, const Run& many, const std::optional<NumberTie>& tie,
-                      const ManyDigits& asked, const TerminalStyle& style) {
+std::string events_of(const DigitsRun& few, const DigitsRun& many,
+                      const std::optional<NumberTie>& tie, const ManyDigits& asked,
+                      const TerminalStyle& style) {
   const auto& events = many.solution.events();
   if (events.empty() && !tie) {
     return "";

@@ -40,9 +40,9 @@ TEST(TensionOfEngines, AtRestIsHalfTheWeightToAPercent) {
       built.contains("bullet32") ? "exact,bullet64,bullet32,ode" : "exact,bullet64,ode";
   const Outcome outcome =
       program({"bench", box, "--engines", engines, "--models", "sampled,event,row,cable", "--steps",
-               "1e-3", "--out", folder.path().string()});
+               "1e-3", "--out", (folder.path() / "results").string()});
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
-  const json runs = json::parse(content_of(folder.path() / "report.json"))["runs"];
+  const json runs = json::parse(content_of(folder.path() / "results/report.json"))["runs"];
   std::set<std::pair<std::string, std::string>> found;
   for (const json& run : runs) {
     const std::string name =
@@ -68,7 +68,7 @@ TEST(TensionOfEngines, OfABodyAsleepIsNotKnown) {
   const std::string box = folder.file("box.toml", hanging_box).string();
   const Outcome outcome =
       program({"run", box, "--engine", "bullet64", "--model", "row-sleeping", "--step", "1e-3",
-               "--out", folder.path().string(), "--json", "-"});
+               "--out", (folder.path() / "results").string(), "--json", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_TRUE(json::parse(outcome.output)["details"]["rest_tension"].is_null());
 }

@@ -63,6 +63,30 @@ TEST(TensionOfEngines, AtRestIsHalfTheWeightToAPercent) {
   }
 }
 
+// v = 6 at the bottom of a circle of 3 m, gravity 2: m v^2 / L + m g, in each of five turns
+TEST(TensionOfEngines, OfAMotionThatRepeatsIsComparedWithThatOfItsPeriod) {
+  const TemporaryFolder folder;
+  const std::string circle =
+      folder
+          .file("circle.toml",
+                "name = \"circle\"\nduration = 20.0\ngravity = [0.0, -2.0]\n"
+                "[body]\nmass = 1.0\ninertia = 0.0\n"
+                "[[cables]]\nanchor = [0.0, 0.0]\nattachment = [0.0, 0.0]\nlength = 3.0\n"
+                "restitution = 0.5\n"
+                "[initial]\nposition = [0.0, -3.0]\nvelocity = [6.0, 0.0]\n")
+          .string();
+  for (const auto& [engine, model] :
+       {std::pair("exact", "sampled"), std::pair("bullet64", "cable")}) {
+    const std::string out = (folder.path() / engine).string();
+    const Outcome outcome = program({"run", circle, "--engine", engine, "--model", model, "--step",
+                                     "1e-3", "--out", out, "--json", "-"});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    const json found = json::parse(outcome.output)["details"]["largest_tension"];
+    EXPECT_NEAR(found["exact"].get<double>(), 14.0, 1e-5) << engine;  // the mean over a step
+    EXPECT_NEAR(found["found"].get<double>(), 14.0, 1e-4) << engine;
+  }
+}
+
 TEST(TensionOfEngines, OfABodyAsleepIsNotKnown) {
   const TemporaryFolder folder;
   const std::string box = folder.file("box.toml", hanging_box).string();

@@ -11,11 +11,41 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 
 namespace tautline {
+namespace {
+
+/// An integer from `least` to `most`. Throws for any other number: nlohmann's own conversion does
+/// not look whether a number fits.
+int whole_number(const nlohmann::json& value, int least, int most) {
+  const std::int64_t whole = value.is_number_integer() ? value.get<std::int64_t>() : most + 1L;
+  if (whole < least || whole > most) {
+    throw std::out_of_range("a number of a message is out of its range");
+  }
+  return static_cast<int>(whole);
+}
+
+/// No engine's parameter grows with a higher power of the step, or a lower one than its negative.
+constexpr int most_power = 1000;
+
+}  // namespace
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, name, value, reason)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Parameter, name, low, high, logarithmic, step_power)
+
+static void to_json(nlohmann::json& row, const Parameter& one) {
+  row = nlohmann::json::array({one.name, one.low, one.high, one.logarithmic, one.step_power});
+}
+
+static void from_json(const nlohmann::json& row, Parameter& one) {
+  one = {row.at(0), row.at(1), row.at(2), row.at(3),
+         whole_number(row.at(4), -most_power, most_power)};
+}
+
+static void from_json(const nlohmann::json& value, Maker& maker) {
+  maker = static_cast<Maker>(whole_number(value, 0, static_cast<int>(Maker::tautline)));
+}
+
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings, maker, parameters, code)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EngineInfo, name, version, precision, models)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunSettings, step, law, parameters)
@@ -99,6 +129,13 @@ struct NumberReader {
   void operator()(Value& value) {
     if (numbers.empty()) {
       throw std::out_of_range("a message ends early");
+    }
+    if constexpr (std::is_integral_v<Value>) {
+      // a double that does not fit would become any integer
+      const double most = std::is_same_v<Value, bool> ? 1.0 : 0x1p53;
+      if (!(numbers.front() >= 0.0 && numbers.front() <= most)) {
+        throw std::out_of_range("a number of a message is out of its range");
+      }
     }
     value = static_cast<Value>(numbers.front());
     numbers = numbers.subspan(1);
@@ -254,7 +291,9 @@ std::optional<WorkerAnswer> answer_from(std::string_view bytes) {
     return std::nullopt;
   }
   try {
-    WorkerAnswer answer = answer_of(message->head.at(0), message->head.at(1));
+    constexpr int kinds = std::variant_size_v<WorkerAnswer>;
+    const int kind = whole_number(message->head.at(0), 0, kinds - 1);
+    WorkerAnswer answer = answer_of(static_cast<std::size_t>(kind), message->head.at(1));
     if (auto* const run = std::get_if<RunAnswer>(&answer)) {
       NumberReader reader{message->numbers};
       pass_run(reader, *run);

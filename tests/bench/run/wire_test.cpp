@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <string>
 
 namespace tautline::bench {
 namespace {
@@ -140,6 +143,52 @@ TEST(Wire, AMessageThatMakesNoSenseIsAFailure) {
   bytes.replace(bytes.find("sentence"), 8, "nonsense");
   EXPECT_EQ(std::get<Failure>(answer_from(bytes).value()).sentence,
             "gave a result that makes no sense");
+}
+
+/// True if `answer` with `from` changed to `to` is a failure.
+template <class Answer>
+bool fails(const Answer& answer, const std::string& from, const std::string& to) {
+  std::string bytes = to_bytes(answer);
+  const std::size_t at = bytes.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  bytes.replace(at, from.size(), to);
+  std::uint64_t head = 0;  // its size comes first; where it has the number, it grows or shrinks
+  std::memcpy(&head, bytes.data(), sizeof head);
+  if (at < 2 * sizeof head + head) {
+    head += to.size() - from.size();
+    std::memcpy(bytes.data(), &head, sizeof head);
+  }
+  return std::holds_alternative<Failure>(answer_from(bytes).value());
+}
+
+TEST(Wire, ANumberThatDoesNotFitIsAFailure) {
+  const auto bytes_of = [](double number) {
+    std::string bytes(sizeof number, '\0');
+    std::memcpy(bytes.data(), &number, sizeof number);
+    return bytes;
+  };
+  constexpr double count = 123'456'789.0;  // the message has each of the two once
+  constexpr double energy = 0.375;
+  RunAnswer run;
+  run.trajectory.slow_impacts = static_cast<std::size_t>(count);
+  run.trajectory.largest_energy = energy;
+  EXPECT_FALSE(fails(run, bytes_of(count), bytes_of(0.0)));
+  for (const double number : {-1.0, 1e300, infinite, std::nan("")}) {
+    EXPECT_TRUE(fails(run, bytes_of(count), bytes_of(number))) << number;
+    EXPECT_FALSE(fails(run, bytes_of(energy), bytes_of(number))) << number;
+  }
+
+  Model model{"row", "A row.", {}};
+  model.maker = Maker::engine;
+  model.parameters = {{"k", 1.5, 2.5, false, -2}};
+  const EngineInfo info{"mine", "1.0", "float64", {model}};
+  EXPECT_FALSE(fails(info, "-2", "-1"));
+  EXPECT_TRUE(fails(info, "-2", "-1e30"));
+  EXPECT_TRUE(fails(info, "-2", "-0.5"));
+  EXPECT_FALSE(fails(info, "\"maker\":0", "\"maker\":2"));
+  EXPECT_TRUE(fails(info, "\"maker\":0", "\"maker\":3"));
+  EXPECT_TRUE(fails(info, "[1,", "[1.5,"));
+  EXPECT_TRUE(fails(info, "[1,", "[77,"));
 }
 
 }  // namespace

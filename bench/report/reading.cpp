@@ -29,7 +29,8 @@ std::set<std::string> names(const std::vector<Row>& rows) {
   return result;
 }
 
-/// What the runs of `report` contradict; "" if nothing.
+}  // namespace
+
 std::string contradiction(const Report& report) {
   const std::set<std::string> engines = names(report.engines);
   const std::set<std::string> cases = names(report.cases);
@@ -56,8 +57,6 @@ std::string contradiction(const Report& report) {
   }
   return "";
 }
-
-}  // namespace
 
 ReportReading read_report(const std::filesystem::path& path) {
   const std::string name = path.empty() ? "\"\"" : printable(path.native(), 1024);

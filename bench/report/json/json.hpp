@@ -50,6 +50,10 @@ struct ReportReading {
 [[nodiscard]] std::optional<RunRecord> record_from(std::string_view text,
                                                    const std::string& fingerprint);
 
+/// How the rows of `report` contradict each other, as a run of a case that it does not list; empty
+/// if they do not.
+[[nodiscard]] std::string contradiction(const Report& report);
+
 /// Reads report.json of this version of the program's `bench`. What it gives lists the engine and
 /// the case of each of its runs, and no run twice.
 [[nodiscard]] ReportReading read_report(const std::filesystem::path& path);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -41,7 +43,15 @@ inline void read(const Json& json, std::size_t& value) {
   }
   value = json.get<std::size_t>();
 }
-inline void read(const Json& json, std::int32_t& value) { value = json.get<std::int32_t>(); }
+inline void read(const Json& json, std::int32_t& value) {
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+  const std::int64_t whole = json.is_number_integer() ? json.get<std::int64_t>() : most + 1;
+  if (whole < -most || whole > most) {
+    throw Json::other_error::create(501, "a step on a grid must be a whole number below 2^31",
+                                    nullptr);
+  }
+  value = static_cast<std::int32_t>(whole);
+}
 inline void read(const Json& json, bool& value) { value = json.get<bool>(); }
 inline void read(const Json& json, std::string& value) { value = json.get<std::string>(); }
 inline void read(const Json& json, Status& value) {
@@ -150,10 +160,44 @@ void read(const Json& json, std::vector<Value>& values) {
   }
 }
 
+/// Throws unless all columns have one length, which every user of them relies on.
+inline void require_one_length(std::initializer_list<std::size_t> lengths) {
+  if (std::any_of(lengths.begin(), lengths.end(),
+                  [&](std::size_t one) { return one != *lengths.begin(); })) {
+    throw Json::other_error::create(501, "columns must be of one length", nullptr);
+  }
+}
+
+/// Throws if the members of a row contradict each other. Members of most rows cannot.
+template <class Row>
+void require_agreement(const Row& /*row*/) {}
+inline void require_agreement(const ImpactColumns& impacts) {
+  require_one_length({impacts.time.size(), impacts.cable.size(), impacts.requested.size(),
+                      impacts.rate_before.size(), impacts.rate_after.size(), impacts.arm.size(),
+                      impacts.tangential_error.size(), impacts.angular_error.size(),
+                      impacts.steps.size()});
+}
+inline void require_agreement(const EventColumns& events) {
+  require_one_length(
+      {events.time.size(), events.kind.size(), events.cables.size(), events.rate.size()});
+}
+inline void require_agreement(const Path& path) {
+  const std::size_t knots = path.time.steps.size();
+  const std::size_t bends = knots < 2 ? 0 : 2 * (knots - 1);
+  require_one_length({knots, path.x.steps.size(), path.y.steps.size(), path.angle.steps.size()});
+  require_one_length(
+      {bends, path.x_bends.steps.size(), path.y_bends.steps.size(), path.angle_bends.steps.size()});
+  require_one_length({path.energy_time.steps.size(), path.energy.steps.size()});
+}
+inline void require_agreement(const TautColumns& taut) {
+  require_one_length({taut.gap_times.steps.size(), taut.gap.size()});
+}
+
 template <class Row>
 void read(const Json& json, Row& row) {
   Reader reader(json);
   fields(reader, row);
+  require_agreement(row);
 }
 
 /// Gives engines that were read the name that stands once in their files.

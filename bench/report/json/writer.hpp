@@ -46,10 +46,12 @@ Json json_of(const std::vector<Value>& values);
 template <class Row>
 Json json_of(const Row& row);
 
-/// A count is an integer, as it is written.
+/// Writes a count as an integer. A report that was read may have any number in its place.
 inline Json json_of(const Metric& metric, const std::optional<double>& value) {
-  const bool counts = metric.digits.kind == Digits::Kind::shortest;
-  return counts && value ? Json(static_cast<std::size_t>(*value)) : json_of(value);
+  constexpr double most = 0x1p53;  // up to here a double holds every whole number
+  const bool counts = metric.digits.kind == Digits::Kind::shortest && value && *value >= 0.0 &&
+                      *value <= most && std::trunc(*value) == *value;
+  return counts ? Json(static_cast<std::size_t>(*value)) : json_of(value);
 }
 
 inline Json json_of(const Metric& /*metric*/, const std::optional<MedianAndWorst>& value) {

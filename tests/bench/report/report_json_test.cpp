@@ -110,9 +110,26 @@ TEST(ReportJson, RefusesWhatIsNoReportInASentence) {
   EXPECT_NE(problem_of(text, "\"planned_runs\": 0", "\"planned_runs\": -1"), "");
   EXPECT_NE(problem_of(text, "\"status\":\"finished\"", "\"status\":\"lost\""), "");
   EXPECT_NE(problem_of(text, "\"runs\": [", "\"runs\": 3, \"more\": ["), "");
+  EXPECT_NE(problem_of(text, "\"cable\":[0,", "\"cable\":["), "") << "shorter than its neighbours";
   EXPECT_FALSE(record_from("{\"fingerprint\": 3}", "3"));
   EXPECT_FALSE(record_from("{\"fingerprint\": \"3\"}", "3"));
   EXPECT_FALSE(record_from("[", "3"));
+}
+
+TEST(ReportJson, RefusesAStepOnAGridThatDoesNotFit) {
+  RunRecord record;
+  record.row = row_of(run_with(3));
+  const std::string text = record_json(record, "3");
+  const std::string first = "\"steps\":[0";  // of the coordinate x
+  const std::size_t step = text.find(first, text.find("\"x\":{")) + first.size() - 1;
+  const auto reads = [&](const char* number) {
+    return record_from(std::string(text).replace(step, 1, number), "3").has_value();
+  };
+  EXPECT_TRUE(reads("0"));
+  EXPECT_TRUE(reads("2147483647"));
+  for (const char* wrong : {"0.5", "2147483648", "-3000000000", "1e300", "null"}) {
+    EXPECT_FALSE(reads(wrong)) << wrong;
+  }
 }
 
 }  // namespace

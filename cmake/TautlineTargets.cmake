@@ -34,16 +34,23 @@ function(tautline_target target)
     # to compile them; its simpler allocator checks the same.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fira-algorithm=priority>)
     # The program and the tests reach memory through containers and references alone. What these three
-    # checks would find there ASan finds as a bad access, and they take a third of the time to compile.
+    # checks would find there ASan finds as a bad access, and they take a third of the time to compile. The
+    # fuzzers leave them to the preset `asan` in all folders.
     cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}"
       OUTPUT_VARIABLE room)
-    if(room MATCHES "^(bench|tests)(/|$)")
+    if(TAUTLINE_FUZZ OR room MATCHES "^(bench|tests)(/|$)")
       target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,object-size)
     endif()
     # A program at a fixed address has nothing to relocate when it starts: the table of checked globals is
     # megabytes of addresses, and the tests start the program some thousand times.
     target_link_options(${target} PRIVATE -fsanitize=address,undefined
       $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-no-pie>)
+    # A fuzzer needs to see which branches an input takes. `undefined` does not include the check of a double that
+    # does not fit the integer it is converted to, a usual mistake in readers.
+    if(TAUTLINE_FUZZ)
+      target_compile_options(${target} PRIVATE
+        $<$<NOT:$<BOOL:$<TARGET_PROPERTY:TAUTLINE_UNSANITIZED>>>:-fsanitize=fuzzer-no-link,float-cast-overflow>)
+    endif()
     # for tests that must be shorter, or cannot be, where what they call is sanitized
     target_compile_definitions(${target} PRIVATE TAUTLINE_SANITIZED=1)
     # Eigen would take another malloc under ASan, and free what an engine built without it allocated

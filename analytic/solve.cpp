@@ -86,8 +86,8 @@ class Motion final : public PausedMotion<Real> {
       stop = next_stop(case_, state_, touching_, held_, time_left());
     }
     const CableSet pulling = held_ ? held_->pulling : CableSet{};  // `move` replaces `held_`
-    if (isnan(stop.dt) || !move(stop)) {
-      return finish(Ending::overflow);
+    if (const auto ending = move(stop)) {
+      return finish(*ending);
     }
     if (ends_in_repetition(stop, pulling)) {
       return;
@@ -219,7 +219,11 @@ class Motion final : public PausedMotion<Real> {
       record(EventKind::slack, lost, no_impulses<Real>(lost), state_);
     }
     if (const CableSet won = taut - taut_; !won.empty()) {
-      state_ = projected(case_, state_, taut);
+      const BasicState<Real> on_them = projected(case_, state_, taut);
+      if (!fits(case_, on_them)) {  // the ends of a cable have met
+        return false;
+      }
+      state_ = on_them;
       record(EventKind::taut, won, no_impulses<Real>(won), state_);
       if constexpr (!std::is_same_v<Real, double>) {
         // many digits see how far a start in doubles is off its cables: the motion is of the pose
@@ -234,16 +238,25 @@ class Motion final : public PausedMotion<Real> {
     return true;
   }
 
-  /// Appends the arc up to `stop` and moves to its end. False, and nothing done, on overflow.
-  [[nodiscard]] bool move(const Stop<Real>& stop) {
+  /// Appends the arc up to `stop` and moves to its end. Without a state there: does nothing and
+  /// returns the ending that says why.
+  [[nodiscard]] std::optional<Ending> move(const Stop<Real>& stop) {
+    if (isnan(stop.dt)) {
+      return Ending::overflow;
+    }
     BasicArc<Real> arc = arc_to(stop);
     const BasicState<Real> last = arc.after(stop.dt, case_.gravity);
     if (!fits(case_, last)) {
-      return false;
+      return Ending::overflow;
+    }
+    const CableSet pulling = held_ ? held_->pulling : CableSet{};
+    BasicState<Real> state = on_cables(case_, last, pulling, stop.cables);
+    if (!(pulling | stop.cables).empty() && !fits(case_, state)) {
+      return Ending::singular;  // the ends of a cable have met: it has no direction
     }
     record_.arcs.push_back(std::move(arc));
-    arrive(stop, last);
-    return true;
+    arrive(stop, std::move(state));
+    return std::nullopt;
   }
 
   /// The motion from here up to `stop`.
@@ -257,9 +270,9 @@ class Motion final : public PausedMotion<Real> {
     return arc;
   }
 
-  /// Makes the end of the last arc, `last` up to rounding, the present.
-  void arrive(const Stop<Real>& stop, const BasicState<Real>& last) {
-    state_ = on_cables(case_, last, held_ ? held_->pulling : CableSet{}, stop.cables);
+  /// Makes the end of the last arc, where the body is in `state`, the present.
+  void arrive(const Stop<Real>& stop, BasicState<Real> state) {
+    state_ = std::move(state);
     time_ = record_.arcs.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     touching_.time_rounding = epsilon<Real>() * time_;

@@ -101,7 +101,8 @@ EventErrors ErrorTracker::take_taut(const Event& event) {
   now_ = projected(now_, tangent(case_, event.after, basis(case_, event.after, taut_)));
   if (const Accumulation* const accumulation = completed_by(event)) {
     // what the limit lies after the event is as wrong as the last bounce is long
-    const double last = event.time - before_->start;
+    const double last =
+        before_ != nullptr ? event.time - before_->start : 0.0;  // none at the start
     const double remaining = accumulation->time - accumulation->start;
     const double relative = last > 0.0 ? errors.time / last : 0.0;
     errors.time += accumulation->uncertainty + remaining * std::min(relative, 1.0);

@@ -1,6 +1,11 @@
 # What every target of the project shares. Targets and properties only, no global flags.
 
 set(TAUTLINE_ENGINE_DIR "${PROJECT_BINARY_DIR}/engines/modules")
+# the thread sanitizer cannot be combined with the others
+set(TAUTLINE_SANITIZERS address,undefined)
+if(TAUTLINE_TSAN)
+  set(TAUTLINE_SANITIZERS thread)
+endif()
 
 # tautline_target(<target>): language level, warnings, sanitizers, reproducible floating point.
 # A target with the property TAUTLINE_UNSANITIZED is compiled without sanitizers and linked with them:
@@ -29,7 +34,7 @@ function(tautline_target target)
     # with sanitizers GCC warns of uninitialised members inside its own <regex> (GCC bug 105562)
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
-      $<$<NOT:$<BOOL:$<TARGET_PROPERTY:TAUTLINE_UNSANITIZED>>>:-fsanitize=address,undefined$<SEMICOLON>-fno-sanitize-recover=all$<SEMICOLON>-fno-omit-frame-pointer>)
+      $<$<NOT:$<BOOL:$<TARGET_PROPERTY:TAUTLINE_UNSANITIZED>>>:-fsanitize=${TAUTLINE_SANITIZERS}$<SEMICOLON>-fno-sanitize-recover=all$<SEMICOLON>-fno-omit-frame-pointer>)
     # The checks make functions long, and GCC's usual colouring of registers takes up to a third of the time
     # to compile them; its simpler allocator checks the same.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fira-algorithm=priority>)
@@ -43,7 +48,7 @@ function(tautline_target target)
     endif()
     # A program at a fixed address has nothing to relocate when it starts: the table of checked globals is
     # megabytes of addresses, and the tests start the program some thousand times.
-    target_link_options(${target} PRIVATE -fsanitize=address,undefined
+    target_link_options(${target} PRIVATE -fsanitize=${TAUTLINE_SANITIZERS}
       $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-no-pie>)
     # A fuzzer needs to see which branches an input takes. `undefined` does not include the check of a double that
     # does not fit the integer it is converted to, a usual mistake in readers.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "batch/in_lane.hpp"
@@ -130,6 +131,14 @@ TEST(SolveBatch, HardSystemsHaveTheirOwnSolutionsToTheBit) {
       }
     }
     expect_same_solutions(cases, options);
+  }
+}
+
+TEST(SolveBatch, SeveralThreadsDoNotDisturbEachOther) {
+  const std::vector<Case> cases = shipped_cases();
+  std::vector<std::jthread> threads;
+  for (int count = 0; count < 4; ++count) {
+    threads.emplace_back([&cases] { expect_same_solutions(cases); });
   }
 }
 

@@ -54,10 +54,10 @@ struct BasicTouch {
   /// rows of the taut cables, 0 at a dead point of the linkage that they make of the body: more
   /// than one taut motion goes on from there.
   EventKind kind;
-  CableSet cables;
-  Real time;   // [s]
-  Real value;  // [N] or [-]; a tension < 0 where the cable has let go
-  Real bend;   // its second derivative there, > 0
+  CableSet cables;  // whose tension it is, or whose dead point
+  Real time;        // [s]
+  Real value;       // [N] or [-]; a tension < 0 where the cable has let go
+  Real bend;        // its second derivative there, > 0
 };
 using Touch = BasicTouch<double>;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace tautline {
 
@@ -21,6 +22,7 @@ class CosineSum {
     Values cosine;
     Values sine;
   };
+  [[nodiscard]] static double phase(std::size_t k) { return angle(2 * k + 1); }
   [[nodiscard]] static const Nodes& nodes() {
     static const Nodes result = [] {
       Nodes made{};
@@ -32,6 +34,9 @@ class CosineSum {
     }();
     return result;
   }
+
+  /// Zero everywhere.
+  CosineSum() = default;
 
   /// Through `values` at the nodes.
   explicit CosineSum(const Values& values) {
@@ -61,6 +66,27 @@ class CosineSum {
       sum += coefficients_[j] * std::sin(times * phase) / times;
     }
     return sum;
+  }
+
+  /// The phase [rad] of the maximum near node `k`, whose value is not below those beside it, by
+  /// Newton's method. At the ends of the phase the function is flat: a maximum there is found, too.
+  [[nodiscard]] double phase_of_maximum(std::size_t k) const {
+    double phase = CosineSum::phase(k);
+    constexpr int enough = 16;  // most take four: a maximum that is flatter than a parabola is slow
+    for (int iteration = 0; iteration < enough; ++iteration) {
+      const auto [slope, bend] = slope_and_bend(phase);
+      const double step = -slope / bend;
+      constexpr double distance = std::numbers::pi / terms;
+      if (!(bend < 0.0 && std::abs(phase + step - CosineSum::phase(k)) <= distance)) {
+        return CosineSum::phase(k);
+      }
+      phase += step;
+      constexpr double half_of_digits = 1e-8;  // [rad]
+      if (std::abs(step) <= half_of_digits) {
+        break;
+      }
+    }
+    return phase;
   }
 
   /// True where the function has no zero between the ends, as far as the sum knows it: its values
@@ -96,6 +122,26 @@ class CosineSum {
       return made;
     }();
     return result;
+  }
+
+  /// The first and the second derivative by the phase.
+  [[nodiscard]] std::array<double, 2> slope_and_bend(double phase) const {
+    double slope = 0.0;
+    double bend = 0.0;
+    const double twice = 2.0 * std::cos(phase);
+    // sines and cosines of multiples of the phase, each from the two before
+    double sine_before = 0.0;
+    double sine = std::sin(phase);
+    double cosine_before = 1.0;
+    double cosine = twice / 2.0;
+    for (std::size_t j = 1; j < terms; ++j) {
+      const auto times = static_cast<double>(j);
+      slope -= times * coefficients_[j] * sine;
+      bend -= times * times * coefficients_[j] * cosine;
+      sine_before = std::exchange(sine, twice * sine - sine_before);
+      cosine_before = std::exchange(cosine, twice * cosine - cosine_before);
+    }
+    return {slope, bend};
   }
 
   /// A bound of what follows the last term, ten times over.

@@ -19,12 +19,20 @@ struct Way {
   double half;                      // and of their distance
 };
 
-/// What is looked at on the way.
+/// What is looked at on the way, at the nodes.
 struct Along {
+  std::array<CurvePoint, CosineSum::terms> points;
   CosineSum::Values pace;     // [s], of time by phase (Eq. 25)
   CosineSum::Values turning;  // of the angle, in s
   std::array<CosineSum::Values, max_cables> tensions_and_gaps;
 };
+
+/// The tension of one cable by the phase.
+struct Tension {
+  std::size_t cable = 0;
+  CosineSum sum;
+};
+using Tensions = std::array<Tension, 2>;  // of the two that pull
 
 class Watch {
  public:
@@ -40,7 +48,8 @@ class Watch {
   [[nodiscard]] std::optional<Swing> swing(double left) const {
     const auto way = find_way();
     const auto along = way ? look_along(*way) : std::nullopt;
-    if (!along || !is_undisturbed(*along)) {
+    const auto tensions = along ? undisturbed_tensions(*along) : std::nullopt;
+    if (!tensions) {
       return std::nullopt;
     }
     const CosineSum pace(along->pace);
@@ -57,7 +66,9 @@ class Watch {
       return std::nullopt;
     }
     const auto [least, largest] = std::minmax(way->turns[0].pose.angle, way->turns[1].pose.angle);
-    return Swing{way->fastest, 2.0 * half_period, least, largest, (largest - least) / 2.0};
+    Swing result{way->fastest, 2.0 * half_period, least, largest, (largest - least) / 2.0};
+    result.largest_tension = largest_tension(*way, *along, *tensions);
+    return result;
   }
 
  private:
@@ -155,6 +166,7 @@ class Watch {
         return std::nullopt;
       }
       point = *next;
+      along.points[k] = point;
       nearest = point.z.squaredNorm() < nearest.z.squaredNorm() ? point : nearest;
       along.pace[k] = point.way.norm() * way.half * nodes.sine[k] / std::sqrt(2.0 * energy);
       along.turning[k] = point.way[2];
@@ -192,14 +204,45 @@ class Watch {
     return {space.dual(0).dot(pull), space.dual(1).dot(pull)};
   }
 
-  /// True where the cables pull all the way, no other closes, and the angle goes one way.
-  [[nodiscard]] bool is_undisturbed(const Along& along) const {
-    const auto all = along.tensions_and_gaps.begin();
-    return CosineSum(along.turning).has_no_zero() &&
-           std::all_of(all, all + static_cast<std::ptrdiff_t>(case_.cables.size()),
-                       [](const CosineSum::Values& values) {
-                         return values[0] > 0.0 && CosineSum(values).has_no_zero();
-                       });
+  /// The largest tension of a cable [N]. Its sum says where it is, the curve how large it is there.
+  [[nodiscard]] double largest_tension(const Way& way, const Along& along,
+                                       const Tensions& tensions) const {
+    double result = 0.0;
+    for (std::size_t row = 0; row < 2; ++row) {
+      const CosineSum::Values& values = along.tensions_and_gaps[tensions[row].cable];
+      for (std::size_t k = 0; k < CosineSum::terms; ++k) {
+        const bool is_maximum = (k == 0 || values[k] >= values[k - 1]) &&
+                                (k + 1 == CosineSum::terms || values[k] >= values[k + 1]);
+        if (is_maximum) {
+          const double phase = tensions[row].sum.phase_of_maximum(k);
+          const auto point = curve_.at(way.middle + way.half * std::cos(phase), along.points[k]);
+          const double there = point ? tensions_at(*point, energy_at(*point))[row] : 0.0;
+          result = std::max({result, values[k], there});
+        }
+      }
+    }
+    return result;
+  }
+
+  /// The tensions of the two cables where they pull all the way, no other closes, and the angle
+  /// goes one way; else none.
+  [[nodiscard]] std::optional<Tensions> undisturbed_tensions(const Along& along) const {
+    if (!CosineSum(along.turning).has_no_zero()) {
+      return std::nullopt;
+    }
+    Tensions tensions;
+    auto next = tensions.begin();
+    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      const CosineSum::Values& values = along.tensions_and_gaps[index];
+      const CosineSum sum(values);
+      if (!(values[0] > 0.0 && sum.has_no_zero())) {
+        return std::nullopt;
+      }
+      if (pulling_.contains(index)) {
+        *next++ = {index, sum};
+      }
+    }
+    return tensions;
   }
 
   const Case& case_;

@@ -155,6 +155,34 @@ TensionMatch match_tensions(const Case& the_case, const Solution& solution, cons
   return {tension_at_rest(the_case, solution, run), largest_tension(the_case, solution, run, end)};
 }
 
+std::optional<double> largest_tension(const Trajectory& run) {
+  if (run.tensions.empty()) {
+    return std::nullopt;
+  }
+  const std::size_t cables = run.tensions.size() / run.points.size();
+  const double margin = steps_around_events * run.step * static_cast<double>(run.stride);
+  auto next = run.impacts.begin();
+  double acts_until = 0.0;  // [s], an impact in the steps
+  double largest = 0.0;
+  for (std::size_t point = 1; point < run.points.size(); ++point) {
+    for (; next != run.impacts.end() && next->time < run.points[point].time; ++next) {
+      if (next->steps > 0) {  // one that is located has no part in the tensions
+        acts_until = std::max(acts_until, next->time + margin);
+      }
+    }
+    if (acts_until > run.points[point - 1].time) {
+      continue;
+    }
+    for (std::size_t cable = 0; cable < cables; ++cable) {
+      const double tension = run.tensions[point * cables + cable];
+      if (tension > largest) {  // no number is not
+        largest = tension;
+      }
+    }
+  }
+  return largest;
+}
+
 std::optional<ExactAndFound> match_first_impulse(const Case& the_case, const Solution& solution,
                                                  const Trajectory& run, double count_speed,
                                                  double end) {

@@ -24,6 +24,10 @@ struct TensionMatch {
 [[nodiscard]] TensionMatch match_tensions(const Case& the_case, const Solution& solution,
                                           const Trajectory& run, double end);
 
+/// The largest mean tension of one cable over a step of `run` [N], of the steps in which no impact
+/// acts; 0 if no cable pulls in them. None: its engine tells no tensions.
+[[nodiscard]] std::optional<double> largest_tension(const Trajectory& run);
+
 /// The impulse of the first impact up to `end` [s] that closes faster than `count_speed` [m/s]
 /// [N s], of the exact motion and of the run on the same cable; none where several cables share
 /// it, or either side has none.

@@ -89,6 +89,33 @@ CableSet all_cables(const Case& the_case) {
   return result;
 }
 
+double largest_sampled_tension(const Solution& solution) {
+  constexpr int samples = 32;  // of an arc, whose tension turns once or twice
+  constexpr int sections = 40;
+  constexpr double golden = 0.6180339887498949;
+  double largest = 0.0;
+  for (const Arc& arc : solution.arcs()) {
+    const double step = (arc.end - arc.start) / samples;
+    const auto tension = [&](double dt) { return solution.tensions(arc, dt).maxCoeff(); };
+    for (int k = 0; k <= samples && step > 0.0; ++k) {
+      double low = std::max(0, k - 1) * step;
+      double high = std::min(samples, k + 1) * step;
+      const double here = tension(k * step);
+      if (here < tension(low) || here < tension(high)) {
+        continue;
+      }
+      largest = std::max(largest, here);
+      for (int section = 0; section < sections; ++section) {
+        const double a = high - golden * (high - low);
+        const double b = low + golden * (high - low);
+        (tension(a) < tension(b) ? low : high) = tension(a) < tension(b) ? a : b;
+      }
+      largest = std::max(largest, tension(low));
+    }
+  }
+  return largest;
+}
+
 double energy_scale(const Case& the_case) {
   Case still = the_case;
   still.gravity.setZero();

@@ -34,6 +34,10 @@ void expect_always(const std::string& claim, const std::function<void()>& proper
 /// Every cable of a case.
 [[nodiscard]] CableSet all_cables(const Case& the_case);
 
+/// The largest tension of a cable along the arcs of `solution` [N], which are sampled and searched
+/// by golden sections; 0 if no cable is ever taut.
+[[nodiscard]] double largest_sampled_tension(const Solution& solution);
+
 /// A measure of the energies that come and go in a case [J]: what its energy errors are relative
 /// to. Kinetic energy at the start, and a fall by the longest cable.
 [[nodiscard]] double energy_scale(const Case& the_case);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace tautline {
 
 /// Whose angle the turning points of a swing are told by.
@@ -20,6 +22,9 @@ struct BasicSwing {
   Real amplitude;                       // [rad], half the difference
   SwingAngle angle = SwingAngle::body;  // which angle these are of
   bool goes_round = false;              // it has no turning points: the three are 0
+  /// [N], of one cable, of a swing told ahead (SolveOptions::swing_ahead). None: the arcs of the
+  /// solution have the whole way, and `tensions` tells those along them.
+  std::optional<Real> largest_tension = std::nullopt;
 };
 using Swing = BasicSwing<double>;
 

@@ -94,7 +94,7 @@ std::vector<Comparison> planned_comparisons(const std::vector<EnsembleSetup>& se
       const Statistic& statistic = findings.statistics[place];
       const Held& first = held.front()[place];
       const Held& second = held[setup][place];
-      const bool known = !setups[setup].engine || statistic.of_engines;
+      const bool known = !setups[setup].engine || statistic.of_engines == OfEngines::all;
       if (!known || !statistic.compared || !can_be_tested(first, second)) {
         continue;
       }
@@ -135,6 +135,14 @@ std::size_t Findings::tests() const {
     count += one.energy ? 2U : 1U;
   }
   return count;
+}
+
+bool tells(const EnsembleSetup& setup, const Statistic& statistic, const Summary& summary) {
+  if (!setup.engine) {
+    return statistic.of_exact;
+  }
+  return statistic.of_engines == OfEngines::all ||
+         (statistic.of_engines == OfEngines::some && summary.count > 0);
 }
 
 std::vector<double> holm(const std::vector<double>& probabilities) {

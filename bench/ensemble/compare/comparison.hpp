@@ -55,6 +55,10 @@ struct Findings {
   [[nodiscard]] std::size_t tests() const;
 };
 
+/// True if `setup`, which `summary` is of, tells a statistic.
+[[nodiscard]] bool tells(const EnsembleSetup& setup, const Statistic& statistic,
+                         const Summary& summary);
+
 /// `jobs` threads share the work, and have no part in what it says.
 [[nodiscard]] Findings findings_of(const EnsembleRequest& request, const EnsembleResult& result,
                                    unsigned jobs);

@@ -9,8 +9,10 @@
 #include <cmath>
 #include <utility>
 
+#include "bench/ensemble/draw/largest_tension.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "bench/measure/settling_match.hpp"
+#include "bench/measure/tension_match.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -29,7 +31,14 @@ struct Place {
     largest_angle,
     first_loss,  // of each cable one
   };
-  enum AfterLosses : std::size_t { overstretch, captured, first_cable, end };
+  enum AfterLosses : std::size_t {
+    largest_impulse,
+    largest_tension,
+    overstretch,
+    captured,
+    first_cable,
+    end,
+  };
 
   static std::size_t of(const EnsembleSpec& spec, AfterLosses statistic) {
     return first_loss + spec.the_case.cables.size() + statistic;
@@ -63,9 +72,13 @@ class ImpactSums {
     }
   }
 
+  /// The impulse of one cable in an impact of any speed [N s].
+  void note(double impulse) { largest_impulse_ = std::max(largest_impulse_, impulse); }
+
   /// The values that impacts say; the rest is none.
   StatisticValues values() && {
     values_[Place::impacts] = count_;
+    values_[Place::of(spec_, Place::largest_impulse)] = largest_impulse_;
     if (first_cable_) {
       values_[Place::of(spec_, Place::first_cable)] = static_cast<double>(*first_cable_);
     }
@@ -81,6 +94,7 @@ class ImpactSums {
   std::array<double, max_cables> lost_{};  // [J]
   double count_ = 0.0;                     // of those faster than the first speed
   double sum_ = 0.0;                       // [J]
+  double largest_impulse_ = 0.0;           // [N s]
   std::optional<std::size_t> first_cable_;
 };
 
@@ -145,10 +159,16 @@ void add_impacts(ImpactSums& sums, const Case& the_case, const Solution& solutio
     per_impulse.emplace_back(the_case, cable);
   }
   for (const Event& event : solution.events()) {
-    if (event.kind != EventKind::impact ||
-        (event.impulses.size() == 1 &&
-         add_by_impulse(sums, the_case, event, per_impulse[*event.cables.begin()], speeds))) {
+    if (event.kind != EventKind::impact) {
       continue;
+    }
+    if (event.impulses.size() == 1) {
+      sums.note(event.impulses[0]);
+      if (add_by_impulse(sums, the_case, event, per_impulse[*event.cables.begin()], speeds)) {
+        continue;
+      }
+    } else {
+      sums.note(event.impulses.maxCoeff());
     }
     Eigen::Index place = 0;
     for (const std::size_t cable : event.cables) {
@@ -237,6 +257,15 @@ double largest_angle(const Solution& solution) {
   return largest;
 }
 
+/// The largest impulse of one cable in an impact [N s], 0 without an impact.
+double largest_impulse(const Trajectory& run) {
+  double largest = 0.0;
+  for (const RecordedImpact& impact : run.impacts) {
+    largest = std::max(largest, impact.snap);
+  }
+  return largest;
+}
+
 double largest_angle(const Trajectory& run) {
   double largest = 0.0;
   for (const Point& point : run.points) {
@@ -258,33 +287,38 @@ double most_response(const Case& the_case, const Cable& cable) {
 std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
   const auto& [fast, slow] = spec.speeds;
   std::vector<Statistic> all = {
-      {"settled_fast", fmt::format("last impact > {:g} m/s", fast), "s", fixed(4), true, true, true,
-       "the last impact faster than the first speed: settling time"},
-      {"settled_slow", fmt::format("last impact > {:g} m/s", slow), "s", fixed(4), true, true, true,
-       "the last impact faster than the second speed"},
-      {"lock", "lock", "s", fixed(4), true, true, false,
+      {"settled_fast", fmt::format("last impact > {:g} m/s", fast), "s", fixed(4), true, true,
+       OfEngines::all, "the last impact faster than the first speed: settling time"},
+      {"settled_slow", fmt::format("last impact > {:g} m/s", slow), "s", fixed(4), true, true,
+       OfEngines::all, "the last impact faster than the second speed"},
+      {"lock", "lock", "s", fixed(4), true, true, OfEngines::none,
        "from which on the last cables stay taut; of an engine's run none is known"},
-      {"impacts", fmt::format("impacts > {:g} m/s", fast), "", as_count, true, true, true,
+      {"impacts", fmt::format("impacts > {:g} m/s", fast), "", as_count, true, true, OfEngines::all,
        "impacts faster than the first speed, one a cable"},
-      {"swing_energy", "swing energy", "J", fixed(5), true, true, true,
+      {"swing_energy", "swing energy", "J", fixed(5), true, true, OfEngines::all,
        "above the equilibrium, in the last period; none where the exact motion has not locked and "
        "swung to and fro by the end"},
-      {"swing_amplitude", "swing amplitude", "rad", fixed(4), true, true, true,
+      {"swing_amplitude", "swing amplitude", "rad", fixed(4), true, true, OfEngines::all,
        "half the range of the angle in the last period"},
-      {"largest_angle", "largest |angle|", "rad", fixed(4), true, true, true,
+      {"largest_angle", "largest |angle|", "rad", fixed(4), true, true, OfEngines::all,
        "of the whole motion"},
   };
   for (std::size_t cable = 0; cable < spec.the_case.cables.size(); ++cable) {
     all.push_back({fmt::format("loss_{}", cable), fmt::format("loss in cable {}", cable), "",
-                   fixed(4), true, true, true,
+                   fixed(4), true, true, OfEngines::all,
                    "share of the energy that impacts faster than the second speed lose"});
   }
-  all.push_back(
-      {"overstretch", "overstretch", "m", as_error, false, false, true, "the largest of the run"});
-  all.push_back({"captured", "captured", "", as_count, false, true, false,
+  all.push_back({"largest_impulse", "largest impulse", "N s", fixed(5), true, true, OfEngines::all,
+                 "of one cable in one impact; 0 without an impact"});
+  all.push_back({"largest_tension", "largest tension", "N", fixed(4), true, true, OfEngines::some,
+                 "of one cable that is taut, impacts aside; of an engine that tells its tensions "
+                 "the largest mean over a step"});
+  all.push_back({"overstretch", "overstretch", "m", as_error, false, false, OfEngines::all,
+                 "the largest of the run"});
+  all.push_back({"captured", "captured", "", as_count, false, true, OfEngines::none,
                  "1 where the cables that lock the motion are never let go, else 0; none before it "
                  "is locked"});
-  all.push_back({"first_cable", "first cable", "", as_count, false, true, true,
+  all.push_back({"first_cable", "first cable", "", as_count, false, true, OfEngines::all,
                  "the cable of the first impact that is counted"});
   return all;
 }
@@ -302,6 +336,7 @@ StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
   add_impacts(sums, the_case, solution, spec.speeds);
   StatisticValues values = std::move(sums).values();
   values[Place::largest_angle] = largest_angle(solution);
+  values[Place::of(spec, Place::largest_tension)] = largest_tension(solution);
   if (lock) {
     values[Place::lock] = lock->time;
     values[Place::of(spec, Place::captured)] = lock->permanent ? 1.0 : 0.0;
@@ -319,6 +354,8 @@ StatisticValues run_statistics(const EnsembleSpec& spec, const ReferenceCase& re
   add_impacts(sums, run, spec.speeds[1]);
   StatisticValues values = std::move(sums).values();
   values[Place::largest_angle] = largest_angle(run);
+  values[Place::of(spec, Place::largest_impulse)] = largest_impulse(run);
+  values[Place::of(spec, Place::largest_tension)] = largest_tension(run);
   values[Place::of(spec, Place::overstretch)] = run.overstretch;
   if (const auto swing =
           match_swing(reference.the_case, reference.solution, reference.settling, run)) {

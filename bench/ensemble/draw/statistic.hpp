@@ -13,6 +13,10 @@
 
 namespace tautline::bench {
 
+/// Which engines' runs tell a statistic. Those of some: as far as they know it, by their steps, so
+/// that it is shown beside the exact one, and not tested against it.
+enum class OfEngines { none, some, all };
+
 /// One number that every motion of an ensemble is reduced to.
 struct Statistic {
   std::string name;     // in files
@@ -21,7 +25,7 @@ struct Statistic {
   Digits digits;        // of a value
   bool compared;        // with the exact motion
   bool of_exact;        // the exact motion tells it; no cable of it is ever overstretched
-  bool of_engines;      // an engine's run tells it
+  OfEngines of_engines;
   std::string meaning;  // a sentence
 };
 

@@ -34,8 +34,9 @@ Json setup_json(const EnsembleReport& report, std::size_t place) {
   Json summaries = Json::object();
   for (std::size_t index = 0; index < findings.statistics.size(); ++index) {
     const Statistic& statistic = findings.statistics[index];
-    if (tells(setup, statistic)) {
-      summaries[statistic.name] = summary_json(findings.summaries[place][index]);
+    const Summary& summary = findings.summaries[place][index];
+    if (tells(setup, statistic, summary)) {
+      summaries[statistic.name] = summary_json(summary);
     }
   }
   Json engine = nullptr;

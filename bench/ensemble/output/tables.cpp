@@ -53,10 +53,10 @@ Table summary_table(const EnsembleReport& report) {
     }
     bool is_first = true;
     for (std::size_t setup = 0; setup < report.request.setups.size(); ++setup) {
-      if (!tells(report.request.setups[setup], statistic)) {
+      const Summary& summary = findings.summaries[setup][place];
+      if (!tells(report.request.setups[setup], statistic, summary)) {
         continue;
       }
-      const Summary& summary = findings.summaries[setup][place];
       const auto some = [&](double value) {
         return number_cell(summary.count > 0 ? std::optional(value) : std::nullopt,
                            digits_between(statistic));

@@ -81,7 +81,8 @@ void add_incomplete(std::vector<std::string>& sentences, const EnsembleReport& r
                                       printable(findings.first_problems[setup])));
     }
     const Summary& locks = findings.summaries[setup][lock];
-    if (tells(report.request.setups[setup], findings.statistics[lock]) && locks.without > 0) {
+    if (tells(report.request.setups[setup], findings.statistics[lock], locks) &&
+        locks.without > 0) {
       sentences.push_back(fmt::format(
           "{}: {} not locked by {:g} s: later impacts than the last ones until then may "
           "follow.",
@@ -121,15 +122,12 @@ std::string constant_words(const EnsembleReport& report) {
 
 }  // namespace
 
-bool tells(const EnsembleSetup& setup, const Statistic& statistic) {
-  return setup.engine ? statistic.of_engines : statistic.of_exact;
-}
-
 std::optional<double> common_value(const EnsembleReport& report, std::size_t statistic) {
   const Findings& findings = report.findings;
   std::optional<double> value;
   for (std::size_t setup = 0; setup < report.request.setups.size(); ++setup) {
-    if (!tells(report.request.setups[setup], findings.statistics[statistic])) {
+    if (!tells(report.request.setups[setup], findings.statistics[statistic],
+               findings.summaries[setup][statistic])) {
       continue;
     }
     const DrawTable& draws = report.result.draws[setup];

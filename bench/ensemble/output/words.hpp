@@ -30,9 +30,6 @@ struct EnsembleReport {
 [[nodiscard]] std::optional<double> common_value(const EnsembleReport& report,
                                                  std::size_t statistic);
 
-/// Whether a setup tells a statistic.
-[[nodiscard]] bool tells(const EnsembleSetup& setup, const Statistic& statistic);
-
 /// "last impact > 0.01 m/s [s]".
 [[nodiscard]] std::string statistic_title(const Statistic& statistic);
 

@@ -16,6 +16,7 @@
 #include "bench/ensemble/spec/quantity.hpp"
 #include "bench/run/record.hpp"
 #include "tautline/case.hpp"
+#include "tautline/scalar.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -45,6 +46,8 @@ const Range point_count = {
 // a case takes no larger numbers, and differences of such numbers are finite
 const Range case_number = {"a number from -1e20 to 1e20",
                            [](double x) { return std::abs(x) <= largest_number; }, 0.0};
+// of a pair: what is refused is compared with nothing
+const Range number_of_pair = {case_number.right, case_number.holds, not_a_number<double>()};
 const Range positive_number = {"above 0 and at most 1e20",
                                [](double x) { return x > 0.0 && x <= largest_number; }, 1.0};
 
@@ -111,8 +114,8 @@ std::vector<double> evenly(const Vec2& ends, double points) {
 }
 
 Vec2 rising_pair(StrictTable& table, std::string_view key) {
-  Vec2 ends = table.optional_pair(key, "", case_number).value_or(Vec2(0.0, 1.0));
-  if (!(ends.x() < ends.y())) {
+  Vec2 ends = table.optional_pair(key, "", number_of_pair).value_or(Vec2(0.0, 1.0));
+  if (ends.x() >= ends.y()) {
     table.refuse_value(key, "must be two numbers [low, high] with low below high");
   }
   return ends;
@@ -219,10 +222,10 @@ void read_engines(StrictTable table, const std::filesystem::path& source, Ensemb
 }
 
 void read_speeds(StrictTable& root, EnsembleSpec& spec) {
-  const Vec2 speeds = root.optional_pair("speeds", "[m/s]", case_number)
+  const Vec2 speeds = root.optional_pair("speeds", "[m/s]", number_of_pair)
                           .value_or(Vec2(spec.speeds[0], spec.speeds[1]));
   spec.speeds = {speeds.x(), speeds.y()};
-  if (!(speeds.x() > speeds.y() && speeds.y() >= 1e-3)) {
+  if (speeds.x() <= speeds.y() || speeds.y() < 1e-3) {
     // RecordOptions::slowest: an engine's slower impacts are not kept
     root.refuse_value("speeds", "must be two falling speeds of at least 0.001 m/s");
   }

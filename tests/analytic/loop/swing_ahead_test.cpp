@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "loop/cosine_sum.hpp"
 #include "support.hpp"
@@ -36,11 +37,15 @@ double difference(const Swing& a, const Swing& b) {
                    std::abs(a.amplitude / b.amplitude - 1.0)});
 }
 
+/// Of the largest tension of a swing that is told [-].
+constexpr double right_tension = 1e-10;
+
 /// How many motions lock, and how many of those are told.
 struct Tally {
   int locked = 0;
   int ahead = 0;
-  double worst = 0.0;  // of `difference`
+  double worst = 0.0;          // of `difference`
+  double worst_tension = 0.0;  // [-]
 
   /// Follows `the_case`, tells it, and compares.
   void add(const Case& the_case) {
@@ -74,10 +79,24 @@ struct Tally {
     worst = std::max(worst, off);
     if (is_ahead) {
       expect_turning_one_way(known, found.end_time());
+      const double tension = tension_from(known, found.end_time());
+      worst_tension =
+          std::max(worst_tension, std::abs(found.swing()->largest_tension.value() / tension - 1.0));
     }
   }
 
  private:
+  /// The largest tension of the motion from `lock` [s] on [N].
+  static double tension_from(const Solution& known, double lock) {
+    std::vector<Arc> swing;
+    for (const Arc& arc : known.arcs()) {
+      if (arc.start >= lock) {
+        swing.push_back(arc);
+      }
+    }
+    return largest_sampled_tension({known.system(), swing, {}, known.ending(), {}});
+  }
+
   /// The turning points of a swing that is told are its largest angles: by the one that is
   /// followed.
   static void expect_turning_one_way(const Solution& known, double lock) {
@@ -108,6 +127,7 @@ TEST(SwingAhead, IsTheSwingThatIsFollowed) {
   EXPECT_GT(tally.locked, 350);
   EXPECT_GT(tally.ahead, tally.locked * 9 / 10) << "most are";
   expect_within("difference from the swing followed", tally.worst, right_to);
+  expect_within("difference of its largest tension", tally.worst_tension, right_tension);
 }
 
 TEST(SwingAhead, IsTheSwingThatIsFollowedInRandomSystems) {
@@ -126,6 +146,7 @@ TEST(SwingAhead, IsTheSwingThatIsFollowedInRandomSystems) {
   EXPECT_GT(tally.locked, 50);
   EXPECT_GT(tally.ahead, tally.locked / 3);
   expect_within("difference from the swing followed", tally.worst, right_to);
+  expect_within("difference of its largest tension", tally.worst_tension, right_tension);
 }
 
 /// [s], of the motion of `the_case`, which starts on a swing: when it is still for the second time.
@@ -316,6 +337,19 @@ TEST(CosineSum, KnowsIntegralsOverThePhase) {
   const CosineSum low = sum_of([](double x) { return x + 2.0 * x * x; });
   for (const double phase : {0.3, 1.0, 2.5}) {
     EXPECT_NEAR(low.integral(phase), std::sin(phase) + phase + std::sin(2.0 * phase) / 2.0, 1e-14);
+  }
+}
+
+TEST(CosineSum, FindsAMaximumBetweenNodesAndAtTheEnds) {
+  for (const double top : {-0.9, -0.1, 0.02, 0.5, 1.0, 1.3}) {  // of x, up to which it rises
+    const auto f = [&](double x) { return 3.0 - (x - top) * (x - top); };
+    std::size_t largest = 0;
+    for (std::size_t k = 0; k < CosineSum::terms; ++k) {
+      const auto at = [&](std::size_t node) { return f(CosineSum::nodes().cosine[node]); };
+      largest = at(k) > at(largest) ? k : largest;
+    }
+    const double found = std::cos(sum_of(f).phase_of_maximum(largest));
+    EXPECT_NEAR(f(found), f(std::min(top, 1.0)), 1e-14) << top;
   }
 }
 

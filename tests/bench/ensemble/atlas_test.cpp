@@ -37,7 +37,8 @@ Atlas row_of(const std::vector<double>& amounts) {
   return {{across, up}, {map}, draws, std::vector<bool>(amounts.size(), false)};
 }
 
-const Statistic any_count{"impacts", "impacts", "", as_count, true, true, true, "how many"};
+const Statistic any_count{"impacts", "impacts",      "",        as_count, true,
+                          true,      OfEngines::all, "how many"};
 
 /// The colour of each cell, in their order.
 std::vector<std::string> colours_of(const std::string& svg) {

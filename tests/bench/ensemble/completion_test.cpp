@@ -16,7 +16,7 @@ TEST(Ensemble, AnEarlierCompletionCannotBeToldApart) {
   const EnsembleResult result = solved(request);
   const Findings findings = findings_of(request, result, 2);
   EXPECT_EQ(findings.problems[0] + findings.problems[1], 0U) << findings.first_problems[1];
-  ASSERT_EQ(findings.comparisons.size(), 9U);
+  ASSERT_EQ(findings.comparisons.size(), 11U);
   for (const Comparison& one : findings.comparisons) {
     EXPECT_FALSE(one.differs()) << findings.statistics[one.statistic].name
                                 << ": D = " << one.kolmogorov.effect << ", seen from "

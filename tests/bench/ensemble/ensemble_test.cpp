@@ -163,7 +163,7 @@ TEST(Ensemble, TestsAreOfTheDrawsThatAreHeldAndThePageSaysSo) {
   EXPECT_NE(text.find("Tests and curves are of the first 400 draws"), std::string::npos) << text;
 }
 
-// the room of an ensemble, 12 statistics of two cables: doubles that are held, and counters
+// the room of an ensemble, 14 statistics of two cables: doubles that are held, and counters
 TEST(Ensemble, TheRoomOfATableDoesNotGrowWithItsDraws) {
   const auto counters_after = [](std::size_t draws) {
     ValueCounts counts;
@@ -241,6 +241,13 @@ TEST_P(PassedOver, ChangesNoStatistic) {
     EXPECT_EQ(value_of(request, result, draw, "impacts"), fast);
     constexpr double rounding = 1e-13;  // a loss is there a difference of energies
     EXPECT_NEAR(value_of(request, result, draw, "loss_1"), lost[1] / (lost[0] + lost[1]), rounding);
+    double impulse = 0.0;
+    for (const Event& event : solution.events()) {
+      if (event.kind == EventKind::impact) {
+        impulse = std::max(impulse, event.impulses.maxCoeff());
+      }
+    }
+    EXPECT_NEAR(value_of(request, result, draw, "largest_impulse"), impulse, 1e-12);
     double at_ends = 0.0;
     double sampled = 0.0;
     for (const Arc& arc : solution.arcs()) {
@@ -369,7 +376,7 @@ TEST(Ensemble, ABiasOfTwoPercentInRestitutionIsFoundAndAnotherSeedIsNone) {
                                              "[[exact]]\nname = \"biased\"\n"
                                              "quantity = \"restitution\"\nfactor = 0.98\n");
   const Findings findings = findings_of(request, solved(request), 2);
-  ASSERT_EQ(findings.comparisons.size(), 14U);
+  ASSERT_EQ(findings.comparisons.size(), 18U);
   for (const Comparison& one : findings.comparisons) {
     EXPECT_EQ(one.differs(), one.setup == 2U)
         << findings.statistics[one.statistic].name << " of " << request.setups[one.setup].name

@@ -100,6 +100,41 @@ TEST(EnsembleProgram, ComparesAnEngineOnTheSameDraws) {
   EXPECT_FALSE(ensembles.result()["setups"][1]["statistics"].contains("lock"));
 }
 
+TEST(EnsembleProgram, AnEngineHasTheLargestTensionIfItTellsItsTensions) {
+  const TemporaryFolder folder;
+  const std::string pendulum =
+      folder
+          .file("pendulum.toml",
+                "name = \"pendulum\"\nduration = 4.0\ngravity = [0.0, -9.81]\n"
+                "[body]\nmass = 1.0\ninertia = 0.0\n"
+                "[[cables]]\nanchor = [0.0, 0.0]\nattachment = [0.0, 0.0]\nlength = 2.0\n"
+                "restitution = 0.5\n[initial]\nposition = [1.2, -1.6]\n")
+          .string();
+  const Ensembles ensembles("case = \"" + pendulum +
+                            "\"\n[[vary]]\nquantities = [\"mass\"]\nuniform = [1, 2]\n" +
+                            "[engines]\nnames = [\"exact\", \"" + bad_engine("sound") +
+                            "\"]\nmodels = [\"sampled\", \"event\", \"row\"]\nsteps = [1e-3]\n");
+  const Outcome outcome = ensembles.run({"--count", "20"});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const json result = ensembles.result();
+  EXPECT_TRUE(keeps_the_schema(result, TAUTLINE_ENSEMBLE_SCHEMA));
+  std::set<std::string> told;
+  for (const json& setup : result["setups"]) {
+    const json& statistics = setup["statistics"];
+    ASSERT_TRUE(statistics.contains("largest_impulse")) << setup["name"];
+    if (statistics.contains("largest_tension")) {
+      told.insert(setup["name"]);
+      const double mean = statistics["largest_tension"]["mean"];
+      const double exact = result["setups"][0]["statistics"]["largest_tension"]["mean"];
+      EXPECT_NEAR(mean, exact, 1e-5 * exact) << setup["name"];
+    }
+  }
+  EXPECT_EQ(told, std::set<std::string>({"exact", "exact event 0.001", "exact sampled 0.001"}));
+  for (const json& one : result["comparisons"]) {
+    EXPECT_NE(one["statistic"], "largest_tension") << "a mean over steps is no largest tension";
+  }
+}
+
 TEST(EnsembleProgram, AnEngineThatFailsIsNamed) {
   const Ensembles ensembles(quick + "[engines]\nnames = [\"" + bad_engine("segfault") +
                             "\"]\nsteps = [0.01]");

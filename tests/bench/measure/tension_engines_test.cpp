@@ -97,42 +97,76 @@ TEST(TensionOfEngines, OfABodyAsleepIsNotKnown) {
   EXPECT_TRUE(json::parse(outcome.output)["details"]["rest_tension"].is_null());
 }
 
+constexpr const char* told_header = "time,x,y,angle,vx,vy,spin,event,tension_0,tension_1";
+constexpr const char* untold_header = "time,x,y,angle,vx,vy,spin,event";
+
+/// Runs model "row" of the engine called `name` on the hanging box: the first line of its
+/// trajectory, and what it finds.
+std::pair<std::string, json> row_of(const TemporaryFolder& folder, const std::string& engine,
+                                    const std::string& name) {
+  const std::string box = folder.file("box.toml", hanging_box).string();
+  const std::filesystem::path results = folder.path() / ("of-" + name);
+  const Outcome outcome = program({"run", box, "--engine", engine, "--model", "row", "--step",
+                                   "1e-2", "--out", results.string(), "--json", "-"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const std::string csv =
+      content_of(results / "runs/hanging-box" / name / "row/0.01/trajectory.csv");
+  return {csv.substr(0, csv.find('\n')), json::parse(outcome.output)};
+}
+
+/// Expects the example of a kit, the engine `name` in `kit`, to tell its tensions.
+void expect_told(const TemporaryFolder& folder, const std::string& kit, const std::string& name) {
+  const auto [header, result] = row_of(folder, kit + "/example/engine.toml", name);
+  EXPECT_EQ(header, told_header) << name;
+  EXPECT_NEAR(result["details"]["rest_tension"]["found"].get<double>(), 24.525, 0.01 * 24.525)
+      << name;
+}
+
+/// The source of an example with these words put for others, each of which it has.
+std::string changed(std::string source,
+                    const std::vector<std::pair<std::string, std::string>>& changes) {
+  for (const auto& [from, to] : changes) {
+    const std::size_t place = source.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    source.replace(place, place == std::string::npos ? 0 : from.size(), to);
+  }
+  return source;
+}
+
 // an engine in another language says so of a model; a kit from before it was there does not
 TEST(TensionOfEngines, InAnotherProcessIsToldByTheModelThatHasIt) {
   if (!has_python()) {
     GTEST_SKIP() << no_python;
   }
   const TemporaryFolder folder;
-  const std::string box = folder.file("box.toml", hanging_box).string();
-  const auto first_row = [&](const std::string& engine, const std::string& model,
-                             const std::string& name) {
-    const std::filesystem::path results = folder.path() / ("of-" + name);
-    const std::string out = results.string();
-    const Outcome outcome = program({"run", box, "--engine", engine, "--model", model, "--step",
-                                     "1e-2", "--out", out, "--json", "-"});
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    const std::string csv =
-        content_of(results / "runs/hanging-box" / name / model / "0.01/trajectory.csv");
-    return std::pair(csv.substr(0, csv.find('\n')), json::parse(outcome.output));
-  };
-  const auto [header, result] =
-      first_row(TAUTLINE_PYTHON_KIT "/example/engine.toml", "row", "python-example");
-  EXPECT_EQ(header, "time,x,y,angle,vx,vy,spin,event,tension_0,tension_1");
-  EXPECT_NEAR(result["details"]["rest_tension"]["found"].get<double>(), 24.525, 0.01 * 24.525);
+  const std::string kit = TAUTLINE_PYTHON_KIT;
+  expect_told(folder, kit, "python-example");
   std::filesystem::create_directory(folder.path() / "old");
-  const std::string untold =
-      folder.file("old/engine.toml", "name = \"old\"\ncommand = [\"python3\", \"engine.py\"]\n")
-          .string();
-  std::string source = content_of(TAUTLINE_PYTHON_KIT "/example/engine.py");
-  for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-           {"\"tension\": True, ", ""}, {"python-example", "old"}}) {
-    source.replace(source.find(from), from.size(), to);
-  }
-  (void)folder.file("old/engine.py", source);
-  (void)folder.file("old/tautline_engine.py",
-                    content_of(TAUTLINE_PYTHON_KIT "/tautline_engine.py"));
-  EXPECT_EQ(first_row(untold, "row", "old").first, "time,x,y,angle,vx,vy,spin,event");
+  (void)folder.file("old/engine.py",
+                    changed(content_of(kit + "/example/engine.py"),
+                            {{"\"tension\": True, ", ""}, {"python-example", "old"}}));
+  (void)folder.file("old/tautline_engine.py", content_of(kit + "/tautline_engine.py"));
+  const std::filesystem::path untold =
+      folder.file("old/engine.toml", "name = \"old\"\ncommand = [\"python3\", \"engine.py\"]\n");
+  EXPECT_EQ(row_of(folder, untold.string(), "old").first, untold_header);
 }
+
+#ifdef TAUTLINE_JAVASCRIPT_KIT  // node is there
+TEST(TensionOfEngines, InNodeIsToldByTheModelThatHasIt) {
+  const TemporaryFolder folder;
+  const std::string kit = TAUTLINE_JAVASCRIPT_KIT;
+  expect_told(folder, kit, "example-js");
+  std::filesystem::create_directory(folder.path() / "old");
+  (void)folder.file("old/engine.mjs", changed(content_of(kit + "/example/engine.mjs"),
+                                              {{"  tension: true,\n", ""}, {"example-js", "old"}}));
+  for (const char* part : {"engine.mjs", "cable.mjs"}) {
+    (void)folder.file(part, content_of(kit + "/" + part));
+  }
+  const std::filesystem::path untold =
+      folder.file("old/engine.toml", "name = \"old\"\ncommand = [\"node\", \"engine.mjs\"]\n");
+  EXPECT_EQ(row_of(folder, untold.string(), "old").first, untold_header);
+}
+#endif
 
 }  // namespace
 }  // namespace tautline::test::tensions

@@ -6,6 +6,7 @@
 
 #include "bench/measure/compare.hpp"
 #include "bench/measure/metric_list.hpp"
+#include "bench/measure/tension_match.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/settling.hpp"
@@ -111,6 +112,29 @@ TEST(Tensions, AreAbsentWhereThereAreNoneToCompare) {
   Trajectory run = as_run(four, redundant);
   add_tensions(redundant, 1.0, run);
   EXPECT_FALSE(metrics_of(four, redundant, run).rest_tension);
+}
+
+TEST(Tensions, TheLargestOfARunIsThatOfTheStepsWithoutAnImpact) {
+  Trajectory run;
+  run.step = 0.1;
+  for (int step = 0; step < 20; ++step) {
+    run.points.push_back({run.step * step, {}});
+  }
+  EXPECT_FALSE(largest_tension(run)) << "the engine tells none";
+  run.tensions.assign(2 * run.points.size(), 1.0);
+  run.tensions[0] = run.tensions[1] = std::nan("");  // no step leads to the start
+  run.tensions[2 * 4 + 1] = 500.0;                   // of an impact
+  run.tensions[2 * 8] = 40.0;                        // of what it leaves to the steps after it
+  run.tensions[2 * 19 + 1] = 7.0;
+  RecordedImpact impact{0.35, 1, 50.0, -1.0, 1.0, 0, {}, {}};
+  run.impacts = {impact};
+  EXPECT_EQ(largest_tension(run), 500.0) << "an impact that is located is not in the tensions";
+  impact.time = 0.3;  // the step that it is in, from its start
+  impact.steps = 1;
+  run.impacts = {impact};
+  EXPECT_EQ(largest_tension(run), 7.0);
+  run.tensions.assign(run.tensions.size(), 0.0);
+  EXPECT_EQ(largest_tension(run), 0.0) << "no cable pulls";
 }
 
 }  // namespace

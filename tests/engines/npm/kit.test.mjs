@@ -25,8 +25,8 @@ let state = [0, 0, 0, 0, 0, 0], freed = 0;
 const run = () => ({ state: () => state, place: (wanted) => (state = wanted), free: () => ++freed,
   step(dt) { if (dt === 2) throw new Error("kaputt"); if (dt === 3) this.stopped = { time: 3, reason: "worn out" }; return [dt]; },
   fly(dt) { throw new Unsupported("wings: none"); }, solve: (cables, rates) => rates.concat(freed) });
-const model = (name) => ({ name, sentence: "\u00dcml\u00e4ut.", maker: "by_hand", settings: [], start: run });
-serve({ name: "echo", version: "1", precision: "float64", models: [model("echo"), model("other")] });
+const model = (name, more) => ({ name, sentence: "\u00dcml\u00e4ut.", maker: "by_hand", settings: [], start: run, ...more });
+serve({ name: "echo", version: "1", precision: "float64", models: [model("echo", { tension: true }), model("other")] });
 `);
 
 const started = async () => {
@@ -48,6 +48,14 @@ test("keeps what libraries print from the protocol", async () => {
   assert.equal(info.models[0].sentence, "\u00dcml\u00e4ut.");
   assert.equal(info.models[0].start, undefined);
   assert.equal(await child.end(), 0);
+});
+
+test("passes on which models tell their tensions", async () => {
+  for (const [folder, tensions] of [[work, [true, undefined]], [join(kit, "example"), [true]]]) {
+    const child = startChild(folder);
+    assert.deepEqual((await child.ask("info")).models.map(({ tension }) => tension), tensions);
+    await child.end();
+  }
 });
 
 test("brings every number back as it was", async () => {

@@ -56,8 +56,8 @@ class TensionOfOne {
 };
 
 /// Tensions at both ends of an arc, and at as many places between.
-constexpr std::size_t parts = 4;
-using Nodes = std::array<double, parts + 1>;
+constexpr std::size_t parts_of_arc = 4;
+using Nodes = std::array<double, parts_of_arc + 1>;
 
 /// True where the polynomial through `nodes` rises at its start, whatever their distance.
 bool rises(const Nodes& nodes) {
@@ -75,17 +75,17 @@ double largest_along(const Tension& tension, const Nodes& nodes, double length, 
   if (*most - *least <= rounding * *most) {
     return largest;
   }
-  for (std::size_t k = 0; k <= parts; ++k) {
+  for (std::size_t k = 0; k <= parts_of_arc; ++k) {
     const bool is_first = k == 0;
-    const bool is_last = k == parts;
+    const bool is_last = k == parts_of_arc;
     const bool from_before = is_first ? rises(nodes) : nodes[k] >= nodes[k - 1];
     const bool to_after = is_last ? rises({nodes[4], nodes[3], nodes[2], nodes[1], nodes[0]})
                                   : nodes[k] >= nodes[k + 1];
     if (!from_before || !to_after) {
       continue;
     }
-    const double low = length * static_cast<double>(is_first ? k : k - 1) / parts;
-    const double high = length * static_cast<double>(is_last ? k : k + 1) / parts;
+    const double low = length * static_cast<double>(is_first ? k : k - 1) / parts_of_arc;
+    const double high = length * static_cast<double>(is_last ? k : k + 1) / parts_of_arc;
     constexpr int half_of_digits = 26;  // the tension is flat there
     std::uintmax_t tries = 100;         // the golden section alone needs no more
     const auto found = boost::math::tools::brent_find_minima(
@@ -102,26 +102,26 @@ double largest_of_one(const Solution& solution, const Arc& arc, double known) {
     return known;
   }
   Nodes nodes{};
-  for (std::size_t k = 0; k <= parts; ++k) {
-    nodes[k] = tension.at(length * static_cast<double>(k) / parts);
+  for (std::size_t k = 0; k <= parts_of_arc; ++k) {
+    nodes[k] = tension.at(length * static_cast<double>(k) / parts_of_arc);
   }
   return largest_along([&](double dt) { return tension.at(dt); }, nodes, length, known);
 }
 
 double largest_of_several(const Solution& solution, const Arc& arc, double known) {
   const double length = arc.end - arc.start;
-  std::array<CableVector, parts + 1> tensions;
+  std::array<CableVector, parts_of_arc + 1> tensions;
   double low = known;
   double high = 0.0;
   const auto look = [&](std::size_t k) {
-    tensions[k] = solution.tensions(arc, length * static_cast<double>(k) / parts);
+    tensions[k] = solution.tensions(arc, length * static_cast<double>(k) / parts_of_arc);
     for (const std::size_t cable : arc.taut) {
       const double tension = tensions[k][static_cast<Eigen::Index>(cable)];
       low = std::min(low, tension);
       high = std::max(high, tension);
     }
   };
-  for (const std::size_t k : {std::size_t{0}, parts / 2, parts}) {
+  for (const std::size_t k : {std::size_t{0}, parts_of_arc / 2, parts_of_arc}) {
     look(k);
   }
   constexpr double margin = 0.5;  // [-], for what an arc bends more than a parabola
@@ -133,7 +133,7 @@ double largest_of_several(const Solution& solution, const Arc& arc, double known
   for (const std::size_t cable : arc.taut) {
     const auto row = static_cast<Eigen::Index>(cable);
     Nodes nodes{};
-    for (std::size_t k = 0; k <= parts; ++k) {
+    for (std::size_t k = 0; k <= parts_of_arc; ++k) {
       nodes[k] = tensions[k][row];
     }
     known = largest_along([&](double dt) { return solution.tensions(arc, dt)[row]; }, nodes, length,

@@ -5,6 +5,7 @@
 #include "tautline/hold.hpp"
 #include "tautline/projection.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/uncertainty.hpp"
 
 namespace tautline {
 namespace {
@@ -63,7 +64,8 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
   limited.max_steps = 20'000;  // steps of its series; a period of a usual swing takes a hundred
   limited.until_locked = true;
   free.duration = 256 * time_scale(the_case, state);  // near-critical swings are slow
-  return solve(free, limited).swing();
+  const BasicSolution<Real> solution = solve(free, limited);
+  return passes_dead_point(free, solution, Real(0)) ? std::nullopt : solution.swing();
 }
 
 template <class Real>
@@ -82,7 +84,9 @@ std::optional<BasicLock<Real>> last_lock(const BasicCase<Real>& the_case,
   }
   lock.rests = solution.ending() == Ending::rest;
   if (!lock.rests) {
-    lock.swing = solution.swing() ? solution.swing() : swing(the_case, last.after);
+    lock.swing = solution.swing() && !passes_dead_point(the_case, solution, last.time)
+                     ? solution.swing()
+                     : swing(the_case, last.after);
   }
   lock.permanent = lock.rests || lock.swing.has_value();
   return lock;

@@ -13,6 +13,9 @@ set(suites "")
 foreach(line IN LISTS lines)
   if(line MATCHES "^([^. ]*/)?([A-Za-z0-9_]+)\\.$")
     set(suite "${CMAKE_MATCH_2}")
+    if(suite MATCHES "^[0-9]+$")
+      message(FATAL_ERROR "${line} is a typed suite: its number alone would name it")
+    endif()
     list(APPEND suites "${suite}")
   elseif(line MATCHES "^  ")
     math(EXPR tests_of_${suite} "0${tests_of_${suite}} + 1")
@@ -28,6 +31,7 @@ set(text "")
 foreach(suite IN LISTS suites)
   string(APPEND text
     "add_test([=[${PREFIX}${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*:*/${suite}.*-${WITHOUT}]=])\n"
-    "set_tests_properties([=[${PREFIX}${suite}]=] PROPERTIES TIMEOUT ${TIMEOUT} COST ${tests_of_${suite}})\n")
+    "set_tests_properties([=[${PREFIX}${suite}]=] PROPERTIES TIMEOUT ${TIMEOUT} COST ${tests_of_${suite}}\n"
+    "  SKIP_REGULAR_EXPRESSION [=[\\[  PASSED  \\] 0 tests]=])\n")
 endforeach()
 file(WRITE "${LIST}" "${text}")

@@ -82,14 +82,15 @@ inline StateVector arc_rounding(const Sizes& sizes, const State& start, const St
   return operations * one_rounding * result;
 }
 
-/// The same on two taut cables, with the least `independence` of the arc. The rounding of their
-/// gaps turns the body by as much as it is large against the sine between their rows; in the pose
-/// turned so the cables' rates are off, and what takes them away spins the body by as much again.
+/// The same on taut cables of which two hold the body, with their longest arm [m] and the least
+/// `independence` of the arc. The rounding of their gaps turns the body by as much as it is large
+/// against the sine between their rows; in the pose turned so the cables' rates are off, and what
+/// takes them away spins the body by as much again.
 inline StateVector taut_rounding(const Sizes& sizes, const State& start, const State& end,
-                                 double dt, double independence) {
+                                 double dt, double arm, double independence) {
   StateVector result = arc_rounding(sizes, start, end, dt);
   const double sine = std::sqrt(std::max(independence, epsilon<double>()));
-  const double turn = result[0] / (sizes.radius * sine);
+  const double turn = result[0] / (arm * sine);
   if (independence < near_dead_point) {
     result *= std::sqrt(near_dead_point) / sine;
   }

@@ -20,6 +20,10 @@ void ErrorTracker::run() {
   result_.events_.resize(solution_.events().size());
   result_.starts_.reserve(solution_.arcs().size());
   arrived_.reserve(solution_.arcs().size());
+  if (const CableSet dead = dead_at_start(case_); !dead.empty()) {
+    tie_ = Tie{EventKind::taut, dead};
+    lose(0.0);
+  }
   for (std::size_t index = 0; index < solution_.arcs().size(); ++index) {
     const Arc& arc = solution_.arcs()[index];
     start_events(index);
@@ -276,7 +280,7 @@ void ErrorTracker::lose(double since) {
 
 /// `lose` where taut cables were followed up to `state`: near a dead point that is the reason.
 void ErrorTracker::lose_near(const State& state, double since) {
-  if (taut_.size() > 1 && independence(case_, state, taut_) < near_dead_point) {
+  if (taut_.size() > 1 && independence(case_, state, taut_) < near_dead_point && !tie_) {
     tie_ = Tie{EventKind::taut, taut_};
   }
   lose(since);

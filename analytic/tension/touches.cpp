@@ -8,6 +8,7 @@
 #include "sensitivity/linearised.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/projection.hpp"
+#include "tautline/rounding.hpp"
 #include "tautline/rows.hpp"
 #include "tautline/uncertainty.hpp"
 
@@ -17,6 +18,12 @@ namespace {
 /// Tensions this small against the forces of the motion, and sines whose squares are, are looked
 /// at: errors that are larger are trusted nowhere [-].
 constexpr double near_zero = 1e-2;
+
+/// A square of a sine up to this is that of a dead point [-]: three quarters of the digits.
+template <class Real>
+Real rounding_of_zero() {
+  return pow(epsilon<Real>(), Real(3) / 4);
+}
 
 /// Something that depends on the state along an arc, as a function of the time since its start.
 template <class Real, class Value>
@@ -145,6 +152,20 @@ std::vector<BasicTouch<Real>> minima(const AlongArc<Real, Value>& along, const R
   return result;
 }
 
+/// True where `cables`, all taut in `state`, are at a dead point, and leave it if the body turns.
+template <class Real>
+bool is_dead_point(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                   CableSet cables) {
+  if (cables.size() < 2 || !(independence(the_case, state, cables) <= rounding_of_zero<Real>())) {
+    return false;
+  }
+  constexpr double aside = 1e-3;  // [rad]
+  BasicState<Real> turned = state;
+  turned.angle += Real(aside);
+  // cables side by side at one point are alike at every pose
+  return independence(the_case, turned, cables) > Real(aside * aside * aside);
+}
+
 }  // namespace
 
 template <class Real>
@@ -173,38 +194,79 @@ Real independence(const BasicCase<Real>& the_case, const BasicState<Real>& state
 }
 
 template <class Real>
+CableSet dead_at_start(const BasicCase<Real>& the_case) {
+  const BasicState<Real>& start = the_case.initial;
+  const Real speed = speed_scale(the_case, start);
+  if (!(speed > 0)) {
+    return {};
+  }
+  CableSet resting;
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    const BasicCable<Real>& cable = the_case.cables[index];
+    const Real rounding = few_roundings * rounding_of_rate(cable, start);
+    if (starts_at_zero(cable, start) && abs(gap_rate(cable, start)) <= rounding) {
+      resting.insert(index);
+    }
+  }
+  return is_dead_point(the_case, start, resting) ? resting : CableSet{};
+}
+
+template <class Real>
+std::vector<BasicTouch<Real>> dead_points(const BasicCase<Real>& the_case,
+                                          const BasicSolution<Real>& solution, std::size_t index) {
+  const BasicArc<Real>& arc = solution.arcs()[index];
+  std::vector<BasicTouch<Real>> result;
+  const Real length = arc.end - arc.start;
+  if (arc.taut.size() < 2 || arc.series.rows() == 0 || is_rest(arc) || !(length > 0) ||
+      basis(the_case, arc.initial, arc.taut).size() < 2) {
+    return result;
+  }
+  const auto value = [&](const BasicState<Real>& state) {
+    return independence(the_case, state, arc.taut);
+  };
+  const AlongArc<Real, decltype(value)> along(the_case, arc, value);
+  result = minima<Real>(along, length, Real(near_zero), {true, false});
+  for (BasicTouch<Real>& found : result) {
+    found.kind = EventKind::taut;
+    found.cables = arc.taut;
+    found.time += arc.start;
+  }
+  if (has_event<Real>(solution, arc.end, arc.taut, EventKind::slack)) {
+    const Real last = along.at(length);
+    const auto bottom = along.bottom_beyond(length);
+    if (last <= Real(near_zero) && bottom) {
+      result.push_back({EventKind::taut, arc.taut, arc.end, last, bottom->bend});
+    }
+  }
+  return result;
+}
+
+template <class Real>
+bool passes_dead_point(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution,
+                       const Real& from) {
+  for (std::size_t index = 0; index < solution.arcs().size(); ++index) {
+    if (solution.arcs()[index].start < from) {
+      continue;
+    }
+    for (const BasicTouch<Real>& touch : dead_points(the_case, solution, index)) {
+      if (touch.value <= rounding_of_zero<Real>()) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+template <class Real>
 std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
                                       const BasicSolution<Real>& solution, std::size_t index) {
   const BasicArc<Real>& arc = solution.arcs()[index];
   const Real length = arc.end - arc.start;
-  std::vector<BasicTouch<Real>> result;
+  std::vector<BasicTouch<Real>> result = dead_points(the_case, solution, index);
   if (arc.series.rows() == 0 || is_rest(arc) || !(length > 0)) {
     return result;
   }
-  const auto add = [&](EventKind kind, CableSet cables, auto value, const Real& most, Ends ends) {
-    const AlongArc<Real, decltype(value)> along(the_case, arc, std::move(value));
-    for (BasicTouch<Real> found : minima<Real>(along, length, most, ends)) {
-      found.kind = kind;
-      found.cables = cables;
-      found.time += arc.start;
-      result.push_back(found);
-    }
-  };
   const CableSet pulling = basis(the_case, arc.initial, arc.taut);
-  if (pulling.size() > 1) {
-    const auto value = [&](const BasicState<Real>& state) {
-      return independence(the_case, state, arc.taut);
-    };
-    add(EventKind::taut, arc.taut, value, Real(near_zero), {true, false});
-    if (has_event<Real>(solution, arc.end, arc.taut, EventKind::slack)) {
-      const AlongArc<Real, decltype(value)> along(the_case, arc, value);
-      const Real last = along.at(length);
-      const auto bottom = along.bottom_beyond(length);
-      if (last <= Real(near_zero) && bottom) {
-        result.push_back({EventKind::taut, arc.taut, arc.end, last, bottom->bend});
-      }
-    }
-  }
   if (pulling != arc.taut) {  // redundant cables have no tensions of their own
     return result;
   }
@@ -213,10 +275,17 @@ std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
   Eigen::Index row = 0;
   for (const std::size_t cable : pulling) {
     const CableSet one = CableSet::of(cable);
-    add(EventKind::slack, one,
-        [&, row](const BasicState<Real>& state) { return tensions(the_case, state, pulling)[row]; },
-        Real(near_zero * force),
-        {!begins, has_event<Real>(solution, arc.end, one, EventKind::slack)});
+    const auto value = [&, row](const BasicState<Real>& state) {
+      return Real(tensions(the_case, state, pulling)[row]);
+    };
+    const AlongArc<Real, decltype(value)> along(the_case, arc, value);
+    const Ends ends{!begins, has_event<Real>(solution, arc.end, one, EventKind::slack)};
+    for (BasicTouch<Real> found : minima<Real>(along, length, Real(near_zero * force), ends)) {
+      found.kind = EventKind::slack;
+      found.cables = one;
+      found.time += arc.start;
+      result.push_back(found);
+    }
     ++row;
   }
   return result;
@@ -225,6 +294,9 @@ std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
 template BasicCableVector<Instance> tensions(const BasicCase<Instance>&,
                                              const BasicState<Instance>&, CableSet);
 template Instance independence(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);
+template CableSet dead_at_start(const BasicCase<Instance>&);
+template bool passes_dead_point(const BasicCase<Instance>&, const BasicSolution<Instance>&,
+                                const Instance&);
 template std::vector<BasicTouch<Instance>> touches(const BasicCase<Instance>&,
                                                    const BasicSolution<Instance>&, std::size_t);
 

@@ -133,7 +133,8 @@ struct NumberReader {
     if constexpr (std::is_integral_v<Value>) {
       // a double that does not fit would become any integer
       const double most = std::is_same_v<Value, bool> ? 1.0 : 0x1p53;
-      if (!(numbers.front() >= 0.0 && numbers.front() <= most)) {
+      const double number = numbers.front();
+      if (!(number >= 0.0 && number <= most && std::trunc(number) == number)) {
         throw std::out_of_range("a number of a message is out of its range");
       }
     }
@@ -204,6 +205,17 @@ void pass_run(auto& numbers, auto& run) {
   numbers.fit(trajectory.impacts);
   for (auto& impact : trajectory.impacts) {
     pass_impact(numbers, impact);
+  }
+}
+
+/// Throws where the parts of a run do not fit each other, so that no reader looks past their ends.
+void require_whole(const RunAnswer& run) {
+  const Trajectory& trajectory = run.trajectory;
+  const std::size_t points = trajectory.points.size();
+  const bool fits = points > 0 && trajectory.tensions.size() % points == 0;
+  const auto is_of_a_cable = [](const RecordedImpact& impact) { return impact.cable < max_cables; };
+  if (!fits || !std::all_of(trajectory.impacts.begin(), trajectory.impacts.end(), is_of_a_cable)) {
+    throw std::out_of_range("the parts of a run do not fit each other");
   }
 }
 
@@ -297,6 +309,7 @@ std::optional<WorkerAnswer> answer_from(std::string_view bytes) {
     if (auto* const run = std::get_if<RunAnswer>(&answer)) {
       NumberReader reader{message->numbers};
       pass_run(reader, *run);
+      require_whole(*run);
     }
     return answer;
   } catch (const std::exception&) {  // an engine has written into it

@@ -28,14 +28,18 @@ std::string tie_sentence(EventKind kind, CableSet cables, const std::string& tim
   if (kind == EventKind::taut) {
     return fmt::format(
         "At t = {} the taut cables {} are at a dead point, where the body can go on in more than "
-        "one "
-        "way: which one it takes is a tie that rounding decides.",
+        "one way: which one it takes is a tie that rounding decides.",
         time, cable_list(cables));
   }
   return fmt::format(
       "At t = {} cables {} become taut at one instant, as far as numbers tell: which of them is "
       "first is a tie that rounding decides.",
       time, cable_list(cables));
+}
+
+std::string rest_tension_sentence(const std::string& list, bool determine) {
+  return fmt::format("Tension at rest: {}{}.\n", list,
+                     determine ? "" : " (indeterminate: the smallest that hold the body)");
 }
 
 std::string split_sentence(CableSet cables, const std::string& time, const std::string& impulses,

@@ -18,6 +18,9 @@ namespace tautline::bench {
 /// (`EventKind::impact`), or whether they let go (`EventKind::slack`).
 [[nodiscard]] std::string tie_sentence(EventKind kind, CableSet cables, const std::string& time);
 
+/// That the body at rest hangs with the tensions of `list`, which statics may not `determine`.
+[[nodiscard]] std::string rest_tension_sentence(const std::string& list, bool determine);
+
 /// That the `impulses` of an impact at `time` are one split of several among `cables`, in a
 /// sentence, and so are those of `more` later impacts.
 [[nodiscard]] std::string split_sentence(CableSet cables, const std::string& time,

@@ -87,7 +87,8 @@ std::vector<ModelEntry> event_models() {
       joined({world_settings(),
               {{"m_numIterations", std::to_string(event_iterations),
                 "Nearly dependent cables hit together converge slowly; one cable takes two."},
-               {"m_leastSquaresResidualThreshold", "(4 roundings of the speed)^2",
+               {"m_leastSquaresResidualThreshold",
+                "(4 roundings of the speed, or of the rate asked for)^2",
                 "With Bullet's 0 a solve goes on while its last bit flickers."},
                parabola_setting()}}))};
 }

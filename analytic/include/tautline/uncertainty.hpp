@@ -62,13 +62,24 @@ struct BasicTouch {
 using Touch = BasicTouch<double>;
 
 /// Where tensions along arc `index` of `solution` come near zero, against the forces of the motion,
-/// without falling through it fast, and where its taut cables come near a dead point: there and
-/// where a cable is let go near one, for which rounding may be the reason. A motion that starts
-/// with a tension of zero does not touch it.
+/// without falling through it fast, and where its taut cables come near a dead point; also where a
+/// cable is let go near a dead point, as rounding may be why. A motion that starts with a tension
+/// of zero does not touch it.
 template <class Real>
 [[nodiscard]] std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
                                                     const BasicSolution<Real>& solution,
                                                     std::size_t index);
+
+/// The cables that hold the moving body at a dead point as `the_case` begins; empty if it is at
+/// none.
+template <class Real>
+[[nodiscard]] CableSet dead_at_start(const BasicCase<Real>& the_case);
+
+/// True where the taut cables of `solution` pass a dead point in an arc that starts at `from` [s]
+/// or later: a motion that repeats is then not known to do so.
+template <class Real>
+[[nodiscard]] bool passes_dead_point(const BasicCase<Real>& the_case,
+                                     const BasicSolution<Real>& solution, const Real& from);
 
 /// How far a solution in doubles can be trusted: bounds of its errors, from the rounding that each
 /// event and each arc adds and from the derivatives along the motion (analytic/README.md, section

@@ -82,6 +82,14 @@ class Solver {
     }
   }
 
+  /// The cables at a dead point at the start, by numbers of `digits`: no solution needs to be
+  /// tried.
+  [[nodiscard]] CableSet dead_at_start(int digits) const {
+    const tautline::Digits precision(static_cast<unsigned>(digits));
+    return tautline::dead_at_start(asked_.decimal ? in_decimals(case_, asked_.written)
+                                                  : in_digits(case_));
+  }
+
   /// With numbers of `digits`.
   [[nodiscard]] DigitsRun run(int digits) const {
     if (asked_.on_attempt) {
@@ -241,6 +249,17 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
   const Solver solver(the_case, options, solution, asked);
   int digits = asked.digits + 2 * spare_digits +
                std::max(asked.digits, growing_digits(the_case, options, solution));
+  const auto head = [&] {
+    return fmt::format("{}: {} right digits of its {}, with numbers of {} digits\n\n",
+                       printable(the_case.name), asked.digits,
+                       asked.decimal ? "decimals" : "doubles", digits);
+  };
+  const std::string open_end =
+      "\nFrom there on all is beyond the horizon: one of many motions. More digits do not decide "
+      "it.\n";
+  if (const CableSet dead = solver.dead_at_start(digits); !dead.empty()) {
+    return head() + wrapped_lines(tie_sentence(EventKind::taut, dead, "0") + open_end, style.text);
+  }
   DigitsRun few = solver.run(digits);
   int more = std::max(digits / 8, spare_digits);  // enough to tell the errors of the fewer
   while (true) {
@@ -250,17 +269,12 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
     const tautline::Digits precision(static_cast<unsigned>(digits));
     const Multi rounding = pow(Multi(10), -(asked.digits + spare_digits - 3));
     const SummaryErrors<Multi> errors = differences(few, many, rounding);
-    const std::string head = fmt::format(
-        "{}: {} right digits of its {}, with numbers of {} digits\n\n", printable(the_case.name),
-        asked.digits, asked.decimal ? "decimals" : "doubles", digits);
     const auto tie = common_tie(first_tie(few.the_case, few.solution, few.digits),
                                 first_tie(many.the_case, many.solution, many.digits));
     if (tie) {  // one that more digits do not decide
       const std::string time = fmt::format("{:.6g}", static_cast<double>(tie->time));
-      return head +
-             wrapped_lines(tie_sentence(tie->tie.kind, tie->tie.cables, time) +
-                               "\nFrom there on all is beyond the horizon: one of many motions. "
-                               "More digits do not decide it.\n" +
+      return head() +
+             wrapped_lines(tie_sentence(tie->tie.kind, tie->tie.cables, time) + open_end +
                                split_line(few, many, options, asked),
                            style.text) +
              samples_of(the_case, few, many, tie, asked, style) +
@@ -272,7 +286,7 @@ std::string many_digits_text(const Case& the_case, const SolveOptions& options,
       continue;
     }
     const Figures figures{asked.digits, asked.digits};
-    return head +
+    return head() +
            wrapped_lines(
                Summary<Multi>(many.the_case, many.solution, many.settling, errors, figures).text() +
                    rest_tensions_of(few, many, asked) + split_line(few, many, options, asked),

@@ -36,7 +36,7 @@ struct DigitsRun {
                                      const DigitsRun& many, const std::optional<NumberTie>& tie,
                                      const ManyDigits& asked, const TerminalStyle& style);
 
-/// The tensions of a body at rest, a line; "" for one that is not, or on redundant cables.
+/// The tensions of a body at rest, a line; "" for one that is not.
 [[nodiscard]] std::string rest_tensions_of(const DigitsRun& few, const DigitsRun& many,
                                            const ManyDigits& asked);
 

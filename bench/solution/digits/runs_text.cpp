@@ -74,8 +74,7 @@ std::string rest_tensions_of(const DigitsRun& few, const DigitsRun& many, const 
   const bool rests =
       many.solution.ending() == Ending::rest || many.solution.ending() == Ending::unstable_rest;
   const BasicState<Multi> state = many.solution.at(many.solution.end_time());
-  if (!rests || taut.empty() || few.solution.arcs().back().taut != taut ||
-      !independent(many.the_case, state, taut)) {
+  if (!rests || taut.empty() || few.solution.arcs().back().taut != taut) {
     return "";
   }
   const BasicCableVector<Multi> a = few.solution.tensions(few.solution.end_time());
@@ -86,7 +85,7 @@ std::string rest_tensions_of(const DigitsRun& few, const DigitsRun& many, const 
     list += fmt::format("{}{} on cable {}", list.empty() ? "" : ", ",
                         number_in_words(b[row], apart(a[row], b[row]), asked.digits), index);
   }
-  return fmt::format("Tension at rest: {}.\n", list);
+  return rest_tension_sentence(list, independent(many.the_case, state, taut));
 }
 
 std::string split_line(const DigitsRun& few, const DigitsRun& many, const SolveOptions& options,

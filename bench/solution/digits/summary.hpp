@@ -192,8 +192,8 @@ class Summary {
     return since + (lock.cables.size() + 1 < freedoms
                         ? "; for how long is not known: with more than one degree of freedom left "
                           "there is no period to look at."
-                        : ", but perhaps not for good: no whole period without a release was "
-                          "found.");
+                        : ", but perhaps not for good: no whole period without a release or a "
+                          "dead point was found.");
   }
 
   /// What is left of the initial energy, and the swing.

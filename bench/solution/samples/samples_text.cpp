@@ -119,8 +119,7 @@ std::string rest_tensions_text(const Case& the_case, const Solution& solution,
     list += fmt::format("{}{} on cable {}", list.empty() ? "" : ", ", text, index);
   }
   const bool determinate = independent(the_case, sample.state, taut);
-  return fmt::format("Tension at rest: {}{}.\n", list,
-                     determinate ? "" : " (indeterminate: the smallest that hold the body)");
+  return rest_tension_sentence(list, determinate);
 }
 
 std::string period_tensions_text(const Case& the_case, const Solution& solution,

@@ -94,7 +94,7 @@ TEST(TensionOfEngines, OfABodyAsleepIsNotKnown) {
       program({"run", box, "--engine", "bullet64", "--model", "row-sleeping", "--step", "1e-3",
                "--out", (folder.path() / "results").string(), "--json", "-"});
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_TRUE(json::parse(outcome.output)["details"]["rest_tension"].is_null());
+  EXPECT_TRUE(json::parse(outcome.output).at("details").at("rest_tension").is_null());
 }
 
 constexpr const char* told_header = "time,x,y,angle,vx,vy,spin,event,tension_0,tension_1";

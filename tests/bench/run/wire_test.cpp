@@ -95,6 +95,7 @@ TEST(Wire, ARunComesBitForBit) {
 
 TEST(Wire, WhatIsNotFiniteComesAsNoNumber) {
   RunAnswer run;
+  run.trajectory.points = {{0.0, State()}};
   run.trajectory.overstretch = infinite;
   run.trajectory.largest_energy = std::nan("");
   const RunAnswer read = sent(run);
@@ -170,10 +171,11 @@ TEST(Wire, ANumberThatDoesNotFitIsAFailure) {
   constexpr double count = 123'456'789.0;  // the message has each of the two once
   constexpr double energy = 0.375;
   RunAnswer run;
+  run.trajectory.points = {{0.0, State()}};
   run.trajectory.slow_impacts = static_cast<std::size_t>(count);
   run.trajectory.largest_energy = energy;
   EXPECT_FALSE(fails(run, bytes_of(count), bytes_of(0.0)));
-  for (const double number : {-1.0, 1e300, infinite, std::nan("")}) {
+  for (const double number : {-1.0, 1.5, 1e300, infinite, std::nan("")}) {
     EXPECT_TRUE(fails(run, bytes_of(count), bytes_of(number))) << number;
     EXPECT_FALSE(fails(run, bytes_of(energy), bytes_of(number))) << number;
   }
@@ -189,6 +191,23 @@ TEST(Wire, ANumberThatDoesNotFitIsAFailure) {
   EXPECT_TRUE(fails(info, "\"maker\":0", "\"maker\":3"));
   EXPECT_TRUE(fails(info, "[1,", "[1.5,"));
   EXPECT_TRUE(fails(info, "[1,", "[77,"));
+}
+
+TEST(Wire, ARunWhosePartsDoNotFitEachOtherIsAFailure) {
+  const auto is_refused = [](const RunAnswer& run) {
+    return std::holds_alternative<Failure>(answer_from(to_bytes(run)).value());
+  };
+  RunAnswer run;
+  EXPECT_TRUE(is_refused(run)) << "no points";
+  run.trajectory.points = {{0.0, State()}, {0.1, State()}};
+  run.trajectory.tensions = {1.0, 2.0, 3.0, 4.0};
+  run.trajectory.impacts.resize(1);
+  EXPECT_FALSE(is_refused(run));
+  run.trajectory.tensions.push_back(5.0);
+  EXPECT_TRUE(is_refused(run)) << "tensions of half a point";
+  run.trajectory.tensions.clear();
+  run.trajectory.impacts[0].cable = max_cables;
+  EXPECT_TRUE(is_refused(run)) << "an impact of a cable that no case has";
 }
 
 }  // namespace

@@ -146,11 +146,13 @@ TEST(Ties, TheDeadPointOfAParallelogramIsOneForEveryPrecision) {
   Case the_case = parallelogram(4.0, 0.0);  // at pi/8 s
   the_case.duration = 0.5;
   EXPECT_NE(summary_of(the_case).find(words), std::string::npos) << summary_of(the_case);
-  std::string text = digits_of(the_case, 8);
-  EXPECT_NE(text.find(words), std::string::npos) << text;
+  for (const int digits : {4, 8, 12}) {
+    const std::string text = digits_of(the_case, digits);
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  }
   the_case = parallelogram(1.5, 1.0);
   the_case.duration = 1.5;
-  text = digits_of(the_case, 8);
+  const std::string text = digits_of(the_case, 8);
   EXPECT_NE(text.find("0+1 are at a dead point"), std::string::npos) << text;
 }
 
@@ -166,7 +168,42 @@ TEST(Ties, ADeadPointOfATiltedParallelogramIsNotPassedSurely) {
     const Vec2 bottom = Eigen::Rotation2Dd(tilt) * Vec2(0.0, -1.0);
     const double risen =  // [-], of the length: 1 at the dead point
         1.0 - solution.at(*uncertainty.horizon()).position.dot(bottom);
-    EXPECT_LE(risen, 1.001) << tilt << " " << speed;
+    EXPECT_NEAR(risen, 1.0, 1e-2) << tilt << " " << speed;
+  }
+}
+
+// what the duration ends before it is no more sure to swing on for ever
+TEST(Ties, AMotionThatPassesADeadPointAfterTheRunIsNotForGood) {
+  Case the_case = parallelogram(0.3, 0.0);  // dead at pi / 0.6 s
+  for (const double duration : {0.3, 5.0, 6.0}) {
+    the_case.duration = duration;
+    const auto lock = settling(the_case, solve(the_case)).lock;
+    EXPECT_FALSE(lock && lock->permanent) << duration;
+    EXPECT_EQ(summary_of(the_case).find("taut, for good"), std::string::npos)
+        << summary_of(the_case);
+  }
+  the_case.duration = 0.3;
+  EXPECT_NE(digits_of(the_case, 8).find("perhaps not for good"), std::string::npos)
+      << digits_of(the_case, 8);
+}
+
+TEST(Ties, AStartAtADeadPointIsOne) {
+  for (const double gravity : {0.0, 1.0}) {
+    Case the_case = parallelogram(0.0, gravity);
+    the_case.initial = {Vec2(1.0, 0.0), 0.0, Vec2(0.0, -2.0), 0.0};
+    SolveOptions few;
+    few.max_events = 100;  // it chatters between the two ways
+    const Solution solution = solve(the_case, few);
+    const Uncertainty uncertainty(the_case, solution, few);
+    ASSERT_TRUE(uncertainty.horizon()) << gravity;
+    EXPECT_EQ(*uncertainty.horizon(), 0.0) << gravity;
+    ASSERT_TRUE(uncertainty.unsure().front().tie) << gravity;
+    EXPECT_EQ(uncertainty.unsure().front().tie->kind, EventKind::taut) << gravity;
+    const std::string text =
+        many_digits_text(the_case, few, solution,
+                         {.digits = 8, .decimal = false, .all_events = false, .at = {}}, unlimited);
+    EXPECT_NE(text.find("At t = 0 the taut cables 0+1 are at a dead point"), std::string::npos)
+        << text;
   }
 }
 

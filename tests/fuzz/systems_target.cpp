@@ -87,7 +87,7 @@ Cable cable_from(Bytes& bytes, const Case& so_far, bool point_mass) {
 Case system_from(Bytes& bytes) {
   Case result;
   result.name = "extreme";
-  const std::size_t cables = 1 + bytes.below(4);
+  const std::size_t count = 1 + bytes.below(4);
   const bool point_mass = bytes.below(4) == 0;
   result.body = {bytes.size(), point_mass ? 0.0 : bytes.size()};
   result.gravity = bytes.point();
@@ -96,7 +96,7 @@ Case system_from(Bytes& bytes) {
   result.initial.angle = bytes.number();
   result.initial.velocity = bytes.point();
   result.initial.spin = bytes.number();
-  for (std::size_t index = 0; index < cables; ++index) {
+  for (std::size_t index = 0; index < count; ++index) {
     result.cables.push_back(cable_from(bytes, result, point_mass));
   }
   return result;

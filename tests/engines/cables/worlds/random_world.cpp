@@ -118,7 +118,9 @@ void one_load(Maker& make, int cables) {
 }
 
 void series(Maker& make) {
-  make.hang({-1, Vec3(0.0, 7.0, 0.0)}, make.draw.whole(2, 3), 0.5, 2.0, make.draw.chance(0.3));
+  const bool straight =
+      make.draw.chance(0.3);  // arguments are drawn in an order of the compiler's own
+  make.hang({-1, Vec3(0.0, 7.0, 0.0)}, make.draw.whole(2, 3), 0.5, 2.0, straight);
   // a second cable beside the first, now and then
   if (make.draw.chance(0.3)) {
     make.add_cable(make.end_on(0), make.above(middle, 3.0));

@@ -293,6 +293,7 @@ class Motion final : public PausedMotion<Real> {
     const auto [closing, resting] = contacts(case_, state_, touching_);
     const CableSet cables = closing | resting;
     if (cables.empty()) {
+      ++steps_;  // or a body that grazes again and again would never come to a limit
       return std::nullopt;
     }
     BasicImpact<Real> impact = resolve_impact(options_.law, case_, state_, cables);

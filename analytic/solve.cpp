@@ -85,11 +85,11 @@ class Motion final : public PausedMotion<Real> {
       }
       stop = next_stop(case_, state_, touching_, held_, time_left());
     }
-    const CableSet pulling = held_ ? held_->pulling : CableSet{};  // `move` replaces `held_`
+    const CableSet pulled = pulling();  // up to `stop`
     if (const auto ending = move(stop)) {
       return finish(*ending);
     }
-    if (ends_in_repetition(stop, pulling)) {
+    if (ends_in_repetition(stop, pulled)) {
       return;
     }
     if (const auto ending = stop.ending || stop.cables.empty() ? stop.ending : hit()) {
@@ -145,6 +145,9 @@ class Motion final : public PausedMotion<Real> {
   }
 
   [[nodiscard]] Real time_left() const { return case_.duration - time_; }
+
+  /// The cables that have tensions now.
+  [[nodiscard]] CableSet pulling() const { return held_ ? held_->pulling : CableSet{}; }
 
   /// Why to give up, if there is a reason.
   [[nodiscard]] std::optional<Ending> limit_reached() {
@@ -249,9 +252,8 @@ class Motion final : public PausedMotion<Real> {
     if (!fits(case_, last)) {
       return Ending::overflow;
     }
-    const CableSet pulling = held_ ? held_->pulling : CableSet{};
-    BasicState<Real> state = on_cables(case_, last, pulling, stop.cables);
-    if (!(pulling | stop.cables).empty() && !fits(case_, state)) {
+    BasicState<Real> state = on_cables(case_, last, pulling(), stop.cables);
+    if (!(pulling() | stop.cables).empty() && !fits(case_, state)) {
       return Ending::singular;  // the ends of a cable have met: it has no direction
     }
     record_.arcs.push_back(std::move(arc));
@@ -264,7 +266,7 @@ class Motion final : public PausedMotion<Real> {
     const Real end =
         stop.ending == Ending::reached_duration ? case_.duration : Real(time_ + stop.dt);
     BasicArc<Real> arc{time_, end, state_, held_ ? taut_ : CableSet{}, {}};
-    if (held_ && !held_->pulling.empty()) {  // else the closed form of flight
+    if (!pulling().empty()) {  // else the closed form of flight
       arc.series = held_->motion.pose();
     }
     return arc;

@@ -244,9 +244,9 @@ std::vector<BasicTouch<Real>> dead_points(const BasicCase<Real>& the_case,
 template <class Real>
 bool passes_dead_point(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution,
                        const Real& from) {
-  for (std::size_t index = 0; index < solution.arcs().size(); ++index) {
+  for (std::size_t index = solution.arcs().size(); index-- > 0;) {
     if (solution.arcs()[index].start < from) {
-      continue;
+      break;
     }
     for (const BasicTouch<Real>& touch : dead_points(the_case, solution, index)) {
       if (touch.value <= rounding_of_zero<Real>()) {

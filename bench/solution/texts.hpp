@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +30,13 @@ namespace tautline::bench {
 /// The tensions that hold a body at rest at the end, as a line of the summary; "" where it moves.
 [[nodiscard]] std::string rest_tensions_text(const Case& the_case, const Solution& solution,
                                              const Uncertainty& uncertainty);
+
+/// Samples after an empty line, a column for each of `times`, as many beside each other as fit
+/// where a number has up to `longest_number` columns. `numbers_at` a time gives the cells in the
+/// order of `sample_names`, none beyond the horizon.
+[[nodiscard]] std::string samples_table(
+    const Case& the_case, std::span<const double> times, std::size_t longest_number,
+    const TerminalStyle& style, const std::function<std::vector<std::string>(double)>& numbers_at);
 
 /// Events below a summary, unless all are asked for.
 inline constexpr std::size_t most_events = 20;

@@ -18,10 +18,14 @@ namespace tautline::bench {
 // Numbers of which only the digits are shown that are right: both ends of the interval of the error
 // round to them.
 
+/// True for "0.00" and its like.
+[[nodiscard]] inline bool is_zero(const std::string& number) {
+  return number.find_first_of("123456789") == std::string::npos;
+}
+
 /// "-0.00" and its like without the sign.
 [[nodiscard]] inline std::string without_signed_zero(const std::string& text) {
-  const bool zero = text.find_first_of("123456789") == std::string::npos;
-  return zero && text.starts_with('-') ? text.substr(1) : text;
+  return is_zero(text) && text.starts_with('-') ? text.substr(1) : text;
 }
 
 /// `value` by one of MPFR's formats. Boost's own takes no digits for all of them, and for numbers
@@ -108,8 +112,7 @@ template <class Real>
   std::string text = significant_digits(value, error, most);
   if (text == dash) {
     std::string zeros = right_fixed(value, error, most);
-    if (zeros.find('.') != std::string::npos &&
-        zeros.find_first_of("123456789") == std::string::npos) {
+    if (zeros.find('.') != std::string::npos && is_zero(zeros)) {
       return zeros;
     }
   }

@@ -39,34 +39,19 @@ std::string samples_of(const Case& the_case, const DigitsRun& few, const DigitsR
                        const std::optional<NumberTie>& tie, const ManyDigits& asked,
                        const TerminalStyle& style) {
   const std::size_t longest_number = static_cast<std::size_t>(asked.digits) + 8;  // [columns]
-  const std::size_t room = std::max(style.width, longest_sample_name) - longest_sample_name;
-  const std::size_t fit = std::max<std::size_t>(1, room / (longest_number + 2));
-  std::string result;
-  for (std::size_t first = 0; first < asked.at.size(); first += fit) {
-    std::vector<std::string> headings = {"sample at"};
-    std::vector<std::vector<std::string>> rows;
-    for (const std::string& name : sample_names(the_case)) {
-      rows.push_back({name});
+  return samples_table(the_case, asked.at, longest_number, style, [&](double time) {
+    std::vector<std::string> result;
+    if ((tie && time >= tie->time) || time > few.solution.end_time() ||
+        time > many.solution.end_time()) {
+      return result;
     }
-    for (std::size_t index = first; index < std::min(asked.at.size(), first + fit); ++index) {
-      const double time = asked.at[index];
-      headings.push_back(shortest(time));
-      const bool open = (tie && time >= tie->time) || time > few.solution.end_time() ||
-                        time > many.solution.end_time();
-      const std::vector<Multi> a = open ? std::vector<Multi>() : sample_of(few, time);
-      const std::vector<Multi> b = open ? std::vector<Multi>() : sample_of(many, time);
-      for (std::size_t row = 0; row < rows.size(); ++row) {
-        rows[row].push_back(open ? "beyond the horizon"
-                                 : right_general(b[row], apart(a[row], b[row]), asked.digits));
-      }
+    const std::vector<Multi> a = sample_of(few, time);
+    const std::vector<Multi> b = sample_of(many, time);
+    for (std::size_t row = 0; row < b.size(); ++row) {
+      result.push_back(right_general(b[row], apart(a[row], b[row]), asked.digits));
     }
-    Table table(headings, 1);
-    for (const std::vector<std::string>& row : rows) {
-      table.add(row);
-    }
-    result += "\n" + table.plain(style);
-  }
-  return result;
+    return result;
+  });
 }
 
 std::string rest_tensions_of(const DigitsRun& few, const DigitsRun& many, const ManyDigits& asked) {

@@ -49,9 +49,6 @@ template <class Real>
 /// and its tension, and the energy.
 [[nodiscard]] std::vector<std::string> sample_names(const Case& the_case);
 
-/// That of the longest of them [columns], "gap rate 0".
-inline constexpr std::size_t longest_sample_name = 10;
-
 /// The sample at `time`, after an event there.
 [[nodiscard]] MotionSample sample_at(const Case& the_case, const Solution& solution,
                                      const Uncertainty& uncertainty, double time);

@@ -40,12 +40,12 @@ std::string cell(const Bounded& one, int digits) {
 
 }  // namespace
 
-std::string samples_text(const Case& the_case, const Solution& solution,
-                         const Uncertainty& uncertainty, const std::vector<double>& times,
-                         const TerminalStyle& style) {
-  constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
-  const std::size_t fit =
-      std::max<std::size_t>(1, (style.width - longest_sample_name) / (longest_number + 2));
+std::string samples_table(const Case& the_case, std::span<const double> times,
+                          std::size_t longest_number, const TerminalStyle& style,
+                          const std::function<std::vector<std::string>(double)>& numbers_at) {
+  constexpr std::size_t longest_name = 10;  // [columns], "gap rate 0"
+  const std::size_t room = std::max(style.width, longest_name) - longest_name;
+  const std::size_t fit = std::max<std::size_t>(1, room / (longest_number + 2));
   std::string result;
   for (std::size_t first = 0; first < times.size(); first += fit) {
     std::vector<std::string> headings = {"sample at"};
@@ -55,12 +55,9 @@ std::string samples_text(const Case& the_case, const Solution& solution,
     }
     for (std::size_t index = first; index < std::min(times.size(), first + fit); ++index) {
       headings.push_back(shortest(times[index]));
-      const MotionSample sample = sample_at(the_case, solution, uncertainty, times[index]);
-      const std::vector<Bounded> numbers = numbers_of(sample);
+      const std::vector<std::string> numbers = numbers_at(times[index]);
       for (std::size_t row = 0; row < rows.size(); ++row) {
-        rows[row].push_back(sample.errors ? right_general(numbers[row].value, numbers[row].error,
-                                                          most_digits_of_sample)
-                                          : "beyond the horizon");
+        rows[row].push_back(numbers.empty() ? "beyond the horizon" : numbers[row]);
       }
     }
     Table samples(headings, 1);
@@ -70,6 +67,22 @@ std::string samples_text(const Case& the_case, const Solution& solution,
     result += "\n" + samples.plain(style);
   }
   return result;
+}
+
+std::string samples_text(const Case& the_case, const Solution& solution,
+                         const Uncertainty& uncertainty, const std::vector<double>& times,
+                         const TerminalStyle& style) {
+  constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
+  return samples_table(the_case, times, longest_number, style, [&](double time) {
+    const MotionSample sample = sample_at(the_case, solution, uncertainty, time);
+    std::vector<std::string> result;
+    if (sample.errors) {
+      for (const Bounded& one : numbers_of(sample)) {
+        result.push_back(right_general(one.value, one.error, most_digits_of_sample));
+      }
+    }
+    return result;
+  });
 }
 
 std::string tensions_text(const Case& the_case, const Solution& solution,
@@ -135,7 +148,7 @@ std::string period_tensions_text(const Case& the_case, const Solution& solution,
     const std::string least = number_in_words(one.least.value, one.least.error, 6);
     const std::string largest = number_in_words(one.largest.value, one.largest.error, 6);
     result += fmt::format("Tension of cable {} over a period: {}.\n", one.cable,
-                          least == largest ? least : least + " to " + largest);
+                          least == largest ? least : fmt::format("{} to {}", least, largest));
   }
   return result;
 }

@@ -53,10 +53,10 @@ template <class V, class Limits>
          V(2 * error_margin * ratio * ratio * ratio) <= V(3 * lost * limits.error);
 }
 
-/// How a cable that rebounds is dealt with.
+/// Whether the bounces on a cable are to be tried as the end of an accumulation.
 template <class V, class Mask>
-struct Leaving {
-  Mask leaves;  // its bounces are not to be tried now as the end of an accumulation
+struct NextAttempt {
+  Mask is_due;  // now; or the cable does not open at all
   V tried;      // [m/s], the rebound of the last attempt, from now on; infinite: there was none
 };
 
@@ -66,15 +66,15 @@ struct Leaving {
 /// a gap to tell after four bounces, too, and elastic ones at each. Where they are faster than at
 /// the last one they are others.
 template <class V, class Limits>
-[[nodiscard]] auto leaving(const V& kept, const V& rounding, const V& rate_rounding,
-                           const V& rebound, const V& tried, const Limits& limits,
-                           const Scales<V>& scale) {
+[[nodiscard]] auto next_attempt(const V& kept, const V& rounding, const V& rate_rounding,
+                                const V& rebound, const V& tried, const Limits& limits,
+                                const Scales<V>& scale) {
   const auto slow = is_slow(kept, rounding, rebound, limits, scale);
   const V last = select(slow && rebound <= tried, tried, infinity<V>());
   const V square = kept * kept;
   const V left = select(is_low(rounding, rebound, scale), most(V(0.5), V(square * square)), V(0.5));
-  const auto leaves = rebound > rate_rounding && !(slow && rebound <= V(left * last));
-  return Leaving<V, std::remove_const_t<decltype(leaves)>>{leaves, last};
+  const auto is_due = !(rebound > rate_rounding && !(slow && rebound <= V(left * last)));
+  return NextAttempt<V, std::remove_const_t<decltype(is_due)>>{is_due, last};
 }
 
 }  // namespace tautline

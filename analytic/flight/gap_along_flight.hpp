@@ -25,7 +25,7 @@ struct FlightCable {
   V radius;            // [m], attachment to centre of mass
   V operand;           // [m], the largest number of its own that its gap is computed from
   V restitution;       // [-]
-  V tried;             // [m/s], as in `Leaving`
+  V tried;             // [m/s], as in `NextAttempt`
 
   static constexpr auto members() {
     using C = FlightCable;

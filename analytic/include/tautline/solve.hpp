@@ -38,6 +38,16 @@ struct SolveOptions {
   /// fifth of following it from one turning point to the other; where it is not certain, it is
   /// followed.
   bool swing_ahead = false;
+
+  // The shortcuts (analytic/README.md section 7) find the same motion faster. Each can be turned
+  // off, so that it can be checked against the general path.
+
+  /// Finds bounces on one cable alone the short way, in double: the same motion, to rounding.
+  bool single_bounces = true;
+
+  /// Ends the search where half a swing, or a whole turn, shows that the motion repeats. Without it
+  /// a swing is followed to the duration, and `until_locked` ends no run.
+  bool half_swings = true;
 };
 
 /// The exact motion of `the_case` from time 0. Never throws on a case without `problems`; a case

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "flight/ordinary.hpp"
+#include "flight/gap_along_flight.hpp"
 #include "support.hpp"
 
 namespace tautline::test {

@@ -2,7 +2,7 @@
 
 #include <xsimd/xsimd.hpp>
 
-#include "batch/bounce_lanes_impl.hpp"
+#include "shortcuts/batch/bounce_lanes_impl.hpp"
 
 namespace tautline {
 

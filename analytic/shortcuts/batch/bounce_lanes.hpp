@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "flight/bounce.hpp"
+#include "shortcuts/bounce.hpp"
 
 namespace tautline {
 

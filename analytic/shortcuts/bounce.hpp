@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "flight/gap_along_flight.hpp"
-#include "flight/members.hpp"
+#include "shortcuts/members.hpp"
 #include "slow_bounces.hpp"
 #include "tautline/accumulation.hpp"
 #include "tautline/first_contact.hpp"
@@ -56,20 +56,20 @@ struct Flyer {
 /// An impact on one cable at the end of a flight.
 template <class V, class Mask>
 struct Bounce {
-  Mask ordinary;     // else nothing of this holds: more may happen, or other things
+  Mask is_all;       // that happens; if false, ignore the rest: the general path decides
   V dt;              // [s], of the flight
   V place;           // of the cable in the order of the search
   Flyer<V> before;   // the impact
   V impulse;         // [N s]
   Pair<V> velocity;  // after the impact [m/s]
   V spin;            // [rad/s]
-  Mask leaves;       // not to be tried as the end of an accumulation
+  Mask is_due;       // to be tried as the end of an accumulation, or the cable does not open
   V tried;           // of the cable, from now on
 
   static constexpr auto members() {
     using B = Bounce;
-    return std::tuple(&B::ordinary, &B::dt, &B::place, &B::before, &B::impulse, &B::velocity,
-                      &B::spin, &B::leaves, &B::tried);
+    return std::tuple(&B::is_all, &B::dt, &B::place, &B::before, &B::impulse, &B::velocity,
+                      &B::spin, &B::is_due, &B::tried);
   }
 };
 
@@ -105,22 +105,22 @@ void rebound(const FlightWorld<V>& world, const FlightCable<V>& cable,
   const V height_rounding = epsilon<V>() * most(cable.operand, norm(before.position));
   const Mask closes = rate < V(-rate_rounding);
   const Mask drifted = abs(cable.length - distance) > V(few_roundings * height_rounding);
-  bounce.ordinary = bounce.ordinary && closes && !drifted &&
-                    fits(world, before.position, before.angle, bounce.velocity, bounce.spin);
+  bounce.is_all = bounce.is_all && closes && !drifted &&
+                  fits(world, before.position, before.angle, bounce.velocity, bounce.spin);
 
   const V rebound = -cable.restitution * rate;
   const V speed = norm(bounce.velocity) + abs(bounce.spin) * world.radius;
   const Scales<V> scale(world.gravity_size, world.radius, world.shortest, speed, bounce.spin,
                         limits.margin);
-  const auto next = leaving(cable.restitution, height_rounding, rate_rounding, rebound, cable.tried,
-                            limits, scale);
-  bounce.leaves = next.leaves;
+  const auto next = next_attempt(cable.restitution, height_rounding, rate_rounding, rebound,
+                                 cable.tried, limits, scale);
+  bounce.is_due = next.is_due;
   bounce.tried = next.tried;
 }
 
 /// The next impact of bodies that fly within `horizon` [s], each on the cables `cable(k)`, k <
 /// count, of its own, of which it has left the first where `touches`. Requires that they leave it
-/// (`leaving`).
+/// and that its bounces are not due (`NextAttempt`).
 template <class V, class Mask, class Cables>
 [[nodiscard]] Bounce<V, Mask> next_bounce(const FlightWorld<V>& world, const Flyer<V>& from,
                                           const Cables& cable, std::size_t count,
@@ -154,9 +154,8 @@ template <class V, class Mask, class Cables>
                 [&](V& of_hit, const V& of_one) { of_hit = select(first, of_one, of_hit); });
   }
   Bounce<V, Mask> bounce;
-  bounce.ordinary =
-      known && earliest > V(0) && is_finite(earliest) && next > V(earliest * together);
-  const V dt = select(bounce.ordinary, earliest, V(0));
+  bounce.is_all = known && earliest > V(0) && is_finite(earliest) && next > V(earliest * together);
+  const V dt = select(bounce.is_all, earliest, V(0));
   bounce.dt = dt;
   bounce.place = place;
   const Pair<V> velocity = from.velocity + dt * world.gravity;

@@ -4,10 +4,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "batch/in_lane.hpp"
 #include "local_origin.hpp"
-#include "loop/paused_motion.hpp"
 #include "loop/standing.hpp"
+#include "shortcuts/batch/in_lane.hpp"
+#include "shortcuts/paused_motion.hpp"
 
 namespace tautline {
 namespace {
@@ -31,7 +31,7 @@ class Batch {
     while (flying > 0) {
       bounce_lanes(question_, answer_);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        bounces_[lane] = InLane{lane}.get<BasicBounce<double>>(answer_);
+        bounces_[lane] = InLane{lane}.get<SingleBounces<double>::Bounce>(answer_);
       }
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         if (bodies_[lane].motion && !goes_on(lane)) {
@@ -48,8 +48,8 @@ class Batch {
     Case near;              // seen from `origin`, where that is not the world's
     Vec2 origin = Vec2::Zero();
     std::unique_ptr<PausedMotion<double>> motion;
-    CableSet left;        // as in BounceSearch
-    Record<double> room;  // of the motion before
+    SingleBounces<double>::Search search;  // its last
+    Record<double> room;                   // of the motion before
   };
 
   /// Puts the next case that flies into `lane`; false where there is none left.
@@ -70,7 +70,7 @@ class Batch {
       body.motion = paused_motion(moved ? body.near : the_case, options_,
                                   touching_at_start(the_case), std::move(body.room));
       if (advance(lane)) {
-        InLane{lane}(question_.world, body.motion->ordinary().world());
+        InLane{lane}(question_.world, body.motion->bounces().world());
         set_cables(lane);
         return true;
       }
@@ -84,11 +84,11 @@ class Batch {
   bool goes_on(std::size_t lane) {
     Body& body = bodies_[lane];
     body.motion->round(bounces_[lane]);
-    const CableSet left = body.left;
+    const CableSet last_hit = body.search.last_hit;
     if (!advance(lane)) {
       return false;
     }
-    if (body.left != left) {
+    if (body.search.last_hit != last_hit) {
       set_cables(lane);
     }
     return true;
@@ -110,12 +110,11 @@ class Batch {
       body.room = Record<double>::in_room_of(std::move(solution));
       return false;
     }
-    const BounceSearch<double> search = body.motion->search();
-    body.left = search.left;
+    body.search = body.motion->search();
     const InLane set{lane};
-    set(question_.from, search.from);
-    set(question_.touches, search.left.empty() ? 0.0 : 1.0);
-    set(question_.horizon, search.horizon);
+    set(question_.from, body.search.from);
+    set(question_.touches, body.search.last_hit.empty() ? 0.0 : 1.0);
+    set(question_.horizon, body.search.horizon);
     for (std::size_t place = 0; place < count_; ++place) {
       set(question_.cables[place].tried, cable_at(place, body).tried);
     }
@@ -123,8 +122,8 @@ class Batch {
   }
 
   /// The cable in this place of the body's search.
-  static const FlightCable<double>& cable_at(std::size_t place, const Body& body) {
-    return body.motion->ordinary().cables()[OrdinaryBounces<double>::cable_at(place, body.left)];
+  static FlightCable<double> cable_at(std::size_t place, const Body& body) {
+    return body.motion->bounces().cable_of(body.search, place);
   }
 
   /// The cables in the order in which they are searched now.
@@ -143,7 +142,7 @@ class Batch {
   LaneQuestion question_;
   LaneAnswer answer_;
   // of each body: at once, as what has just been written number by number is slow to read as pairs
-  std::array<BasicBounce<double>, lanes> bounces_;
+  std::array<SingleBounces<double>::Bounce, lanes> bounces_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "loop/swing_ahead.hpp"
+#include "shortcuts/swing_ahead.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "loop/cosine_sum.hpp"
+#include "shortcuts/cosine_sum.hpp"
 #include "support.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"

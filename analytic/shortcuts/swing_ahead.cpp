@@ -1,11 +1,11 @@
-#include "loop/swing_ahead.hpp"
+#include "shortcuts/swing_ahead.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "loop/cosine_sum.hpp"
-#include "loop/two_cable_curve.hpp"
+#include "shortcuts/cosine_sum.hpp"
+#include "shortcuts/two_cable_curve.hpp"
 #include "tautline/rounding.hpp"
 
 namespace tautline {

@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "batch/in_lane.hpp"
-#include "flight/ordinary.hpp"
 #include "hard/hard_families.hpp"
+#include "shortcuts/batch/in_lane.hpp"
+#include "shortcuts/single_bounces.hpp"
 #include "support.hpp"
 
 namespace tautline::test {
@@ -163,16 +163,23 @@ TEST(SolveBatch, WhatTheTakerThrowsReachesTheCaller) {
 /// Asks for a flight of `the_case` in a lane.
 void ask(LaneQuestion& question, std::size_t lane, const Case& the_case, bool touches) {
   const InLane set{lane};
-  const OrdinaryBounces<double> ordinary(the_case, question.limits);
-  set(question.world, ordinary.world());
-  set(question.from, ordinary.flyer(the_case.initial, Touching{}));
+  SolveOptions options;
+  options.completion = question.limits;
+  const SingleBounces<double> bounces(the_case, options);
+  const Attempts<double> attempts(the_case.cables.size(), options.completion);
+  const std::optional<Hold> flies;
+  const Touching none;
+  const auto search =
+      bounces.search({the_case, the_case.initial, none, {}, flies, the_case.duration}, attempts);
+  set(question.world, bounces.world());
+  set(question.from, search.from);
   set(question.from.rate_rounding, 1e-15);
   set(question.from.spin_rounding, 1e-15);
   for (std::size_t place = 0; place < question.count; ++place) {
-    set(question.cables[place], ordinary.cables()[place]);
+    set(question.cables[place], bounces.cable_of(search, place));
   }
   set(question.touches, touches ? 1.0 : 0.0);
-  set(question.horizon, the_case.duration);
+  set(question.horizon, search.horizon);
 }
 
 /// How many answers are of another bit. What is no bounce has no numbers.
@@ -190,10 +197,10 @@ int different(const LaneAnswer& a, const LaneAnswer& b) {
         is(a.before.angle, b.before.angle) && are(a.before.velocity, b.before.velocity) &&
         is(a.before.spin, b.before.spin) && is(a.before.rate_rounding, b.before.rate_rounding) &&
         is(a.before.spin_rounding, b.before.spin_rounding) && is(a.impulse, b.impulse) &&
-        are(a.velocity, b.velocity) && is(a.spin, b.spin) && is(a.leaves, b.leaves) &&
+        are(a.velocity, b.velocity) && is(a.spin, b.spin) && is(a.is_due, b.is_due) &&
         is(a.tried, b.tried);
-    const bool ordinary = a.ordinary.of[lane] > 0.0;
-    count += is(a.ordinary, b.ordinary) && (numbers || !ordinary) ? 0 : 1;
+    const bool is_all = a.is_all.of[lane] > 0.0;
+    count += is(a.is_all, b.is_all) && (numbers || !is_all) ? 0 : 1;
   }
   return count;
 }
@@ -234,7 +241,7 @@ TEST(SolveBatch, LanesOfAnyWidthAnswerToTheBitAsOne) {
   for (const auto& [name, bounce_lanes] : kinds()) {
     Random random(batch_seed);
     int wrong = 0;
-    int ordinary = 0;
+    int found = 0;
     for (int k = 0; k < questions; ++k) {
       LaneQuestion question;
       question.count = 1 + static_cast<std::size_t>(k) % max_cables;
@@ -246,12 +253,12 @@ TEST(SolveBatch, LanesOfAnyWidthAnswerToTheBitAsOne) {
       bounce_lanes_one_by_one(question, one);
       bounce_lanes(question, several);
       wrong += different(several, one);
-      for (const double is : one.ordinary.of) {
-        ordinary += is > 0.0 ? 1 : 0;
+      for (const double is : one.is_all.of) {
+        found += is > 0.0 ? 1 : 0;
       }
     }
     EXPECT_EQ(wrong, 0) << name << ", seed " << batch_seed;
-    EXPECT_GT(ordinary, questions) << "most questions are worth asking";
+    EXPECT_GT(found, questions) << "most questions are worth asking";
   }
 }
 

@@ -1,6 +1,6 @@
-#include "batch/bounce_lanes.hpp"
+#include "shortcuts/batch/bounce_lanes.hpp"
 
-#include "batch/bounce_lanes_impl.hpp"
+#include "shortcuts/batch/bounce_lanes_impl.hpp"
 
 namespace tautline {
 namespace {

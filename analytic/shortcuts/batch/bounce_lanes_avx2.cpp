@@ -1,6 +1,6 @@
 // Compiled for processors that have AVX2, and called on no others: nothing here may be of a type
 // that other sources share.
-#include "batch/bounce_lanes_xsimd.hpp"
+#include "shortcuts/batch/bounce_lanes_xsimd.hpp"
 
 namespace tautline {
 

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <type_traits>
 
 #include "tautline/case.hpp"
-#include "tautline/hold.hpp"
 #include "tautline/swing.hpp"
 
 namespace tautline {
@@ -20,17 +18,12 @@ namespace tautline {
 [[nodiscard]] std::optional<Swing> swing_ahead(const Case& the_case, const State& state,
                                                CableSet pulling, double left);
 
-/// The same of the motion `held`, if any; in double alone.
+/// The same in many digits, where no way to tell it is known.
 template <class Real>
-[[nodiscard]] std::optional<BasicSwing<Real>> told_swing(const BasicCase<Real>& the_case,
-                                                         const BasicState<Real>& state,
-                                                         const std::optional<BasicHold<Real>>& held,
-                                                         const Real& left) {
-  if constexpr (std::is_same_v<Real, double>) {
-    return held ? swing_ahead(the_case, state, held->pulling, left) : std::nullopt;
-  } else {
-    return std::nullopt;
-  }
+[[nodiscard]] std::optional<BasicSwing<Real>> swing_ahead(const BasicCase<Real>&,
+                                                          const BasicState<Real>&, CableSet,
+                                                          const Real&) {
+  return std::nullopt;
 }
 
 }  // namespace tautline

@@ -316,8 +316,8 @@ template <class Real>
 
 /// True where the cables `pulling` leave one way to move, and no limit of the case but those on it.
 template <class Real>
-[[nodiscard]] bool leaves_one_way(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                  CableSet pulling) {
+[[nodiscard]] bool has_one_freedom(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                   CableSet pulling) {
   if (is_point_mass(the_case)) {  // which may turn on and on to the angle's limit
     return pulling.size() == 1 && (!the_case.angle_limit || state.spin == 0);
   }

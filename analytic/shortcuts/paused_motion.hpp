@@ -1,18 +1,13 @@
 #pragma once
 
 #include <memory>
-#include <utility>
 
-#include "flight/ordinary.hpp"
-#include "loop/record.hpp"
-#include "tautline/solution.hpp"
+#include "shortcuts/shortcuts.hpp"
 
 namespace tautline {
 
-struct SolveOptions;
-
-/// A motion that pauses wherever an ordinary bounce may follow, so that the bounces of several can
-/// be found side by side.
+/// A motion that pauses wherever a single bounce may follow, so that the bounces of several can be
+/// found side by side.
 template <class Real>
 class PausedMotion {
  public:
@@ -22,22 +17,22 @@ class PausedMotion {
 
   [[nodiscard]] virtual bool has_ended() const = 0;
 
-  /// True where an ordinary bounce may follow, which `search` is to find among the bounces of the
-  /// case.
+  /// True where a single bounce may follow, which `search` is to find among those of the case.
   [[nodiscard]] virtual bool may_bounce() = 0;
-  [[nodiscard]] virtual BounceSearch<Real> search() const = 0;
-  [[nodiscard]] const OrdinaryBounces<Real>& ordinary() const { return ordinary_; }
+  [[nodiscard]] virtual typename Shortcuts<Real>::Search search() const = 0;
+  [[nodiscard]] const SingleBounces<Real>& bounces() const { return shortcuts_.bounces(); }
 
   /// One round of the loop, with the bounce that was found, or with none.
-  virtual void round(const BasicBounce<Real>& bounce) = 0;
+  virtual void round(const typename Shortcuts<Real>::Bounce& bounce) = 0;
 
   /// After the end: the motion, which is then no longer here.
   [[nodiscard]] virtual BasicSolution<Real> solution() = 0;
 
  protected:
-  explicit PausedMotion(OrdinaryBounces<Real> ordinary) : ordinary_(std::move(ordinary)) {}
+  PausedMotion(const BasicCase<Real>& the_case, const SolveOptions& options)
+      : shortcuts_(the_case, options) {}
 
-  OrdinaryBounces<Real> ordinary_;
+  Shortcuts<Real> shortcuts_;
 };
 
 /// At the start of `the_case`, which has no problems and has to stay where it is; `touching` are

@@ -2,8 +2,8 @@
 
 #include <type_traits>
 
-#include "batch/bounce_lanes.hpp"
-#include "flight/members.hpp"
+#include "shortcuts/batch/bounce_lanes.hpp"
+#include "shortcuts/members.hpp"
 
 namespace tautline {
 

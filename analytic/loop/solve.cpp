@@ -6,13 +6,11 @@
 
 #include "instantiate.hpp"
 #include "local_origin.hpp"
-#include "loop/half_swing.hpp"
 #include "loop/next_stop.hpp"
-#include "loop/paused_motion.hpp"
+#include "loop/progress.hpp"
 #include "loop/record.hpp"
 #include "loop/standing.hpp"
-#include "loop/swing_ahead.hpp"
-#include "progress.hpp"
+#include "shortcuts/paused_motion.hpp"
 #include "tautline/first_contact.hpp"
 #include "tautline/flight.hpp"
 #include "tautline/geometry.hpp"
@@ -31,9 +29,9 @@
 // tensions > 0, all of `held_->taut()` stay at zero gap. It is found at an event and continued from
 // step to step, where a series ends and nothing happens; without it the body flies freely.
 //
-// An ordinary bounce is a free flight to one cable and the impact there (flight/bounce.hpp): most
-// of all that happens, and found a faster way. `solve_batch` finds those of several motions side by
-// side, and so asks each for its rounds.
+// What exists for speed alone is behind `shortcuts_`, which the loop asks whether a single bounce
+// is all that happens next, and whether the motion goes on as it does for ever. `solve_batch` finds
+// the bounces of several motions side by side, and so asks each for its rounds.
 
 namespace tautline {
 namespace {
@@ -42,13 +40,17 @@ namespace {
 template <class Real>
 class Motion final : public PausedMotion<Real> {
  public:
+  using Bounce = typename Shortcuts<Real>::Bounce;
+  using Search = typename Shortcuts<Real>::Search;
+
   /// `touching` are the cables at zero gap, `record` is empty.
   Motion(const BasicCase<Real>& the_case, const SolveOptions& options, CableSet touching,
          Record<Real> record = {})
-      : PausedMotion<Real>(OrdinaryBounces<Real>(the_case, options.completion)),
+      : PausedMotion<Real>(the_case, options),
         case_(the_case),
         options_(options),
         state_(the_case.initial),
+        attempts_(the_case.cables.size(), options.completion),
         record_(std::move(record)) {
     touching_.cables = touching;
     touching_.note_speed(state_);
@@ -58,24 +60,23 @@ class Motion final : public PausedMotion<Real> {
   /// The whole algorithm: round after round, until an ending.
   BasicSolution<Real> run() {
     while (!has_ended()) {
-      round(may_bounce() ? ordinary_.next(search()) : BasicBounce<Real>{});
+      round(may_bounce() ? shortcuts_.bounces().next(search()) : Bounce{});
     }
     return solution();
   }
 
-  /// One round: what the cables do now, then on to the next stop and what happens there. An
-  /// ordinary `bounce` is all of that in one.
-  void round(const BasicBounce<Real>& bounce) override {
-    if (bounce.ordinary) {
+  /// One round: what the cables do now, then on to the next stop and what happens there. A single
+  /// `bounce` may be all of that.
+  void round(const Bounce& bounce) override {
+    if (bounce.is_all) {
       take(bounce);
       return check_limits();
     }
-    ordinary_.refuse();
     const auto [closing, resting] = contacts(case_, state_, touching_);
     Stop<Real> stop{Real(0), std::nullopt, closing};  // an impact left some closing: at once
     if (closing.empty()) {
-      if (!complete_accumulation() && resting.empty() && may_bounce()) {
-        return;  // it was too early: look for a bounce first
+      if (complete_accumulation() == Attempt::in_vain && resting.empty() && may_bounce()) {
+        return;  // too early: look for a bounce first
       }
       if (!hold_resting()) {
         return finish(Ending::singular);
@@ -83,13 +84,13 @@ class Motion final : public PausedMotion<Real> {
       if (const auto ending = nothing_follows()) {
         return finish(*ending);
       }
-      stop = next_stop(case_, state_, touching_, held_, time_left());
+      stop = next_stop(case_, state_, touching_, held_, now().remaining);
     }
     const CableSet pulled = pulling();  // up to `stop`
     if (const auto ending = move(stop)) {
       return finish(*ending);
     }
-    if (ends_in_repetition(stop, pulled)) {
+    if ((ending_ = shortcuts_.forever(now(), stop, pulled, record_))) {
       return;
     }
     if (const auto ending = stop.ending || stop.cables.empty() ? stop.ending : hit()) {
@@ -100,34 +101,33 @@ class Motion final : public PausedMotion<Real> {
 
   [[nodiscard]] bool has_ended() const override { return ending_.has_value(); }
 
-  /// True where the body flies, and leaves the cable it has touched last, if any, for good: what
-  /// follows then is most often one more bounce.
-  [[nodiscard]] bool may_bounce() override {
-    return !held_ && taut_.empty() && touching_.cables.size() <= 1 &&
-           ordinary_.may_follow(case_, state_, touching_);
-  }
+  [[nodiscard]] bool may_bounce() override { return shortcuts_.may_bounce(now(), attempts_); }
 
-  [[nodiscard]] BounceSearch<Real> search() const override {
-    return {ordinary_.flyer(state_, touching_), touching_.cables, time_left()};
-  }
+  [[nodiscard]] Search search() const override { return shortcuts_.search(now(), attempts_); }
 
   [[nodiscard]] BasicSolution<Real> solution() override {
     return record_.solution(case_, *ending_);
   }
 
  private:
-  using PausedMotion<Real>::ordinary_;
+  using PausedMotion<Real>::shortcuts_;
+
+  /// The present.
+  [[nodiscard]] Present<Real> now() const {
+    return {case_, state_, touching_, taut_, held_, case_.duration - time_};
+  }
 
   /// The flight to `bounce`, and its impact.
-  void take(const BasicBounce<Real>& bounce) {
-    const std::size_t index = ordinary_.take(bounce, touching_.cables);
-    record_.arcs.push_back({time_, time_ + bounce.dt, state_, {}, {}});
-    time_ += bounce.dt;
-    state_ = state_of(bounce.before);
-    touching_ = {CableSet::of(index), bounce.before.rate_rounding, bounce.before.spin_rounding,
-                 epsilon<Real>() * time_};
-    record(EventKind::impact, touching_.cables, BasicCableVector<Real>::Constant(1, bounce.impulse),
-           state_after(bounce));
+  void take(const Bounce& bounce) {
+    const Landing<Real> landing = shortcuts_.bounces().land(bounce, touching_.cables);
+    attempts_.set_tried(landing.cable, landing.tried);
+    record_.arcs.push_back({time_, time_ + landing.dt, state_, {}, {}});
+    time_ += landing.dt;
+    state_ = landing.before;
+    touching_ = landing.touching;
+    touching_.time_rounding = epsilon<Real>() * time_;
+    record(EventKind::impact, touching_.cables,
+           BasicCableVector<Real>::Constant(1, landing.impulse), landing.after);
     progress_.note_hit(touching_.cables);
   }
 
@@ -143,8 +143,6 @@ class Motion final : public PausedMotion<Real> {
     const auto ending = rest(case_, state_, touching_, taut_, held_);
     return !ending && record_.swing ? std::optional(Ending::locked) : ending;
   }
-
-  [[nodiscard]] Real time_left() const { return case_.duration - time_; }
 
   /// The cables that have tensions now.
   [[nodiscard]] CableSet pulling() const { return held_ ? held_->pulling : CableSet{}; }
@@ -171,21 +169,23 @@ class Motion final : public PausedMotion<Real> {
     record(EventKind::impact, cables,
            -multipliers<Real>(case_, state_, cables, gap_rates(case_, state_, cables)), *after);
     touching_.cables = touching_.cables | cables;
-    ordinary_.forget();
+    shortcuts_.bounces().forget();
     held_.reset();
     return true;
   }
 
-  /// Where the bounces of the touching cables accumulate, their end. False where they do not.
-  bool complete_accumulation() {
+  enum class Attempt { not_due, in_vain, done };
+
+  /// The end of the bounces of the touching cables, where they accumulate.
+  Attempt complete_accumulation() {
     const CableSet bouncing = touching_.cables - taut_;
-    if (bouncing.empty() || ordinary_.leave(case_, state_, touching_, bouncing)) {
-      return false;
+    if (bouncing.empty() || !attempts_.are_due(case_, state_, touching_, bouncing)) {
+      return Attempt::not_due;
     }
     const auto done = completion(case_, state_, touching_, options_.completion);
     if (!done) {
-      ordinary_.note_attempt(case_, state_, bouncing);
-      return false;
+      attempts_.note(case_, state_, bouncing);
+      return Attempt::in_vain;
     }
     record(EventKind::taut, done->cables,
            -multipliers<Real>(case_, state_, done->cables, gap_rates(case_, state_, done->cables)),
@@ -197,7 +197,7 @@ class Motion final : public PausedMotion<Real> {
     }
     touching_.cables = touching_.cables | done->cables;
     taut_ = taut_ | done->cables;
-    return true;
+    return Attempt::done;
   }
 
   /// Finds out which of the cables at zero gap and rate stay taut, and records what has changed.
@@ -235,9 +235,7 @@ class Motion final : public PausedMotion<Real> {
       }
     }
     taut_ = taut;
-    if (options_.until_locked && options_.swing_ahead) {
-      record_.swing = told_swing(case_, state_, held_, time_left());
-    }
+    record_.swing = shortcuts_.forever(now());
     return true;
   }
 
@@ -278,7 +276,6 @@ class Motion final : public PausedMotion<Real> {
     time_ = record_.arcs.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     touching_.time_rounding = epsilon<Real>() * time_;
-    ordinary_.forget();
     touching_.note_speed(state_);
     steps_ += stop.cables.empty() ? 1U : 0U;
     // what has let go of all cables flies
@@ -317,28 +314,6 @@ class Motion final : public PausedMotion<Real> {
     state_ = std::move(after);
   }
 
-  /// True, and the motion has ended, where the last arc, up to `stop` on the cables `pulling`,
-  /// completes half a swing or a whole turn: it comes again for ever, and meets nothing new.
-  [[nodiscard]] bool ends_in_repetition(const Stop<Real>& stop, CableSet pulling) {
-    const bool is_whole = stop.is_step || stop.ending == Ending::reached_duration;
-    if (!is_whole || !leaves_one_way(case_, state_, pulling)) {
-      return false;
-    }
-    const auto half = swing_.follow(case_, record_.arcs, state_, stop.dt, record_.events.size());
-    if (!half) {
-      return false;
-    }
-    if (options_.until_locked) {
-      record_.arcs.back().end = half->end(record_.arcs);
-      record_.swing = swing_of(case_, *half, record_.arcs, pulling);
-      ending_ = Ending::locked;
-    } else {
-      record_.repetition = repetition_of(case_, *half, record_.arcs);
-      ending_ = Ending::reached_duration;
-    }
-    return true;
-  }
-
   /// Ends the motion here, with the arc that says so.
   void finish(Ending ending) {
     ending_ = ending;
@@ -362,7 +337,7 @@ class Motion final : public PausedMotion<Real> {
   std::size_t steps_ = 0;         // without an event
   std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;
-  HalfSwingWatch<Real> swing_;
+  Attempts<Real> attempts_;
   CableSet taut_;                        // as far as recorded
   std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
   Record<Real> record_;

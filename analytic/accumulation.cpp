@@ -1,20 +1,20 @@
-#include "tautline/accumulation.hpp"
+#include "tautline/detail/accumulation.hpp"
 
 #include "bouncing.hpp"
 #include "instantiate.hpp"
 #include "slow_bounces.hpp"
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/rounding.hpp"
 
 namespace tautline {
 namespace {
 
 /// The cables outside `cables` that could close before the bounces on `cables` are over.
-template <class Real>
-CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                      CableSet cables, const Bouncing<Real>& bounces, const Scales<Real>& scale) {
+template <class TheCase, class Real = RealOf<TheCase>>
+CableSet within_reach(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables,
+                      const Bouncing<Real>& bounces, const Scales<Real>& scale) {
   const Real remaining = bounces.remaining + bounces.uncertainty;
   const Real change = scale.margin * scale.acceleration * remaining;  // [m/s], of a rate
   CableSet result;
@@ -22,7 +22,7 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
     if (cables.contains(index)) {
       continue;
     }
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     const Real rate = gap_rate(cable, state);
     const Real own = delassus(the_case, state, index);
     // what the impulses of the bounces change its rate by, of which each turns one of them round
@@ -39,26 +39,26 @@ CableSet within_reach(const BasicCase<Real>& the_case, const BasicState<Real>& s
 /// True where the bounces of a cable that begin with `rebound` [m/s] may meet the limits: where
 /// they would with a pull as large as the accelerations of the motion. A stronger one has to wait a
 /// little.
-template <class Real>
-bool may_be_slow(const BasicCable<Real>& cable, const BasicState<Real>& state, const Real& rebound,
+template <class TheCase, class Real = RealOf<TheCase>>
+bool may_be_slow(const CableOf<TheCase>& cable, const StateOf<TheCase>& state, const Real& rebound,
                  const CompletionLimits& limits, const Scales<Real>& scale) {
   return is_slow(restitution_up_to(cable, rebound), rounding_of_gap(cable, state), rebound, limits,
                  scale);
 }
 
 /// The touching cables slow enough to be candidates; empty if one of them is still closing.
-template <class Real>
-CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                       const BasicTouching<Real>& touching, const CompletionLimits& limits,
+template <class TheCase, class Real = RealOf<TheCase>>
+CableSet slow_contacts(const TheCase& the_case, const StateOf<TheCase>& state,
+                       const TouchingOf<TheCase>& touching, const CompletionLimits& limits,
                        const Scales<Real>& scale) {
   CableSet slow;
   for (const std::size_t index : touching.cables) {
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     const Real rate = gap_rate(cable, state);
     if (rate < -touching.rounding(cable)) {
       return {};
     }
-    if (may_be_slow(cable, state, rate, limits, scale)) {
+    if (may_be_slow<TheCase>(cable, state, rate, limits, scale)) {
       slow.insert(index);
     }
   }
@@ -67,12 +67,12 @@ CableSet slow_contacts(const BasicCase<Real>& the_case, const BasicState<Real>& 
 
 /// True where all of `cables` are as slow as candidates are. Those that are not have to bounce
 /// more, or to leave, before anything can be said of them.
-template <class Real>
-bool are_slow(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables,
+template <class TheCase, class Real = RealOf<TheCase>>
+bool are_slow(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables,
               const CompletionLimits& limits, const Scales<Real>& scale) {
   for (const std::size_t index : cables) {
-    const BasicCable<Real>& cable = the_case.cables[index];
-    if (!may_be_slow(cable, state, Real(abs(gap_rate(cable, state))), limits, scale)) {
+    const CableOf<TheCase>& cable = the_case.cables[index];
+    if (!may_be_slow<TheCase>(cable, state, Real(abs(gap_rate(cable, state))), limits, scale)) {
       return false;
     }
   }
@@ -94,13 +94,13 @@ CableSet pulled(CableSet cables, const BasicTensions<Real>& held) {
 }
 
 /// The cables of `cables` that are at zero gap and rate, up to rounding.
-template <class Real>
-CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                 const BasicTouching<Real>& touching, CableSet cables) {
+template <class TheCase>
+CableSet at_zero(const TheCase& the_case, const StateOf<TheCase>& state,
+                 const TouchingOf<TheCase>& touching, CableSet cables) {
   constexpr double drift = 1e3;  // [-] roundings of a gap
   CableSet result;
   for (const std::size_t index : cables) {
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     if (abs(gap(cable, state)) <= drift * rounding_of_gap(cable, state) &&
         abs(gap_rate(cable, state)) <= touching.rounding(cable)) {
       result.insert(index);
@@ -111,25 +111,24 @@ CableSet at_zero(const BasicCase<Real>& the_case, const BasicState<Real>& state,
 
 /// `after` without what rounding has added to the energy of `before`: the end of bounces gains
 /// none.
-template <class Real>
-BasicState<Real> without_energy_gained(const BasicCase<Real>& the_case,
-                                       const BasicState<Real>& before, BasicState<Real> after) {
+template <class TheCase>
+StateOf<TheCase> without_energy_gained(const TheCase& the_case, const StateOf<TheCase>& before,
+                                       StateOf<TheCase> after) {
+  using Real = RealOf<TheCase>;
   const Real gained = energy(the_case, after) - energy(the_case, before);
   const Real kinetic = kinetic_energy(the_case.body, after);
   if (gained > few_roundings * rounding_of_energy(the_case, before) && gained < kinetic) {
     const Real part = sqrt(Real(1 - gained / kinetic));
-    after.velocity *= part;
-    after.spin *= part;
+    after = times_as_fast(after, part);
   }
   return after;
 }
 
 /// True where `state` stretches a cable outside `cables`.
-template <class Real>
-bool overstretches(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                   CableSet cables) {
+template <class TheCase>
+bool overstretches(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables) {
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     if (!cables.contains(index) &&
         gap(cable, state) < -rounding_margin * rounding_of_gap(cable, state)) {
       return true;
@@ -139,9 +138,9 @@ bool overstretches(const BasicCase<Real>& the_case, const BasicState<Real>& stat
 }
 
 /// The cables of `cables` that move: not at exactly zero gap and rate.
-template <class Real>
-CableSet moving(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                const BasicTouching<Real>& touching, CableSet cables) {
+template <class TheCase>
+CableSet moving(const TheCase& the_case, const StateOf<TheCase>& state,
+                const TouchingOf<TheCase>& touching, CableSet cables) {
   CableSet result;
   for (const std::size_t index : cables) {
     if (!touching.cables.contains(index) ||
@@ -154,11 +153,12 @@ CableSet moving(const BasicCase<Real>& the_case, const BasicState<Real>& state,
 
 }  // namespace
 
-template <class Real>
-std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
-                                                const BasicState<Real>& state,
-                                                const BasicTouching<Real>& touching,
-                                                const CompletionLimits& limits) {
+template <class TheCase>
+std::optional<BasicCompletion<TheCase>> completion(const TheCase& the_case,
+                                                   const StateOf<TheCase>& state,
+                                                   const TouchingOf<TheCase>& touching,
+                                                   const CompletionLimits& limits) {
+  using Real = RealOf<TheCase>;
   const Scales<Real> scale(the_case, state, limits.margin);
   CableSet cables = slow_contacts(the_case, state, touching, limits, scale);
   // a round loses cables that leave or gains one that takes part; few rounds settle it
@@ -188,7 +188,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
     if (!are_slow(the_case, state, near, limits, scale)) {
       return std::nullopt;
     }
-    const BasicState<Real> after = projected(the_case, state, cables);
+    const StateOf<TheCase> after = projected(the_case, state, cables);
     // redundant: where the others end taut, so do these
     const CableSet carried = at_zero(the_case, after, touching, near);
     near = near - carried;
@@ -202,7 +202,7 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
       if (cables.size() == 1 && bounces->ends) {
         refine(*bounces, the_case, state, after, *cables.begin());
       }
-      return BasicCompletion<Real>{
+      return BasicCompletion<TheCase>{
           cables | carried,     bounces->ends,  bounces->remaining,
           bounces->uncertainty, bounces->error, without_energy_gained(the_case, state, after)};
     }
@@ -211,9 +211,9 @@ std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
   return std::nullopt;
 }
 
-template std::optional<BasicCompletion<Instance>> completion(const BasicCase<Instance>&,
-                                                             const BasicState<Instance>&,
-                                                             const BasicTouching<Instance>&,
-                                                             const CompletionLimits&);
+template std::optional<BasicCompletion<InstanceCase>> completion(const InstanceCase&,
+                                                                 const StateOf<InstanceCase>&,
+                                                                 const TouchingOf<InstanceCase>&,
+                                                                 const CompletionLimits&);
 
 }  // namespace tautline

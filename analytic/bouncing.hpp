@@ -5,12 +5,12 @@
 #include "slow_bounces.hpp"
 #include "tautline/cable_set.hpp"
 #include "tautline/case.hpp"
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rounding.hpp"
+#include "tautline/detail/scalar.hpp"
+#include "tautline/detail/series.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/rounding.hpp"
-#include "tautline/scalar.hpp"
-#include "tautline/series.hpp"
 
 // What the bounces that are left on a set of cables come to: how fast, how long, how much they
 // change (analytic/README.md, section 5).
@@ -33,10 +33,9 @@ struct Bouncing {
 };
 
 /// The normal energy of `cables`, twice, per mass of the normal coordinates (Eq. 17).
-template <class Real>
-Real twice_normal_energy(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                         CableSet touching, CableSet cables,
-                         const BasicCableVector<Real>& tension) {
+template <class TheCase, class Real = RealOf<TheCase>>
+Real twice_normal_energy(const TheCase& the_case, const StateOf<TheCase>& state, CableSet touching,
+                         CableSet cables, const BasicCableVector<Real>& tension) {
   const BasicCableVector<Real> rate = gap_rates(the_case, state, cables);
   const BasicCableVector<Real> solved = multipliers(the_case, state, cables, rate);
   Real result = rate.dot(solved);
@@ -56,10 +55,10 @@ bool is_steady(const Real& pull, const Real& dt, const Scales<Real>& scale) {
 }
 
 /// The largest restitution up to `speed` of the cable and those that hang side by side with it.
-template <class Real>
-Real most_kept(const BasicCase<Real>& the_case, std::size_t index, const Real& speed) {
+template <class TheCase, class Real = RealOf<TheCase>>
+Real most_kept(const TheCase& the_case, std::size_t index, const Real& speed) {
   Real most(0);
-  for (const BasicCable<Real>& cable : the_case.cables) {
+  for (const CableOf<TheCase>& cable : the_case.cables) {
     if (side_by_side(cable, the_case.cables[index])) {
       most = max(most, Real(restitution_up_to(cable, speed)));
     }
@@ -68,11 +67,12 @@ Real most_kept(const BasicCase<Real>& the_case, std::size_t index, const Real& s
 }
 
 /// What the bounces of all cables come to.
-template <class Real>
+template <class TheCase>
 class BouncingSum {
  public:
-  BouncingSum(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-              const Scales<Real>& scale)
+  using Real = RealOf<TheCase>;
+
+  BouncingSum(const TheCase& the_case, const StateOf<TheCase>& state, const Scales<Real>& scale)
       : case_(the_case), state_(state), scale_(scale) {}
 
   /// Those of a cable that its `pull` [m/s^2] closes and that rebounds with up to `speed` [m/s];
@@ -120,8 +120,8 @@ class BouncingSum {
   }
 
  private:
-  const BasicCase<Real>& case_;
-  const BasicState<Real>& state_;
+  const TheCase& case_;
+  const StateOf<TheCase>& state_;
   const Scales<Real>& scale_;
   Bouncing<Real> sum_{true, Real(0), Real(0), Real(0), Real(0), infinity<Real>()};
   Real heights_ = Real(0);  // [m s], the largest integral over time of a gap (Eq. 20)
@@ -130,13 +130,13 @@ class BouncingSum {
 
 /// From the normal energy of `cables` and the tensions that will hold them; none if a tension is
 /// not certain to stay > 0 until the bounces are over.
-template <class Real>
-std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
-                                       const BasicState<Real>& state, CableSet touching,
-                                       CableSet cables, const BasicCableVector<Real>& tension,
+template <class TheCase, class Real = RealOf<TheCase>>
+std::optional<Bouncing<Real>> bouncing(const TheCase& the_case, const StateOf<TheCase>& state,
+                                       CableSet touching, CableSet cables,
+                                       const BasicCableVector<Real>& tension,
                                        const Scales<Real>& scale) {
   const Real energy = twice_normal_energy(the_case, state, touching, cables, tension);
-  BouncingSum<Real> sum(the_case, state, scale);
+  BouncingSum<TheCase> sum(the_case, state, scale);
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
     const Real g = delassus(the_case, state, index);
@@ -149,11 +149,10 @@ std::optional<Bouncing<Real>> bouncing(const BasicCase<Real>& the_case,
 
 /// The same of one touching cable: its energy is that of its own rate, and its pull what closes it
 /// in flight.
-template <class Real>
-std::optional<Bouncing<Real>> bouncing_alone(const BasicCase<Real>& the_case,
-                                             const BasicState<Real>& state, std::size_t index,
-                                             const Scales<Real>& scale) {
-  BouncingSum<Real> sum(the_case, state, scale);
+template <class TheCase, class Real = RealOf<TheCase>>
+std::optional<Bouncing<Real>> bouncing_alone(const TheCase& the_case, const StateOf<TheCase>& state,
+                                             std::size_t index, const Scales<Real>& scale) {
+  BouncingSum<TheCase> sum(the_case, state, scale);
   const bool pulls = sum.add(index, delassus(the_case, state, index),
                              Real(-free_gap_acceleration(the_case, index, state)),
                              Real(abs(gap_rate(the_case.cables[index], state))));
@@ -162,16 +161,14 @@ std::optional<Bouncing<Real>> bouncing_alone(const BasicCase<Real>& the_case,
 
 /// One cable's bounces: their geometric series with the first order of the change of the pull
 /// (Eq. 21).
-template <class Real>
-void refine(Bouncing<Real>& bounces, const BasicCase<Real>& the_case, const BasicState<Real>& state,
-            const BasicState<Real>& after, std::size_t index) {
-  const BasicCable<Real>& cable = the_case.cables[index];
-  const TautSeries<Real> motion(the_case, after, CableSet::of(index), 3);
-  const auto lever = motion.lever(index);
+template <class TheCase, class Real = RealOf<TheCase>>
+void refine(Bouncing<Real>& bounces, const TheCase& the_case, const StateOf<TheCase>& state,
+            const StateOf<TheCase>& after, std::size_t index) {
+  const CableOf<TheCase>& cable = the_case.cables[index];
+  constexpr std::size_t order = 3;
+  const SeriesOf<TheCase> motion(the_case, after, CableSet::of(index), order);
   const auto tension = motion.tension(index);
-  const Eigen::Matrix<Real, 3, 1> weight = inverse_mass(the_case.body);
-  const Real k = cable.length * cable.length * weight[0] + lever[0] * lever[0] * weight[2];
-  const Real k_rate = 2 * lever[0] * lever[1] * weight[2];
+  const auto [k, k_rate] = scaled_response(the_case, motion, index);
   const Real root = sqrt(k);
   const Real c = tension[0] * root / cable.length;
   const Real c_rate = (tension[1] * root + tension[0] * k_rate / (2 * root)) / cable.length;

@@ -1,8 +1,8 @@
 #include <numbers>
 
+#include "tautline/detail/hold.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/hold.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/settling.hpp"
 
 namespace tautline {

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "instantiate.hpp"
+#include "tautline/detail/rounding.hpp"
+#include "tautline/detail/rows.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/rounding.hpp"
-#include "tautline/rows.hpp"
 
 namespace tautline {
 namespace {
@@ -30,15 +30,15 @@ Eigen::Matrix<Real, 3, 3> gap_curvature(const BasicCable<Real>& cable,
 /// those motions. At an equilibrium the gradient of the energy is J^T T, and gravity's is constant.
 template <class Real>
 bool is_unstable(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                 const BasicHold<Real>& held) {
+                 const BasicHold<BasicCase<Real>>& held) {
   using Matrix3 = Eigen::Matrix<Real, 3, 3>;
   Matrix3 bending = Matrix3::Zero();
   for (const std::size_t index : held.pulling) {
     bending -= held.motion.tension(index)[0] * gap_curvature(the_case.cables[index], state);
   }
   const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
-  const CableRows<Real> rows(the_case, state, held.pulling);
-  const RowSpace<Real> space = rows.space(rows.all());
+  const CableRows<BasicCase<Real>> rows(the_case, state, held.pulling);
+  const RowSpace<BasicCase<Real>> space = rows.space(rows.all());
   Matrix3 along;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const Vector3<Real> unit = Vector3<Real>::Unit(axis);
@@ -74,7 +74,7 @@ bool turns_freely(const BasicCase<Real>& the_case, const BasicState<Real>& state
 
 template <class Real>
 std::optional<Ending> equilibrium(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                  const BasicHold<Real>& held) {
+                                  const BasicHold<BasicCase<Real>>& held) {
   const Real radius = attachment_radius(the_case);
   // pulling cables are independent: as many as there are ways to move leave none
   const bool turns = radius > 0 && inverse_mass(the_case.body)[2] > 0;
@@ -99,8 +99,8 @@ std::optional<Ending> equilibrium(const BasicCase<Real>& the_case, const BasicSt
                                                   : std::nullopt;
 }
 
-template bool turns_freely(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);
-template std::optional<Ending> equilibrium(const BasicCase<Instance>&, const BasicState<Instance>&,
-                                           const BasicHold<Instance>&);
+template bool turns_freely(const InstanceCase&, const BasicState<Instance>&, CableSet);
+template std::optional<Ending> equilibrium(const InstanceCase&, const BasicState<Instance>&,
+                                           const BasicHold<InstanceCase>&);
 
 }  // namespace tautline

@@ -1,4 +1,4 @@
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/first_contact.hpp"
 
 #include <array>
 
@@ -97,7 +97,7 @@ BasicFirstContactSearch<Real> first_contact(const BasicCase<Real>& the_case,
   return result;
 }
 
-template BasicFirstContactSearch<Instance> first_contact(const BasicCase<Instance>&,
+template BasicFirstContactSearch<Instance> first_contact(const InstanceCase&,
                                                          const BasicState<Instance>&,
                                                          const BasicTouching<Instance>&,
                                                          const Instance&);

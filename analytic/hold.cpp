@@ -1,12 +1,12 @@
-#include "tautline/hold.hpp"
+#include "tautline/detail/hold.hpp"
 
 #include <algorithm>
 #include <bit>
 
 #include "instantiate.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/rounding.hpp"
 
 namespace tautline {
 namespace {
@@ -43,23 +43,24 @@ Leading leading(std::span<const Real> coefficients, std::size_t known_zeros, con
 /// The series of full order, or of a lower one where its coefficients overflow: a body that turns a
 /// million times in its unit of time. A cable that `bounces` on the motion returns long before
 /// the end of the series: half of the order does.
-template <class Real>
-TautSeries<Real> longest_series(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                CableSet pulling, bool bounces) {
+template <class TheCase>
+SeriesOf<TheCase> longest_series(const TheCase& the_case, const StateOf<TheCase>& state,
+                                 CableSet pulling, bool bounces) {
+  using Real = RealOf<TheCase>;
   std::size_t order = bounces ? series_order<Real>() / 2 : series_order<Real>();
   constexpr std::size_t least_order = 6;
   for (; order > least_order; order /= 2) {
-    TautSeries<Real> motion(the_case, state, pulling, order);
+    SeriesOf<TheCase> motion(the_case, state, pulling, order);
     if (motion.fits()) {
       return motion;
     }
   }
-  return TautSeries<Real>(the_case, state, pulling, least_order);
+  return SeriesOf<TheCase>(the_case, state, pulling, least_order);
 }
 
 /// True where a cable of `cables` hangs side by side with `index`, so that their gaps are one.
-template <class Real>
-bool has_twin(const BasicCase<Real>& the_case, std::size_t index, CableSet cables) {
+template <class TheCase>
+bool has_twin(const TheCase& the_case, std::size_t index, CableSet cables) {
   const std::vector<std::size_t> indices = cables.indices();
   return std::any_of(indices.begin(), indices.end(), [&](std::size_t other) {
     return side_by_side(the_case.cables[index], the_case.cables[other]);
@@ -75,17 +76,16 @@ struct Doubtful {
 };
 
 /// One candidate: `pulling` of `resting` are held. None if a tension or a gap turns negative.
-template <class Real>
-std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
-                                         const BasicState<Real>& state,
-                                         const BasicTouching<Real>& touching, CableSet resting,
-                                         CableSet pulling, const Doubtful<Real>& doubtful) {
+template <class TheCase, class Real = RealOf<TheCase>>
+std::optional<BasicHold<TheCase>> candidate(const TheCase& the_case, const StateOf<TheCase>& state,
+                                            const TouchingOf<TheCase>& touching, CableSet resting,
+                                            CableSet pulling, const Doubtful<Real>& doubtful) {
   const Real acceleration = acceleration_scale(the_case, state);
   // over which a cable notices that acceleration
   const Real time = acceleration > 0 ? Real(sqrt(Real(shortest_length(the_case) / acceleration)))
                                      : infinity<Real>();
   const bool bounces = !(touching.cables - resting).empty();
-  BasicHold<Real> result{
+  BasicHold<TheCase> result{
       pulling, {}, longest_series(the_case, state, pulling, bounces), Real(0), {}};
   result.reach = result.motion.reach(epsilon<Real>() / 4);
   if (!pulling.empty()) {  // or tensions that hold a body still, rounded, would move it in the end
@@ -94,7 +94,7 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
   const Real least = min(result.reach, time);
   const Real h = isfinite(least) ? least : Real(1);  // nothing changes: any time will do
   for (const std::size_t index : resting | touching.cables) {
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     if (pulling.contains(index)) {
       if (doubtful.cables.contains(index)) {
         const Leading first =
@@ -124,11 +124,10 @@ std::optional<BasicHold<Real>> candidate(const BasicCase<Real>& the_case,
 }
 
 /// The candidate that holds the `certain` cables and those of the `doubtful` that go on pulling.
-template <class Real>
-std::optional<BasicHold<Real>> chosen(const BasicCase<Real>& the_case,
-                                      const BasicState<Real>& state,
-                                      const BasicTouching<Real>& touching, CableSet resting,
-                                      CableSet certain, const Doubtful<Real>& doubtful) {
+template <class TheCase, class Real = RealOf<TheCase>>
+std::optional<BasicHold<TheCase>> chosen(const TheCase& the_case, const StateOf<TheCase>& state,
+                                         const TouchingOf<TheCase>& touching, CableSet resting,
+                                         CableSet certain, const Doubtful<Real>& doubtful) {
   const std::vector<std::size_t> choices = doubtful.cables.indices();
   for (unsigned bits = 0; bits < (1U << choices.size()); ++bits) {
     CableSet pulling = certain;
@@ -149,8 +148,8 @@ std::optional<BasicHold<Real>> chosen(const BasicCase<Real>& the_case,
 
 /// Those of `certain` whose tension falls to zero before `time_rounding`: at this instant, as far
 /// as the time can tell.
-template <class Real>
-CableSet released_now(const std::optional<BasicHold<Real>>& held, CableSet certain,
+template <class TheCase, class Real = RealOf<TheCase>>
+CableSet released_now(const std::optional<BasicHold<TheCase>>& held, CableSet certain,
                       const Real& time_rounding) {
   CableSet result;
   for (const std::size_t index : held ? certain : CableSet{}) {
@@ -164,9 +163,10 @@ CableSet released_now(const std::optional<BasicHold<Real>>& held, CableSet certa
 
 }  // namespace
 
-template <class Real>
-std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                    const BasicTouching<Real>& touching, CableSet resting) {
+template <class TheCase>
+std::optional<BasicHold<TheCase>> hold(const TheCase& the_case, const StateOf<TheCase>& state,
+                                       const TouchingOf<TheCase>& touching, CableSet resting) {
+  using Real = RealOf<TheCase>;
   const auto held = resting_tensions(the_case, state, resting);
   if (!held) {
     return std::nullopt;
@@ -195,16 +195,15 @@ std::optional<BasicHold<Real>> hold(const BasicCase<Real>& the_case, const Basic
   return chosen(the_case, state, touching, resting, certain - lost, doubtful);
 }
 
-template <class Real>
-std::optional<BasicHold<Real>> continued(const BasicCase<Real>& the_case,
-                                         const BasicState<Real>& state,
-                                         const BasicTouching<Real>& touching,
-                                         const BasicHold<Real>& held) {
+template <class TheCase>
+std::optional<BasicHold<TheCase>> continued(const TheCase& the_case, const StateOf<TheCase>& state,
+                                            const TouchingOf<TheCase>& touching,
+                                            const BasicHold<TheCase>& held) {
   return candidate(the_case, state, touching, held.taut(), held.pulling, {});
 }
 
-template <class Real>
-BasicFirstContact<Real> first_change(const BasicCase<Real>& the_case, const BasicHold<Real>& held,
+template <class TheCase, class Real>
+BasicFirstContact<Real> first_change(const TheCase& the_case, const BasicHold<TheCase>& held,
                                      const std::type_identity_t<Real>& horizon) {
   BasicFirstContact<Real> result{min(held.reach, horizon), {}};
   std::array<std::optional<Real>, max_cables> roots;
@@ -235,14 +234,14 @@ BasicFirstContact<Real> first_change(const BasicCase<Real>& the_case, const Basi
   return result;
 }
 
-template std::optional<BasicHold<Instance>> hold(const BasicCase<Instance>&,
-                                                 const BasicState<Instance>&,
-                                                 const BasicTouching<Instance>&, CableSet);
-template std::optional<BasicHold<Instance>> continued(const BasicCase<Instance>&,
-                                                      const BasicState<Instance>&,
-                                                      const BasicTouching<Instance>&,
-                                                      const BasicHold<Instance>&);
-template BasicFirstContact<Instance> first_change(const BasicCase<Instance>&,
-                                                  const BasicHold<Instance>&, const Instance&);
+template std::optional<BasicHold<InstanceCase>> hold(const InstanceCase&,
+                                                     const StateOf<InstanceCase>&,
+                                                     const TouchingOf<InstanceCase>&, CableSet);
+template std::optional<BasicHold<InstanceCase>> continued(const InstanceCase&,
+                                                          const StateOf<InstanceCase>&,
+                                                          const TouchingOf<InstanceCase>&,
+                                                          const BasicHold<InstanceCase>&);
+template BasicFirstContact<Instance> first_change(const InstanceCase&,
+                                                  const BasicHold<InstanceCase>&, const Instance&);
 
 }  // namespace tautline

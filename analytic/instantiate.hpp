@@ -1,7 +1,8 @@
 #pragma once
 
 // The sources of this folder are compiled once for each scalar: for double here, and for numbers of
-// any length in multiprecision/. Each ends with explicit instantiations for `Instance`.
+// any length in multiprecision/. Each ends with explicit instantiations for `Instance`, or for the
+// cases of it.
 
 #ifdef TAUTLINE_MULTIPRECISION
 #include "tautline/multiprecision.hpp"
@@ -13,3 +14,9 @@ namespace tautline {
 using Instance = double;
 }
 #endif
+
+namespace tautline {
+template <class Real>
+struct BasicCase;
+using InstanceCase = BasicCase<Instance>;
+}  // namespace tautline

@@ -1,9 +1,9 @@
-#include "tautline/limits.hpp"
+#include "tautline/detail/limits.hpp"
 
 #include "instantiate.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
+#include "tautline/detail/root_search.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/root_search.hpp"
 
 namespace tautline {
 namespace {
@@ -123,13 +123,13 @@ std::optional<Real> time_to_angle_limit(const BasicCase<Real>& the_case,
   return isnan(*above) || *above < *below ? above : below;
 }
 
-template std::optional<Instance> time_to_ceiling(const BasicCase<Instance>&,
-                                                 const BasicState<Instance>&, const Instance&);
-template std::optional<Instance> time_to_ceiling(const BasicCase<Instance>&,
-                                                 const TautSeries<Instance>&, const Instance&);
-template std::optional<Instance> time_to_angle_limit(const BasicCase<Instance>&,
+template std::optional<Instance> time_to_ceiling(const InstanceCase&, const BasicState<Instance>&,
+                                                 const Instance&);
+template std::optional<Instance> time_to_ceiling(const InstanceCase&, const TautSeries<Instance>&,
+                                                 const Instance&);
+template std::optional<Instance> time_to_angle_limit(const InstanceCase&,
                                                      const BasicState<Instance>&, const Instance&);
-template std::optional<Instance> time_to_angle_limit(const BasicCase<Instance>&,
+template std::optional<Instance> time_to_angle_limit(const InstanceCase&,
                                                      const TautSeries<Instance>&, const Instance&);
 
 }  // namespace tautline

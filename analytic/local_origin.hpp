@@ -38,19 +38,19 @@ template <class Real>
 
 /// The same motion with the world's origin at `origin`, where it is that of `the_case`.
 template <class Real>
-[[nodiscard]] BasicSolution<Real> seen_from(const BasicVec2<Real>& origin,
-                                            const BasicSolution<Real>& solution,
-                                            const BasicCase<Real>& the_case) {
-  std::vector<BasicArc<Real>> arcs = solution.arcs();
-  for (BasicArc<Real>& arc : arcs) {
+[[nodiscard]] BasicSolution<BasicCase<Real>> seen_from(
+    const BasicVec2<Real>& origin, const BasicSolution<BasicCase<Real>>& solution,
+    const BasicCase<Real>& the_case) {
+  std::vector<BasicArc<BasicCase<Real>>> arcs = solution.arcs();
+  for (BasicArc<BasicCase<Real>>& arc : arcs) {
     arc.initial.position -= origin;
     if (arc.series.rows() > 0) {
       arc.series(0, 0) -= origin.x();
       arc.series(0, 1) -= origin.y();
     }
   }
-  std::vector<BasicEvent<Real>> events = solution.events();
-  for (BasicEvent<Real>& event : events) {
+  std::vector<BasicEvent<BasicCase<Real>>> events = solution.events();
+  for (BasicEvent<BasicCase<Real>>& event : events) {
     event.before.position -= origin;
     event.after.position -= origin;
   }

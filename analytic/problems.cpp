@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "tautline/case.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/rounding.hpp"
 #include "words.hpp"
 
 namespace tautline {

@@ -101,8 +101,8 @@ std::vector<BasicTableRow<Real>> table_5_1() {
   return table;
 }
 
-template BasicCase<Instance> breakwater(const BasicBreakwater<Instance>&, const std::string&,
-                                        ChapterLimits);
+template InstanceCase breakwater(const BasicBreakwater<Instance>&, const std::string&,
+                                 ChapterLimits);
 template std::vector<BasicTableRow<Instance>> table_5_1();
 
 }  // namespace tautline

@@ -1,7 +1,7 @@
-#include "tautline/series.hpp"
+#include "tautline/detail/series.hpp"
 
 #include "instantiate.hpp"
-#include "tautline/series_impl.hpp"
+#include "tautline/detail/series_impl.hpp"
 
 namespace tautline {
 

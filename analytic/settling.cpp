@@ -1,9 +1,9 @@
 #include "tautline/settling.hpp"
 
 #include "instantiate.hpp"
+#include "tautline/detail/hold.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/hold.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/solve.hpp"
 #include "tautline/uncertainty.hpp"
 
@@ -54,7 +54,7 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
     cable.restitution = Real(0);
     cable.restitution_table.clear();
   }
-  const auto held = hold<Real>(free, free.initial, {taut, Real(0)}, taut);
+  const auto held = hold(free, free.initial, {taut, Real(0)}, taut);
   const std::size_t freedoms = is_point_mass(the_case) ? 2 : 3;
   if (!held || held->pulling.size() + 1 != freedoms) {
     return std::nullopt;
@@ -64,19 +64,19 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
   limited.max_steps = 20'000;  // steps of its series; a period of a usual swing takes a hundred
   limited.until_locked = true;
   free.duration = 256 * time_scale(the_case, state);  // near-critical swings are slow
-  const BasicSolution<Real> solution = solve(free, limited);
+  const BasicSolution<BasicCase<Real>> solution = solve(free, limited);
   return passes_dead_point(free, solution, Real(0)) ? std::nullopt : solution.swing();
 }
 
 template <class Real>
 std::optional<BasicLock<Real>> last_lock(const BasicCase<Real>& the_case,
-                                         const BasicSolution<Real>& solution) {
+                                         const BasicSolution<BasicCase<Real>>& solution) {
   const bool whole = solution.ending() == Ending::reached_duration ||
                      solution.ending() == Ending::locked || solution.ending() == Ending::rest;
   if (!whole || solution.events().empty() || solution.events().back().kind != EventKind::taut) {
     return std::nullopt;
   }
-  const BasicEvent<Real>& last = solution.events().back();
+  const BasicEvent<BasicCase<Real>>& last = solution.events().back();
   BasicLock<Real> lock{last.time, Real(0), solution.arcs().back().taut, false, false, {}};
   if (!solution.accumulations().empty() && solution.accumulations().back().start == last.time) {
     lock.time = solution.accumulations().back().time;
@@ -93,10 +93,11 @@ std::optional<BasicLock<Real>> last_lock(const BasicCase<Real>& the_case,
 }
 
 template <class Real>
-BasicSettling<Real> settling(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution) {
+BasicSettling<Real> settling(const BasicCase<Real>& the_case,
+                             const BasicSolution<BasicCase<Real>>& solution) {
   BasicSettling<Real> result;
   result.last_impacts = {{Real(1) / 100, std::nullopt}, {Real(1) / 1000, std::nullopt}};
-  for (const BasicEvent<Real>& event : solution.events()) {
+  for (const BasicEvent<BasicCase<Real>>& event : solution.events()) {
     if (event.kind == EventKind::impact) {
       const Real fastest = -gap_rates(the_case, event.before, event.cables).minCoeff();
       for (BasicLastImpact<Real>& last : result.last_impacts) {
@@ -110,11 +111,10 @@ BasicSettling<Real> settling(const BasicCase<Real>& the_case, const BasicSolutio
   return result;
 }
 
-template std::optional<BasicSwing<Instance>> swing(const BasicCase<Instance>&,
+template std::optional<BasicSwing<Instance>> swing(const InstanceCase&,
                                                    const BasicState<Instance>&);
-template std::optional<BasicLock<Instance>> last_lock(const BasicCase<Instance>&,
-                                                      const BasicSolution<Instance>&);
-template BasicSettling<Instance> settling(const BasicCase<Instance>&,
-                                          const BasicSolution<Instance>&);
+template std::optional<BasicLock<Instance>> last_lock(const InstanceCase&,
+                                                      const BasicSolution<InstanceCase>&);
+template BasicSettling<Instance> settling(const InstanceCase&, const BasicSolution<InstanceCase>&);
 
 }  // namespace tautline

@@ -2,8 +2,8 @@
 
 #include <type_traits>
 
+#include "tautline/detail/scalar.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/scalar.hpp"
 
 namespace tautline {
 

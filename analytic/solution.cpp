@@ -7,31 +7,33 @@
 #include <utility>
 
 #include "instantiate.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
+#include "tautline/geometry.hpp"
 #include "tension/tension.hpp"
 
 namespace tautline {
 
-template <class Real>
-BasicState<Real> BasicArc<Real>::after(const Real& dt, const BasicVec2<Real>& gravity) const {
+template <class TheCase>
+StateOf<TheCase> BasicArc<TheCase>::after(const Real& dt, const VectorOf<TheCase>& gravity) const {
   if (series.rows() == 0) {
     return fly(initial, gravity, dt);
   }
-  Eigen::Matrix<Real, 1, 3> pose = Eigen::Matrix<Real, 1, 3>::Zero();
-  Eigen::Matrix<Real, 1, 3> rate = Eigen::Matrix<Real, 1, 3>::Zero();
+  using Pose = Eigen::Matrix<Real, 1, TheCase::freedoms>;
+  Pose pose = Pose::Zero();
+  Pose rate = Pose::Zero();
   for (Eigen::Index k = series.rows() - 1; k >= 0; --k) {
     rate = (rate * dt + pose).eval();
     pose = (pose * dt + series.row(k)).eval();
   }
-  return {{pose[0], pose[1]}, pose[2], {rate[0], rate[1]}, rate[2]};
+  return state_of(initial, pose, rate);
 }
 
-template <class Real>
-BasicSolution<Real>::BasicSolution(BasicCase<Real> system, std::vector<BasicArc<Real>> arcs,
-                                   std::vector<BasicEvent<Real>> events, Ending ending,
-                                   std::vector<BasicAccumulation<Real>> accumulations,
-                                   std::optional<BasicSwing<Real>> swing,
-                                   std::optional<BasicRepetition<Real>> repetition)
+template <class TheCase>
+BasicSolution<TheCase>::BasicSolution(TheCase system, std::vector<BasicArc<TheCase>> arcs,
+                                      std::vector<BasicEvent<TheCase>> events, Ending ending,
+                                      std::vector<BasicAccumulation<Real>> accumulations,
+                                      std::optional<BasicSwing<Real>> swing,
+                                      std::optional<BasicRepetition<Real>> repetition)
     : system_(std::move(system)),
       arcs_(std::move(arcs)),
       events_(std::move(events)),
@@ -44,8 +46,8 @@ BasicSolution<Real>::BasicSolution(BasicCase<Real> system, std::vector<BasicArc<
   }
 }
 
-template <class Real>
-typename BasicSolution<Real>::Place BasicSolution<Real>::place(const Real& time) const {
+template <class TheCase>
+typename BasicSolution<TheCase>::Place BasicSolution<TheCase>::place(const Real& time) const {
   if (!(time >= 0 && time <= end_time())) {
     throw std::out_of_range("time " + std::to_string(static_cast<double>(time)) +
                             " is outside the solution, which ends at " +
@@ -62,35 +64,33 @@ typename BasicSolution<Real>::Place BasicSolution<Real>::place(const Real& time)
   // the last arc that starts at or before it: after an event, not before it
   const auto next =
       std::upper_bound(arcs_.begin(), arcs_.end(), in_period,
-                       [](const Real& t, const BasicArc<Real>& arc) { return t < arc.start; });
+                       [](const Real& t, const BasicArc<TheCase>& arc) { return t < arc.start; });
   const auto index = static_cast<std::size_t>(std::distance(arcs_.begin(), next)) - 1;
   return {index, in_period - arcs_[index].start, periods};
 }
 
-template <class Real>
-BasicState<Real> BasicSolution<Real>::at(const Real& time) const {
+template <class TheCase>
+StateOf<TheCase> BasicSolution<TheCase>::at(const Real& time) const {
   const Place found = place(time);
-  BasicState<Real> state = arcs_[found.arc].after(found.dt, gravity());
+  StateOf<TheCase> state = arcs_[found.arc].after(found.dt, gravity());
   if (found.periods > 0.0) {
-    state.angle += found.periods * repetition_->turn;
+    PosesOf<TheCase> none;
+    add_turns(state, none, found.periods * repetition_->turn);
   }
   return state;
 }
 
-template <class Real>
-std::vector<BasicArc<Real>> BasicSolution<Real>::arcs_until(const Real& time) const {
-  std::vector<BasicArc<Real>> result;
-  const auto add = [&](BasicArc<Real> arc, const Real& later, const Real& turned) {
+template <class TheCase>
+std::vector<BasicArc<TheCase>> BasicSolution<TheCase>::arcs_until(const Real& time) const {
+  std::vector<BasicArc<TheCase>> result;
+  const auto add = [&](BasicArc<TheCase> arc, const Real& later, const Real& turned) {
     arc.start = result.empty() ? arc.start : result.back().end;
     arc.end = min(time, Real(arc.end + later));
-    arc.initial.angle += turned;
-    if (arc.series.rows() > 0) {
-      arc.series(0, 2) += turned;
-    }
+    add_turns(arc.initial, arc.series, turned);
     result.push_back(std::move(arc));
     return result.back().end < time;
   };
-  for (const BasicArc<Real>& arc : arcs_) {
+  for (const BasicArc<TheCase>& arc : arcs_) {
     if (!result.empty() && arc.start > time) {
       return result;
     }
@@ -109,15 +109,15 @@ std::vector<BasicArc<Real>> BasicSolution<Real>::arcs_until(const Real& time) co
   return result;
 }
 
-template <class Real>
-BasicCableVector<Real> BasicSolution<Real>::tensions(const Real& time) const {
+template <class TheCase>
+BasicCableVector<RealOf<TheCase>> BasicSolution<TheCase>::tensions(const Real& time) const {
   const Place found = place(time);
   return tensions(arcs_[found.arc], found.dt);
 }
 
-template <class Real>
-BasicCableVector<Real> BasicSolution<Real>::tensions(const BasicArc<Real>& arc,
-                                                     const Real& dt) const {
+template <class TheCase>
+BasicCableVector<RealOf<TheCase>> BasicSolution<TheCase>::tensions(const BasicArc<TheCase>& arc,
+                                                                   const Real& dt) const {
   BasicCableVector<Real> result =
       BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(system_.cables.size()));
   if (arc.taut.empty()) {
@@ -132,8 +132,8 @@ BasicCableVector<Real> BasicSolution<Real>::tensions(const BasicArc<Real>& arc,
   return result;
 }
 
-template struct BasicArc<Instance>;
-template class BasicSolution<Instance>;
+template struct BasicArc<InstanceCase>;
+template class BasicSolution<InstanceCase>;
 
 #ifndef TAUTLINE_MULTIPRECISION
 

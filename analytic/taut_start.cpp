@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/rounding.hpp"
 #include "words.hpp"
 
 namespace tautline {

@@ -4,8 +4,8 @@
 
 #include "flight/turn.hpp"
 #include "tautline/case.hpp"
+#include "tautline/detail/root_search.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/root_search.hpp"
 
 namespace tautline {
 

@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "tautline/scalar.hpp"
+#include "tautline/detail/scalar.hpp"
 
 namespace tautline {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 
-#include "tautline/rows.hpp"
+#include "tautline/detail/rows.hpp"
 
 namespace tautline {
 
@@ -23,8 +23,8 @@ struct BoxForces {
 /// With rows of rank 3 such a solution always exists (the forces minimise a convex quadratic on a
 /// box), so the at most 4864 choices for 8 rows are all there is to try; a few rows are usual. In
 /// exact arithmetic one of them violates nothing; rounding decides, the smallest violation wins.
-template <class Real>
-[[nodiscard]] BoxForces<Real> box_forces(const Rows<Real>& rows, const Vector3<Real>& others,
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] BoxForces<Real> box_forces(const RowsOf<TheCase>& rows, const RowOf<TheCase>& others,
                                          const BasicCableVector<Real>& largest, CableSet pulling) {
   constexpr double dependent_rows = 1e-12;  // [-], of a pivot against the largest entry
   const BasicCableMatrix<Real> g = rows * rows.transpose();

@@ -17,12 +17,12 @@ CableSet rows_of(unsigned bits) {
 }
 
 /// The trial in which the rows of `active` are brought to zero, w_i = 0, by their z_i.
-template <class Real>
-Complementary<Real> trial(const CableRows<Real>& cables, const BasicCableVector<Real>& q,
+template <class TheCase, class Real = RealOf<TheCase>>
+Complementary<Real> trial(const CableRows<TheCase>& cables, const BasicCableVector<Real>& q,
                           const BasicCableVector<Real>& rounding, CableSet active) {
-  const RowSpace<Real> space = cables.space(active);
-  Vector3<Real> change = Vector3<Real>::Zero();  // A^T z
-  Vector3<Real> error = Vector3<Real>::Zero();
+  const RowSpace<TheCase> space = cables.space(active);
+  RowOf<TheCase> change = RowOf<TheCase>::Zero();  // A^T z
+  RowOf<TheCase> error = RowOf<TheCase>::Zero();
   std::size_t i = 0;
   for (const std::size_t row : active) {
     change -= q[static_cast<Eigen::Index>(row)] * space.dual(i);
@@ -33,7 +33,7 @@ Complementary<Real> trial(const CableRows<Real>& cables, const BasicCableVector<
   const BasicCableVector<Real> zero = BasicCableVector<Real>::Zero(q.size());
   Complementary<Real> result{active, zero, zero, zero, zero};
   for (Eigen::Index row = 0; row < q.size(); ++row) {
-    const Vector3<Real> a = cables.rows().row(row).transpose();
+    const RowOf<TheCase> a = cables.rows().row(row).transpose();
     const bool at_zero = active.contains(static_cast<std::size_t>(row));
     result.left[row] = at_zero ? Real(0) : Real(q[row] + a.dot(change));
     result.left_error[row] = rounding[row] + a.cwiseAbs().dot(error);
@@ -49,8 +49,8 @@ Complementary<Real> trial(const CableRows<Real>& cables, const BasicCableVector<
 }
 
 /// The same of one row, whose sign of q says which of its two trials is the solution.
-template <class Real>
-std::optional<Complementary<Real>> of_one(const CableRows<Real>& cables, const Real& q,
+template <class TheCase, class Real = RealOf<TheCase>>
+std::optional<Complementary<Real>> of_one(const CableRows<TheCase>& cables, const Real& q,
                                           const Real& rounding) {
   if (isnan(q)) {
     return std::nullopt;
@@ -59,10 +59,10 @@ std::optional<Complementary<Real>> of_one(const CableRows<Real>& cables, const R
   if (!(q < 0)) {
     return Complementary<Real>{{}, one(Real(0)), one(q), one(Real(0)), one(rounding)};
   }
-  const Vector3<Real> a = cables.rows().row(0).transpose();
-  const Vector3<Real> dual = a / a.squaredNorm();
-  const Vector3<Real> change = -q * dual;
-  const Vector3<Real> error =
+  const RowOf<TheCase> a = cables.rows().row(0).transpose();
+  const RowOf<TheCase> dual = a / a.squaredNorm();
+  const RowOf<TheCase> change = -q * dual;
+  const RowOf<TheCase> error =
       rounding * dual.cwiseAbs() + rounding_margin * epsilon<Real>() * change.cwiseAbs();
   return Complementary<Real>{CableSet::of(0), one(dual.dot(change)), one(Real(0)),
                              one(dual.cwiseAbs().dot(error)),
@@ -70,8 +70,8 @@ std::optional<Complementary<Real>> of_one(const CableRows<Real>& cables, const R
 }
 
 /// By how much a trial breaks a sign [in units of w]; none where that is more than rounding.
-template <class Real>
-std::optional<Real> violation(const CableRows<Real>& cables, const Complementary<Real>& found) {
+template <class TheCase, class Real = RealOf<TheCase>>
+std::optional<Real> violation(const CableRows<TheCase>& cables, const Complementary<Real>& found) {
   Real result(0);
   for (Eigen::Index row = 0; row < found.left.size(); ++row) {
     const bool is_active = found.active.contains(static_cast<std::size_t>(row));
@@ -88,8 +88,8 @@ std::optional<Real> violation(const CableRows<Real>& cables, const Complementary
 
 }  // namespace
 
-template <class Real>
-std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
+template <class TheCase, class Real>
+std::optional<Complementary<Real>> complementary(const CableRows<TheCase>& cables,
                                                  const BasicCableVector<Real>& q,
                                                  const BasicCableVector<Real>& rounding) {
   if (q.size() == 1) {
@@ -129,7 +129,7 @@ std::optional<Complementary<Real>> complementary(const CableRows<Real>& cables,
   return best;
 }
 
-template std::optional<Complementary<Instance>> complementary(const CableRows<Instance>&,
+template std::optional<Complementary<Instance>> complementary(const CableRows<InstanceCase>&,
                                                               const BasicCableVector<Instance>&,
                                                               const BasicCableVector<Instance>&);
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "tautline/rows.hpp"
+#include "tautline/detail/rows.hpp"
 
 namespace tautline {
 
@@ -19,9 +19,9 @@ struct Complementary {
 
 /// None if there is no solution, not even for a q that differs by `rounding` in each row, which is
 /// what it has from the numbers it was computed from.
-template <class Real>
+template <class TheCase, class Real = RealOf<TheCase>>
 [[nodiscard]] std::optional<Complementary<Real>> complementary(
-    const CableRows<Real>& cables, const BasicCableVector<Real>& q,
+    const CableRows<TheCase>& cables, const BasicCableVector<Real>& q,
     const BasicCableVector<Real>& rounding);
 
 }  // namespace tautline

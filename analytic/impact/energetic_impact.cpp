@@ -17,17 +17,17 @@ constexpr double least_restitution = 1e-4;
 
 }  // namespace
 
-template <class Real>
-SpringImpulses<Real> energetic_impulses(const BasicCase<Real>& the_case,
-                                        const BasicState<Real>& before, CableSet cables) {
+template <class TheCase, class Real>
+SpringImpulses<Real> energetic_impulses(const TheCase& the_case, const StateOf<TheCase>& before,
+                                        CableSet cables) {
   const auto count = static_cast<Eigen::Index>(cables.size());
-  const Vector3<Real> weight = inverse_mass(the_case.body).cwiseSqrt();
-  std::vector<energetic::Spring<Real>> springs;
-  Rows<Real> rows(count, 3);
+  const RowOf<TheCase> weight = inverse_mass(the_case.body).cwiseSqrt();
+  std::vector<energetic::Spring<TheCase>> springs;
+  RowsOf<TheCase> rows(count, 3);
   BasicCableVector<Real> rates(count);
   for (const std::size_t index : cables) {
     const auto row = static_cast<Eigen::Index>(springs.size());
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     rates[row] = gap_rate(cable, before);
     const Real e = restitution(cable, rates[row]);
     springs.push_back({gap_gradient(cable, before).cwiseProduct(weight),
@@ -35,21 +35,21 @@ SpringImpulses<Real> energetic_impulses(const BasicCase<Real>& the_case,
     rows.row(row) = springs.back().row.transpose();
   }
   // the motion that changes no gap takes no part, and its speed would hide slow gap rates
-  const Vector3<Real> velocity = least_solution<Real>(rows, rates);
+  const RowOf<TheCase> velocity = least_solution<Real>(rows, rates);
   const Real row_scale = rows.rowwise().norm().maxCoeff();
   const Real speed_scale = velocity.norm();
   if (!(speed_scale > 0)) {
     return {BasicCableVector<Real>::Zero(count)};
   }
-  for (energetic::Spring<Real>& spring : springs) {
+  for (energetic::Spring<TheCase>& spring : springs) {
     spring.row /= row_scale;
   }
-  energetic::SpringImpact<Real> impact(std::move(springs), velocity / speed_scale);
+  energetic::SpringImpact<TheCase> impact(std::move(springs), velocity / speed_scale);
   const int steps = impact.run();
   return {impact.impulses() * (speed_scale / row_scale), steps};
 }
 
-template SpringImpulses<Instance> energetic_impulses(const BasicCase<Instance>&,
-                                                     const BasicState<Instance>&, CableSet);
+template SpringImpulses<Instance> energetic_impulses(const InstanceCase&,
+                                                     const StateOf<InstanceCase>&, CableSet);
 
 }  // namespace tautline

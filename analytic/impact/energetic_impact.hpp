@@ -22,9 +22,9 @@ struct SpringImpulses {
 /// The motion is linear between the instants at which a cable turns back, parts or comes back; it
 /// is a Taylor series there, and the next such instant its first root. It ends when no cable pulls
 /// or closes. NaN where numbers overflow.
-template <class Real>
-[[nodiscard]] SpringImpulses<Real> energetic_impulses(const BasicCase<Real>& the_case,
-                                                      const BasicState<Real>& before,
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] SpringImpulses<Real> energetic_impulses(const TheCase& the_case,
+                                                      const StateOf<TheCase>& before,
                                                       CableSet cables);
 
 }  // namespace tautline

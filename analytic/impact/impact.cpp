@@ -11,8 +11,8 @@
 #include "instantiate.hpp"
 #include "rebound.hpp"
 #include "single_impact.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline {
 namespace {
@@ -101,9 +101,10 @@ std::optional<BasicCableVector<Real>> solve_lcp(
   return best;
 }
 
-template <class Real>
-BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicState<Real>& before,
-                                CableSet cables) {
+template <class TheCase>
+BasicImpact<TheCase> newton_impact(const TheCase& the_case, const StateOf<TheCase>& before,
+                                   CableSet cables) {
+  using Real = RealOf<TheCase>;
   assert(!cables.empty() && "an impact needs a cable");
   if (cables.size() == 1) {
     auto single = single_impact(the_case.body, the_case.cables[*cables.begin()], before);
@@ -127,8 +128,8 @@ BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicStat
   // a resting cable's rate, above zero by rounding, left no solution: such cables take no part
   if (closing != cables && !closing.empty()) {
     const std::vector<Eigen::Index> part = rows_within(closing, cables);
-    if (const auto found =
-            rebound<Real>(the_case, before, closing, rates(part), e(part), rounding(part))) {
+    if (const auto found = rebound<TheCase, Real>(the_case, before, closing, rates(part), e(part),
+                                                  rounding(part))) {
       BasicCableVector<Real> impulses = BasicCableVector<Real>::Zero(rates.size());
       impulses(part) = found->impulses;
       return {std::move(impulses), found->after};
@@ -139,15 +140,15 @@ BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case, const BasicStat
   return {none, with_impulses(the_case, before, cables, none)};
 }
 
-template <class Real>
-bool independent(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
-  const CableRows<Real> rows(the_case, state, cables);
+template <class TheCase>
+bool independent(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables) {
+  const CableRows<TheCase> rows(the_case, state, cables);
   return rows.independent(rows.all());
 }
 
-template <class Real>
-std::optional<BasicTensions<Real>> resting_tensions(const BasicCase<Real>& the_case,
-                                                    const BasicState<Real>& state,
+template <class TheCase, class Real>
+std::optional<BasicTensions<Real>> resting_tensions(const TheCase& the_case,
+                                                    const StateOf<TheCase>& state,
                                                     CableSet cables) {
   const auto count = static_cast<Eigen::Index>(cables.size());
   BasicCableVector<Real> free(count);
@@ -158,7 +159,7 @@ std::optional<BasicTensions<Real>> resting_tensions(const BasicCase<Real>& the_c
     rounding[row++] =
         rounding_margin * rounding_of_acceleration(the_case, the_case.cables[index], state);
   }
-  const CableRows<Real> rows(the_case, state, cables);
+  const CableRows<TheCase> rows(the_case, state, cables);
   auto found = complementary(rows, free, rounding);
   if (!found) {
     return std::nullopt;
@@ -170,11 +171,11 @@ std::optional<BasicTensions<Real>> resting_tensions(const BasicCase<Real>& the_c
 template std::optional<BasicCableVector<Instance>> solve_lcp(const BasicCableMatrix<Instance>&,
                                                              const BasicCableVector<Instance>&,
                                                              const Instance&);
-template BasicImpact<Instance> newton_impact(const BasicCase<Instance>&,
-                                             const BasicState<Instance>&, CableSet);
-template bool independent(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);
-template std::optional<BasicTensions<Instance>> resting_tensions(const BasicCase<Instance>&,
-                                                                 const BasicState<Instance>&,
+template BasicImpact<InstanceCase> newton_impact(const InstanceCase&, const StateOf<InstanceCase>&,
+                                                 CableSet);
+template bool independent(const InstanceCase&, const StateOf<InstanceCase>&, CableSet);
+template std::optional<BasicTensions<Instance>> resting_tensions(const InstanceCase&,
+                                                                 const StateOf<InstanceCase>&,
                                                                  CableSet);
 
 }  // namespace tautline

@@ -4,22 +4,23 @@
 #include "instantiate.hpp"
 #include "rebound.hpp"
 #include "redundant.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline {
 namespace {
 
 /// `impact`, and what stops the cables that it leaves closing and loses the least.
-template <class Real>
-BasicImpact<Real> stopped(const BasicCase<Real>& the_case, const BasicState<Real>& before,
-                          CableSet cables, BasicImpact<Real> impact) {
+template <class TheCase>
+BasicImpact<TheCase> stopped(const TheCase& the_case, const StateOf<TheCase>& before,
+                             CableSet cables, BasicImpact<TheCase> impact) {
+  using Real = RealOf<TheCase>;
   const auto count = static_cast<Eigen::Index>(cables.size());
-  const auto stop =
-      rebound<Real>(the_case, impact.after, cables, gap_rates(the_case, impact.after, cables),
-                    BasicCableVector<Real>::Zero(count), rate_errors(the_case, before, cables));
+  const auto stop = rebound<TheCase, Real>(
+      the_case, impact.after, cables, gap_rates(the_case, impact.after, cables),
+      BasicCableVector<Real>::Zero(count), rate_errors(the_case, before, cables));
   if (!stop) {
     impact.impulses.setConstant(not_a_number<Real>());
     return impact;
@@ -34,12 +35,13 @@ BasicImpact<Real> stopped(const BasicCase<Real>& the_case, const BasicState<Real
 /// the largest product of such a motion k of speed one with what is projected, v + J^T E P. As
 /// (J k)_i >= 0 and P_i >= 0 that product is largest where all e_i = 1, and then no more than the
 /// speed of v + J^T P, which is that before the impact: no restitutions gain energy.
-template <class Real>
-BasicImpact<Real> poisson_impact(const BasicCase<Real>& the_case, const BasicState<Real>& before,
-                                 CableSet cables) {
+template <class TheCase>
+BasicImpact<TheCase> poisson_impact(const TheCase& the_case, const StateOf<TheCase>& before,
+                                    CableSet cables) {
+  using Real = RealOf<TheCase>;
   const BasicCableVector<Real> rates = gap_rates(the_case, before, cables);
   const BasicCableVector<Real> none = BasicCableVector<Real>::Zero(rates.size());
-  const BasicImpact<Real> compressed = stopped(the_case, before, cables, {none, before});
+  const BasicImpact<TheCase> compressed = stopped(the_case, before, cables, {none, before});
   BasicCableVector<Real> e(rates.size());
   Real most(0);
   Eigen::Index row = 0;
@@ -49,23 +51,22 @@ BasicImpact<Real> poisson_impact(const BasicCase<Real>& the_case, const BasicSta
     ++row;
   }
   // what all give back is the compression turned round, which rounding cannot make longer
-  BasicImpact<Real> expanded = compressed;
-  expanded.after.velocity += most * (compressed.after.velocity - before.velocity);
-  expanded.after.spin += most * (compressed.after.spin - before.spin);
+  BasicImpact<TheCase> expanded = compressed;
+  expanded.after = with_jump(compressed.after, before, compressed.after, most);
   const BasicCableVector<Real> less =
       compressed.impulses.cwiseProduct(BasicCableVector<Real>(most - e.array()));
-  expanded.after = with_impulses<Real>(the_case, expanded.after, cables, -less);
+  expanded.after = with_impulses(the_case, expanded.after, cables, BasicCableVector<Real>(-less));
   expanded.impulses += most * compressed.impulses - less;
   return stopped(the_case, before, cables, std::move(expanded));
 }
 
 /// One cable after the other.
-template <class Real>
-BasicCableVector<Real> sequential_impulses(const BasicCase<Real>& the_case,
-                                           const BasicState<Real>& before, CableSet cables) {
+template <class TheCase, class Real = RealOf<TheCase>>
+BasicCableVector<Real> sequential_impulses(const TheCase& the_case, const StateOf<TheCase>& before,
+                                           CableSet cables) {
   const auto count = static_cast<Eigen::Index>(cables.size());
   BasicCableVector<Real> impulses = BasicCableVector<Real>::Zero(count);
-  BasicState<Real> state = before;
+  StateOf<TheCase> state = before;
   const Real rounding = 8 * epsilon<Real>() * speed_scale(the_case, before);
   const std::vector<std::size_t> indices = cables.indices();
   constexpr int most = 10'000;  // hits; those that go on forever shrink to rounding in fewer
@@ -80,7 +81,7 @@ BasicCableVector<Real> sequential_impulses(const BasicCase<Real>& the_case,
       ++fastest;
     }
     const CableSet one = CableSet::of(indices[static_cast<std::size_t>(fastest)]);
-    BasicImpact<Real> step = newton_impact(the_case, state, one);
+    BasicImpact<TheCase> step = newton_impact(the_case, state, one);
     impulses[fastest] += step.impulses[0];
     state = std::move(step.after);
   }
@@ -88,21 +89,22 @@ BasicCableVector<Real> sequential_impulses(const BasicCase<Real>& the_case,
 }
 
 /// `impulses`, and those that stop what they leave closing.
-template <class Real>
-BasicImpact<Real> completed(const BasicCase<Real>& the_case, const BasicState<Real>& before,
-                            CableSet cables, BasicCableVector<Real> impulses) {
-  BasicState<Real> after = with_impulses(the_case, before, cables, impulses);
+template <class TheCase, class Real = RealOf<TheCase>>
+BasicImpact<TheCase> completed(const TheCase& the_case, const StateOf<TheCase>& before,
+                               CableSet cables, BasicCableVector<Real> impulses) {
+  StateOf<TheCase> after = with_impulses(the_case, before, cables, impulses);
   const BasicCableVector<Real> rates = gap_rates(the_case, after, cables);
   const Real rounding = 32 * epsilon<Real>() * speed_scale(the_case, before);
-  BasicImpact<Real> impact{std::move(impulses), std::move(after)};
+  BasicImpact<TheCase> impact{std::move(impulses), std::move(after)};
   return rates.minCoeff() < -rounding ? stopped(the_case, before, cables, std::move(impact))
                                       : impact;
 }
 
 /// `cables` without those beside which one of more restitution hangs: identical cables pull as the
 /// one of them that gives back most, the first where several do.
-template <class Real>
-CableSet acting(const BasicCase<Real>& the_case, const BasicState<Real>& before, CableSet cables) {
+template <class TheCase>
+CableSet acting(const TheCase& the_case, const StateOf<TheCase>& before, CableSet cables) {
+  using Real = RealOf<TheCase>;
   CableSet result = cables;
   for (const std::size_t a : cables) {
     for (const std::size_t b : cables) {
@@ -121,9 +123,10 @@ CableSet acting(const BasicCase<Real>& the_case, const BasicState<Real>& before,
 }
 
 /// By `law` on several cables, none beside another.
-template <class Real>
-BasicImpact<Real> impact_on_several(ImpactLaw law, const BasicCase<Real>& the_case,
-                                    const BasicState<Real>& before, CableSet cables) {
+template <class TheCase>
+BasicImpact<TheCase> impact_on_several(ImpactLaw law, const TheCase& the_case,
+                                       const StateOf<TheCase>& before, CableSet cables) {
+  using Real = RealOf<TheCase>;
   switch (law) {
     case ImpactLaw::poisson:
       return poisson_impact(the_case, before, cables);
@@ -143,30 +146,31 @@ BasicImpact<Real> impact_on_several(ImpactLaw law, const BasicCase<Real>& the_ca
 
 /// The velocities of `after` without what rounding has added to their energy, where the impulses of
 /// cables almost opposed are large: no law gains any.
-template <class Real>
-BasicState<Real> without_gain(const BasicCase<Real>& the_case, const BasicState<Real>& before,
-                              BasicState<Real> after) {
+template <class TheCase>
+StateOf<TheCase> without_gain(const TheCase& the_case, const StateOf<TheCase>& before,
+                              StateOf<TheCase> after) {
+  using Real = RealOf<TheCase>;
   const Real most = mass_velocity(the_case.body, before).squaredNorm();
   const Real reached = mass_velocity(the_case.body, after).squaredNorm();
   if (reached > most * (1 + few_roundings * epsilon<Real>())) {
     const Real part = sqrt(Real(most / reached));
-    after.velocity *= part;
-    after.spin *= part;
+    after = times_as_fast(after, part);
   }
   return after;
 }
 
 /// True where `law` gives what Newton's does: with one restitution Poisson's is the same. The
 /// others say how an impulse is shared out.
-template <class Real>
-bool follows_newton(ImpactLaw law, const BasicCase<Real>& the_case, const BasicState<Real>& before,
+template <class TheCase>
+bool follows_newton(ImpactLaw law, const TheCase& the_case, const StateOf<TheCase>& before,
                     CableSet cables) {
+  using Real = RealOf<TheCase>;
   if (law != ImpactLaw::poisson) {
     return law == ImpactLaw::simultaneous;
   }
   std::optional<Real> common;
   for (const std::size_t index : cables) {
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     const Real e = restitution(cable, gap_rate(cable, before));
     if (common && e != *common) {  // exactly: the numbers given
       return false;
@@ -178,17 +182,18 @@ bool follows_newton(ImpactLaw law, const BasicCase<Real>& the_case, const BasicS
 
 }  // namespace
 
-template <class Real>
-BasicImpact<Real> resolve_impact(ImpactLaw law, const BasicCase<Real>& the_case,
-                                 const BasicState<Real>& before, CableSet cables) {
+template <class TheCase>
+BasicImpact<TheCase> resolve_impact(ImpactLaw law, const TheCase& the_case,
+                                    const StateOf<TheCase>& before, CableSet cables) {
+  using Real = RealOf<TheCase>;
   if (cables.size() == 1 || !delassus(the_case, before, cables).allFinite() ||
       !gap_rates(the_case, before, cables).allFinite()) {
     return newton_impact(the_case, before, cables);
   }
   const CableSet several = acting(the_case, before, cables);
-  BasicImpact<Real> impact = several.size() == 1
-                                 ? newton_impact(the_case, before, several)
-                                 : impact_on_several(law, the_case, before, several);
+  BasicImpact<TheCase> impact = several.size() == 1
+                                    ? newton_impact(the_case, before, several)
+                                    : impact_on_several(law, the_case, before, several);
   impact.after = without_gain(the_case, before, std::move(impact.after));
   if (several != cables) {
     const auto count = static_cast<Eigen::Index>(cables.size());
@@ -205,9 +210,8 @@ BasicImpact<Real> resolve_impact(ImpactLaw law, const BasicCase<Real>& the_case,
   return impact;
 }
 
-template <class Real>
-CableSet indeterminate(ImpactLaw law, const BasicCase<Real>& the_case,
-                       const BasicEvent<Real>& event) {
+template <class TheCase>
+CableSet indeterminate(ImpactLaw law, const TheCase& the_case, const BasicEvent<TheCase>& event) {
   return event.kind == EventKind::impact &&
                  follows_newton(law, the_case, event.before, event.cables)
              ? split(the_case, event.before, event.after, event.cables, event.impulses, false)
@@ -215,9 +219,9 @@ CableSet indeterminate(ImpactLaw law, const BasicCase<Real>& the_case,
              : CableSet{};
 }
 
-template CableSet indeterminate(ImpactLaw, const BasicCase<Instance>&, const BasicEvent<Instance>&);
-template BasicImpact<Instance> resolve_impact(ImpactLaw, const BasicCase<Instance>&,
-                                              const BasicState<Instance>&, CableSet);
+template CableSet indeterminate(ImpactLaw, const InstanceCase&, const BasicEvent<InstanceCase>&);
+template BasicImpact<InstanceCase> resolve_impact(ImpactLaw, const InstanceCase&,
+                                                  const StateOf<InstanceCase>&, CableSet);
 
 #ifndef TAUTLINE_MULTIPRECISION
 std::string_view to_string(ImpactLaw law) {

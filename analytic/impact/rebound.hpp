@@ -2,15 +2,15 @@
 
 #include <optional>
 
+#include "tautline/detail/rows.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/rows.hpp"
 
 namespace tautline {
 
 /// By how much the gap rates of `cables` may be off [m/s].
-template <class Real>
-[[nodiscard]] BasicCableVector<Real> rate_errors(const BasicCase<Real>& the_case,
-                                                 const BasicState<Real>& state, CableSet cables) {
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] BasicCableVector<Real> rate_errors(const TheCase& the_case,
+                                                 const StateOf<TheCase>& state, CableSet cables) {
   BasicCableVector<Real> result(static_cast<Eigen::Index>(cables.size()));
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
@@ -34,12 +34,12 @@ template <class Real>
 
 /// Newton's law (Eq. 14) for `cables` with the restitutions `e`, where their gap `rates` [m/s] may
 /// be off by `rounding` [m/s]. None if there is no such rebound, or its numbers overflow.
-template <class Real>
-[[nodiscard]] std::optional<BasicImpact<Real>> rebound(const BasicCase<Real>& the_case,
-                                                       const BasicState<Real>& before,
-                                                       CableSet cables,
-                                                       const BasicCableVector<Real>& rates,
-                                                       const BasicCableVector<Real>& e,
-                                                       const BasicCableVector<Real>& rounding);
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] std::optional<BasicImpact<TheCase>> rebound(const TheCase& the_case,
+                                                          const StateOf<TheCase>& before,
+                                                          CableSet cables,
+                                                          const BasicCableVector<Real>& rates,
+                                                          const BasicCableVector<Real>& e,
+                                                          const BasicCableVector<Real>& rounding);
 
 }  // namespace tautline

@@ -5,17 +5,18 @@
 #include "instantiate.hpp"
 #include "least_solution.hpp"
 #include "rebound.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/rows.hpp"
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rows.hpp"
 
 namespace tautline {
 namespace {
 
 /// The rows of `cables` whose impulse may be more than zero: they leave as fast as their
 /// restitution says, up to rounding.
-template <class Real>
-CableSet rows_that_may_pull(const BasicCase<Real>& the_case, const BasicState<Real>& before,
-                            const BasicState<Real>& after, CableSet cables) {
+template <class TheCase>
+CableSet rows_that_may_pull(const TheCase& the_case, const StateOf<TheCase>& before,
+                            const StateOf<TheCase>& after, CableSet cables) {
+  using Real = RealOf<TheCase>;
   const BasicCableVector<Real> rates = gap_rates(the_case, before, cables);
   const BasicCableVector<Real> rebounds = gap_rates(the_case, after, cables);
   const BasicCableVector<Real> rounding = rate_errors(the_case, before, cables);
@@ -33,9 +34,9 @@ CableSet rows_that_may_pull(const BasicCase<Real>& the_case, const BasicState<Re
 
 /// True where `impulses`, on independent rows, may be one split of several: some cable that might
 /// pull does not.
-template <class Real>
+template <class TheCase, class Real = RealOf<TheCase>>
 bool may_be_shared(CableSet may_pull, const BasicCableVector<Real>& impulses) {
-  if (may_pull.size() > 3) {
+  if (may_pull.size() > TheCase::freedoms) {
     return true;
   }
   for (const std::size_t row : may_pull) {
@@ -47,9 +48,10 @@ bool may_be_shared(CableSet may_pull, const BasicCableVector<Real>& impulses) {
 }
 
 /// The rows that pull in some split on independent rows: the corners of all splits.
-template <class Real>
-CableSet rows_of_corners(const CableRows<Real>& rows, CableSet may_pull,
-                         const Vector3<Real>& jump) {
+template <class TheCase>
+CableSet rows_of_corners(const CableRows<TheCase>& rows, CableSet may_pull,
+                         const RowOf<TheCase>& jump) {
+  using Real = RealOf<TheCase>;
   const std::vector<std::size_t> choices = may_pull.indices();
   const Real rounding = rounding_margin * epsilon<Real>() * jump.norm();
   CableSet result;
@@ -63,12 +65,12 @@ CableSet rows_of_corners(const CableRows<Real>& rows, CableSet may_pull,
     if (!rows.independent(chosen)) {
       continue;
     }
-    const RowSpace<Real> space = rows.space(chosen);
+    const RowSpace<TheCase> space = rows.space(chosen);
     CableSet pulling;
     bool pulls = (jump - space.part(jump)).norm() <= rounding;
     std::size_t i = 0;
     for (const std::size_t row : chosen) {
-      const Vector3<Real>& dual = space.dual(i++);
+      const RowOf<TheCase>& dual = space.dual(i++);
       const Real impulse = dual.dot(jump);
       const Real error = rounding * dual.norm();
       pulls = pulls && impulse >= -error;
@@ -82,8 +84,8 @@ CableSet rows_of_corners(const CableRows<Real>& rows, CableSet may_pull,
 }
 
 /// The impulses >= 0 of smallest size on the rows of `sharing` that do what `impulses` do.
-template <class Real>
-BasicCableVector<Real> least_impulses(const CableRows<Real>& rows, CableSet sharing,
+template <class TheCase, class Real = RealOf<TheCase>>
+BasicCableVector<Real> least_impulses(const CableRows<TheCase>& rows, CableSet sharing,
                                       const BasicCableVector<Real>& impulses) {
   const BasicCableVector<Real> jump = rows.shapes().transpose() * impulses;
   BasicCableVector<Real> result = BasicCableVector<Real>::Zero(impulses.size());
@@ -107,22 +109,22 @@ BasicCableVector<Real> least_impulses(const CableRows<Real>& rows, CableSet shar
 
 }  // namespace
 
-template <class Real>
-Split<Real> split(const BasicCase<Real>& the_case, const BasicState<Real>& before,
-                  const BasicState<Real>& after, CableSet cables,
+template <class TheCase, class Real>
+Split<Real> split(const TheCase& the_case, const StateOf<TheCase>& before,
+                  const StateOf<TheCase>& after, CableSet cables,
                   const BasicCableVector<Real>& impulses, bool of_corner) {
   if (cables.size() < 2 || !impulses.allFinite()) {
     return {};
   }
   const CableSet may_pull = rows_that_may_pull(the_case, before, after, cables);
-  if (of_corner && !may_be_shared(may_pull, impulses)) {
+  if (of_corner && !may_be_shared<TheCase>(may_pull, impulses)) {
     return {};
   }
-  const CableRows<Real> rows(the_case, before, cables);
+  const CableRows<TheCase> rows(the_case, before, cables);
   if (rows.independent(may_pull)) {
     return {};
   }
-  const Vector3<Real> jump = rows.rows().transpose() * impulses;
+  const RowOf<TheCase> jump = rows.rows().transpose() * impulses;
   const CableSet sharing = rows_of_corners(rows, may_pull, jump);
   if (rows.independent(sharing)) {
     return {};
@@ -137,8 +139,8 @@ Split<Real> split(const BasicCase<Real>& the_case, const BasicState<Real>& befor
   return result;
 }
 
-template Split<Instance> split(const BasicCase<Instance>&, const BasicState<Instance>&,
-                               const BasicState<Instance>&, CableSet,
+template Split<Instance> split(const InstanceCase&, const StateOf<InstanceCase>&,
+                               const StateOf<InstanceCase>&, CableSet,
                                const BasicCableVector<Instance>&, bool);
 
 }  // namespace tautline

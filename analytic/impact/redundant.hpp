@@ -16,9 +16,9 @@ struct Split {
 /// Newton's law (Eq. 14): what they do to the body is unique, and every split that does the same
 /// and pulls at no cable that opens faster than its restitution says is as right. `of_corner`: the
 /// cables that pull are independent, so that all of them pulling is the one way, found fast.
-template <class Real>
-[[nodiscard]] Split<Real> split(const BasicCase<Real>& the_case, const BasicState<Real>& before,
-                                const BasicState<Real>& after, CableSet cables,
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] Split<Real> split(const TheCase& the_case, const StateOf<TheCase>& before,
+                                const StateOf<TheCase>& after, CableSet cables,
                                 const BasicCableVector<Real>& impulses, bool of_corner);
 
 }  // namespace tautline

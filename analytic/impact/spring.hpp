@@ -23,10 +23,12 @@ enum class Mode {
 };
 
 /// One cable during the impact, in units in which velocities and rows are near one.
-template <class Real>
+template <class TheCase>
 struct Spring {
-  Vector3<Real> row;  // its gap's gradient over the root of the mass
-  Real returned;      // [-], restitution squared
+  using Real = RealOf<TheCase>;
+
+  RowOf<TheCase> row;  // its gap's gradient over the root of the mass
+  Real returned;       // [-], restitution squared
   Mode mode = Mode::slack;
   Real largest = Real(0);  // force so far
   Real value = Real(0);    // its force; while slack the way left until it pulls

@@ -9,8 +9,8 @@
 
 #include "box_forces.hpp"
 #include "spring.hpp"
-#include "tautline/root_search.hpp"
-#include "tautline/series.hpp"
+#include "tautline/detail/root_search.hpp"
+#include "tautline/detail/series.hpp"
 
 namespace tautline::energetic {
 
@@ -27,10 +27,12 @@ inline constexpr double dependent = 1e-12;
 inline constexpr int most_stalls = 3;
 
 /// The body on its springs, during the impact.
-template <class Real>
+template <class TheCase>
 class SpringImpact {
  public:
-  SpringImpact(std::vector<Spring<Real>> springs, Vector3<Real> velocity)
+  using Real = RealOf<TheCase>;
+
+  SpringImpact(std::vector<Spring<TheCase>> springs, RowOf<TheCase> velocity)
       : springs_(std::move(springs)),
         velocity_(std::move(velocity)),
         motion_(enough_terms<Real>()) {}
@@ -54,7 +56,7 @@ class SpringImpact {
   [[nodiscard]] BasicCableVector<Real> impulses() const {
     BasicCableVector<Real> result(static_cast<Eigen::Index>(springs_.size()));
     Eigen::Index row = 0;
-    for (const Spring<Real>& spring : springs_) {
+    for (const Spring<TheCase>& spring : springs_) {
       result[row++] = spring.impulse;
     }
     return result;
@@ -62,7 +64,7 @@ class SpringImpact {
 
  private:
   void read_rates() {
-    for (Spring<Real>& spring : springs_) {
+    for (Spring<TheCase>& spring : springs_) {
       spring.rate = spring.row.dot(velocity_);
       if (abs(spring.rate) <= rounding<Real>()) {
         spring.rate = Real(0);
@@ -72,15 +74,15 @@ class SpringImpact {
 
   /// A held spring only answers the others.
   [[nodiscard]] bool is_over() const {
-    return std::none_of(springs_.begin(), springs_.end(), [](const Spring<Real>& spring) {
+    return std::none_of(springs_.begin(), springs_.end(), [](const Spring<TheCase>& spring) {
       return spring.acts() || (spring.mode == Mode::slack && spring.rate < 0);
     });
   }
 
   /// The pull of all springs with a force of their own.
-  [[nodiscard]] Vector3<Real> pull(std::size_t k) const {
-    Vector3<Real> result = Vector3<Real>::Zero();
-    for (const Spring<Real>& spring : springs_) {
+  [[nodiscard]] RowOf<TheCase> pull(std::size_t k) const {
+    RowOf<TheCase> result = RowOf<TheCase>::Zero();
+    for (const Spring<TheCase>& spring : springs_) {
       if (spring.acts()) {
         result += spring.row * (k == 0 ? spring.value : spring.series[k]);
       }
@@ -89,28 +91,28 @@ class SpringImpact {
   }
 
   /// The part of `vector` that leaves the held springs where they are.
-  [[nodiscard]] Vector3<Real> along_held(const Vector3<Real>& vector) const {
+  [[nodiscard]] RowOf<TheCase> along_held(const RowOf<TheCase>& vector) const {
     return vector - held_.transpose() * factors_.solve(held_ * vector);
   }
 
   /// Decides, after a change of the forces, what each spring at its edge does next: part, load on,
   /// or be held.
   void choose_held() {
-    std::vector<Spring<Real>*> edge;
-    for (Spring<Real>& spring : springs_) {
+    std::vector<Spring<TheCase>*> edge;
+    for (Spring<TheCase>& spring : springs_) {
       if (spring.at_edge()) {
         spring.mode = Mode::held;
         edge.push_back(&spring);
       }
     }
     held_.resize(0, 3);
-    for (Spring<Real>& spring : springs_) {
+    for (Spring<TheCase>& spring : springs_) {
       spring.fixed = false;
     }
     if (edge.empty()) {
       return;
     }
-    Rows<Real> rows(static_cast<Eigen::Index>(edge.size()), 3);
+    RowsOf<TheCase> rows(static_cast<Eigen::Index>(edge.size()), 3);
     BasicCableVector<Real> largest(rows.rows());
     CableSet pulling;
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
@@ -120,10 +122,10 @@ class SpringImpact {
         pulling.insert(static_cast<std::size_t>(row));
       }
     }
-    const Vector3<Real> others = pull(0);
-    const BoxForces<Real> chosen = box_forces<Real>(rows, others, largest, pulling);
+    const RowOf<TheCase> others = pull(0);
+    const BoxForces<Real> chosen = box_forces<TheCase>(rows, others, largest, pulling);
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
-      Spring<Real>& spring = *edge[static_cast<std::size_t>(row)];
+      Spring<TheCase>& spring = *edge[static_cast<std::size_t>(row)];
       spring.value = chosen.force[row];
       if (chosen.between.contains(static_cast<std::size_t>(row))) {
         held_.conservativeResize(held_.rows() + 1, 3);
@@ -135,7 +137,7 @@ class SpringImpact {
     factors_.compute(held_ * held_.transpose());
     if (held_.rows() > 0) {
       velocity_ = along_held(velocity_);
-      for (Spring<Real>& spring : springs_) {
+      for (Spring<TheCase>& spring : springs_) {
         spring.fixed = along_held(spring.row).squaredNorm() <= dependent * spring.row.squaredNorm();
       }
     }
@@ -145,7 +147,7 @@ class SpringImpact {
   void expand() {
     motion_[0].setZero();
     motion_[1] = velocity_;
-    for (Spring<Real>& spring : springs_) {
+    for (Spring<TheCase>& spring : springs_) {
       spring.series.assign(motion_.size() - (spring.mode == Mode::held ? 2 : 0), Real(0));
       spring.series[0] = spring.value;
       if (spring.mode != Mode::held && !spring.fixed) {
@@ -153,12 +155,12 @@ class SpringImpact {
       }
     }
     for (std::size_t k = 0; k + 2 < motion_.size(); ++k) {
-      Vector3<Real> total = pull(k);
+      RowOf<TheCase> total = pull(k);
       if (held_.rows() > 0) {
         const BasicCableVector<Real> forces = -factors_.solve(held_ * total);
         total += held_.transpose() * forces;
         Eigen::Index row = 0;
-        for (Spring<Real>& spring : springs_) {
+        for (Spring<TheCase>& spring : springs_) {
           if (spring.mode == Mode::held) {
             spring.series[k] = forces[row++];
             if (k == 0) {  // the value it was given, but for rounding
@@ -169,7 +171,7 @@ class SpringImpact {
         }
       }
       motion_[k + 2] = total / static_cast<double>((k + 1) * (k + 2));
-      for (Spring<Real>& spring : springs_) {
+      for (Spring<TheCase>& spring : springs_) {
         if (spring.mode != Mode::held && !spring.fixed) {
           spring.series[k + 2] = -spring.slope() * spring.row.dot(motion_[k + 2]);
         }
@@ -182,7 +184,7 @@ class SpringImpact {
   [[nodiscard]] Real reach() const {
     Real stiffness(0);  // the trace, above the square of every frequency
     Real latest(0);
-    for (const Spring<Real>& spring : springs_) {
+    for (const Spring<TheCase>& spring : springs_) {
       if (spring.acts()) {
         stiffness += spring.slope() * spring.row.squaredNorm();
       } else if (spring.mode == Mode::slack && spring.rate < 0) {
@@ -193,7 +195,7 @@ class SpringImpact {
   }
 
   /// When `spring` changes its mode, at most `horizon`; the series hold up to `longest`.
-  [[nodiscard]] std::optional<Real> change(const Spring<Real>& spring, const Real& horizon,
+  [[nodiscard]] std::optional<Real> change(const Spring<TheCase>& spring, const Real& horizon,
                                            const Real& longest) const {
     const std::vector<Real>& series = spring.series;
     // the first fall through zero of a series, whose first `zeros` terms are zero; so are those
@@ -246,8 +248,8 @@ class SpringImpact {
     const bool waits = std::any_of(springs_.begin(), springs_.end(),
                                    [](const auto& spring) { return spring.stalls >= most_stalls; });
     Real dt = waits ? Real(sqrt(epsilon<Real>()) * longest) : longest;
-    Spring<Real>* changing = nullptr;
-    for (Spring<Real>& spring : springs_) {
+    Spring<TheCase>* changing = nullptr;
+    for (Spring<TheCase>& spring : springs_) {
       if (spring.stalls < most_stalls) {
         if (const auto time = change(spring, dt, longest);
             time && (*time < dt || changing == nullptr)) {
@@ -261,7 +263,7 @@ class SpringImpact {
       move(dt);
     }
     changed_ = changing != nullptr;
-    for (Spring<Real>& spring : springs_) {
+    for (Spring<TheCase>& spring : springs_) {
       spring.stalls = stalled ? spring.stalls + (&spring == changing ? 1 : 0) : 0;
     }
     if (changing != nullptr) {
@@ -270,12 +272,12 @@ class SpringImpact {
   }
 
   void move(const Real& dt) {
-    Vector3<Real> velocity = Vector3<Real>::Zero();
+    RowOf<TheCase> velocity = RowOf<TheCase>::Zero();
     for (std::size_t k = motion_.size(); k-- > 1;) {
       velocity = (velocity * dt + motion_[k] * Real(static_cast<double>(k))).eval();
     }
     velocity_ = velocity;
-    for (Spring<Real>& spring : springs_) {
+    for (Spring<TheCase>& spring : springs_) {
       if (spring.mode != Mode::slack) {
         spring.impulse += max(Real(0), integral_of(spring.series, dt));
       }
@@ -289,7 +291,7 @@ class SpringImpact {
   }
 
   /// What `spring` does after its change; those at their edge are decided by `choose_held`.
-  static void switch_mode(Spring<Real>& spring) {
+  static void switch_mode(Spring<TheCase>& spring) {
     const bool elastic = spring.returned > 0;
     switch (spring.mode) {
       case Mode::loading:
@@ -311,11 +313,11 @@ class SpringImpact {
     }
   }
 
-  std::vector<Spring<Real>> springs_;
-  Vector3<Real> velocity_;                       // over the root of the mass
-  std::vector<Vector3<Real>> motion_;            // series of the way gone
+  std::vector<Spring<TheCase>> springs_;
+  RowOf<TheCase> velocity_;                      // over the root of the mass
+  std::vector<RowOf<TheCase>> motion_;           // series of the way gone
   bool changed_ = true;                          // the forces, since `choose_held`
-  Rows<Real> held_;                              // rows of the held springs
+  RowsOf<TheCase> held_;                         // rows of the held springs
   Eigen::LDLT<BasicCableMatrix<Real>> factors_;  // of their Delassus matrix
 };
 

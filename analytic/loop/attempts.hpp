@@ -3,30 +3,32 @@
 #include <vector>
 
 #include "slow_bounces.hpp"
-#include "tautline/accumulation.hpp"
+#include "tautline/detail/accumulation.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/rounding.hpp"
 
 namespace tautline {
 
 /// When the bounces on a cable are tried as the end of an accumulation, and when again: `tried` of
 /// each cable is what `NextAttempt` says of it.
-template <class Real>
+template <class TheCase>
 class Attempts {
  public:
+  using Real = RealOf<TheCase>;
+
   Attempts(std::size_t cables, const CompletionLimits& limits)
       : limits_(limits), tried_(cables, infinity<Real>()) {}
 
   /// True where the bounces on the touching `cables` are to be tried now, or one does not open.
-  [[nodiscard]] bool are_due(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                             const BasicTouching<Real>& touching, CableSet cables) {
+  [[nodiscard]] bool are_due(const TheCase& the_case, const StateOf<TheCase>& state,
+                             const TouchingOf<TheCase>& touching, CableSet cables) {
     const Scales<Real> scale(the_case, state, limits_.margin);
     for (const std::size_t index : cables) {
-      const BasicCable<Real>& cable = the_case.cables[index];
+      const CableOf<TheCase>& cable = the_case.cables[index];
       const Real rebound = gap_rate(cable, state);
-      const auto next = next_attempt(restitution_up_to(cable, rebound),
-                                     rounding_of_gap(cable, state), touching.rounding(cable),
-                                     rebound, tried_[index], limits_, scale);
+      const auto next =
+          next_attempt(restitution_up_to(cable, rebound), rounding_of_gap(cable, state),
+                       touching.rounding(cable), rebound, tried_[index], limits_, scale);
       tried_[index] = next.tried;
       if (next.is_due) {
         return true;
@@ -36,7 +38,7 @@ class Attempts {
   }
 
   /// The bounces on `cables` have been tried, in vain.
-  void note(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
+  void note(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables) {
     for (const std::size_t index : cables) {
       tried_[index] = gap_rate(the_case.cables[index], state);
     }

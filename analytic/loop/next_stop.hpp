@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "tautline/first_contact.hpp"
-#include "tautline/hold.hpp"
-#include "tautline/limits.hpp"
+#include "tautline/detail/first_contact.hpp"
+#include "tautline/detail/hold.hpp"
+#include "tautline/detail/limits.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline {
@@ -18,13 +18,14 @@ struct Stop {
   bool is_step = false;          // where a series ends, and nothing happens
 };
 
-/// The earliest of: a contact, a release, the reach of a series, a limit of the case's validity,
-/// the end of the duration, which is `left` [s] away. `held`: the motion on taut cables; none:
-/// flight.
-template <class Real>
-[[nodiscard]] Stop<Real> next_stop(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                   const BasicTouching<Real>& touching,
-                                   const std::optional<BasicHold<Real>>& held, const Real& left) {
+/// The earliest of: a contact, a release, the reach of a series, a knot, a limit of the case's
+/// validity, the end of the duration, which is `left` [s] away. `held`: the motion on taut cables;
+/// none: flight.
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] Stop<Real> next_stop(const TheCase& the_case, const StateOf<TheCase>& state,
+                                   const TouchingOf<TheCase>& touching,
+                                   const std::optional<BasicHold<TheCase>>& held,
+                                   const Real& left) {
   Stop<Real> stop{left, Ending::reached_duration, {}};
   if (held) {
     const auto change = first_change(the_case, *held, stop.dt);
@@ -39,13 +40,13 @@ template <class Real>
   if (isnan(stop.dt)) {
     return stop;
   }
-  if (const auto dt = held ? time_to_angle_limit(the_case, held->motion, stop.dt)
-                           : time_to_angle_limit(the_case, state, stop.dt)) {
-    stop = {*dt, Ending::angle_limit, {}};
+  if (const Real knot = time_to_knot(the_case, state); knot < stop.dt) {
+    stop = {knot, std::nullopt, {}};  // what holds is found out anew there
   }
-  if (const auto dt = held ? time_to_ceiling(the_case, held->motion, stop.dt)
-                           : time_to_ceiling(the_case, state, stop.dt)) {
-    stop = {*dt, Ending::ceiling, {}};
+  const auto limit = held ? reached_limit(the_case, held->motion, stop.dt)
+                          : reached_limit(the_case, state, stop.dt);
+  if (limit) {
+    stop = {limit->dt, limit->ending, {}};
   }
   return stop;
 }

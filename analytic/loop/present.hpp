@@ -2,20 +2,22 @@
 
 #include <optional>
 
-#include "tautline/first_contact.hpp"
-#include "tautline/hold.hpp"
+#include "tautline/detail/first_contact.hpp"
+#include "tautline/detail/hold.hpp"
 
 namespace tautline {
 
 /// Where a motion is now.
-template <class Real>
+template <class TheCase>
 struct Present {
-  const BasicCase<Real>& the_case;
-  const BasicState<Real>& state;
-  const BasicTouching<Real>& touching;
-  CableSet taut;                               // as far as recorded
-  const std::optional<BasicHold<Real>>& held;  // the motion on taut cables; none: free flight
-  Real remaining;                              // [s], to the duration of the case
+  using Real = RealOf<TheCase>;
+
+  const TheCase& the_case;
+  const StateOf<TheCase>& state;
+  const TouchingOf<TheCase>& touching;
+  CableSet taut;                                  // as far as recorded
+  const std::optional<BasicHold<TheCase>>& held;  // the motion on taut cables; none: free flight
+  Real remaining;                                 // [s], to the duration of the case
 
   /// True where the body flies, and touches one cable at most.
   [[nodiscard]] bool is_free() const {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "tautline/projection.hpp"
+#include "tautline/detail/projection.hpp"
 
 namespace tautline {
 
@@ -47,12 +47,12 @@ class Progress {
 /// energy their rates fall to zero, and as all impulses are along the cables, what is left is the
 /// part of the motion that closes none: derived for two cables (analytic/README.md, "Limits"),
 /// taken for more. None if all are elastic.
-template <class Real>
-[[nodiscard]] std::optional<BasicState<Real>> end_of_chatter(const BasicCase<Real>& the_case,
-                                                             const BasicState<Real>& state,
+template <class TheCase>
+[[nodiscard]] std::optional<StateOf<TheCase>> end_of_chatter(const TheCase& the_case,
+                                                             const StateOf<TheCase>& state,
                                                              CableSet cables) {
   for (const std::size_t index : cables) {
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     if (restitution(cable, gap_rate(cable, state)) < 1) {
       return with_zero_rates(the_case, state, cables);
     }

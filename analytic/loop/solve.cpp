@@ -11,13 +11,13 @@
 #include "loop/record.hpp"
 #include "loop/standing.hpp"
 #include "shortcuts/paused_motion.hpp"
-#include "tautline/first_contact.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/first_contact.hpp"
+#include "tautline/detail/flight.hpp"
+#include "tautline/detail/hold.hpp"
+#include "tautline/detail/limits.hpp"
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/hold.hpp"
-#include "tautline/limits.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/rounding.hpp"
 
 // Everything is a template on the scalar `Real`: one text serves double, for the answers, and
 // numbers of any length, which say how far those answers are right (instantiate.hpp).
@@ -37,16 +37,18 @@ namespace tautline {
 namespace {
 
 /// The motion so far: where it is now, and what has been recorded.
-template <class Real>
-class Motion final : public PausedMotion<Real> {
+template <class TheCase>
+class Motion final : public PausedMotion<TheCase> {
  public:
-  using Bounce = typename Shortcuts<Real>::Bounce;
-  using Search = typename Shortcuts<Real>::Search;
+  using Real = RealOf<TheCase>;
+
+  using Bounce = typename Shortcuts<TheCase>::Bounce;
+  using Search = typename Shortcuts<TheCase>::Search;
 
   /// `touching` are the cables at zero gap, `record` is empty.
-  Motion(const BasicCase<Real>& the_case, const SolveOptions& options, CableSet touching,
-         Record<Real> record = {})
-      : PausedMotion<Real>(the_case, options),
+  Motion(const TheCase& the_case, const SolveOptions& options, CableSet touching,
+         Record<TheCase> record = {})
+      : PausedMotion<TheCase>(the_case, options),
         case_(the_case),
         options_(options),
         state_(the_case.initial),
@@ -58,7 +60,7 @@ class Motion final : public PausedMotion<Real> {
   }
 
   /// The whole algorithm: round after round, until an ending.
-  BasicSolution<Real> run() {
+  BasicSolution<TheCase> run() {
     while (!has_ended()) {
       round(may_bounce() ? shortcuts_.bounces().next(search()) : Bounce{});
     }
@@ -105,21 +107,21 @@ class Motion final : public PausedMotion<Real> {
 
   [[nodiscard]] Search search() const override { return shortcuts_.search(now(), attempts_); }
 
-  [[nodiscard]] BasicSolution<Real> solution() override {
+  [[nodiscard]] BasicSolution<TheCase> solution() override {
     return record_.solution(case_, *ending_);
   }
 
  private:
-  using PausedMotion<Real>::shortcuts_;
+  using PausedMotion<TheCase>::shortcuts_;
 
   /// The present.
-  [[nodiscard]] Present<Real> now() const {
+  [[nodiscard]] Present<TheCase> now() const {
     return {case_, state_, touching_, taut_, held_, case_.duration - time_};
   }
 
   /// The flight to `bounce`, and its impact.
   void take(const Bounce& bounce) {
-    const Landing<Real> landing = shortcuts_.bounces().land(bounce, touching_.cables);
+    const Landing<TheCase> landing = shortcuts_.bounces().land(bounce, touching_.cables);
     attempts_.set_tried(landing.cable, landing.tried);
     record_.arcs.push_back({time_, time_ + landing.dt, state_, {}, {}});
     time_ += landing.dt;
@@ -167,7 +169,7 @@ class Motion final : public PausedMotion<Real> {
       return false;
     }
     record(EventKind::impact, cables,
-           -multipliers<Real>(case_, state_, cables, gap_rates(case_, state_, cables)), *after);
+           -multipliers(case_, state_, cables, gap_rates(case_, state_, cables)), *after);
     touching_.cables = touching_.cables | cables;
     shortcuts_.bounces().forget();
     held_.reset();
@@ -188,7 +190,7 @@ class Motion final : public PausedMotion<Real> {
       return Attempt::in_vain;
     }
     record(EventKind::taut, done->cables,
-           -multipliers<Real>(case_, state_, done->cables, gap_rates(case_, state_, done->cables)),
+           -multipliers(case_, state_, done->cables, gap_rates(case_, state_, done->cables)),
            done->after);
     if (done->ends) {
       record_.accumulations.push_back(
@@ -209,8 +211,7 @@ class Motion final : public PausedMotion<Real> {
     if (const CableSet resting = contacts(case_, state_, touching_).resting; !resting.empty()) {
       held_ = hold(case_, state_, touching_, resting);
       if (!held_ && is_caught(case_, state_, touching_)) {
-        state_.velocity.setZero();
-        state_.spin = Real(0);
+        state_ = standing_still(state_);
         held_ = hold(case_, state_, touching_, contacts(case_, state_, touching_).resting);
       }
       if (!held_ || is_singular(*held_, time_)) {
@@ -222,7 +223,7 @@ class Motion final : public PausedMotion<Real> {
       record(EventKind::slack, lost, no_impulses<Real>(lost), state_);
     }
     if (const CableSet won = taut - taut_; !won.empty()) {
-      const BasicState<Real> on_them = projected(case_, state_, taut);
+      const StateOf<TheCase> on_them = projected(case_, state_, taut);
       if (!fits(case_, on_them)) {  // the ends of a cable have met
         return false;
       }
@@ -245,12 +246,12 @@ class Motion final : public PausedMotion<Real> {
     if (isnan(stop.dt)) {
       return Ending::overflow;
     }
-    BasicArc<Real> arc = arc_to(stop);
-    const BasicState<Real> last = arc.after(stop.dt, case_.gravity);
+    BasicArc<TheCase> arc = arc_to(stop);
+    const StateOf<TheCase> last = arc.after(stop.dt, case_.gravity);
     if (!fits(case_, last)) {
       return Ending::overflow;
     }
-    BasicState<Real> state = on_cables(case_, last, pulling(), stop.cables);
+    StateOf<TheCase> state = on_cables(case_, last, pulling(), stop.cables);
     if (!(pulling() | stop.cables).empty() && !fits(case_, state)) {
       return Ending::singular;  // the ends of a cable have met: it has no direction
     }
@@ -260,10 +261,10 @@ class Motion final : public PausedMotion<Real> {
   }
 
   /// The motion from here up to `stop`.
-  [[nodiscard]] BasicArc<Real> arc_to(const Stop<Real>& stop) const {
+  [[nodiscard]] BasicArc<TheCase> arc_to(const Stop<Real>& stop) const {
     const Real end =
         stop.ending == Ending::reached_duration ? case_.duration : Real(time_ + stop.dt);
-    BasicArc<Real> arc{time_, end, state_, held_ ? taut_ : CableSet{}, {}};
+    BasicArc<TheCase> arc{time_, end, state_, held_ ? taut_ : CableSet{}, {}};
     if (!pulling().empty()) {  // else the closed form of flight
       arc.series = held_->motion.pose();
     }
@@ -271,7 +272,7 @@ class Motion final : public PausedMotion<Real> {
   }
 
   /// Makes the end of the last arc, where the body is in `state`, the present.
-  void arrive(const Stop<Real>& stop, BasicState<Real> state) {
+  void arrive(const Stop<Real>& stop, StateOf<TheCase> state) {
     state_ = std::move(state);
     time_ = record_.arcs.back().end;
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
@@ -295,7 +296,7 @@ class Motion final : public PausedMotion<Real> {
       ++steps_;  // or a body that grazes again and again would never come to a limit
       return std::nullopt;
     }
-    BasicImpact<Real> impact = resolve_impact(options_.law, case_, state_, cables);
+    BasicImpact<TheCase> impact = resolve_impact(options_.law, case_, state_, cables);
     if (!fits(case_, impact.after) || !impact.impulses.allFinite()) {
       const bool given = delassus(case_, state_, cables).allFinite() &&
                          gap_rates(case_, state_, cables).allFinite();
@@ -309,7 +310,7 @@ class Motion final : public PausedMotion<Real> {
 
   /// Appends an event that takes the present state to `after`.
   void record(EventKind kind, CableSet cables, BasicCableVector<Real> impulses,
-              BasicState<Real> after) {
+              StateOf<TheCase> after) {
     record_.events.push_back({time_, kind, cables, std::move(impulses), state_, after});
     state_ = std::move(after);
   }
@@ -318,55 +319,52 @@ class Motion final : public PausedMotion<Real> {
   void finish(Ending ending) {
     ending_ = ending;
     if (ending == Ending::rest || ending == Ending::unstable_rest) {
-      state_.velocity.setZero();
-      if (!turns_freely(case_, state_, taut_)) {
-        state_.spin = Real(0);
-      }
-      record_.arcs.push_back(resting_arc(time_, case_.duration, state_, taut_));
+      state_ = resting(case_, state_, taut_);
+      record_.arcs.push_back(resting_arc<TheCase>(time_, case_.duration, state_, taut_));
     } else if (ending != Ending::reached_duration) {
       const CableSet taut = taut_ & contacts(case_, state_, touching_).resting;
       record_.arcs.push_back({time_, time_, state_, taut, {}});
     }
   }
 
-  const BasicCase<Real>& case_;
+  const TheCase& case_;
   const SolveOptions& options_;
   Real time_ = Real(0);
-  BasicState<Real> state_;
-  BasicTouching<Real> touching_;
+  StateOf<TheCase> state_;
+  TouchingOf<TheCase> touching_;
   std::size_t steps_ = 0;         // without an event
   std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;
-  Attempts<Real> attempts_;
-  CableSet taut_;                        // as far as recorded
-  std::optional<BasicHold<Real>> held_;  // the motion from here; none: free flight
-  Record<Real> record_;
+  Attempts<TheCase> attempts_;
+  CableSet taut_;                           // as far as recorded
+  std::optional<BasicHold<TheCase>> held_;  // the motion from here; none: free flight
+  Record<TheCase> record_;
   std::optional<Ending> ending_;
 };
 
 }  // namespace
 
-template <class Real>
-BasicSolution<Real> solve(const BasicCase<Real>& the_case, const SolveOptions& options) {
+template <class TheCase>
+BasicSolution<TheCase> solve(const TheCase& the_case, const SolveOptions& options) {
   if (const auto broken = problems(in_double(the_case)); !broken.empty()) {
     throw std::invalid_argument(broken.front());
   }
   const CableSet touching = touching_at_start(the_case);
-  const BasicVec2<Real> origin = local_origin(the_case);
+  const auto origin = local_origin(the_case);
   if (origin.isZero(0)) {
-    return Motion<Real>(the_case, options, touching).run();
+    return Motion<TheCase>(the_case, options, touching).run();
   }
-  const BasicCase<Real> near = seen_from(origin, the_case);
-  return seen_from<Real>(-origin, Motion<Real>(near, options, touching).run(), the_case);
+  const TheCase near = seen_from(origin, the_case);
+  return seen_from(VectorOf<TheCase>(-origin), Motion<TheCase>(near, options, touching).run(),
+                   the_case);
 }
 
-template BasicSolution<Instance> solve(const BasicCase<Instance>&, const SolveOptions&);
+template BasicSolution<InstanceCase> solve(const InstanceCase&, const SolveOptions&);
 
 #ifndef TAUTLINE_MULTIPRECISION
-std::unique_ptr<PausedMotion<double>> paused_motion(const Case& the_case,
-                                                    const SolveOptions& options, CableSet touching,
-                                                    Record<double> record) {
-  return std::make_unique<Motion<double>>(the_case, options, touching, std::move(record));
+std::unique_ptr<PausedMotion<Case>> paused_motion(const Case& the_case, const SolveOptions& options,
+                                                  CableSet touching, Record<Case> record) {
+  return std::make_unique<Motion<Case>>(the_case, options, touching, std::move(record));
 }
 #endif
 

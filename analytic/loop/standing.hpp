@@ -3,16 +3,16 @@
 #include <optional>
 
 #include "equilibrium.hpp"
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/first_contact.hpp"
+#include "tautline/detail/hold.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/hold.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline {
 
 /// The cables at zero gap at the start, by the rounding of the numbers given.
-template <class Real>
-[[nodiscard]] CableSet touching_at_start(const BasicCase<Real>& the_case) {
+template <class TheCase>
+[[nodiscard]] CableSet touching_at_start(const TheCase& the_case) {
   CableSet touching;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     if (starts_at_zero(the_case.cables[index], the_case.initial)) {
@@ -29,9 +29,10 @@ struct Contacts {
 };
 
 /// The cables at zero gap that close now and those that rest, up to rounding.
-template <class Real>
-[[nodiscard]] Contacts contacts(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                                const BasicTouching<Real>& touching) {
+template <class TheCase>
+[[nodiscard]] Contacts contacts(const TheCase& the_case, const StateOf<TheCase>& state,
+                                const TouchingOf<TheCase>& touching) {
+  using Real = RealOf<TheCase>;
   Contacts result;
   for (const std::size_t index : touching.cables) {
     const Real rate = gap_rate(the_case.cables[index], state);
@@ -47,20 +48,19 @@ template <class Real>
 
 /// True where what is left of the motion is rounding of the motion before, between cables that
 /// leave it nowhere to go.
-template <class Real>
-[[nodiscard]] bool is_caught(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                             const BasicTouching<Real>& touching) {
+template <class TheCase>
+[[nodiscard]] bool is_caught(const TheCase& the_case, const StateOf<TheCase>& state,
+                             const TouchingOf<TheCase>& touching) {
   constexpr double of_rounding = 100.0;  // [-], left by a long row of impacts within an instant
   return speed_scale(the_case, state) <= of_rounding * touching.rounding_of_all(the_case);
 }
 
 /// The ending where the `taut` cables, of which `held` pulls, keep the body from moving, now and so
-/// for ever. A spin about the centre that it hangs at is no motion.
-template <class Real>
-[[nodiscard]] std::optional<Ending> rest(const BasicCase<Real>& the_case,
-                                         const BasicState<Real>& state,
-                                         const BasicTouching<Real>& touching, CableSet taut,
-                                         const std::optional<BasicHold<Real>>& held) {
+/// for ever. A turn about the centre that it hangs at is no motion.
+template <class TheCase>
+[[nodiscard]] std::optional<Ending> rest(const TheCase& the_case, const StateOf<TheCase>& state,
+                                         const TouchingOf<TheCase>& touching, CableSet taut,
+                                         const std::optional<BasicHold<TheCase>>& held) {
   if (taut.empty() || state.velocity.norm() > touching.rounding_of_all(the_case)) {
     return std::nullopt;
   }
@@ -71,12 +71,12 @@ template <class Real>
 
 /// `state` with what rounding has left of the gaps and rates of taut cables taken away, and of the
 /// gaps of those just hit once it is more than a few arcs leave.
-template <class Real>
-[[nodiscard]] BasicState<Real> on_cables(const BasicCase<Real>& the_case, BasicState<Real> state,
+template <class TheCase>
+[[nodiscard]] StateOf<TheCase> on_cables(const TheCase& the_case, StateOf<TheCase> state,
                                          CableSet held, CableSet hit) {
   bool drifted = !held.empty();
   for (const std::size_t index : hit) {
-    const BasicCable<Real>& cable = the_case.cables[index];
+    const CableOf<TheCase>& cable = the_case.cables[index];
     drifted = drifted || abs(gap(cable, state)) > few_roundings * rounding_of_gap(cable, state);
   }
   if (drifted) {
@@ -87,8 +87,8 @@ template <class Real>
 }
 
 /// True where no time step from `time` on is small enough: tensions grow without bound.
-template <class Real>
-[[nodiscard]] bool is_singular(const BasicHold<Real>& held, const Real& time) {
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] bool is_singular(const BasicHold<TheCase>& held, const Real& time) {
   return !(time + held.reach > time);
 }
 

@@ -7,7 +7,7 @@
 #include <concepts>
 
 #include "tautline/case.hpp"
-#include "tautline/scalar.hpp"
+#include "tautline/detail/scalar.hpp"
 
 namespace tautline {
 

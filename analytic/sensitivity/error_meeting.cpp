@@ -6,7 +6,7 @@
 #include "neighbours.hpp"
 #include "simultaneous.hpp"
 #include "tangent.hpp"
-#include "tautline/rounding.hpp"
+#include "tautline/detail/rounding.hpp"
 
 namespace tautline {
 namespace {

@@ -7,7 +7,7 @@
 #include "cable_view.hpp"
 #include "linearised.hpp"
 #include "spread.hpp"
-#include "tautline/accumulation.hpp"
+#include "tautline/detail/accumulation.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline {

@@ -4,9 +4,9 @@
 
 #include "dual.hpp"
 #include "instantiate.hpp"
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/series_impl.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/series_impl.hpp"
 
 namespace tautline {
 namespace {
@@ -26,8 +26,8 @@ BasicStateMatrix<Real> slopes(const BasicState<Dual<Real>>& state) {
 
 /// The impulses that turn the rates of `cables`, as Newton's law says, and the state after them.
 template <class Real>
-BasicImpact<Real> rebound(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                          CableSet cables) {
+BasicImpact<BasicCase<Real>> rebound(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                     CableSet cables) {
   BasicCableVector<Real> q = gap_rates(the_case, state, cables);
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
@@ -72,7 +72,8 @@ Real difference_step(const BasicCase<Real>& the_case, const BasicState<Real>& st
 /// of `held` zero.
 template <class Real>
 BasicReboundSlopes<Real> difference_quotients(const BasicCase<Real>& the_case, ImpactLaw law,
-                                              const BasicEvent<Real>& impact, CableSet held) {
+                                              const BasicEvent<BasicCase<Real>>& impact,
+                                              CableSet held) {
   const Real step = difference_step(the_case, impact.before, impact.cables - held);
   const auto resolved = [&](int axis, const Real& by) {
     const BasicState<Real> state = changed(impact.before, axis, by);
@@ -82,8 +83,8 @@ BasicReboundSlopes<Real> difference_quotients(const BasicCase<Real>& the_case, I
   BasicReboundSlopes<Real> result;
   result.impulses.resize(impact.impulses.size(), 6);
   for (int axis = 0; axis < 6; ++axis) {
-    const BasicImpact<Real> above = resolved(axis, step);
-    const BasicImpact<Real> below = resolved(axis, -step);
+    const BasicImpact<BasicCase<Real>> above = resolved(axis, step);
+    const BasicImpact<BasicCase<Real>> below = resolved(axis, -step);
     result.after.col(axis) = (numbers(above.after) - numbers(below.after)) / (2 * step);
     result.impulses.col(axis) = (above.impulses - below.impulses) / (2 * step);
   }
@@ -105,7 +106,7 @@ CableSet basis(const BasicCase<Real>& the_case, const BasicState<Real>& state, C
 
 template <class Real>
 BasicReboundSlopes<Real> rebound_slopes(const BasicCase<Real>& the_case, ImpactLaw law,
-                                        const BasicEvent<Real>& impact, CableSet held) {
+                                        const BasicEvent<BasicCase<Real>>& impact, CableSet held) {
   if (law != ImpactLaw::simultaneous && impact.cables.size() > 1) {
     return difference_quotients(the_case, law, impact, held);
   }
@@ -132,7 +133,8 @@ BasicReboundSlopes<Real> rebound_slopes(const BasicCase<Real>& the_case, ImpactL
 
 template <class Real>
 BasicStateMatrix<Real> rebound_derivative(const BasicCase<Real>& the_case, ImpactLaw law,
-                                          const BasicEvent<Real>& impact, CableSet held) {
+                                          const BasicEvent<BasicCase<Real>>& impact,
+                                          CableSet held) {
   return rebound_slopes(the_case, law, impact, held).after;
 }
 
@@ -200,17 +202,17 @@ std::optional<Eigen::Matrix<Real, 1, 6>> delay_derivative(const BasicCase<Real>&
   return result;
 }
 
-template CableSet basis(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);
-template BasicReboundSlopes<Instance> rebound_slopes(const BasicCase<Instance>&, ImpactLaw,
-                                                     const BasicEvent<Instance>&, CableSet);
-template BasicStateMatrix<Instance> rebound_derivative(const BasicCase<Instance>&, ImpactLaw,
-                                                       const BasicEvent<Instance>&, CableSet);
-template BasicStateMatrix<Instance> projection_derivative(const BasicCase<Instance>&,
+template CableSet basis(const InstanceCase&, const BasicState<Instance>&, CableSet);
+template BasicReboundSlopes<Instance> rebound_slopes(const InstanceCase&, ImpactLaw,
+                                                     const BasicEvent<InstanceCase>&, CableSet);
+template BasicStateMatrix<Instance> rebound_derivative(const InstanceCase&, ImpactLaw,
+                                                       const BasicEvent<InstanceCase>&, CableSet);
+template BasicStateMatrix<Instance> projection_derivative(const InstanceCase&,
                                                           const BasicState<Instance>&, CableSet);
-template std::vector<Eigen::Matrix<Instance, 3, 6>> flow_derivative(const BasicCase<Instance>&,
+template std::vector<Eigen::Matrix<Instance, 3, 6>> flow_derivative(const InstanceCase&,
                                                                     const BasicState<Instance>&,
                                                                     CableSet, std::size_t);
-template std::optional<Eigen::Matrix<Instance, 1, 6>> delay_derivative(const BasicCase<Instance>&,
+template std::optional<Eigen::Matrix<Instance, 1, 6>> delay_derivative(const InstanceCase&,
                                                                        const BasicState<Instance>&,
                                                                        CableSet);
 

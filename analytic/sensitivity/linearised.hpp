@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/detail/state_matrix.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
-#include "tautline/state_matrix.hpp"
 
 namespace tautline {
 
 /// The cables that pull in `impact`.
 template <class Real>
-[[nodiscard]] CableSet pulled(const BasicEvent<Real>& impact) {
+[[nodiscard]] CableSet pulled(const BasicEvent<BasicCase<Real>>& impact) {
   CableSet result;
   Eigen::Index row = 0;
   for (const std::size_t index : impact.cables) {
@@ -28,7 +28,7 @@ template <class Real>
 
 /// True for the arc of a body at rest, whose series are a place and a spin.
 template <class Real>
-[[nodiscard]] bool is_rest(const BasicArc<Real>& arc) {
+[[nodiscard]] bool is_rest(const BasicArc<BasicCase<Real>>& arc) {
   return arc.series.rows() == 2;
 }
 
@@ -59,7 +59,8 @@ struct BasicReboundSlopes {
 /// taut before: the differences keep them so.
 template <class Real>
 [[nodiscard]] BasicReboundSlopes<Real> rebound_slopes(const BasicCase<Real>& the_case,
-                                                      ImpactLaw law, const BasicEvent<Real>& impact,
+                                                      ImpactLaw law,
+                                                      const BasicEvent<BasicCase<Real>>& impact,
                                                       CableSet held);
 
 /// d state after / d state before of an impact that happens at a given instant (Eq. 43).
@@ -67,7 +68,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] BasicStateMatrix<Real> rebound_derivative(const BasicCase<Real>& the_case,
                                                         ImpactLaw law,
-                                                        const BasicEvent<Real>& impact,
+                                                        const BasicEvent<BasicCase<Real>>& impact,
                                                         CableSet held);
 
 /// d projected(state) / d state, onto taut `cables` (Eq. 44), without the momentum term of Eq. 18:

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline {
 namespace {

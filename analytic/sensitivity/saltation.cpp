@@ -6,7 +6,7 @@
 namespace tautline {
 
 template <class Real>
-Eigen::Matrix<Real, 6, 1> state_rate(const BasicArc<Real>& arc, const Real& dt,
+Eigen::Matrix<Real, 6, 1> state_rate(const BasicArc<BasicCase<Real>>& arc, const Real& dt,
                                      const BasicVec2<Real>& gravity) {
   const BasicState<Real> state = arc.after(dt, gravity);
   Eigen::Matrix<Real, 3, 1> acceleration(gravity.x(), gravity.y(), Real(0));
@@ -27,7 +27,7 @@ template <class Real>
 BasicJump<Real> saltation(const BasicInstant<Real>& instant, CableSet taut) {
   BasicStateMatrix<Real> reset = BasicStateMatrix<Real>::Identity();
   CableSet hit;
-  for (const BasicEvent<Real>& event : instant.events) {
+  for (const BasicEvent<BasicCase<Real>>& event : instant.events) {
     switch (event.kind) {
       case EventKind::impact:
         hit = hit | (event.cables - taut);
@@ -52,7 +52,7 @@ BasicJump<Real> saltation(const BasicInstant<Real>& instant, CableSet taut) {
   return {reset + (reset * instant.rate_before - instant.rate_after) * *delay, taut};
 }
 
-template Eigen::Matrix<Instance, 6, 1> state_rate(const BasicArc<Instance>&, const Instance&,
+template Eigen::Matrix<Instance, 6, 1> state_rate(const BasicArc<InstanceCase>&, const Instance&,
                                                   const BasicVec2<Instance>&);
 template BasicJump<Instance> saltation(const BasicInstant<Instance>&, CableSet);
 

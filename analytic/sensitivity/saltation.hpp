@@ -4,9 +4,9 @@
 #include <span>
 
 #include "tautline/case.hpp"
+#include "tautline/detail/state_matrix.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
-#include "tautline/state_matrix.hpp"
 
 namespace tautline {
 
@@ -18,16 +18,16 @@ template <class Real>
 
 /// d state / dt along `arc`, `dt` [s] after its start.
 template <class Real>
-[[nodiscard]] Eigen::Matrix<Real, 6, 1> state_rate(const BasicArc<Real>& arc, const Real& dt,
-                                                   const BasicVec2<Real>& gravity);
+[[nodiscard]] Eigen::Matrix<Real, 6, 1> state_rate(const BasicArc<BasicCase<Real>>& arc,
+                                                   const Real& dt, const BasicVec2<Real>& gravity);
 
 /// The events of one instant, between the arcs that end and start there.
 template <class Real>
 struct BasicInstant {
   const BasicCase<Real>& the_case;
   ImpactLaw law;
-  std::span<const BasicEvent<Real>> events;           // at most one of them an impact, the first
-  Eigen::Matrix<Real, 6, 1> rate_before, rate_after;  // of the state
+  std::span<const BasicEvent<BasicCase<Real>>> events;  // at most one of them an impact, the first
+  Eigen::Matrix<Real, 6, 1> rate_before, rate_after;    // of the state
 };
 
 template <class Real>

@@ -1,4 +1,4 @@
-#include "tautline/sensitivity.hpp"
+#include "tautline/detail/sensitivity.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include "instantiate.hpp"
 #include "linearised.hpp"
 #include "saltation.hpp"
-#include "tautline/hold.hpp"
+#include "tautline/detail/hold.hpp"
 
 namespace tautline {
 namespace {
@@ -25,7 +25,8 @@ Real truncation() {
 /// How many of the first `events` belong to the start of an arc at `time`: an impact, which the
 /// first arc of all comes before, and what follows from it at once.
 template <class Real>
-std::size_t together(std::span<const BasicEvent<Real>> events, const Real& time, bool first_arc) {
+std::size_t together(std::span<const BasicEvent<BasicCase<Real>>> events, const Real& time,
+                     bool first_arc) {
   std::size_t count = 0;
   while (count < events.size() && events[count].time <= time &&
          (events[count].kind != EventKind::impact || (count == 0 && !first_arc))) {
@@ -99,17 +100,18 @@ BasicStateMatrix<Real> BasicSensitivity<Real>::Piece::after(const Real& dt) cons
 
 template <class Real>
 BasicSensitivity<Real>::BasicSensitivity(const BasicCase<Real>& the_case,
-                                         const BasicSolution<Real>& solution, ImpactLaw law)
+                                         const BasicSolution<BasicCase<Real>>& solution,
+                                         ImpactLaw law)
     : radius_(is_point_mass(the_case)
                   ? Real(0)
                   : Real(sqrt(Real(the_case.body.inertia / the_case.body.mass)))),
       end_(solution.end_time()) {
-  const std::vector<BasicArc<Real>> arcs = solution.arcs_until(end_);
-  std::span<const BasicEvent<Real>> left(solution.events());
+  const std::vector<BasicArc<BasicCase<Real>>> arcs = solution.arcs_until(end_);
+  std::span<const BasicEvent<BasicCase<Real>>> left(solution.events());
   Eigen::Matrix<Real, 6, 1> before = state_rate(arcs.front(), Real(0), solution.gravity());
   CableSet taut;
   for (std::size_t index = 0; index < arcs.size(); ++index) {
-    const BasicArc<Real>& arc = arcs[index];
+    const BasicArc<BasicCase<Real>>& arc = arcs[index];
     const bool pause = index + 1 < arcs.size() && !(arcs[index + 1].start > arc.start);
     // near an accumulation impacts follow each other within the rounding of time: one an arc
     for (bool again = true; again;) {
@@ -143,9 +145,10 @@ void BasicSensitivity<Real>::append(const Real& start, const Real& end,
 
 /// Appends the pieces of `arc`.
 template <class Real>
-void BasicSensitivity<Real>::follow(const BasicCase<Real>& the_case, const BasicArc<Real>& arc,
+void BasicSensitivity<Real>::follow(const BasicCase<Real>& the_case,
+                                    const BasicArc<BasicCase<Real>>& arc,
                                     const BasicVec2<Real>& gravity) {
-  std::optional<BasicHold<Real>> held;
+  std::optional<BasicHold<BasicCase<Real>>> held;
   if (arc.series.rows() > 0 && now_.allFinite()) {
     held = hold(the_case, arc.initial, {arc.taut, infinity<Real>()}, arc.taut);
     if (!held) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tautline/case.hpp"
-#include "tautline/state_matrix.hpp"
+#include "tautline/detail/state_matrix.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline {

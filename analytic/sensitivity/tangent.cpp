@@ -5,7 +5,7 @@
 
 #include "cable_view.hpp"
 #include "taut_slopes.hpp"
-#include "tautline/rows.hpp"
+#include "tautline/detail/rows.hpp"
 
 namespace tautline {
 namespace {
@@ -64,7 +64,7 @@ Tangent tangent(const Case& the_case, const State& state, CableSet taut) {
     rows[count] = views[index].gradient().cwiseQuotient(root);
     gradient_rates[count++] = views[index].rate_row(state).head<3>().transpose();
   }
-  const RowSpace<double> space(rows, count);
+  const RowSpace<Case> space(rows, count);
   std::array<Eigen::Vector3d, 2> free;  // axes across the rows
   const Eigen::Index freedoms = 3 - static_cast<Eigen::Index>(count);
   if (freedoms == 1) {
@@ -101,7 +101,7 @@ Eigen::Vector3d closing_errors(const Case& the_case, const State& state, CableSe
   for (const std::size_t index : taut) {
     rows[count++] = views[index].gradient().cwiseQuotient(root);
   }
-  const RowSpace<double> space(rows, count);
+  const RowSpace<Case> space(rows, count);
   Eigen::Vector3d result = Eigen::Vector3d::Zero();
   for (std::size_t row = 0; row < count; ++row) {
     result += gaps[row] * space.dual(row).cwiseQuotient(root).cwiseAbs();

@@ -6,7 +6,7 @@
 
 #include "cable_view.hpp"
 #include "spread.hpp"
-#include "tautline/rows.hpp"
+#include "tautline/detail/rows.hpp"
 
 namespace tautline {
 
@@ -58,7 +58,7 @@ namespace tautline {
     rows[count++] =
         Eigen::Vector3d(from.x(), from.y(), cross(views[index].arm(), from)).cwiseProduct(weight);
   }
-  const RowSpace<double> space(rows, count);
+  const RowSpace<Case> space(rows, count);
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   gravity.head<2>() = the_case.gravity * std::sqrt(the_case.body.mass);
   Eigen::Vector3d kept = Eigen::Vector3d::Zero();  // by the cables, to keep their lengths

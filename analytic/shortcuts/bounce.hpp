@@ -6,9 +6,9 @@
 #include "flight/gap_along_flight.hpp"
 #include "shortcuts/members.hpp"
 #include "slow_bounces.hpp"
-#include "tautline/accumulation.hpp"
-#include "tautline/first_contact.hpp"
-#include "tautline/rounding.hpp"
+#include "tautline/detail/accumulation.hpp"
+#include "tautline/detail/first_contact.hpp"
+#include "tautline/detail/rounding.hpp"
 
 namespace tautline {
 

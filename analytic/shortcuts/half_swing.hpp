@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "tautline/detail/root_search.hpp"
+#include "tautline/detail/series.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/root_search.hpp"
-#include "tautline/series.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline {
@@ -21,7 +21,7 @@ struct HalfSwing {
   bool goes_round = false;  // a whole turn: it comes back to its start
 
   /// The instant at which it ends [s].
-  [[nodiscard]] Real end(const std::vector<BasicArc<Real>>& arcs) const {
+  [[nodiscard]] Real end(const std::vector<BasicArc<BasicCase<Real>>>& arcs) const {
     return arcs.back().start + to;
   }
 };
@@ -54,8 +54,9 @@ template <class Real>
 
 /// `arc` from `low` [s] after its start on, but for its instants.
 template <class Real>
-[[nodiscard]] BasicArc<Real> part_of(const BasicArc<Real>& arc, const Real& low) {
-  BasicArc<Real> result = arc;
+[[nodiscard]] BasicArc<BasicCase<Real>> part_of(const BasicArc<BasicCase<Real>>& arc,
+                                                const Real& low) {
+  BasicArc<BasicCase<Real>> result = arc;
   if (low > 0) {
     result.series = series_from(arc.series, low);
     result.initial = arc.after(low, BasicVec2<Real>(BasicVec2<Real>::Zero()));
@@ -67,7 +68,7 @@ template <class Real>
 /// `weights` falls to zero, in the time since its start [s]; none: nowhere, or overflow. `zeros`: 1
 /// where it is zero at the start, else 0.
 template <class Real>
-[[nodiscard]] std::optional<Real> first_zero_of_rate(const BasicArc<Real>& arc,
+[[nodiscard]] std::optional<Real> first_zero_of_rate(const BasicArc<BasicCase<Real>>& arc,
                                                      const Vector3<Real>& weights,
                                                      const Real& horizon, std::size_t zeros = 0) {
   std::vector<Real> rate;
@@ -89,9 +90,9 @@ class ReturnWatch {
   /// Goes on with the last of `arcs`, as HalfSwingWatch does. The whole turn that this arc
   /// completes, if it does.
   std::optional<HalfSwing<Real>> follow(const BasicCase<Real>& the_case,
-                                        const std::vector<BasicArc<Real>>& arcs,
+                                        const std::vector<BasicArc<BasicCase<Real>>>& arcs,
                                         const BasicState<Real>& end, const Real& length) {
-    const BasicArc<Real>& arc = arcs.back();
+    const BasicArc<BasicCase<Real>>& arc = arcs.back();
     const BasicBody<Real> body = moved_body(the_case);
     turns_ = !is_point_mass(the_case);
     // a pose at which it is slow tells its direction badly: take one at which it is faster
@@ -167,14 +168,14 @@ class HalfSwingWatch {
   /// events precede: the first of others begins anew. The half swing or the whole turn that this
   /// arc completes, if it does.
   std::optional<HalfSwing<Real>> follow(const BasicCase<Real>& the_case,
-                                        const std::vector<BasicArc<Real>>& arcs,
+                                        const std::vector<BasicArc<BasicCase<Real>>>& arcs,
                                         const BasicState<Real>& end, const Real& length,
                                         std::size_t events) {
     if (events_ != events) {
       *this = {};
       events_ = events;
     }
-    const BasicArc<Real>& arc = arcs.back();
+    const BasicArc<BasicCase<Real>>& arc = arcs.back();
     const BasicBody<Real> body = moved_body(the_case);
     most_ = max(most_, max(kinetic_energy(body, arc.initial), kinetic_energy(body, end)));
     auto turn = turning_point(the_case, arc, length);
@@ -195,7 +196,7 @@ class HalfSwingWatch {
  private:
   /// Where in the first `length` [s] of `arc`, in the time since its start [s], it turns next.
   [[nodiscard]] std::optional<Real> turning_point(const BasicCase<Real>& the_case,
-                                                  const BasicArc<Real>& arc,
+                                                  const BasicArc<BasicCase<Real>>& arc,
                                                   const Real& length) const {
     const BasicBody<Real> body = moved_body(the_case);
     const Vector3<Real> mass(body.mass, body.mass, body.inertia);
@@ -227,7 +228,8 @@ class HalfSwingWatch {
 template <class Real>
 [[nodiscard]] BasicSwing<Real> swing_of(const BasicCase<Real>& the_case,
                                         const HalfSwing<Real>& half,
-                                        const std::vector<BasicArc<Real>>& arcs, CableSet pulling) {
+                                        const std::vector<BasicArc<BasicCase<Real>>>& arcs,
+                                        CableSet pulling) {
   const BasicVec2<Real>& gravity = the_case.gravity;
   const Vector3<Real> down(gravity.x(), gravity.y(), Real(0));
   Real fastest(0);  // [J]
@@ -242,7 +244,7 @@ template <class Real>
     if (falls && rises && !gravity.isZero(0)) {
       const Real from = is_first ? half.from : Real(0);
       const Real to = is_last ? half.to : Real(arcs[i].end - arcs[i].start);
-      const BasicArc<Real> arc = part_of(arcs[i], from);
+      const BasicArc<BasicCase<Real>> arc = part_of(arcs[i], from);
       if (const auto lowest = first_zero_of_rate(arc, down, Real(to - from))) {
         note(arc.after(*lowest, gravity));
       }
@@ -277,8 +279,9 @@ template <class Real>
 
 /// `arc` from `high` [s] after its start back to it, but for its instants.
 template <class Real>
-[[nodiscard]] BasicArc<Real> back_along(const BasicArc<Real>& arc, const Real& high) {
-  BasicArc<Real> result = part_of(arc, high);
+[[nodiscard]] BasicArc<BasicCase<Real>> back_along(const BasicArc<BasicCase<Real>>& arc,
+                                                   const Real& high) {
+  BasicArc<BasicCase<Real>> result = part_of(arc, high);
   for (Eigen::Index k = 1; k < result.series.rows(); k += 2) {
     result.series.row(k) *= Real(-1);
   }
@@ -289,21 +292,21 @@ template <class Real>
 
 /// The arcs of the swing that follows `half`, the end of `arcs`: the way back, and forth again.
 template <class Real>
-[[nodiscard]] std::vector<BasicArc<Real>> swing_after(const HalfSwing<Real>& half,
-                                                      const std::vector<BasicArc<Real>>& arcs) {
+[[nodiscard]] std::vector<BasicArc<BasicCase<Real>>> swing_after(
+    const HalfSwing<Real>& half, const std::vector<BasicArc<BasicCase<Real>>>& arcs) {
   const Real turn = half.end(arcs);
   const Real period = half.period;
   const std::size_t last = arcs.size() - 1;
-  std::vector<BasicArc<Real>> result;
+  std::vector<BasicArc<BasicCase<Real>>> result;
   Real now = turn;
-  const auto add = [&](BasicArc<Real> arc, const Real& end) {
+  const auto add = [&](BasicArc<BasicCase<Real>> arc, const Real& end) {
     arc.start = now;
     arc.end = max(now, end);
     now = arc.end;
     result.push_back(std::move(arc));
   };
   for (std::size_t i = last + 1; i-- > half.first;) {
-    const BasicArc<Real>& arc = arcs[i];
+    const BasicArc<BasicCase<Real>>& arc = arcs[i];
     add(back_along(arc, i == last ? half.to : Real(arc.end - arc.start)),
         i == half.first ? Real(turn + period / 2) : Real(turn + (turn - arc.start)));
   }
@@ -329,7 +332,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] std::optional<BasicRepetition<Real>> repetition_of(
     const BasicCase<Real>& the_case, const HalfSwing<Real>& half,
-    std::vector<BasicArc<Real>>& arcs) {
+    std::vector<BasicArc<BasicCase<Real>>>& arcs) {
   const bool turns = !is_point_mass(the_case);
   const Real end = half.end(arcs);
   arcs.back().end = min(the_case.duration, end);
@@ -343,7 +346,7 @@ template <class Real>
     const Real started = arcs.back().start;
     const Real angle = arcs.back().initial.angle;
     arcs.back().end = end;  // the way back starts there
-    for (BasicArc<Real>& arc : swing_after(half, arcs)) {
+    for (BasicArc<BasicCase<Real>>& arc : swing_after(half, arcs)) {
       if (!(arc.start < the_case.duration)) {
         break;
       }

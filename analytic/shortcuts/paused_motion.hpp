@@ -8,7 +8,7 @@ namespace tautline {
 
 /// A motion that pauses wherever a single bounce may follow, so that the bounces of several can be
 /// found side by side.
-template <class Real>
+template <class TheCase>
 class PausedMotion {
  public:
   PausedMotion(const PausedMotion&) = delete;
@@ -19,27 +19,27 @@ class PausedMotion {
 
   /// True where a single bounce may follow, which `search` is to find among those of the case.
   [[nodiscard]] virtual bool may_bounce() = 0;
-  [[nodiscard]] virtual typename Shortcuts<Real>::Search search() const = 0;
-  [[nodiscard]] const SingleBounces<Real>& bounces() const { return shortcuts_.bounces(); }
+  [[nodiscard]] virtual typename Shortcuts<TheCase>::Search search() const = 0;
+  [[nodiscard]] const SingleBounces<TheCase>& bounces() const { return shortcuts_.bounces(); }
 
   /// One round of the loop, with the bounce that was found, or with none.
-  virtual void round(const typename Shortcuts<Real>::Bounce& bounce) = 0;
+  virtual void round(const typename Shortcuts<TheCase>::Bounce& bounce) = 0;
 
   /// After the end: the motion, which is then no longer here.
-  [[nodiscard]] virtual BasicSolution<Real> solution() = 0;
+  [[nodiscard]] virtual BasicSolution<TheCase> solution() = 0;
 
  protected:
-  PausedMotion(const BasicCase<Real>& the_case, const SolveOptions& options)
+  PausedMotion(const TheCase& the_case, const SolveOptions& options)
       : shortcuts_(the_case, options) {}
 
-  Shortcuts<Real> shortcuts_;
+  Shortcuts<TheCase> shortcuts_;
 };
 
 /// At the start of `the_case`, which has no problems and has to stay where it is; `touching` are
 /// the cables at zero gap, `record` an empty one.
-[[nodiscard]] std::unique_ptr<PausedMotion<double>> paused_motion(const Case& the_case,
-                                                                  const SolveOptions& options,
-                                                                  CableSet touching,
-                                                                  Record<double> record);
+[[nodiscard]] std::unique_ptr<PausedMotion<Case>> paused_motion(const Case& the_case,
+                                                                const SolveOptions& options,
+                                                                CableSet touching,
+                                                                Record<Case> record);
 
 }  // namespace tautline

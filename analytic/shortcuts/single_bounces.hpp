@@ -12,20 +12,22 @@
 namespace tautline {
 
 /// A single bounce as the loop takes it: a free flight to one cable, and the impact there.
-template <class Real>
+template <class TheCase>
 struct Landing {
+  using Real = RealOf<TheCase>;
+
   Real dt;                       // [s], of the flight
   std::size_t cable;             // index
-  BasicState<Real> before;       // the impact
-  BasicTouching<Real> touching;  // there, but for the rounding of time
+  StateOf<TheCase> before;       // the impact
+  TouchingOf<TheCase> touching;  // there, but for the rounding of time
   Real impulse;                  // [N s]
-  BasicState<Real> after;        // the impact
+  StateOf<TheCase> after;        // the impact
   Real tried;                    // of the cable, see `Attempts` [m/s]
 };
 
 /// Finds single bounces faster than the general path does: the same, to rounding. This primary
 /// template finds none, so that each path checks the other.
-template <class Real>
+template <class TheCase>
 class SingleBounces {
  public:
   struct Search {};
@@ -33,19 +35,21 @@ class SingleBounces {
     static constexpr bool is_all = false;
   };
 
-  SingleBounces(const BasicCase<Real>&, const SolveOptions&) {}
-  [[nodiscard]] static bool may_follow(const Present<Real>&, const Attempts<Real>&) {
+  SingleBounces(const TheCase&, const SolveOptions&) {}
+  [[nodiscard]] static bool may_follow(const Present<TheCase>&, const Attempts<TheCase>&) {
     return false;
   }
-  [[nodiscard]] static Search search(const Present<Real>&, const Attempts<Real>&) { return {}; }
+  [[nodiscard]] static Search search(const Present<TheCase>&, const Attempts<TheCase>&) {
+    return {};
+  }
   [[nodiscard]] static Bounce next(const Search&) { return {}; }
-  [[nodiscard]] static Landing<Real> land(const Bounce&, CableSet) { return {}; }
+  [[nodiscard]] static Landing<TheCase> land(const Bounce&, CableSet) { return {}; }
   static void forget() {}
 };
 
 /// In double (bounce.hpp).
 template <>
-class SingleBounces<double> {
+class SingleBounces<Case> {
  public:
   using Bounce = tautline::Bounce<double, bool>;
 
@@ -54,7 +58,7 @@ class SingleBounces<double> {
     Flyer<double> from;
     CableSet last_hit;  // the cable that the body has just been hit by, or none
     double horizon;     // [s], how long it may fly
-    const Attempts<double>* attempts;
+    const Attempts<Case>* attempts;
   };
 
   /// Of `the_case`: none where a limit may end a flight, or restitutions vary with the speed.
@@ -88,7 +92,7 @@ class SingleBounces<double> {
 
   /// True where one may be all that happens next: the body flies, and the bounces on the cable that
   /// it touches, if any, are not due.
-  [[nodiscard]] bool may_follow(const Present<double>& now, Attempts<double>& attempts) {
+  [[nodiscard]] bool may_follow(const Present<Case>& now, Attempts<Case>& attempts) {
     const std::optional<bool> is_due = std::exchange(is_due_, std::nullopt);
     return exist_ && now.is_free() &&
            !(is_due ? *is_due
@@ -96,7 +100,7 @@ class SingleBounces<double> {
   }
 
   /// The body faces as it did at the last bounce.
-  [[nodiscard]] Search search(const Present<double>& now, const Attempts<double>& attempts) const {
+  [[nodiscard]] Search search(const Present<Case>& now, const Attempts<Case>& attempts) const {
     const State& state = now.state;
     const Direction<double> facing = state.angle == angle_ ? facing_ : direction(state.angle);
     return {{pair<double>(state.position), state.angle, facing, pair<double>(state.velocity),
@@ -122,7 +126,7 @@ class SingleBounces<double> {
   }
 
   /// `bounce`, found by a search after `last_hit`; keeps what it says about the next.
-  [[nodiscard]] Landing<double> land(const Bounce& bounce, CableSet last_hit) {
+  [[nodiscard]] Landing<Case> land(const Bounce& bounce, CableSet last_hit) {
     const std::size_t index = cable_at(static_cast<std::size_t>(bounce.place), last_hit);
     const Flyer<double>& flyer = bounce.before;
     angle_ = flyer.angle;

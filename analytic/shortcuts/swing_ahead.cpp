@@ -6,7 +6,7 @@
 
 #include "shortcuts/cosine_sum.hpp"
 #include "shortcuts/two_cable_curve.hpp"
-#include "tautline/rounding.hpp"
+#include "tautline/detail/rounding.hpp"
 
 namespace tautline {
 namespace {
@@ -106,7 +106,7 @@ class Watch {
   };
   [[nodiscard]] Rounding rounding_at(const CurvePoint& point) const {
     const std::array<double, 2> static_tensions = tensions_at(point, 0.0);
-    const RowSpace<double> space = space_of(point);
+    const RowSpace<Case> space = space_of(point);
     const double weight = case_.body.mass * case_.gravity.norm();
     const double angle_of_z = root_of_inverse_mass(case_.body)[2];
     const double turn = epsilon<double>() * std::abs(point.pose.angle);
@@ -190,14 +190,14 @@ class Watch {
     return found && (found->z - point.z).norm() <= same * way.half;
   }
 
-  [[nodiscard]] static RowSpace<double> space_of(const CurvePoint& point) {
+  [[nodiscard]] static RowSpace<Case> space_of(const CurvePoint& point) {
     return {{point.rows[0], point.rows[1], Vector3<double>::Zero()}, 2};
   }
 
   /// Of the two cables [N], where the body passes with the kinetic `energy` [J] (Eq. 26): they
   /// carry its weight and bend its way.
   [[nodiscard]] std::array<double, 2> tensions_at(const CurvePoint& point, double energy) const {
-    const RowSpace<double> space = space_of(point);
+    const RowSpace<Case> space = space_of(point);
     const double square = 2.0 * energy / point.way.squaredNorm();  // of ds / dt
     const Vector3<double> pull =
         -force_ - square * (point.bends[0] * space.dual(0) + point.bends[1] * space.dual(1));

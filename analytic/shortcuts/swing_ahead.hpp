@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "tautline/case.hpp"
-#include "tautline/swing.hpp"
+#include "tautline/detail/swing.hpp"
 
 namespace tautline {
 
@@ -18,11 +18,12 @@ namespace tautline {
 [[nodiscard]] std::optional<Swing> swing_ahead(const Case& the_case, const State& state,
                                                CableSet pulling, double left);
 
-/// The same in many digits, where no way to tell it is known.
-template <class Real>
-[[nodiscard]] std::optional<BasicSwing<Real>> swing_ahead(const BasicCase<Real>&,
-                                                          const BasicState<Real>&, CableSet,
-                                                          const Real&) {
+/// The same of other kinds of cases, where no way to tell it is known.
+template <class TheCase>
+[[nodiscard]] std::optional<BasicSwing<RealOf<TheCase>>> swing_ahead(const TheCase&,
+                                                                     const StateOf<TheCase>&,
+                                                                     CableSet,
+                                                                     const RealOf<TheCase>&) {
   return std::nullopt;
 }
 

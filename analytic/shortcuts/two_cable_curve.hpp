@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "tautline/detail/rows.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/rows.hpp"
 
 namespace tautline {
 

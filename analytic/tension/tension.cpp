@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "instantiate.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline {
 namespace {
@@ -73,7 +73,7 @@ BasicCableVector<Real> holding_tensions(const BasicCase<Real>& the_case,
   return best.value_or(all).cwiseMax(Real(0));
 }
 
-template BasicCableVector<Instance> holding_tensions(const BasicCase<Instance>&,
+template BasicCableVector<Instance> holding_tensions(const InstanceCase&,
                                                      const BasicState<Instance>&, CableSet);
 
 }  // namespace tautline

@@ -6,10 +6,10 @@
 
 #include "instantiate.hpp"
 #include "sensitivity/linearised.hpp"
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rounding.hpp"
+#include "tautline/detail/rows.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/rounding.hpp"
-#include "tautline/rows.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline {
@@ -29,7 +29,7 @@ Real rounding_of_zero() {
 template <class Real, class Value>
 class AlongArc {
  public:
-  AlongArc(const BasicCase<Real>& the_case, const BasicArc<Real>& arc, Value value)
+  AlongArc(const BasicCase<Real>& the_case, const BasicArc<BasicCase<Real>>& arc, Value value)
       : case_(the_case), arc_(arc), value_(std::move(value)) {
     const Real scale = acceleration_scale(the_case, arc.initial);
     // differences of fourth roots: the rounding of a second derivative is then its square root; an
@@ -79,19 +79,20 @@ class AlongArc {
 
  private:
   const BasicCase<Real>& case_;
-  const BasicArc<Real>& arc_;
+  const BasicArc<BasicCase<Real>>& arc_;
   Value value_;
   Real step_;  // [s]
 };
 
 /// True where an event of `kind` with one of `cables`, or any if no kind is given, is at `time`.
 template <class Real>
-bool has_event(const BasicSolution<Real>& solution, const Real& time, CableSet cables,
+bool has_event(const BasicSolution<BasicCase<Real>>& solution, const Real& time, CableSet cables,
                std::optional<EventKind> kind) {
   const auto& events = solution.events();
-  auto event = std::lower_bound(
-      events.begin(), events.end(), time,
-      [](const BasicEvent<Real>& one, const Real& instant) { return one.time < instant; });
+  auto event = std::lower_bound(events.begin(), events.end(), time,
+                                [](const BasicEvent<BasicCase<Real>>& one, const Real& instant) {
+                                  return one.time < instant;
+                                });
   for (; event != events.end() && event->time == time; ++event) {
     if (!kind || (event->kind == *kind && !(event->cables & cables).empty())) {
       return true;
@@ -176,12 +177,13 @@ BasicCableVector<Real> tensions(const BasicCase<Real>& the_case, const BasicStat
   for (const std::size_t index : pulling) {
     free[row++] = free_gap_acceleration(the_case, index, state);
   }
-  return -multipliers<Real>(the_case, state, pulling, free);
+  return -multipliers(the_case, state, pulling, free);
 }
 
 template <class Real>
 Real independence(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables) {
-  const Rows<Real> shapes = CableRows<Real>(the_case, state, cables).shapes();
+  const RowsOf<BasicCase<Real>> shapes =
+      CableRows<BasicCase<Real>>(the_case, state, cables).shapes();
   Real largest(0);
   for (Eigen::Index i = 0; i < shapes.rows(); ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
@@ -213,8 +215,9 @@ CableSet dead_at_start(const BasicCase<Real>& the_case) {
 
 template <class Real>
 std::vector<BasicTouch<Real>> dead_points(const BasicCase<Real>& the_case,
-                                          const BasicSolution<Real>& solution, std::size_t index) {
-  const BasicArc<Real>& arc = solution.arcs()[index];
+                                          const BasicSolution<BasicCase<Real>>& solution,
+                                          std::size_t index) {
+  const BasicArc<BasicCase<Real>>& arc = solution.arcs()[index];
   std::vector<BasicTouch<Real>> result;
   const Real length = arc.end - arc.start;
   if (arc.taut.size() < 2 || arc.series.rows() == 0 || is_rest(arc) || !(length > 0) ||
@@ -242,8 +245,8 @@ std::vector<BasicTouch<Real>> dead_points(const BasicCase<Real>& the_case,
 }
 
 template <class Real>
-bool passes_dead_point(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution,
-                       const Real& from) {
+bool passes_dead_point(const BasicCase<Real>& the_case,
+                       const BasicSolution<BasicCase<Real>>& solution, const Real& from) {
   for (std::size_t index = solution.arcs().size(); index-- > 0;) {
     if (solution.arcs()[index].start < from) {
       break;
@@ -259,8 +262,9 @@ bool passes_dead_point(const BasicCase<Real>& the_case, const BasicSolution<Real
 
 template <class Real>
 std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
-                                      const BasicSolution<Real>& solution, std::size_t index) {
-  const BasicArc<Real>& arc = solution.arcs()[index];
+                                      const BasicSolution<BasicCase<Real>>& solution,
+                                      std::size_t index) {
+  const BasicArc<BasicCase<Real>>& arc = solution.arcs()[index];
   const Real length = arc.end - arc.start;
   std::vector<BasicTouch<Real>> result = dead_points(the_case, solution, index);
   if (arc.series.rows() == 0 || is_rest(arc) || !(length > 0)) {
@@ -291,13 +295,13 @@ std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
   return result;
 }
 
-template BasicCableVector<Instance> tensions(const BasicCase<Instance>&,
-                                             const BasicState<Instance>&, CableSet);
-template Instance independence(const BasicCase<Instance>&, const BasicState<Instance>&, CableSet);
-template CableSet dead_at_start(const BasicCase<Instance>&);
-template bool passes_dead_point(const BasicCase<Instance>&, const BasicSolution<Instance>&,
+template BasicCableVector<Instance> tensions(const InstanceCase&, const BasicState<Instance>&,
+                                             CableSet);
+template Instance independence(const InstanceCase&, const BasicState<Instance>&, CableSet);
+template CableSet dead_at_start(const InstanceCase&);
+template bool passes_dead_point(const InstanceCase&, const BasicSolution<InstanceCase>&,
                                 const Instance&);
-template std::vector<BasicTouch<Instance>> touches(const BasicCase<Instance>&,
-                                                   const BasicSolution<Instance>&, std::size_t);
+template std::vector<BasicTouch<Instance>> touches(const InstanceCase&,
+                                                   const BasicSolution<InstanceCase>&, std::size_t);
 
 }  // namespace tautline

@@ -11,8 +11,8 @@
 #include "bench/base/toml/problems.hpp"
 #include "bench/base/toml/strict_table.hpp"
 #include "bench/base/toml/value.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -22,7 +22,7 @@ State rounded(const BasicState<Multi>& state) {
           rounded(state.spin)};
 }
 
-Arc rounded(const BasicArc<Multi>& arc) {
+Arc rounded(const BasicArc<BasicCase<Multi>>& arc) {
   Arc result{rounded(arc.start), rounded(arc.end), rounded(arc.initial), arc.taut, {}};
   result.series.resize(arc.series.rows(), 3);
   for (Eigen::Index row = 0; row < arc.series.rows(); ++row) {
@@ -33,7 +33,7 @@ Arc rounded(const BasicArc<Multi>& arc) {
   return result;
 }
 
-Event rounded(const BasicEvent<Multi>& event) {
+Event rounded(const BasicEvent<BasicCase<Multi>>& event) {
   CableVector impulses(event.impulses.size());
   for (Eigen::Index row = 0; row < impulses.size(); ++row) {
     impulses[row] = rounded(event.impulses[row]);
@@ -47,7 +47,7 @@ Accumulation rounded(const BasicAccumulation<Multi>& one) {
           rounded(one.energy_lost)};
 }
 
-Solution rounded(const BasicSolution<Multi>& solution) {
+Solution rounded(const BasicSolution<BasicCase<Multi>>& solution) {
   const auto of_each = [](const auto& all) {
     return listed(all, [](const auto& one) { return rounded(one); });
   };

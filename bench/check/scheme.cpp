@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {

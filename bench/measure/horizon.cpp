@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tautline/sensitivity.hpp"
+#include "tautline/detail/sensitivity.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {

@@ -7,7 +7,7 @@
 
 #include "bench/base/process.hpp"
 #include "bench/base/statistics.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

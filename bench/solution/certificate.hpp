@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
-#include "tautline/ledger.hpp"
+#include "tautline/detail/ledger.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
 

@@ -69,13 +69,14 @@ Settling rounded(const BasicSettling<Multi>& settling) {
 /// Two solutions of one case.
 class Pair {
  public:
-  Pair(const BasicCase<Multi>& the_case, const Solution& one, const BasicSolution<Multi>& other)
+  Pair(const BasicCase<Multi>& the_case, const Solution& one,
+       const BasicSolution<BasicCase<Multi>>& other)
       : case_(the_case), one_(one), other_(other), alignment_(one, other) {
     length_ = the_case.cables.front().length;
     for (const BasicCable<Multi>& cable : the_case.cables) {
       length_ = min(length_, cable.length);
     }
-    for (const BasicArc<Multi>& arc : other.arcs()) {
+    for (const BasicArc<BasicCase<Multi>>& arc : other.arcs()) {
       speed_ = max(speed_, speed_scale(case_, arc.initial));
       speed_ = max(speed_, speed_scale(case_, arc.after(arc.end - arc.start, other.gravity())));
     }
@@ -125,7 +126,7 @@ class Pair {
 
   const BasicCase<Multi>& case_;
   const Solution& one_;
-  const BasicSolution<Multi>& other_;
+  const BasicSolution<BasicCase<Multi>>& other_;
   Alignment alignment_;
   Multi length_ = 0;  // [m], of the shortest cable
   Multi speed_ = 0;   // [m/s], the fastest of the body's points
@@ -152,7 +153,7 @@ Certificate certify(const Case& the_case, const SolveOptions& options, const Sol
   SolveOptions sharper = options;
   sharper.completion = {.error = result.completion_error, .speed = std::nullopt};
   const BasicCase<Multi> same_case = in_digits(the_case);
-  const BasicSolution<Multi> other = solve(same_case, sharper);
+  const BasicSolution<BasicCase<Multi>> other = solve(same_case, sharper);
   const Pair pair(same_case, solution, other);
   for (CorrectDigits& correct : result.correct) {
     pair.find(correct);

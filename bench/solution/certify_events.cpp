@@ -10,7 +10,7 @@ namespace {
 constexpr double lasting_margin = 2.0;
 
 template <class Real>
-bool same(const Event& one, const BasicEvent<Real>& other) {
+bool same(const Event& one, const BasicEvent<BasicCase<Real>>& other) {
   return one.kind == other.kind && one.cables == other.cables;
 }
 
@@ -25,14 +25,14 @@ const Accumulation* completed_by(const Solution& solution, const Event& event) {
 
 /// Where the events of `solution` from number `first` on go on after they have come through
 /// `accumulation`, of which they are still taking the impacts; none if they do something else.
-std::optional<std::size_t> after_the_same(const BasicSolution<Multi>& solution, std::size_t first,
-                                          const Accumulation& accumulation) {
+std::optional<std::size_t> after_the_same(const BasicSolution<BasicCase<Multi>>& solution,
+                                          std::size_t first, const Accumulation& accumulation) {
   const auto& events = solution.events();
   const Multi lasting =
       lasting_margin * (accumulation.time - accumulation.start) + accumulation.uncertainty;
   const Multi start = first > 0 ? events[first - 1].time : Multi(0);
   for (std::size_t index = first; index < events.size(); ++index) {
-    const BasicEvent<Multi>& event = events[index];
+    const BasicEvent<BasicCase<Multi>>& event = events[index];
     if (!(event.cables - accumulation.cables).empty() || event.time - start > lasting) {
       return std::nullopt;
     }
@@ -44,25 +44,26 @@ std::optional<std::size_t> after_the_same(const BasicSolution<Multi>& solution, 
 }
 
 template <class Real>
-std::optional<EventMark> mark(const std::vector<BasicEvent<Real>>& events, std::size_t index) {
+std::optional<EventMark> mark(const std::vector<BasicEvent<BasicCase<Real>>>& events,
+                              std::size_t index) {
   if (index >= events.size()) {
     return std::nullopt;
   }
-  const BasicEvent<Real>& event = events[index];
+  const BasicEvent<BasicCase<Real>>& event = events[index];
   return EventMark{static_cast<double>(event.time), event.kind, event.cables};
 }
 
 template <class Real>
-std::size_t events_until(const std::vector<BasicEvent<Real>>& events, const Real& time) {
-  const auto next =
-      std::upper_bound(events.begin(), events.end(), time,
-                       [](const Real& t, const BasicEvent<Real>& event) { return t < event.time; });
+std::size_t events_until(const std::vector<BasicEvent<BasicCase<Real>>>& events, const Real& time) {
+  const auto next = std::upper_bound(
+      events.begin(), events.end(), time,
+      [](const Real& t, const BasicEvent<BasicCase<Real>>& event) { return t < event.time; });
   return static_cast<std::size_t>(next - events.begin());
 }
 
 }  // namespace
 
-Alignment::Alignment(const Solution& one, const BasicSolution<Multi>& other)
+Alignment::Alignment(const Solution& one, const BasicSolution<BasicCase<Multi>>& other)
     : one_(one), other_(other), places_{{0, 0}} {
   std::size_t i = 0;
   std::size_t j = 0;

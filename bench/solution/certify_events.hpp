@@ -12,7 +12,7 @@ namespace tautline::bench {
 /// The events of a solution in double next to those of one with more digits.
 class Alignment {
  public:
-  Alignment(const Solution& one, const BasicSolution<Multi>& other);
+  Alignment(const Solution& one, const BasicSolution<BasicCase<Multi>>& other);
 
   [[nodiscard]] const EventMatch& match() const { return match_; }
 
@@ -21,7 +21,7 @@ class Alignment {
 
  private:
   const Solution& one_;
-  const BasicSolution<Multi>& other_;
+  const BasicSolution<BasicCase<Multi>>& other_;
   EventMatch match_;
   /// How many events of either lie behind, after each event that is the same; rising.
   std::vector<std::pair<std::size_t, std::size_t>> places_;

@@ -12,8 +12,8 @@
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/digits/summary.hpp"
 #include "bench/solution/time_errors.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/rounding.hpp"
 
 namespace tautline::bench {
 namespace {

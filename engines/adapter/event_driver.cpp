@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "taut_step.hpp"
-#include "tautline/accumulation.hpp"
 #include "tautline/cable_row.hpp"
 #include "tautline/clock.hpp"
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/accumulation.hpp"
+#include "tautline/detail/first_contact.hpp"
+#include "tautline/detail/hold.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/hold.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "support.hpp"
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/first_contact.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solve.hpp"

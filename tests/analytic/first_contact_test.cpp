@@ -1,4 +1,4 @@
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/first_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "dense_search.hpp"
 #include "support.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::test {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "support.hpp"
+#include "tautline/detail/sensitivity.hpp"
 #include "tautline/multiprecision.hpp"
 #include "tautline/scenarios.hpp"
-#include "tautline/sensitivity.hpp"
 #include "tautline/solve.hpp"
 
 // Horizons against an independent calculation in 70 digits: copies of the motion, 1e-30 apart, by a
@@ -69,7 +69,7 @@ BasicCase<Real> case_of(const Row& row) {
 }
 
 /// When both cables are taut for the first time, or the end.
-double lock_time(const BasicSolution<Multi>& solution) {
+double lock_time(const BasicSolution<BasicCase<Multi>>& solution) {
   for (const auto& arc : solution.arcs()) {
     if (arc.taut.size() == 2) {
       return static_cast<double>(arc.start);

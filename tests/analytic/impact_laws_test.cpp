@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "support.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline::test {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "hard/stopwatch.hpp"
 #include "support.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::test {
@@ -74,7 +74,7 @@ void measure_taut_arcs(const Case& the_case, const Solution& solution, SystemTal
     for (const std::size_t index : arc.taut) {
       free[row++] = -free_gap_acceleration(the_case, index, state);
     }
-    const CableVector tension = multipliers<double>(the_case, state, arc.taut, free);
+    const CableVector tension = multipliers(the_case, state, arc.taut, free);
     const double weight = the_case.body.mass + tension.cwiseAbs().maxCoeff();
     tally.push = std::max(tally.push, -tension.minCoeff() / weight);
   }

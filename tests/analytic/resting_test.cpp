@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "support.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "support.hpp"
+#include "tautline/detail/sensitivity.hpp"
 #include "tautline/multiprecision.hpp"
 #include "tautline/scenarios.hpp"
-#include "tautline/sensitivity.hpp"
 #include "tautline/solve.hpp"
 
 // Derivatives against differences of whole solutions in 60 digits. With steps of 1e-20 the
@@ -22,9 +22,9 @@ constexpr unsigned digits_used = 60;
 constexpr double agreement = 1e-12;  // [-] of the largest entry: what is claimed
 
 /// What happened, without when: solutions that share it are differentiable into each other.
-std::string order_of_events(const BasicSolution<Multi>& solution) {
+std::string order_of_events(const BasicSolution<BasicCase<Multi>>& solution) {
   std::string result;
-  for (const BasicEvent<Multi>& event : solution.events()) {
+  for (const BasicEvent<BasicCase<Multi>>& event : solution.events()) {
     result += to_string(event.kind);
     for (const std::size_t index : event.cables) {
       result += ' ' + std::to_string(index);

@@ -1,4 +1,4 @@
-#include "tautline/sensitivity.hpp"
+#include "tautline/detail/sensitivity.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include "sensitivity/tangent.hpp"
 #include "sensitivity/taut_slopes.hpp"
 #include "support.hpp"
+#include "tautline/detail/series.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/scenarios.hpp"
-#include "tautline/series.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::test {

@@ -9,9 +9,9 @@
 
 #include "support.hpp"
 #include "swing_table.hpp"
+#include "tautline/detail/ledger.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/ledger.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 

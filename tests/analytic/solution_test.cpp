@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "support.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/solve.hpp"
 

@@ -12,8 +12,8 @@
 
 #include "analytic/support.hpp"
 #include "engines/engine_support.hpp"
+#include "tautline/detail/sensitivity.hpp"
 #include "tautline/scenarios.hpp"
-#include "tautline/sensitivity.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::test {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "fuzz/targets.hpp"
-#include "tautline/batch/solve_batch.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/solve_batch.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline::fuzz {

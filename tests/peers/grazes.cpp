@@ -4,7 +4,7 @@
 #include <random>
 
 #include "problems.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::peers {

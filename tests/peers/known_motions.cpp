@@ -63,7 +63,7 @@ std::vector<KnownMotion> known_motions(std::size_t most) {
     KnownMotion motion{std::move(the_case), {}, {}};
     double end = motion.the_case.duration;
     double last = 0.0;
-    const BasicSolution<Multi> exact = solve(in_many_digits(motion.the_case), options);
+    const BasicSolution<BasicCase<Multi>> exact = solve(in_many_digits(motion.the_case), options);
     for (const auto& event : exact.events()) {
       const auto time = static_cast<double>(event.time);
       if (event.kind != EventKind::impact || motion.impacts.size() == most ||

@@ -58,6 +58,13 @@ class CheckIncludes(unittest.TestCase):
         self.assertIn("bench/base/planted.cpp: a comment names gone_away.hpp, which does not exist\n",
                       self.breaches())
 
+    def test_names_a_word_of_the_plane_in_what_serves_every_kind_of_case(self):
+        self.write("analytic/loop/planted.hpp", "// its angle\nauto planted = state.angle;\n")
+        self.write("analytic/planted.hpp", "auto planted = state.angle;\n")
+        found = self.breaches()
+        self.assertIn("analytic/loop/planted.hpp:2 names angle, which not every kind of case has\n", found)
+        self.assertNotIn("analytic/planted.hpp", found)
+
     def test_names_a_long_source_and_a_full_folder(self):
         self.write("analytic/planted.cpp", "\n" * 401)
         for number in range(26):

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tautline/cable_set.hpp"
-#include "tautline/scalar.hpp"
+#include "tautline/detail/scalar.hpp"
 
 namespace tautline {
 
@@ -70,9 +70,24 @@ struct BasicState {
 };
 using State = BasicState<double>;
 
+template <class Real>
+struct BasicTouching;
+template <class Real>
+class TautSeries;
+
 /// One system, its start and its duration. SI units or nondimensional: `gravity` decides.
 template <class Real>
 struct BasicCase {
+  // The names by which the solver knows this kind of case (analytic/README.md, "Kinds of cases").
+  using Scalar = Real;
+  using Vector = BasicVec2<Real>;
+  using Body = BasicBody<Real>;
+  using Cable = BasicCable<Real>;
+  using State = BasicState<Real>;
+  using Touching = BasicTouching<Real>;
+  using Series = TautSeries<Real>;
+  static constexpr std::size_t freedoms = 3;
+
   std::string name;                                              // of its file or its maker
   BasicBody<Real> body;                                          // the one that moves
   std::vector<BasicCable<Real>> cables;                          // 1 to max_cables
@@ -83,6 +98,31 @@ struct BasicCase {
   std::optional<Real> ceiling;      // [m]: the run ends where an attachment rises to it
 };
 using Case = BasicCase<double>;
+
+template <class TheCase>
+using RealOf = typename TheCase::Scalar;
+template <class TheCase>
+using VectorOf = typename TheCase::Vector;  // a point of the world, or a direction
+template <class TheCase>
+using BodyOf = typename TheCase::Body;
+template <class TheCase>
+using CableOf = typename TheCase::Cable;
+template <class TheCase>
+using StateOf = typename TheCase::State;
+template <class TheCase>
+using TouchingOf = typename TheCase::Touching;
+template <class TheCase>
+using SeriesOf = typename TheCase::Series;
+/// One number for each freedom of the body.
+template <class TheCase>
+using RowOf = Eigen::Matrix<RealOf<TheCase>, TheCase::freedoms, 1>;
+/// One row for each cable of a set, in rising index order; never on the heap.
+template <class TheCase>
+using RowsOf = Eigen::Matrix<RealOf<TheCase>, Eigen::Dynamic, TheCase::freedoms, 0, max_cables,
+                             TheCase::freedoms>;
+/// Taylor coefficients of a pose in time, one row each.
+template <class TheCase>
+using PosesOf = Eigen::Matrix<RealOf<TheCase>, Eigen::Dynamic, TheCase::freedoms>;
 
 /// A gap this small against the cable's length is rounding in the input and counts as zero [-].
 inline constexpr double gap_rounding = 1e-12;

@@ -171,6 +171,84 @@ template <class Real>
   return row.dot(row.cwiseProduct(inverse_mass(the_case.body)));
 }
 
+/// How long after `state` something given over time is not smooth [s]: never, all is constant.
+template <class Real>
+[[nodiscard]] Real time_to_knot(const BasicCase<Real>& /*the_case*/,
+                                const BasicState<Real>& /*state*/) {
+  return infinity<Real>();
+}
+
+/// `state` standing still.
+template <class Real>
+[[nodiscard]] BasicState<Real> standing_still(BasicState<Real> state) {
+  state.velocity.setZero();
+  state.spin = Real(0);
+  return state;
+}
+
+/// `state` moving `part` times as fast [-].
+template <class Real>
+[[nodiscard]] BasicState<Real> times_as_fast(BasicState<Real> state,
+                                             const std::type_identity_t<Real>& part) {
+  state.velocity *= part;
+  state.spin *= part;
+  return state;
+}
+
+/// `state` with `part` [-] of the jump from `before` to `after` added to its velocity and spin.
+template <class Real>
+[[nodiscard]] BasicState<Real> with_jump(BasicState<Real> state, const BasicState<Real>& before,
+                                         const BasicState<Real>& after,
+                                         const std::type_identity_t<Real>& part) {
+  state.velocity += part * (after.velocity - before.velocity);
+  state.spin += part * (after.spin - before.spin);
+  return state;
+}
+
+/// `state` with `gain` added to its velocity and spin [m/s, m/s, rad/s].
+template <class Real>
+[[nodiscard]] BasicState<Real> with_gain(BasicState<Real> state,
+                                         const Eigen::Matrix<Real, 3, 1>& gain) {
+  state.velocity += gain.template head<2>();
+  state.spin += gain[2];
+  return state;
+}
+
+/// `state` after its pose has moved by `step` [m, m, rad].
+template <class Real>
+[[nodiscard]] BasicState<Real> moved(BasicState<Real> state,
+                                     const Eigen::Matrix<Real, 3, 1>& step) {
+  state.position += step.template head<2>();
+  state.angle += step[2];
+  return state;
+}
+
+/// The state with this `pose` and its `rate`: (x, y, angle) and theirs; of the kind of `like`.
+template <class Real>
+[[nodiscard]] BasicState<Real> state_of(const BasicState<Real>& /*like*/,
+                                        const Eigen::Matrix<Real, 1, 3>& pose,
+                                        const Eigen::Matrix<Real, 1, 3>& rate) {
+  return {{pose[0], pose[1]}, pose[2], {rate[0], rate[1]}, rate[2]};
+}
+
+/// Taylor coefficients of x, y and angle of a body that stays where it is, but for its spin.
+template <class Real>
+[[nodiscard]] Eigen::Matrix<Real, Eigen::Dynamic, 3> resting_poses(const BasicState<Real>& state) {
+  Eigen::Matrix<Real, Eigen::Dynamic, 3> poses(2, 3);
+  poses << state.position.x(), state.position.y(), state.angle, Real(0), Real(0), state.spin;
+  return poses;
+}
+
+/// Adds turns of the body [rad] to the start of an arc, and to the `poses` along it, if any.
+template <class Real>
+void add_turns(BasicState<Real>& start, Eigen::Matrix<Real, Eigen::Dynamic, 3>& poses,
+               const std::type_identity_t<Real>& turns) {
+  start.angle += turns;
+  if (poses.rows() > 0) {
+    poses(0, 2) += turns;
+  }
+}
+
 /// Applies `impulses` [N s], one per cable of `cables`, at the state's pose (Eq. 8).
 template <class Real>
 [[nodiscard]] BasicState<Real> with_impulses(const BasicCase<Real>& the_case,
@@ -182,10 +260,7 @@ template <class Real>
     change += impulses[row++] * gap_gradient(the_case.cables[index], state);
   }
   change = change.cwiseProduct(inverse_mass(the_case.body)).eval();
-  BasicState<Real> result = state;
-  result.velocity += change.template head<2>();
-  result.spin += change[2];
-  return result;
+  return with_gain(state, change);
 }
 
 /// Kinetic energy [J].

@@ -33,29 +33,31 @@ inline constexpr std::array impact_laws = {ImpactLaw::simultaneous, ImpactLaw::p
 [[nodiscard]] std::string_view to_string(ImpactLaw law);
 
 /// The impulses of one impact and the state after it.
-template <class Real>
+template <class TheCase>
 struct BasicImpact {
+  using Real = RealOf<TheCase>;
+
   BasicCableVector<Real> impulses;  // [N s], >= 0, one per cable of the set, rising index order
-  BasicState<Real> after;           // the same pose, the velocities after the impact
+  StateOf<TheCase> after;           // the same pose, the velocities after the impact
   int steps = 0;                    // of the springs within it, under the energetic law [-]
 };
-using Impact = BasicImpact<double>;
+using Impact = BasicImpact<Case>;
 
 /// Newton's impact law for all of `cables`, each at zero gap and closing or resting (Eq. 14):
 /// 0 <= impulse, perpendicular to, rate after + restitution * rate before >= 0.
 /// Never gains energy (analytic/README.md section 4). A rate > 0 before is a caller's mistake;
 /// one within rounding of zero is taken as it is, or left out where that leaves no solution.
-template <class Real>
-[[nodiscard]] BasicImpact<Real> newton_impact(const BasicCase<Real>& the_case,
-                                              const BasicState<Real>& before, CableSet cables);
+template <class TheCase>
+[[nodiscard]] BasicImpact<TheCase> newton_impact(const TheCase& the_case,
+                                                 const StateOf<TheCase>& before, CableSet cables);
 
 /// The same for any law; simultaneous is `newton_impact`. No law gains energy, and none leaves a
 /// cable closing but for rounding. Where `sequential` or `energetic` come to no end (elastic cables
 /// that leave the body nowhere to go) they give up after a fixed number of steps, and what still
 /// closes is stopped without restitution. Impulses are NaN where numbers overflow.
-template <class Real>
-[[nodiscard]] BasicImpact<Real> resolve_impact(ImpactLaw law, const BasicCase<Real>& the_case,
-                                               const BasicState<Real>& before, CableSet cables);
+template <class TheCase>
+[[nodiscard]] BasicImpact<TheCase> resolve_impact(ImpactLaw law, const TheCase& the_case,
+                                                  const StateOf<TheCase>& before, CableSet cables);
 
 /// Solves the linear complementarity problem 0 <= z, perpendicular to, m z + q >= 0 for a matrix
 /// m = J M^-1 J^T of a planar body: symmetric positive semidefinite with rank <= 3, up to 8 by 8.
@@ -67,14 +69,14 @@ template <class Real>
     const std::type_identity_t<Real>& rounding = Real(0));
 
 /// By how much the rates of dependent cables may contradict each other, from rounding alone [m/s].
-template <class Real>
-[[nodiscard]] Real impact_rounding(const BasicCase<Real>& the_case, const BasicState<Real>& state) {
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] Real impact_rounding(const TheCase& the_case, const StateOf<TheCase>& state) {
   return 4500 * epsilon<Real>() * speed_scale(the_case, state);  // 1e-12 of the speed in double
 }
 
 /// True where the rows of `cables` in the constraint Jacobian are independent, beyond rounding.
-template <class Real>
-[[nodiscard]] bool independent(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+template <class TheCase>
+[[nodiscard]] bool independent(const TheCase& the_case, const StateOf<TheCase>& state,
                                CableSet cables);
 
 /// The tensions [N] that hold `cables`, all at zero gap and resting, and what they leave (Eq. 16):
@@ -88,9 +90,9 @@ struct BasicTensions {
 };
 using Tensions = BasicTensions<double>;
 /// None where no tension can hold the cables: the pose is admissible, no motion through it is.
-template <class Real>
-[[nodiscard]] std::optional<BasicTensions<Real>> resting_tensions(const BasicCase<Real>& the_case,
-                                                                  const BasicState<Real>& state,
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] std::optional<BasicTensions<Real>> resting_tensions(const TheCase& the_case,
+                                                                  const StateOf<TheCase>& state,
                                                                   CableSet cables);
 
 }  // namespace tautline

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/detail/swing.hpp"
 #include "tautline/solution.hpp"
-#include "tautline/swing.hpp"
 
 namespace tautline {
 
@@ -43,12 +43,12 @@ using Settling = BasicSettling<double>;
 /// the swing has turned twice, if the solution does not say what swing it is.
 template <class Real>
 [[nodiscard]] BasicSettling<Real> settling(const BasicCase<Real>& the_case,
-                                           const BasicSolution<Real>& solution);
+                                           const BasicSolution<BasicCase<Real>>& solution);
 
 /// The lock alone, which asks far less of a solution than all of its settling.
 template <class Real>
-[[nodiscard]] std::optional<BasicLock<Real>> last_lock(const BasicCase<Real>& the_case,
-                                                       const BasicSolution<Real>& solution);
+[[nodiscard]] std::optional<BasicLock<Real>> last_lock(
+    const BasicCase<Real>& the_case, const BasicSolution<BasicCase<Real>>& solution);
 
 /// The swing on the cables that are taut at `state`; none if one becomes slack or is hit, or if the
 /// motion has not one degree of freedom.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
-#include "tautline/swing.hpp"
+#include "tautline/detail/swing.hpp"
 
 namespace tautline {
 
@@ -18,34 +18,38 @@ enum class EventKind {
 };
 
 /// An instant at which the motion changes. Times count from the start of the run.
-template <class Real>
+template <class TheCase>
 struct BasicEvent {
+  using Real = RealOf<TheCase>;
+
   Real time;        // [s]
   EventKind kind;   // what happens
   CableSet cables;  // that take part
   /// [N s], one per cable of `cables`, in rising index order. Of an accumulation that is completed:
   /// what removes the remaining rates, < 0 where gravity will have done it.
   BasicCableVector<Real> impulses;
-  BasicState<Real> before;  // at its instant
-  BasicState<Real> after;   // the same where nothing jumps
+  StateOf<TheCase> before;  // at its instant
+  StateOf<TheCase> after;   // the same where nothing jumps
 };
-using Event = BasicEvent<double>;
+using Event = BasicEvent<Case>;
 
 /// A stretch of motion without events.
-template <class Real>
+template <class TheCase>
 struct BasicArc {
+  using Real = RealOf<TheCase>;
+
   Real start;                // [s]
   Real end;                  // [s], >= start
-  BasicState<Real> initial;  // at `start`
+  StateOf<TheCase> initial;  // at `start`
   CableSet taut;             // held at zero gap along the arc; empty in free flight
-  /// Taylor coefficients of x, y and angle in the time since `start`, one column each; empty: the
-  /// closed form of free flight.
-  Eigen::Matrix<Real, Eigen::Dynamic, 3> series;
+  /// Taylor coefficients of the pose (x, y, angle) in the time since `start`; empty: the closed
+  /// form of free flight.
+  PosesOf<TheCase> series;
 
   /// The state `dt` [s] after the start.
-  [[nodiscard]] BasicState<Real> after(const Real& dt, const BasicVec2<Real>& gravity) const;
+  [[nodiscard]] StateOf<TheCase> after(const Real& dt, const VectorOf<TheCase>& gravity) const;
 };
-using Arc = BasicArc<double>;
+using Arc = BasicArc<Case>;
 
 /// Why a solution ends.
 enum class Ending {
@@ -91,20 +95,22 @@ template <class Real>
 struct Record;
 
 /// The exact motion of a case: its arcs and events in rising time.
-template <class Real>
+template <class TheCase>
 class BasicSolution {
  public:
+  using Real = RealOf<TheCase>;
+
   /// Made by solve(): arcs in order, each from the end of the one before. Of `system` the body, the
   /// cables and gravity are used.
-  BasicSolution(BasicCase<Real> system, std::vector<BasicArc<Real>> arcs,
-                std::vector<BasicEvent<Real>> events, Ending ending,
+  BasicSolution(TheCase system, std::vector<BasicArc<TheCase>> arcs,
+                std::vector<BasicEvent<TheCase>> events, Ending ending,
                 std::vector<BasicAccumulation<Real>> accumulations,
                 std::optional<BasicSwing<Real>> swing = std::nullopt,
                 std::optional<BasicRepetition<Real>> repetition = std::nullopt);
 
   /// The state at `time` in [0, end_time()], exact; at an event, the state after it.
   /// Throws std::out_of_range outside.
-  [[nodiscard]] BasicState<Real> at(const Real& time) const;
+  [[nodiscard]] StateOf<TheCase> at(const Real& time) const;
 
   /// The tension [N] of each cable of the case at `time` in [0, end_time()], 0 for a slack one; at
   /// an event, the tension after it (Eq. 16). Statics do not determine the tensions of a redundant
@@ -113,17 +119,17 @@ class BasicSolution {
   [[nodiscard]] BasicCableVector<Real> tensions(const Real& time) const;
 
   /// The same `dt` [s] after the start of `arc`, one of arcs(). At its end: before the event there.
-  [[nodiscard]] BasicCableVector<Real> tensions(const BasicArc<Real>& arc, const Real& dt) const;
+  [[nodiscard]] BasicCableVector<Real> tensions(const BasicArc<TheCase>& arc, const Real& dt) const;
 
   /// The body, the cables and the gravity of its case.
-  [[nodiscard]] const BasicCase<Real>& system() const { return system_; }
-  [[nodiscard]] const BasicVec2<Real>& gravity() const { return system_.gravity; }  // [m/s^2]
+  [[nodiscard]] const TheCase& system() const { return system_; }
+  [[nodiscard]] const VectorOf<TheCase>& gravity() const { return system_.gravity; }  // [m/s^2]
   /// In order, at least one. A motion that repeats has them up to the end of its first period.
-  [[nodiscard]] const std::vector<BasicArc<Real>>& arcs() const { return arcs_; }
+  [[nodiscard]] const std::vector<BasicArc<TheCase>>& arcs() const { return arcs_; }
   /// The arcs from the start to `time` [s], each as often as it comes; the last ends there.
-  [[nodiscard]] std::vector<BasicArc<Real>> arcs_until(const Real& time) const;
+  [[nodiscard]] std::vector<BasicArc<TheCase>> arcs_until(const Real& time) const;
   /// In order of time.
-  [[nodiscard]] const std::vector<BasicEvent<Real>>& events() const { return events_; }
+  [[nodiscard]] const std::vector<BasicEvent<TheCase>>& events() const { return events_; }
   [[nodiscard]] Ending ending() const { return ending_; }  // why it ends
   /// The end of the solution [s], which may lie beyond its arcs if the motion repeats.
   [[nodiscard]] const Real& end_time() const {
@@ -153,17 +159,17 @@ class BasicSolution {
   }
 
  private:
-  friend struct Record<Real>;  // whose room it may have, and gives back
+  friend struct Record<TheCase>;  // whose room it may have, and gives back
 
-  BasicCase<Real> system_;            // without a name, a start and a duration
-  std::vector<BasicArc<Real>> arcs_;  // never empty; each starts where the one before ends
-  std::vector<BasicEvent<Real>> events_;
+  TheCase system_;                       // without a name, a start and a duration
+  std::vector<BasicArc<TheCase>> arcs_;  // never empty; each starts where the one before ends
+  std::vector<BasicEvent<TheCase>> events_;
   Ending ending_;
   std::vector<BasicAccumulation<Real>> accumulations_;
   std::optional<BasicSwing<Real>> swing_;
   std::optional<BasicRepetition<Real>> repetition_;
 };
-using Solution = BasicSolution<double>;
+using Solution = BasicSolution<Case>;
 
 /// The names used in files: "impact", "reached_duration", and so on.
 [[nodiscard]] std::string_view to_string(EventKind kind);

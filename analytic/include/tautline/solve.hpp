@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "tautline/accumulation.hpp"
 #include "tautline/case.hpp"
+#include "tautline/detail/accumulation.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
 
@@ -52,8 +52,8 @@ struct SolveOptions {
 
 /// The exact motion of `the_case` from time 0. Never throws on a case without `problems`; a case
 /// with problems is a caller's mistake and throws std::invalid_argument with the first of them.
-template <class Real>
-[[nodiscard]] BasicSolution<Real> solve(const BasicCase<Real>& the_case,
-                                        const SolveOptions& options = {});
+template <class TheCase>
+[[nodiscard]] BasicSolution<TheCase> solve(const TheCase& the_case,
+                                           const SolveOptions& options = {});
 
 }  // namespace tautline

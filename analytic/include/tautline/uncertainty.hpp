@@ -43,9 +43,9 @@ struct Unsure {
 /// solution are then the split of smallest size, the sum of their squares. Empty where the split is
 /// unique, and under laws that make it so: sequential, energetic, and poisson with several
 /// restitutions.
-template <class Real>
-[[nodiscard]] CableSet indeterminate(ImpactLaw law, const BasicCase<Real>& the_case,
-                                     const BasicEvent<Real>& event);
+template <class TheCase>
+[[nodiscard]] CableSet indeterminate(ImpactLaw law, const TheCase& the_case,
+                                     const BasicEvent<TheCase>& event);
 
 /// An instant at which something is least that decides how the motion goes on where it is zero.
 template <class Real>
@@ -67,7 +67,7 @@ using Touch = BasicTouch<double>;
 /// of zero does not touch it.
 template <class Real>
 [[nodiscard]] std::vector<BasicTouch<Real>> touches(const BasicCase<Real>& the_case,
-                                                    const BasicSolution<Real>& solution,
+                                                    const BasicSolution<BasicCase<Real>>& solution,
                                                     std::size_t index);
 
 /// The cables that hold the moving body at a dead point as `the_case` begins; empty if it is at
@@ -79,7 +79,8 @@ template <class Real>
 /// or later: a motion that repeats is then not known to do so.
 template <class Real>
 [[nodiscard]] bool passes_dead_point(const BasicCase<Real>& the_case,
-                                     const BasicSolution<Real>& solution, const Real& from);
+                                     const BasicSolution<BasicCase<Real>>& solution,
+                                     const Real& from);
 
 /// How far a solution in doubles can be trusted: bounds of its errors, from the rounding that each
 /// event and each arc adds and from the derivatives along the motion (analytic/README.md, section

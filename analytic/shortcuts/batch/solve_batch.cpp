@@ -1,4 +1,4 @@
-#include "tautline/batch/solve_batch.hpp"
+#include "tautline/solve_batch.hpp"
 
 #include <array>
 #include <memory>
@@ -31,7 +31,7 @@ class Batch {
     while (flying > 0) {
       bounce_lanes(question_, answer_);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        bounces_[lane] = InLane{lane}.get<SingleBounces<double>::Bounce>(answer_);
+        bounces_[lane] = InLane{lane}.get<SingleBounces<Case>::Bounce>(answer_);
       }
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         if (bodies_[lane].motion && !goes_on(lane)) {
@@ -47,9 +47,9 @@ class Batch {
     std::size_t index = 0;  // of its case
     Case near;              // seen from `origin`, where that is not the world's
     Vec2 origin = Vec2::Zero();
-    std::unique_ptr<PausedMotion<double>> motion;
-    SingleBounces<double>::Search search;  // its last
-    Record<double> room;                   // of the motion before
+    std::unique_ptr<PausedMotion<Case>> motion;
+    SingleBounces<Case>::Search search;  // its last
+    Record<Case> room;                   // of the motion before
   };
 
   /// Puts the next case that flies into `lane`; false where there is none left.
@@ -107,7 +107,7 @@ class Batch {
         solution = seen_from<double>(-body.origin, solution, cases_[body.index]);
       }
       take_(body.index, solution);
-      body.room = Record<double>::in_room_of(std::move(solution));
+      body.room = Record<Case>::in_room_of(std::move(solution));
       return false;
     }
     body.search = body.motion->search();
@@ -142,7 +142,7 @@ class Batch {
   LaneQuestion question_;
   LaneAnswer answer_;
   // of each body: at once, as what has just been written number by number is slow to read as pairs
-  std::array<SingleBounces<double>::Bounce, lanes> bounces_;
+  std::array<SingleBounces<Case>::Bounce, lanes> bounces_;
 };
 
 }  // namespace

@@ -10,10 +10,10 @@
 #include "bench/base/process.hpp"
 #include "bench/base/text.hpp"
 #include "bench/run/workplace.hpp"
-#include "tautline/batch/solve_batch.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/solve_batch.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tautline/accumulation.hpp"
 #include "tautline/case.hpp"
+#include "tautline/detail/accumulation.hpp"
 #include "tautline/impact.hpp"
 
 namespace tautline::bench {

@@ -16,7 +16,7 @@
 #include "bench/ensemble/spec/quantity.hpp"
 #include "bench/run/record.hpp"
 #include "tautline/case.hpp"
-#include "tautline/scalar.hpp"
+#include "tautline/detail/scalar.hpp"
 
 namespace tautline::bench {
 namespace {

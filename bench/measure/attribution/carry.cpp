@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {

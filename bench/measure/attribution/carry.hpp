@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "tautline/case.hpp"
+#include "tautline/detail/sensitivity.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/sensitivity.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline::bench {

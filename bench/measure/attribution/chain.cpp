@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -176,8 +176,7 @@ class Builder {
     for (const std::size_t cable : cables) {
       change[row++] += wanted[cable];
     }
-    return with_impulses<double>(case_, state, cables,
-                                 multipliers<double>(case_, state, cables, change));
+    return with_impulses<double>(case_, state, cables, multipliers(case_, state, cables, change));
   }
 
   /// The state at the end if each jump left its cable with the gap rate that `rate` says; a cable
@@ -245,8 +244,7 @@ class Builder {
     direction.spin = 0.0;
     CableVector gain(1);
     gain[0] = shift;
-    direction =
-        with_impulses<double>(case_, direction, only, multipliers<double>(case_, own, only, gain));
+    direction = with_impulses<double>(case_, direction, only, multipliers(case_, own, only, gain));
     State pushed = own;
     pushed.position += direction.velocity;
     pushed.angle += direction.spin;

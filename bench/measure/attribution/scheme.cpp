@@ -7,7 +7,7 @@
 
 #include "bench/base/statistics.hpp"
 #include "bench/measure/audit/lost.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

@@ -105,26 +105,26 @@ class Solver {
         break;
       }
       the_case.duration = Multi(longer * *locked_by_);
-      BasicSolution<Multi> solution = solve(the_case, options_);
+      BasicSolution<BasicCase<Multi>> solution = solve(the_case, options_);
       BasicSettling<Multi> settled = settled_at(the_case, solution);
       the_case.duration = duration;
       if (settled.lock && settled.lock->swing) {
         return {digits, the_case, std::move(solution), std::move(settled)};
       }
     }
-    BasicSolution<Multi> solution = solve(the_case, options_);
+    BasicSolution<BasicCase<Multi>> solution = solve(the_case, options_);
     BasicSettling<Multi> settled = settled_at(the_case, solution);
     return {digits, std::move(the_case), std::move(solution), std::move(settled)};
   }
 
  private:
   /// `settling`, but for the swing, which it finds with fewer digits.
-  [[nodiscard]] BasicSettling<Multi> settled_at(const BasicCase<Multi>& the_case,
-                                                const BasicSolution<Multi>& solution) const {
+  [[nodiscard]] BasicSettling<Multi> settled_at(
+      const BasicCase<Multi>& the_case, const BasicSolution<BasicCase<Multi>>& solution) const {
     BasicSettling<Multi> result;
     for (const int parts : {100, 1000}) {
       BasicLastImpact<Multi> last{Multi(1) / parts, std::nullopt};
-      for (const BasicEvent<Multi>& event : solution.events()) {
+      for (const BasicEvent<BasicCase<Multi>>& event : solution.events()) {
         for (const std::size_t index : event.cables) {
           if (event.kind == EventKind::impact &&
               gap_rate(the_case.cables[index], event.before) < -last.speed) {

@@ -19,7 +19,7 @@ struct ManyDigits;
 struct DigitsRun {
   int digits;
   BasicCase<Multi> the_case;
-  BasicSolution<Multi> solution;
+  BasicSolution<BasicCase<Multi>> solution;
   BasicSettling<Multi> settling;
 };
 

@@ -82,8 +82,8 @@ std::string split_line(const DigitsRun& few, const DigitsRun& many, const SolveO
   CableSet cables;
   std::string time;
   for (std::size_t index = 0; index < common; ++index) {
-    const BasicEvent<Multi>& event = events[index];
-    const BasicEvent<Multi>& other = few.solution.events()[index];
+    const BasicEvent<BasicCase<Multi>>& event = events[index];
+    const BasicEvent<BasicCase<Multi>>& other = few.solution.events()[index];
     const CableSet open = indeterminate(options.law, many.the_case, event);
     if (open.empty() || other.cables != event.cables) {
       continue;
@@ -120,8 +120,8 @@ std::string events_of(const DigitsRun& few, const DigitsRun& many,
   const std::size_t most = asked.all_events ? events.size() : std::min(events.size(), most_events);
   std::size_t shown = 0;
   for (; shown < std::min(most, few.solution.events().size()); ++shown) {
-    const BasicEvent<Multi>& a = few.solution.events()[shown];
-    const BasicEvent<Multi>& b = events[shown];
+    const BasicEvent<BasicCase<Multi>>& a = few.solution.events()[shown];
+    const BasicEvent<BasicCase<Multi>>& b = events[shown];
     if ((tie && b.time >= tie->time) || a.kind != b.kind || a.cables != b.cables) {
       break;  // followed further with more digits
     }

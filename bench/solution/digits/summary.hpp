@@ -7,8 +7,8 @@
 
 #include "bench/solution/cable_words.hpp"
 #include "bench/solution/digits/right_digits.hpp"
+#include "tautline/detail/ledger.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/ledger.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
 
@@ -36,7 +36,7 @@ struct Figures {
 template <class Real>
 class Summary {
  public:
-  Summary(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution,
+  Summary(const BasicCase<Real>& the_case, const BasicSolution<BasicCase<Real>>& solution,
           const BasicSettling<Real>& settling, SummaryErrors<Real> errors, Figures figures)
       : case_(the_case),
         solution_(solution),
@@ -246,7 +246,7 @@ class Summary {
   }
 
   const BasicCase<Real>& case_;
-  const BasicSolution<Real>& solution_;
+  const BasicSolution<BasicCase<Real>>& solution_;
   const BasicSettling<Real>& settling_;
   SummaryErrors<Real> errors_;
   Figures figures_;

@@ -18,14 +18,13 @@ struct NumberTie {
 /// The first of `solution`, which was computed with numbers of `digits`; none if there is none. A
 /// quarter of the digits is left to what the motion makes of their rounding; beside a dead point,
 /// where a cable is let go, two thirds.
-[[nodiscard]] inline std::optional<NumberTie> first_tie(const BasicCase<Multi>& the_case,
-                                                        const BasicSolution<Multi>& solution,
-                                                        int digits) {
+[[nodiscard]] inline std::optional<NumberTie> first_tie(
+    const BasicCase<Multi>& the_case, const BasicSolution<BasicCase<Multi>>& solution, int digits) {
   const Multi part = pow(Multi(10), -(3 * digits) / 4);  // [-], of the forces of the motion
   // a cable is let go by rounding where that is as large as the fourth power of the sine
   const Multi at_release = pow(Multi(10), -digits / 3);  // [-], of the square of a sine
   for (std::size_t index = 0; index < solution.arcs().size(); ++index) {
-    const BasicArc<Multi>& arc = solution.arcs()[index];
+    const BasicArc<BasicCase<Multi>>& arc = solution.arcs()[index];
     const Multi force = the_case.body.mass * acceleration_scale(the_case, arc.initial);
     std::optional<NumberTie> first;
     for (const BasicTouch<Multi>& touch : touches(the_case, solution, index)) {

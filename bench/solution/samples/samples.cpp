@@ -7,10 +7,10 @@
 #include <cmath>
 #include <iterator>
 
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/rounding.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -65,7 +65,7 @@ CableVector tension_errors(const Case& the_case, const State& state, CableSet ta
       return accelerations(the_case, state_of(here + by * Six::Unit(axis)), taut, tensions);
     };
     const CableVector slope = (moved(step) - moved(-step)) / (2.0 * step);
-    result += off[axis] * multipliers<double>(the_case, state, taut, slope).cwiseAbs();
+    result += off[axis] * multipliers(the_case, state, taut, slope).cwiseAbs();
   }
   CableVector rounding(tensions.size());
   Eigen::Index row = 0;
@@ -73,7 +73,7 @@ CableVector tension_errors(const Case& the_case, const State& state, CableSet ta
     rounding[row++] =
         few_roundings * rounding_of_acceleration(the_case, the_case.cables[index], state);
   }
-  const double rounded = multipliers<double>(the_case, state, taut, rounding).cwiseAbs().maxCoeff();
+  const double rounded = multipliers(the_case, state, taut, rounding).cwiseAbs().maxCoeff();
   result.array() += rounded + few_roundings * epsilon<double>() * tensions.cwiseAbs().maxCoeff();
   return result;
 }

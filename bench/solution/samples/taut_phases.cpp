@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
-#include "tautline/rounding.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bench/solution/samples/samples.hpp"
-#include "tautline/swing.hpp"
+#include "tautline/detail/swing.hpp"
 
 namespace tautline::bench {
 

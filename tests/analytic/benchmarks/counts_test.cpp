@@ -5,7 +5,7 @@
 #include <new>
 #include <string>
 
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/first_contact.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/first_contact.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 

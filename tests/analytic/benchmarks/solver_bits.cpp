@@ -17,10 +17,10 @@
 
 #include "hard/hard_families.hpp"
 #include "support.hpp"
-#include "tautline/batch/solve_batch.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/solve_batch.hpp"
 #include "tautline/uncertainty.hpp"
 #ifdef TAUTLINE_BITS_OF_DIGITS
 #include "bench/solution/digits/in_digits.hpp"
@@ -84,16 +84,16 @@ class Hash {
 
 /// Of all arcs, events, accumulations and the ending.
 template <class Real>
-std::uint64_t motion_bits(const BasicSolution<Real>& solution) {
+std::uint64_t motion_bits(const BasicSolution<BasicCase<Real>>& solution) {
   Hash hash;
-  for (const BasicArc<Real>& arc : solution.arcs()) {
+  for (const BasicArc<BasicCase<Real>>& arc : solution.arcs()) {
     hash.add(arc.start);
     hash.add(arc.end);
     hash.add(arc.initial);
     hash.add(arc.taut);
     hash.add_all(arc.series);
   }
-  for (const BasicEvent<Real>& event : solution.events()) {
+  for (const BasicEvent<BasicCase<Real>>& event : solution.events()) {
     hash.add(event.time);
     hash.add(static_cast<std::uint64_t>(event.kind));
     hash.add(event.cables);

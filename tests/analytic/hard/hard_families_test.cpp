@@ -9,9 +9,9 @@
 #include "hard_families.hpp"
 #include "stopwatch.hpp"
 #include "support.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/rounding.hpp"
 #include "tautline/solve.hpp"
 
 // Random systems from families that are hard for a double. TAUTLINE_HARD_SYSTEMS in the environment

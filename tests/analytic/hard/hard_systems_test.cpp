@@ -7,9 +7,9 @@
 #include "hard_cases.hpp"
 #include "stopwatch.hpp"
 #include "support.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/solve.hpp"
 
 // Systems at the edge of what a double can tell end quickly and truthfully.

@@ -5,7 +5,7 @@
 
 #include "slow_bounces.hpp"
 #include "support.hpp"
-#include "tautline/accumulation.hpp"
+#include "tautline/detail/accumulation.hpp"
 
 // When bounces are tried as the end of an accumulation, and when again.
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "support.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 

@@ -50,8 +50,7 @@ std::size_t expect_same_events(const Case& the_case, const SolveOptions& with,
     const EventErrors& errors = *sure.events()[same];
     EXPECT_TRUE(a.kind == b.kind && a.cables == b.cables &&
                 std::abs(a.time - b.time) <= 2 * errors.time &&
-                within(a.before, b.before, errors.before) &&
-                within(a.after, b.after, errors.after))
+                within(a.before, b.before, errors.before) && within(a.after, b.after, errors.after))
         << name << ", event " << same << " at " << a.time;
   }
   if (!sure.horizon()) {

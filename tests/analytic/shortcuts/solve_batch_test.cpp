@@ -1,4 +1,4 @@
-#include "tautline/batch/solve_batch.hpp"
+#include "tautline/solve_batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -165,8 +165,8 @@ void ask(LaneQuestion& question, std::size_t lane, const Case& the_case, bool to
   const InLane set{lane};
   SolveOptions options;
   options.completion = question.limits;
-  const SingleBounces<double> bounces(the_case, options);
-  const Attempts<double> attempts(the_case.cables.size(), options.completion);
+  const SingleBounces<Case> bounces(the_case, options);
+  const Attempts<Case> attempts(the_case.cables.size(), options.completion);
   const std::optional<Hold> flies;
   const Touching none;
   const auto search =

@@ -12,9 +12,9 @@
 
 #include "shortcuts/cosine_sum.hpp"
 #include "support.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "tautline/case_file.hpp"
-#include "tautline/scalar.hpp"
+#include "tautline/detail/scalar.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {

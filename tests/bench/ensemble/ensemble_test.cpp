@@ -12,7 +12,7 @@
 #include "bench/ensemble/solve/draw_files.hpp"
 #include "bench/ensemble/solve/ensemble.hpp"
 #include "bench/ensemble/spec/spec_file.hpp"
-#include "tautline/ledger.hpp"
+#include "tautline/detail/ledger.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 #include "tests/bench/ensemble/solved.hpp"

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "tautline/first_contact.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/first_contact.hpp"
+#include "tautline/detail/flight.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"

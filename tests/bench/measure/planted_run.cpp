@@ -1,8 +1,8 @@
 #include "tests/bench/measure/planted_run.hpp"
 
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/first_contact.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench::test {
@@ -16,8 +16,7 @@ State bounced(const Case& the_case, const State& before, std::size_t cable, doub
   CableVector change(1);
   change[0] = rate - gap_rate(the_case.cables[cable], before);
   const CableSet only = CableSet::of(cable);
-  return with_impulses<double>(the_case, before, only,
-                               multipliers<double>(the_case, before, only, change));
+  return with_impulses<double>(the_case, before, only, multipliers(the_case, before, only, change));
 }
 
 Trajectory planted_run(const Case& the_case, double end, const Planted& planted,

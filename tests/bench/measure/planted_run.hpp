@@ -6,7 +6,7 @@
 
 #include "bench/run/trajectory.hpp"
 #include "tautline/case.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 
 namespace tautline::bench::test {
 

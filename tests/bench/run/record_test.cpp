@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bench/suite/run_files.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 

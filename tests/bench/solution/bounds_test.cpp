@@ -66,7 +66,7 @@ TEST(Bounds, TheFirstImpactOnALongCableAlongAnAxisIsWithinItsBounds) {
     const auto& errors = uncertainty.events().front();
     ASSERT_TRUE(errors) << the_case.name;
     const tautline::Digits precision(50);
-    const BasicSolution<Multi> truth = solve(in_digits(the_case));
+    const BasicSolution<BasicCase<Multi>> truth = solve(in_digits(the_case));
     const auto check = [&](double value, double bound, const Multi& right, const char* what) {
       const auto error = static_cast<double>(abs(Multi(right - value)));
       EXPECT_LE(error, bound) << what << " of " << the_case.name;

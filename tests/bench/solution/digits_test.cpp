@@ -85,13 +85,13 @@ void count_digits(const Case& the_case, DigitCount& count) {
   const tautline::Digits precision(true_digits());
   SolveOptions sharper;
   sharper.completion.error = true_completion;
-  const BasicSolution<Multi> truth = solve(in_digits(the_case), sharper);
+  const BasicSolution<BasicCase<Multi>> truth = solve(in_digits(the_case), sharper);
   constexpr int time_digits = 12;  // as in the table of events
   constexpr int state_digits = 6;
   const std::size_t common = std::min(solution.events().size(), truth.events().size());
   for (std::size_t index = 0; index < common; ++index) {
     const Event& event = solution.events()[index];
-    const BasicEvent<Multi>& other = truth.events()[index];
+    const BasicEvent<BasicCase<Multi>>& other = truth.events()[index];
     const auto& errors = uncertainty.events()[index];
     if (event.kind != other.kind || event.cables != other.cables) {
       break;  // an accumulation that is followed further, or the horizon
@@ -307,7 +307,7 @@ TEST(Digits, ASwingThatComesAgainForLongStaysWithinItsBounds) {
     const tautline::Digits precision(40);
     SolveOptions sharper;
     sharper.completion.error = true_completion;
-    const BasicSolution<Multi> truth = solve(in_digits(swing), sharper);
+    const BasicSolution<BasicCase<Multi>> truth = solve(in_digits(swing), sharper);
     double worst = 0.0;   // error, as a part of its bound
     double widest = 0.0;  // bound [m]
     for (int sample = 1; sample < 400; ++sample) {

@@ -67,11 +67,11 @@ void compare(const test::HardSystem& system, Bounds& bounds) {
   const Uncertainty uncertainty(the_case, solution, options);
   const tautline::Digits precision(hard_digits);
   options.completion.error = hard_completion;
-  const BasicSolution<Multi> truth = solve(in_digits(the_case), options);
+  const BasicSolution<BasicCase<Multi>> truth = solve(in_digits(the_case), options);
   const std::size_t common = std::min(solution.events().size(), truth.events().size());
   for (std::size_t index = 0; index < common; ++index) {
     const Event& event = solution.events()[index];
-    const BasicEvent<Multi>& other = truth.events()[index];
+    const BasicEvent<BasicCase<Multi>>& other = truth.events()[index];
     const auto& errors = uncertainty.events()[index];
     if (event.kind != other.kind || event.cables != other.cables) {
       break;  // an accumulation that is followed further, or the horizon

@@ -14,10 +14,10 @@
 
 #include "analytic/support.hpp"
 #include "engines/engine_support.hpp"
-#include "tautline/flight.hpp"
+#include "tautline/detail/flight.hpp"
+#include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
-#include "tautline/projection.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 

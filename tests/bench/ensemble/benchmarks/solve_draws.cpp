@@ -9,7 +9,7 @@
 #include "bench/ensemble/solve/draw_files.hpp"
 #include "bench/ensemble/solve/draw_table.hpp"
 #include "bench/ensemble/spec/spec_file.hpp"
-#include "tautline/batch/solve_batch.hpp"
+#include "tautline/solve_batch.hpp"
 
 using namespace tautline;         // NOLINT(google-build-using-namespace): a program of one page
 using namespace tautline::bench;  // NOLINT(google-build-using-namespace)

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/detail/root_search.hpp"
+#include "tautline/detail/rows.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/root_search.hpp"
-#include "tautline/rows.hpp"
 
 namespace tautline {
 
@@ -175,8 +175,21 @@ class TautSeries {
   Channel angle_;
   std::array<CableSeries, max_cables> cables_;
   std::array<HeldCable, 3> held_;
-  Vector3<Real> weight_;    // M^-1/2
-  RowSpace<Real> coupled_;  // of the rows L a of the taut cables (Eq. 23)
+  Vector3<Real> weight_;               // M^-1/2
+  RowSpace<BasicCase<Real>> coupled_;  // of the rows L a of the taut cables (Eq. 23)
 };
+
+/// The response of cable `index`, the only one that pulls along `motion`, to an impulse of its own,
+/// times its length squared [m^2/kg], and the rate of that [m^2/(kg s)].
+template <class Real>
+[[nodiscard]] std::array<Real, 2> scaled_response(const BasicCase<Real>& the_case,
+                                                  const TautSeries<Real>& motion,
+                                                  std::size_t index) {
+  const Real& length = the_case.cables[index].length;
+  const auto lever = motion.lever(index);
+  const Vector3<Real> weight = inverse_mass(the_case.body);
+  return {Real(length * length * weight[0] + lever[0] * lever[0] * weight[2]),
+          Real(2 * lever[0] * lever[1] * weight[2])};
+}
 
 }  // namespace tautline

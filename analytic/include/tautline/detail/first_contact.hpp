@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "tautline/case.hpp"
-#include "tautline/rounding.hpp"
+#include "tautline/detail/rounding.hpp"
 
 namespace tautline {
 

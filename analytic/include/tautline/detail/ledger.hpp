@@ -18,12 +18,12 @@ struct BasicEnergyLedger {
 using EnergyLedger = BasicEnergyLedger<double>;
 
 /// The ledger of `solution`, which solves `the_case`.
-template <class Real>
-[[nodiscard]] BasicEnergyLedger<Real> energy_ledger(const BasicCase<Real>& the_case,
-                                                    const BasicSolution<Real>& solution) {
+template <class TheCase, class Real = RealOf<TheCase>>
+[[nodiscard]] BasicEnergyLedger<Real> energy_ledger(const TheCase& the_case,
+                                                    const BasicSolution<TheCase>& solution) {
   BasicEnergyLedger<Real> ledger{energy(the_case, the_case.initial), Real(0), Real(0),
                                  energy(the_case, solution.at(solution.end_time())), Real(0)};
-  for (const BasicEvent<Real>& event : solution.events()) {
+  for (const BasicEvent<TheCase>& event : solution.events()) {
     const Real lost = energy(the_case, event.before) - energy(the_case, event.after);
     (event.kind == EventKind::impact ? ledger.impacts : ledger.completions) += lost;
   }

@@ -3,7 +3,8 @@
 #include <optional>
 
 #include "tautline/case.hpp"
-#include "tautline/series.hpp"
+#include "tautline/detail/series.hpp"
+#include "tautline/solution.hpp"
 
 namespace tautline {
 
@@ -32,5 +33,27 @@ template <class Real>
 [[nodiscard]] std::optional<Real> time_to_angle_limit(const BasicCase<Real>& the_case,
                                                       const TautSeries<Real>& motion,
                                                       const std::type_identity_t<Real>& horizon);
+
+/// A limit that a motion reaches.
+template <class Real>
+struct ReachedLimit {
+  Real dt;  // [s] from now; NaN: numbers overflowed
+  Ending ending;
+};
+
+/// The first of these, `along` a flight from a state or a series; none: neither.
+template <class Real, class Along>
+[[nodiscard]] std::optional<ReachedLimit<Real>> reached_limit(const BasicCase<Real>& the_case,
+                                                              const Along& along, Real horizon) {
+  std::optional<ReachedLimit<Real>> result;
+  if (const auto dt = time_to_angle_limit(the_case, along, horizon)) {
+    result = {*dt, Ending::angle_limit};
+    horizon = *dt;
+  }
+  if (const auto dt = time_to_ceiling(the_case, along, horizon)) {
+    result = {*dt, Ending::ceiling};
+  }
+  return result;
+}
 
 }  // namespace tautline

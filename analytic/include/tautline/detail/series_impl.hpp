@@ -3,7 +3,7 @@
 // The recurrences of series.hpp, apart from their declarations. Equation numbers are those of
 // analytic/README.md.
 
-#include "tautline/series.hpp"
+#include "tautline/detail/series.hpp"
 
 namespace tautline {
 namespace series {
@@ -171,7 +171,7 @@ void TautSeries<Real>::couple() {
     const Real lever = cross<Real>(series::in_the_world<Real>(held_[i].at, heading_[0]), from);
     rows[i] = {from.x() * weight_[0], from.y() * weight_[1], lever * weight_[2]};
   }
-  coupled_ = RowSpace<Real>(rows, taut_.size());
+  coupled_ = RowSpace<BasicCase<Real>>(rows, taut_.size());
 }
 
 template <class Real>

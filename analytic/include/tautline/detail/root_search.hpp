@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "tautline/scalar.hpp"
+#include "tautline/detail/scalar.hpp"
 
 namespace tautline {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "tautline/case.hpp"
-#include "tautline/first_contact.hpp"
+#include "tautline/detail/first_contact.hpp"
 
 namespace tautline {
 
@@ -20,24 +20,25 @@ struct CompletionLimits {
 
 /// What an accumulation of impacts, infinitely many bounces that end within a finite time, comes
 /// to.
-template <class Real>
+template <class TheCase>
 struct BasicCompletion {
+  using Real = RealOf<TheCase>;
+
   CableSet cables;         // taut when it is over
   bool ends;               // false: an elastic cable goes on bouncing, too low to matter
   Real remaining;          // [s] to the limit of the impact times, if it ends
   Real uncertainty;        // [s] of `remaining`
   Real error;              // [-], what completing changes the later velocities by
-  BasicState<Real> after;  // projected onto the taut cables, M-orthogonally (Eq. 18)
+  StateOf<TheCase> after;  // projected onto the taut cables, M-orthogonally (Eq. 18)
 };
-using Completion = BasicCompletion<double>;
+using Completion = BasicCompletion<Case>;
 
 /// The completion of the bounces of the cables in `touching` from `state` on. None if they rest
 /// already, will leave, still bounce faster than `limits` allow, or if the certificate of
 /// analytic/README.md section 5 fails.
-template <class Real>
-[[nodiscard]] std::optional<BasicCompletion<Real>> completion(const BasicCase<Real>& the_case,
-                                                              const BasicState<Real>& state,
-                                                              const BasicTouching<Real>& touching,
-                                                              const CompletionLimits& limits = {});
+template <class TheCase>
+[[nodiscard]] std::optional<BasicCompletion<TheCase>> completion(
+    const TheCase& the_case, const StateOf<TheCase>& state, const TouchingOf<TheCase>& touching,
+    const CompletionLimits& limits = {});
 
 }  // namespace tautline

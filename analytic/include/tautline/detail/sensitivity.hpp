@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/detail/state_matrix.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
-#include "tautline/state_matrix.hpp"
 
 namespace tautline {
 
@@ -31,7 +31,7 @@ template <class Real>
 class BasicSensitivity {
  public:
   /// `solution` solves `the_case` under `law`.
-  BasicSensitivity(const BasicCase<Real>& the_case, const BasicSolution<Real>& solution,
+  BasicSensitivity(const BasicCase<Real>& the_case, const BasicSolution<BasicCase<Real>>& solution,
                    ImpactLaw law = ImpactLaw::simultaneous);
 
   /// d state(time) / d initial state; at an event, of the state after it.
@@ -64,7 +64,7 @@ class BasicSensitivity {
 
   void append(const Real& start, const Real& end, std::vector<Eigen::Matrix<Real, 3, 6>> series,
               std::optional<Real> period = {});
-  void follow(const BasicCase<Real>& the_case, const BasicArc<Real>& arc,
+  void follow(const BasicCase<Real>& the_case, const BasicArc<BasicCase<Real>>& arc,
               const BasicVec2<Real>& gravity);
   [[nodiscard]] Real size(const BasicStateMatrix<Real>& matrix) const;
 

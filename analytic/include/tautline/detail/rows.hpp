@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "tautline/case.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
-#include "tautline/rounding.hpp"
 
 namespace tautline {
 
@@ -19,10 +19,6 @@ namespace tautline {
 /// A row of A, or a velocity times the root of the mass.
 template <class Real>
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
-
-/// One row of three numbers for each cable of a set, in rising index order.
-template <class Real>
-using Rows = Eigen::Matrix<Real, Eigen::Dynamic, 3, 0, max_cables, 3>;
 
 /// M^1/2 as a diagonal; its last number is 0 for a point mass.
 template <class Real>
@@ -62,14 +58,16 @@ template <class Real>
 /// By cross products: each number of a k_i then has a rounding error small against the products it
 /// is made of, whatever the sizes of the columns. So a body with next to no inertia, whose last
 /// column is large, costs no digits.
-template <class Real>
+template <class TheCase>
 class RowSpace {
  public:
+  using Real = RealOf<TheCase>;
+
   /// No rows: nothing but zero is in it.
   RowSpace() = default;
 
   /// The first `size` of `rows`, which are independent.
-  RowSpace(const std::array<Vector3<Real>, 3>& rows, std::size_t size) : size_(size) {
+  RowSpace(const std::array<RowOf<TheCase>, 3>& rows, std::size_t size) : size_(size) {
     if (size_ == 1) {
       dual_[0] = rows[0] / rows[0].squaredNorm();
       per_square_ = Real(1) / dual_[0].squaredNorm();
@@ -79,7 +77,7 @@ class RowSpace {
       dual_[0] = rows[1].cross(normal_) * per_square_;
       dual_[1] = normal_.cross(rows[0]) * per_square_;
     } else if (size_ == 3) {
-      const Vector3<Real> last = rows[0].cross(rows[1]);
+      const RowOf<TheCase> last = rows[0].cross(rows[1]);
       const Real volume = last.dot(rows[2]);
       dual_[0] = rows[1].cross(rows[2]) / volume;
       dual_[1] = rows[2].cross(rows[0]) / volume;
@@ -91,51 +89,53 @@ class RowSpace {
   [[nodiscard]] std::size_t size() const { return size_; }
 
   /// The vector k of the space with k · row(i) = 1 and k · row(j) = 0 for the others.
-  [[nodiscard]] const Vector3<Real>& dual(std::size_t i) const { return dual_[i]; }
+  [[nodiscard]] const RowOf<TheCase>& dual(std::size_t i) const { return dual_[i]; }
 
   /// The part of `v` across the space, in each number of which its rounding is small against the
   /// products that it is made of: what the rows leave of a force.
-  [[nodiscard]] Vector3<Real> across(const Vector3<Real>& v) const {
+  [[nodiscard]] RowOf<TheCase> across(const RowOf<TheCase>& v) const {
     if (size_ == 1) {
       return dual_[0].cross(v.cross(dual_[0])) * per_square_;
     }
     if (size_ == 2) {
       return normal_ * (normal_.dot(v) * per_square_);
     }
-    return size_ == 3 ? Vector3<Real>(Vector3<Real>::Zero()) : v;
+    return size_ == 3 ? RowOf<TheCase>(RowOf<TheCase>::Zero()) : v;
   }
 
   /// The part of `v` in the space. Its error is rounding of `v`, however near to dependence.
-  [[nodiscard]] Vector3<Real> part(const Vector3<Real>& v) const {
+  [[nodiscard]] RowOf<TheCase> part(const RowOf<TheCase>& v) const {
     if (size_ == 1) {
       return dual_[0] * (dual_[0].dot(v) * per_square_);
     }
     if (size_ == 2) {
       return v - normal_ * (normal_.dot(v) * per_square_);
     }
-    return size_ == 3 ? v : Vector3<Real>(Vector3<Real>::Zero());
+    return size_ == 3 ? v : RowOf<TheCase>(RowOf<TheCase>::Zero());
   }
 
  private:
   std::size_t size_ = 0;
-  std::array<Vector3<Real>, 3> dual_{Vector3<Real>::Zero(), Vector3<Real>::Zero(),
-                                     Vector3<Real>::Zero()};
-  Vector3<Real> normal_;       // of the plane of two rows
+  std::array<RowOf<TheCase>, 3> dual_{RowOf<TheCase>::Zero(), RowOf<TheCase>::Zero(),
+                                      RowOf<TheCase>::Zero()};
+  RowOf<TheCase> normal_;      // of the plane of two rows
   Real per_square_ = Real(0);  // of it, or of the dual of one row: 1 / its square
 };
 
 /// The rows A = J M^-1/2 of `cables`, which know which of them are independent: by their geometry,
 /// whatever the masses.
-template <class Real>
+template <class TheCase>
 class CableRows {
  public:
+  using Real = RealOf<TheCase>;
+
   /// Of `cables` at the pose of `state`.
-  CableRows(const BasicCase<Real>& the_case, const BasicState<Real>& state, CableSet cables)
+  CableRows(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables)
       : rows_(static_cast<Eigen::Index>(cables.size()), 3), shapes_(rows_.rows(), 3) {
-    const Vector3<Real> weight = root_of_inverse_mass(the_case.body);
+    const RowOf<TheCase> weight = root_of_inverse_mass(the_case.body);
     Eigen::Index row = 0;
     for (const std::size_t index : cables) {
-      const Vector3<Real> gradient = gap_gradient(the_case.cables[index], state);
+      const RowOf<TheCase> gradient = gap_gradient(the_case.cables[index], state);
       shapes_.row(row) = gradient.transpose();
       rows_.row(row++) = gradient.cwiseProduct(weight).transpose();
     }
@@ -145,10 +145,10 @@ class CableRows {
   }
 
   /// A.
-  [[nodiscard]] const Rows<Real>& rows() const { return rows_; }
+  [[nodiscard]] const RowsOf<TheCase>& rows() const { return rows_; }
 
   /// The gradients with the angle times the longest arm: every column is a length.
-  [[nodiscard]] const Rows<Real>& shapes() const { return shapes_; }
+  [[nodiscard]] const RowsOf<TheCase>& shapes() const { return shapes_; }
 
   /// A sine up to this is rounding of zero [-].
   [[nodiscard]] const Real& dependent() const { return dependent_; }
@@ -172,7 +172,7 @@ class CableRows {
       return false;
     }
     const auto [a, b, c] = vectors(shapes_, chosen);
-    const Vector3<Real> normal = a.cross(b);
+    const RowOf<TheCase> normal = a.cross(b);
     if (chosen.size() == 2) {
       return normal.norm() > dependent_;
     }
@@ -182,8 +182,8 @@ class CableRows {
   }
 
   /// That of `chosen`, which are independent.
-  [[nodiscard]] RowSpace<Real> space(CableSet chosen) const {
-    return RowSpace<Real>(vectors(rows_, chosen), chosen.size());
+  [[nodiscard]] RowSpace<TheCase> space(CableSet chosen) const {
+    return RowSpace<TheCase>(vectors(rows_, chosen), chosen.size());
   }
 
   /// As many independent rows as there are: of those left the one that stands out most, while its
@@ -192,11 +192,11 @@ class CableRows {
     CableSet result = CableSet::of(0);
     while (result.size() < 3) {
       const auto [a, b, unused] = vectors(shapes_, result);
-      const Vector3<Real> normal = a.cross(b);
+      const RowOf<TheCase> normal = a.cross(b);
       Real largest = max(least, dependent_);
       std::optional<std::size_t> best;
       for (Eigen::Index row = 0; row < shapes_.rows(); ++row) {
-        const Vector3<Real> next = shapes_.row(row).transpose();
+        const RowOf<TheCase> next = shapes_.row(row).transpose();
         const Real sine = result.size() == 1
                               ? Real(a.cross(next).norm() / (a.norm() * next.norm()))
                               : Real(abs(normal.dot(next)) / (normal.norm() * next.norm()));
@@ -214,9 +214,9 @@ class CableRows {
   }
 
  private:
-  using Three = std::array<Vector3<Real>, 3>;
-  static Three vectors(const Rows<Real>& rows, CableSet chosen) {
-    Three result{Vector3<Real>::Zero(), Vector3<Real>::Zero(), Vector3<Real>::Zero()};
+  using Three = std::array<RowOf<TheCase>, 3>;
+  static Three vectors(const RowsOf<TheCase>& rows, CableSet chosen) {
+    Three result{RowOf<TheCase>::Zero(), RowOf<TheCase>::Zero(), RowOf<TheCase>::Zero()};
     std::size_t count = 0;
     for (const std::size_t row : chosen) {
       result[count++] = rows.row(static_cast<Eigen::Index>(row)).transpose();
@@ -225,12 +225,11 @@ class CableRows {
   }
 
   /// Gives the shapes a length as their last column, and their rounding.
-  void make_comparable(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                       CableSet cables) {
+  void make_comparable(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables) {
     Real longest(0);  // [m], of the arms
     Real rounding(0);
     for (const std::size_t index : cables) {
-      const BasicCable<Real>& cable = the_case.cables[index];
+      const CableOf<TheCase>& cable = the_case.cables[index];
       longest = max(longest, Real(cable.attachment.norm()));
       rounding = max(rounding, rounding_of_direction(cable, state));
     }
@@ -239,8 +238,8 @@ class CableRows {
     shapes_.col(2) *= turns ? Real(Real(1) / longest) : Real(0);
   }
 
-  Rows<Real> rows_;
-  Rows<Real> shapes_;
+  RowsOf<TheCase> rows_;
+  RowsOf<TheCase> shapes_;
   Real dependent_ = Real(0);
 };
 

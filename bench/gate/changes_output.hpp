@@ -27,13 +27,13 @@ namespace tautline::bench {
 /// model and step.
 [[nodiscard]] std::string trend_text(const Trend& trend, bool all, const TerminalStyle& style);
 
-/// As bench/gate/changes.schema.json describes it, indented, with a line break at its end.
+/// As JSON, indented, with a line break at its end.
 [[nodiscard]] std::string changes_json(const Changes& changes);
-
-/// As bench/gate/trend/trend.schema.json describes it, likewise.
 [[nodiscard]] std::string trend_json(const Trend& trend);
-
-/// As bench/gate/trend/version_trend.schema.json describes it, likewise.
 [[nodiscard]] std::string version_trends_json(const std::vector<VersionTrend>& trends);
+
+/// The JSON schema of the first two, and of the last.
+[[nodiscard]] std::string compare_schema_json();
+[[nodiscard]] std::string version_trends_schema_json();
 
 }  // namespace tautline::bench

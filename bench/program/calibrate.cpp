@@ -18,9 +18,9 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/engine_json.hpp"
 #include "bench/run/calibration/calibrate.hpp"
 #include "bench/run/calibration/reach.hpp"
-#include "bench/run/json.hpp"
 #include "bench/run/registry.hpp"
 
 namespace tautline::bench {
@@ -285,6 +285,7 @@ void add_calibrate(CLI::App& app, int& code) {
   command->add_option("--time-limit", asked->time_limit, "give up a setting after this long [s]")
       ->capture_default_str();
   add_target(*command, "--json", asked->json, "write the result as JSON");
+  add_schema(*command, calibration_schema_json);
   command->footer("tautline calibrate mujoco --model tendon-limit --restitution 0.7 --step 1e-4");
   command->callback([asked, &code] { code = calibrate_command(*asked); });
 }

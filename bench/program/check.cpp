@@ -18,7 +18,7 @@
 #include "bench/check/contract.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/run/json.hpp"
+#include "bench/program/engine_json.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/run/worker.hpp"
 
@@ -206,6 +206,7 @@ void add_check(CLI::App& app, int& code) {
                    "end the check of a model after this long [s]")
       ->capture_default_str();
   add_target(*command, "--json", asked->json, "write the verdicts as JSON");
+  add_schema(*command, check_schema_json);
   command->callback([asked, &code] { code = check_command(*asked); });
 }
 

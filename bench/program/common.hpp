@@ -56,4 +56,7 @@ void add_law(CLI::App& command, ImpactLaw& law, const std::string& help);
 void add_target(CLI::App& command, const std::string& option, std::string& file,
                 const std::string& help);
 
+/// The option --schema, which prints the JSON schema of what the command writes.
+void add_schema(CLI::App& command, std::string (*schema)());
+
 }  // namespace tautline::bench

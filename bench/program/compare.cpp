@@ -124,6 +124,7 @@ void add_compare(CLI::App& app, int& code) {
       ->capture_default_str();
   command->add_flag("--all", asked->all, "print all rows of a trend, not only those that move");
   add_target(*command, "--json", asked->json, "write the changes or the trend as JSON");
+  add_schema(*command, compare_schema_json);
   command->footer(
       "tautline compare before.json after.json\n"
       "tautline compare 3.23.json 3.24.json 3.25.json --all");

@@ -8,7 +8,7 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/run/json.hpp"
+#include "bench/program/engine_json.hpp"
 #include "bench/run/registry.hpp"
 
 namespace tautline::bench {
@@ -59,6 +59,7 @@ void add_engines(CLI::App& app, int& code) {
       "engines", "The engines here, their models, and the engines that are missing");
   const auto asked = std::make_shared<EnginesCommand>();
   add_target(*command, "--json", asked->json, "write the list as JSON");
+  add_schema(*command, engines_schema_json);
   command->callback([asked, &code] { code = engines_command(*asked); });
 }
 

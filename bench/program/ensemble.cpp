@@ -291,6 +291,7 @@ void add_ensemble(CLI::App& app, int& code) {
   command->add_option("--time-limit", asked->time_limit, "end an engine's run after this long [s]")
       ->capture_default_str();
   add_target(*command, "--json", asked->json, "also write the result as JSON");
+  add_schema(*command, ensemble_schema_json);
   command
       ->add_option("--draw", asked->draw,
                    "print this draw as a case file instead, for `tautline solve` and `run`")

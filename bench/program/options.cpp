@@ -1,5 +1,7 @@
 #include "bench/program/common.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <map>
 
@@ -30,6 +32,16 @@ void add_target(CLI::App& command, const std::string& option, std::string& file,
       ->check([](const std::string& name) {
         return std::string(name.empty() ? "must be the name of a file, or -" : "");
       });
+}
+
+void add_schema(CLI::App& command, std::string (*schema)()) {
+  command.add_flag_callback(
+      "--schema",
+      [schema] {
+        fmt::print("{}", schema());
+        throw CLI::Success();  // as --help ends
+      },
+      "print the JSON schema of what it writes, and end");
 }
 
 }  // namespace tautline::bench

@@ -183,6 +183,7 @@ void add_runs(CLI::App& command, BenchCommand& runs) {
   command.add_option("--time-limit", runs.time_limit, "end a run after this long [s]")
       ->capture_default_str();
   add_target(command, "--json", runs.json, "also write the trend as JSON");
+  add_schema(command, version_trends_schema_json);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/bench/support.hpp"
+#include "tests/bench/program.hpp"
 
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -12,9 +12,10 @@
 
 namespace tautline::test {
 
-/// True where what the program wrote is as the JSON schema of this file says.
-[[nodiscard]] inline bool keeps_the_schema(const nlohmann::json& written, const std::string& file) {
-  const auto text = nlohmann::json::parse(bench::test::content_of(file));
+/// True where what `command` wrote is as the schema says that it prints.
+[[nodiscard]] inline bool keeps_the_schema(const nlohmann::json& written,
+                                           const std::string& command) {
+  const auto text = nlohmann::json::parse(program({command, "--schema"}).output);
   valijson::Schema schema;
   valijson::SchemaParser parser;
   parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);

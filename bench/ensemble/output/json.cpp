@@ -1,123 +1,276 @@
+#include <cstdint>
 #include <utility>
 
-#include "bench/base/json_list.hpp"
 #include "bench/base/text.hpp"
 #include "bench/ensemble/output/atlas.hpp"
 #include "bench/ensemble/output/output.hpp"
-#include "bench/report/json/writer.hpp"
+#include "bench/report/json/describer.hpp"
 
 namespace tautline::bench {
-namespace {
 
-constexpr int ensemble_schema = 1;
-
-Json summary_json(const Summary& summary) {
-  const bool some = summary.count > 0;
-  Json quantiles = Json::array();
-  for (std::size_t place = 0; place < quantile_parts.size(); ++place) {
-    const Quantile& one = summary.quantiles[place];
-    quantiles.push_back({{"part", quantile_parts[place]},
-                         {"value", json_of(one.value)},
-                         {"low", json_of(one.low)},
-                         {"high", json_of(one.high)}});
-  }
-  return {{"count", summary.count},
-          {"without", summary.without},
-          {"mean", some ? Json(summary.mean) : Json(nullptr)},
-          {"deviation", some ? Json(summary.deviation) : Json(nullptr)},
-          {"quantiles", std::move(quantiles)}};
+template <class Visitor>
+void fields(Visitor& visit, Test& test) {
+  visit("effect", test.effect, in_range(0, 1));
+  visit("probability", test.probability, in_range(0, 1, "of as large an effect by chance"));
+  visit("adjusted", test.adjusted, in_range(0, 1, "for all tests together"));
 }
 
-Json setup_json(const EnsembleReport& report, std::size_t place) {
+template <class Visitor>
+void fields(Visitor& visit, Statistic& statistic) {
+  visit("name", statistic.name);
+  visit("heading", statistic.heading);
+  visit("unit", statistic.unit, "empty: none");
+  visit("meaning", statistic.meaning);
+}
+
+namespace ensemble_rows {
+
+// The rows of ensemble.json, and their members by name.
+
+constexpr int schema_number = 1;
+
+struct QuantileRow {
+  double part = 0.0;
+  Quantile quantile;
+};
+struct Summed {
+  std::size_t count = 0;
+  std::size_t without = 0;
+  std::optional<double> mean;
+  std::optional<double> deviation;
+  std::vector<QuantileRow> quantiles;
+};
+struct SetupEngine {
+  std::string name;
+  std::string version;
+  std::string model;
+  double step = 0.0;
+};
+struct SetupRow {
+  std::string name;
+  std::string law;
+  double completion = 0.0;
+  std::optional<SetupEngine> engine;
+  std::size_t draws = 0;
+  std::size_t problems = 0;
+  std::string first_problem;
+  ByName<Summed> statistics;
+};
+struct ComparisonRow {
+  std::string setup;
+  std::string statistic;
+  Comparison comparison;
+};
+struct Axis {
+  std::string quantity;
+  std::vector<double> values;
+};
+struct Maps {
+  std::vector<Axis> axes;
+  ByName<std::vector<std::optional<double>>> maps;
+};
+struct Ensemble {
+  std::string the_case;
+  double until = 0.0;
+  std::size_t draws = 0;
+  std::size_t seed = 0;
+  std::string sampling;
+  std::vector<double> speeds;
+  bool interrupted = false;
+  std::size_t tests = 0;
+  std::vector<Statistic> statistics;
+  std::vector<SetupRow> setups;
+  std::vector<ComparisonRow> comparisons;
+  std::optional<Maps> atlas;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, QuantileRow& row) {
+  visit("part", row.part, in_range(0, 1));
+  visit("value", row.quantile.value, "null: so many draws have none");
+  visit("low", row.quantile.low, "null: the sample is too small for a bound");
+  visit("high", row.quantile.high, "likewise, or so many draws have none");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Summed& row) {
+  visit("count", row.count, "draws with a value");
+  visit("without", row.without, "draws with none; they count as the largest");
+  visit("mean", row.mean, "of the values");
+  visit("deviation", row.deviation, "standard, of the values");
+  visit("quantiles", row.quantiles);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, SetupEngine& row) {
+  visit("name", row.name);
+  visit("version", row.version);
+  visit("model", row.model);
+  visit("step", row.step, "[s]");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, SetupRow& row) {
+  visit("name", row.name);
+  visit("law", row.law, one_of({"simultaneous", "poisson", "sequential", "energetic"}));
+  visit("completion", row.completion,
+        "part of later velocities that completing an accumulation changes, at most about [-]");
+  visit("engine", row.engine, "null: the exact solver");
+  visit("draws", row.draws, "that are finished");
+  visit("problems", row.problems, "of them, those that failed or are no case");
+  visit("first_problem", row.first_problem);
+  visit("statistics", row.statistics, "by name, those that this setup tells");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, ComparisonRow& row) {
+  Comparison& one = row.comparison;
+  visit("setup", row.setup);
+  visit("statistic", row.statistic);
+  visit("draws", one.draws,
+        at_least(10,
+                 "of the setup that were tested: the first ones, where there are more than are "
+                 "held"));
+  visit("differs", one.differs(), "an adjusted probability is at most the error rate");
+  visit("kolmogorov", one.kolmogorov,
+        "effect: the largest distance between the distribution functions");
+  visit("energy", one.energy,
+        "effect: the energy distance as a share of twice the mean distance between the samples; "
+        "null: too few draws have a value");
+  visit("median_change", one.median_change, "in the unit of the statistic");
+  visit("visible", one.visible,
+        "the smallest Kolmogorov distance that would be called a difference");
+  visit("visible_shift", one.visible_shift,
+        "that makes such a distance, in the unit of the statistic");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Axis& axis) {
+  visit("quantity", axis.quantity);
+  visit("values", axis.values);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Maps& maps) {
+  visit("axes", maps.axes, Says().not_empty());
+  visit("maps", maps.maps,
+        "by statistic, of each cell, the first axis fastest: the mean of its draws, and of "
+        "first_cable the most frequent; null: no draw has a value");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Ensemble& row) {
+  visit("schema", std::int32_t{schema_number}, in_range(schema_number, schema_number));
+  visit("case", row.the_case);
+  visit("until", row.until, "[s], where every run ends");
+  visit("draws", row.draws, at_least(1, "in all: over a grid, those of every point"));
+  visit("seed", row.seed);
+  visit("sampling", row.sampling, one_of({"random", "sobol"}));
+  visit("speeds", row.speeds,
+        "[m/s], of the last impacts; those faster than the first are counted, those faster than "
+        "the second share the loss");
+  visit("interrupted", row.interrupted, "some draws are missing");
+  visit("confidence", double{confidence}, "of the intervals of the quantiles");
+  visit("error_rate", double{error_rate},
+        "at most so often all tests together find a difference where there is none");
+  visit("tests", row.tests, "that Holm's correction is over");
+  visit("statistics", row.statistics, Says().not_empty());
+  visit("setups", row.setups,
+        Says("the exact motion first, its variants, the engines").not_empty());
+  visit("comparisons", row.comparisons, "of each setup but the first with the first");
+  visit("atlas", row.atlas, "of the exact motion over the first two grids; null: there are none");
+}
+
+}  // namespace ensemble_rows
+
+namespace {
+
+using namespace ensemble_rows;
+
+Summed row_of(const Summary& summary) {
+  const bool some = summary.count > 0;
+  Summed row{summary.count,
+             summary.without,
+             some ? std::optional(summary.mean) : std::nullopt,
+             some ? std::optional(summary.deviation) : std::nullopt,
+             {}};
+  for (std::size_t place = 0; place < quantile_parts.size(); ++place) {
+    row.quantiles.push_back({quantile_parts[place], summary.quantiles[place]});
+  }
+  return row;
+}
+
+SetupRow setup_row(const EnsembleReport& report, std::size_t place) {
   const EnsembleSetup& setup = report.request.setups[place];
   const Findings& findings = report.findings;
-  Json summaries = Json::object();
+  SetupRow row{printable(setup.name),
+               std::string(to_string(setup.exact.law)),
+               setup.exact.completion,
+               std::nullopt,
+               report.result.draws[place].ended(),
+               findings.problems[place],
+               printable(findings.first_problems[place]),
+               {}};
   for (std::size_t index = 0; index < findings.statistics.size(); ++index) {
     const Statistic& statistic = findings.statistics[index];
     const Summary& summary = findings.summaries[place][index];
     if (tells(setup, statistic, summary)) {
-      summaries[statistic.name] = summary_json(summary);
+      row.statistics.rows.emplace_back(statistic.name, row_of(summary));
     }
   }
-  Json engine = nullptr;
   if (setup.engine) {
     const RegisteredEngine& one = report.request.engines[*setup.engine];
-    engine = {{"name", one.name},
-              {"version", printable(one.info->version)},
-              {"model", setup.model},
-              {"step", setup.step}};
+    row.engine = {one.name, printable(one.info->version), setup.model, setup.step};
   }
-  return {{"name", printable(setup.name)},
-          {"law", to_string(setup.exact.law)},
-          {"completion", setup.exact.completion},
-          {"engine", std::move(engine)},
-          {"draws", report.result.draws[place].ended()},
-          {"problems", findings.problems[place]},
-          {"first_problem", printable(findings.first_problems[place])},
-          {"statistics", std::move(summaries)}};
+  return row;
 }
 
-Json test_json(const Test& test) {
-  return {{"effect", test.effect}, {"probability", test.probability}, {"adjusted", test.adjusted}};
-}
-
-Json comparison_json(const EnsembleReport& report, const Comparison& one) {
-  return {{"setup", printable(report.request.setups[one.setup].name)},
-          {"statistic", report.findings.statistics[one.statistic].name},
-          {"draws", one.draws},
-          {"differs", one.differs()},
-          {"kolmogorov", test_json(one.kolmogorov)},
-          {"energy", one.energy ? test_json(*one.energy) : Json(nullptr)},
-          {"median_change", json_of(one.median_change)},
-          {"visible", one.visible},
-          {"visible_shift", json_of(one.visible_shift)}};
-}
-
-Json statistic_json(const Statistic& one) {
-  return {
-      {"name", one.name}, {"heading", one.heading}, {"unit", one.unit}, {"meaning", one.meaning}};
-}
-
-Json atlas_json(const EnsembleReport& report) {
+std::optional<Maps> maps_of(const EnsembleReport& report) {
   const std::optional<Atlas> atlas = atlas_of(report);
   if (!atlas) {
-    return nullptr;
+    return std::nullopt;
   }
-  const auto axis_json = [](const Varied& axis) -> Json {
-    return {{"quantity", axis.quantity}, {"values", axis.distribution.numbers}};
-  };
-  Json maps = Json::object();
+  Maps result;
+  for (const Varied& axis : atlas->axes) {
+    result.axes.push_back({axis.quantity, axis.distribution.numbers});
+  }
   for (const AtlasMap& map : atlas->maps) {
-    maps[report.findings.statistics[map.statistic].name] = json_of(map.cells);
+    result.maps.rows.emplace_back(report.findings.statistics[map.statistic].name, map.cells);
   }
-  return {{"axes", json_list(atlas->axes, axis_json)}, {"maps", std::move(maps)}};
+  return result;
 }
 
 }  // namespace
 
 std::string ensemble_json(const EnsembleReport& report) {
   const EnsembleSpec& spec = report.request.spec;
-  Json setups = Json::array();
+  Ensemble row{printable(spec.the_case.name),
+               spec.the_case.duration,
+               draw_count(spec),
+               spec.seed,
+               spec.sampling == Sampling::sobol ? "sobol" : "random",
+               {spec.speeds.begin(), spec.speeds.end()},
+               report.result.interrupted || report.result.goes_on,
+               report.findings.tests(),
+               report.findings.statistics,
+               {},
+               {},
+               maps_of(report)};
   for (std::size_t place = 0; place < report.request.setups.size(); ++place) {
-    setups.push_back(setup_json(report, place));
+    row.setups.push_back(setup_row(report, place));
   }
-  const auto of_comparison = [&](const Comparison& one) { return comparison_json(report, one); };
-  const Json json = {{"schema", ensemble_schema},
-                     {"case", printable(spec.the_case.name)},
-                     {"until", spec.the_case.duration},
-                     {"draws", draw_count(spec)},
-                     {"seed", spec.seed},
-                     {"sampling", spec.sampling == Sampling::sobol ? "sobol" : "random"},
-                     {"speeds", spec.speeds},
-                     {"interrupted", report.result.interrupted || report.result.goes_on},
-                     {"confidence", confidence},
-                     {"error_rate", error_rate},
-                     {"tests", report.findings.tests()},
-                     {"statistics", json_list(report.findings.statistics, statistic_json)},
-                     {"setups", std::move(setups)},
-                     {"comparisons", json_list(report.findings.comparisons, of_comparison)},
-                     {"atlas", atlas_json(report)}};
-  return json.dump(2) + "\n";
+  for (const Comparison& one : report.findings.comparisons) {
+    row.comparisons.push_back({printable(report.request.setups[one.setup].name),
+                               report.findings.statistics[one.statistic].name, one});
+  }
+  return text_of(json_of(row));
+}
+
+std::string ensemble_schema_json() {
+  return text_of(headed("What `tautline ensemble --json` writes",
+                        "Statistics of many draws of a case, by setup, and whether their "
+                        "distributions can be told apart.",
+                        schema_of(Ensemble())));
 }
 
 }  // namespace tautline::bench

@@ -24,8 +24,9 @@ void write_ensemble(const std::filesystem::path& out, const EnsembleReport& repo
 /// The same as Markdown.
 [[nodiscard]] std::string ensemble_markdown(const EnsembleReport& report);
 
-/// As bench/ensemble/ensemble.schema.json describes it, indented, with a line break at its end.
+/// As `ensemble_schema_json` describes it, indented, with a line break at its end.
 [[nodiscard]] std::string ensemble_json(const EnsembleReport& report);
+[[nodiscard]] std::string ensemble_schema_json();
 
 /// Each statistic of each setup: its median and spread.
 [[nodiscard]] Table summary_table(const EnsembleReport& report);

@@ -101,11 +101,6 @@ std::size_t draws_of(const BenchCommand& command, const Request& request,
   return static_cast<std::size_t>(std::clamp(draws, 0LL, most));
 }
 
-void print_schema() {
-  fmt::print("{}", report_schema_json());
-  throw CLI::Success();  // as --help ends
-}
-
 }  // namespace
 
 Limits limits_of(const std::optional<std::string>& gate, const LimitNames& names,
@@ -200,8 +195,7 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
   command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
       ->capture_default_str();
   add_target(command, "--json", asked.json, "also write the report as JSON");
-  command.add_flag_callback("--schema", print_schema,
-                            "print the JSON schema of report.json, and end");
+  add_schema(command, report_schema_json);
   command.add_option("--gate", asked.gate, gate_help);
   command.footer("Suites, and what their cases show:\n" + suites_text());
 }

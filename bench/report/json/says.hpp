@@ -1,11 +1,18 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace tautline::bench {
+
+/// Values that are an object in JSON, with a key for each.
+template <class Value>
+struct ByName {
+  std::vector<std::pair<std::string, Value>> rows;
+};
 
 /// What the schema of a report says of a member beside its name and type.
 struct Says {

@@ -43,6 +43,8 @@ template <class Value>
 Json json_of(const std::optional<Value>& value);
 template <class Value>
 Json json_of(const std::vector<Value>& values);
+template <class Value>
+Json json_of(const ByName<Value>& values);
 template <class Row>
 Json json_of(const Row& row);
 
@@ -116,6 +118,15 @@ Json json_of(const std::vector<Value>& values) {
     array.push_back(json_of(value));
   }
   return array;
+}
+
+template <class Value>
+Json json_of(const ByName<Value>& values) {
+  Json object = Json::object();
+  for (const auto& [name, value] : values.rows) {
+    object[name] = json_of(value);
+  }
+  return object;
 }
 
 template <class Row>

@@ -7,13 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <set>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 #include "bench/check/claims.hpp"
 #include "tests/bench/program.hpp"
+#include "tests/bench/schema.hpp"
 
 namespace tautline::test {
 namespace {
@@ -189,15 +186,8 @@ TEST(Check, EndsItsTableWithWhatDoesNotHold) {
       << outcome.output;
 }
 
-/// True if `verdicts` is what the schema in the repository says.
-bool is_sound_json(const json& verdicts) {
-  const json text = json::parse(content_of(TAUTLINE_CHECK_SCHEMA));
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
-  valijson::Validator validator;
-  return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(verdicts), nullptr);
-}
+/// True if `verdicts` is what the schema says.
+bool is_sound_json(const json& verdicts) { return keeps_the_schema(verdicts, "check"); }
 
 TEST(CheckSchema, AcceptsEveryKindOfVerdictAndNothingElse) {
   for (const std::string name : {"sound", "wrong-arm", "segfault", "nan"}) {
@@ -352,7 +342,7 @@ TEST(Check, RefusesWhatIsNotAPluginInClearSentences) {
       {{"check", "/no/such/engine.so"}, 2, "no such file; give the path of a plug-in (.so)"},
       {{"check", TAUTLINE_FIXTURE_DIR}, 2, "is a directory; give the path of a plug-in (.so)"},
       {{"check", "/dev/null"}, 2, "is no regular file; give the path of a plug-in (.so)"},
-      {{"check", TAUTLINE_CHECK_SCHEMA}, 2, "not a shared library that can be loaded"},
+      {{"check", TAUTLINE_README}, 2, "not a shared library that can be loaded"},
       {{"check", bad_engine("wrong-interface")}, 2, "built against another interface"},
       {{"check", bad_engine("mute")}, 1, "crashed: SIGSEGV"},
       {{"check", "exakt"}, 2, "unknown engine exakt; did you mean exact?"},

@@ -55,7 +55,7 @@ std::string sentences(const json& found) {
 
 /// What is wrong with it in the eyes of the published schema; "" if nothing.
 std::string schema_errors(const json& found) {
-  const json text = json::parse(content_of(TAUTLINE_CALIBRATION_SCHEMA));
+  const json text = json::parse(program({"calibrate", "--schema"}).output);
   valijson::Schema schema;
   valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
   valijson::ValidationResults results;

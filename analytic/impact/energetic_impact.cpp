@@ -23,7 +23,8 @@ SpringImpulses<Real> energetic_impulses(const TheCase& the_case, const StateOf<T
   const auto count = static_cast<Eigen::Index>(cables.size());
   const RowOf<TheCase> weight = inverse_mass(the_case.body).cwiseSqrt();
   std::vector<energetic::Spring<TheCase>> springs;
-  RowsOf<TheCase> rows(count, 3);
+  RowsOf<TheCase> rows;
+  rows.resize(count, Eigen::NoChange);
   BasicCableVector<Real> rates(count);
   for (const std::size_t index : cables) {
     const auto row = static_cast<Eigen::Index>(springs.size());

@@ -105,14 +105,15 @@ class SpringImpact {
         edge.push_back(&spring);
       }
     }
-    held_.resize(0, 3);
+    held_.resize(0, Eigen::NoChange);
     for (Spring<TheCase>& spring : springs_) {
       spring.fixed = false;
     }
     if (edge.empty()) {
       return;
     }
-    RowsOf<TheCase> rows(static_cast<Eigen::Index>(edge.size()), 3);
+    RowsOf<TheCase> rows;
+    rows.resize(static_cast<Eigen::Index>(edge.size()), Eigen::NoChange);
     BasicCableVector<Real> largest(rows.rows());
     CableSet pulling;
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
@@ -128,7 +129,7 @@ class SpringImpact {
       Spring<TheCase>& spring = *edge[static_cast<std::size_t>(row)];
       spring.value = chosen.force[row];
       if (chosen.between.contains(static_cast<std::size_t>(row))) {
-        held_.conservativeResize(held_.rows() + 1, 3);
+        held_.conservativeResize(held_.rows() + 1, Eigen::NoChange);
         held_.row(held_.rows() - 1) = spring.row.transpose();
       } else {
         spring.mode = spring.value > 0 ? Mode::loading : Mode::slack;

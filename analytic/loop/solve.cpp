@@ -19,15 +19,16 @@
 #include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
 
-// Everything is a template on the scalar `Real`: one text serves double, for the answers, and
+// Everything is a template on the kind of case: one text serves doubles, for the answers, and
 // numbers of any length, which say how far those answers are right (instantiate.hpp).
 //
 // Three members of `Motion` say how the cables stand. `touching_` are the cables at zero gap, which
 // may close, rest or open, and the rate that counts as rest. `taut_` are those of them that a
-// recorded event has made taut; after an impact it is right again once `hold_resting` has looked.
-// `held_` is the motion that their tensions give from the present on: the cables `pulling` have
-// tensions > 0, all of `held_->taut()` stay at zero gap. It is found at an event and continued from
-// step to step, where a series ends and nothing happens; without it the body flies freely.
+// recorded event has made taut; after an impact it may be out of date until `hold_resting`.
+// `held_` is the motion that their tensions give from the present on, a Taylor series in time: the
+// cables `pulling` have tensions > 0, all of `held_->taut()` stay at zero gap. It is found after an
+// event and continued from step to step, where a series ends and nothing happens. Without it the
+// body flies freely.
 //
 // What exists for speed alone is behind `shortcuts_`, which the loop asks whether a single bounce
 // is all that happens next, and whether the motion goes on as it does for ever. `solve_batch` finds
@@ -41,11 +42,10 @@ template <class TheCase>
 class Motion final : public PausedMotion<TheCase> {
  public:
   using Real = RealOf<TheCase>;
-
   using Bounce = typename Shortcuts<TheCase>::Bounce;
   using Search = typename Shortcuts<TheCase>::Search;
 
-  /// `touching` are the cables at zero gap, `record` is empty.
+  /// `touching` are the cables at zero gap; `record` is empty, and its memory is used.
   Motion(const TheCase& the_case, const SolveOptions& options, CableSet touching,
          Record<TheCase> record = {})
       : PausedMotion<TheCase>(the_case, options),
@@ -62,7 +62,7 @@ class Motion final : public PausedMotion<TheCase> {
   /// The whole algorithm: round after round, until an ending.
   BasicSolution<TheCase> run() {
     while (!has_ended()) {
-      round(may_bounce() ? shortcuts_.bounces().next(search()) : Bounce{});
+      round(may_bounce() ? shortcuts_.bounce(search()) : Bounce{});
     }
     return solution();
   }
@@ -75,10 +75,10 @@ class Motion final : public PausedMotion<TheCase> {
       return check_limits();
     }
     const auto [closing, resting] = contacts(case_, state_, touching_);
-    Stop<Real> stop{Real(0), std::nullopt, closing};  // an impact left some closing: at once
+    Stop<Real> stop{Real(0), std::nullopt, closing};  // closing from the start, or again: hit now
     if (closing.empty()) {
       if (complete_accumulation() == Attempt::in_vain && resting.empty() && may_bounce()) {
-        return;  // too early: look for a bounce first
+        return;  // it is not due again at once: look for a bounce now
       }
       if (!hold_resting()) {
         return finish(Ending::singular);
@@ -88,12 +88,12 @@ class Motion final : public PausedMotion<TheCase> {
       }
       stop = next_stop(case_, state_, touching_, held_, now().remaining);
     }
-    const CableSet pulled = pulling();  // up to `stop`
+    const CableSet pulled = pulling();  // before `move` goes on
     if (const auto ending = move(stop)) {
       return finish(*ending);
     }
     if ((ending_ = shortcuts_.forever(now(), stop, pulled, record_))) {
-      return;
+      return;  // the record has its end
     }
     if (const auto ending = stop.ending || stop.cables.empty() ? stop.ending : hit()) {
       return finish(*ending);
@@ -121,7 +121,7 @@ class Motion final : public PausedMotion<TheCase> {
 
   /// The flight to `bounce`, and its impact.
   void take(const Bounce& bounce) {
-    const Landing<TheCase> landing = shortcuts_.bounces().land(bounce, touching_.cables);
+    const Landing<TheCase> landing = shortcuts_.land(bounce, touching_.cables);
     attempts_.set_tried(landing.cable, landing.tried);
     record_.arcs.push_back({time_, time_ + landing.dt, state_, {}, {}});
     time_ += landing.dt;
@@ -133,14 +133,18 @@ class Motion final : public PausedMotion<TheCase> {
     progress_.note_hit(touching_.cables);
   }
 
-  /// Gives up if there is a reason.
+  /// Ends the motion where it has taken too long.
   void check_limits() {
     if (const auto ending = limit_reached()) {
       finish(*ending);
+    } else if (const auto chattering = progress_.stands_still(time_);
+               chattering && !stop_chatter(*chattering)) {
+      finish(Ending::no_progress);
     }
   }
 
-  /// The ending where the body rests, or is told to swing on for ever.
+  /// The ending where the body rests, or is certain to swing on for ever (`hold_resting` has
+  /// asked).
   [[nodiscard]] std::optional<Ending> nothing_follows() const {
     const auto ending = rest(case_, state_, touching_, taut_, held_);
     return !ending && record_.swing ? std::optional(Ending::locked) : ending;
@@ -149,31 +153,34 @@ class Motion final : public PausedMotion<TheCase> {
   /// The cables that have tensions now.
   [[nodiscard]] CableSet pulling() const { return held_ ? held_->pulling : CableSet{}; }
 
-  /// Why to give up, if there is a reason.
-  [[nodiscard]] std::optional<Ending> limit_reached() {
+  /// The limit that the motion has reached, if any.
+  [[nodiscard]] std::optional<Ending> limit_reached() const {
     if (record_.events.size() >= options_.max_events) {
       return Ending::event_limit;
     }
     if (steps_ + spring_steps_ / springs_per_step >= options_.max_steps) {
       return Ending::step_limit;
     }
-    const auto chattering = progress_.stands_still(time_);
-    return chattering && !stop_chatter(*chattering) ? std::optional(Ending::no_progress)
-                                                    : std::nullopt;
+    return std::nullopt;
   }
 
-  /// Ends the impacts that follow each other within this instant. False where they do not end.
+  /// Ends the impacts on `cables` that follow each other within this instant, in one. False where
+  /// they do not end, or time has stood still too often.
   [[nodiscard]] bool stop_chatter(CableSet cables) {
     const auto after = end_of_chatter(case_, state_, cables);
     if (!after || progress_.is_hopeless()) {
       return false;
     }
-    record(EventKind::impact, cables,
-           -multipliers(case_, state_, cables, gap_rates(case_, state_, cables)), *after);
+    record(EventKind::impact, cables, stopping_impulses(cables), *after);
     touching_.cables = touching_.cables | cables;
-    shortcuts_.bounces().forget();
+    shortcuts_.forget();
     held_.reset();
     return true;
+  }
+
+  /// The impulses that would stop the gaps of `cables`.
+  [[nodiscard]] BasicCableVector<Real> stopping_impulses(CableSet cables) const {
+    return -multipliers(case_, state_, cables, gap_rates(case_, state_, cables));
   }
 
   enum class Attempt { not_due, in_vain, done };
@@ -189,13 +196,11 @@ class Motion final : public PausedMotion<TheCase> {
       attempts_.note(case_, state_, bouncing);
       return Attempt::in_vain;
     }
-    record(EventKind::taut, done->cables,
-           -multipliers(case_, state_, done->cables, gap_rates(case_, state_, done->cables)),
-           done->after);
-    if (done->ends) {
-      record_.accumulations.push_back(
-          {time_, time_ + done->remaining, done->uncertainty, done->cables,
-           energy(case_, record_.events.back().before) - energy(case_, state_)});
+    const Real energy_before = energy(case_, state_);
+    record(EventKind::taut, done->cables, stopping_impulses(done->cables), done->after);
+    if (done->ends) {  // else an elastic cable goes on bouncing, too low to matter
+      record_.accumulations.push_back({time_, time_ + done->remaining, done->uncertainty,
+                                       done->cables, energy_before - energy(case_, state_)});
     }
     touching_.cables = touching_.cables | done->cables;
     taut_ = taut_ | done->cables;
@@ -236,7 +241,7 @@ class Motion final : public PausedMotion<TheCase> {
       }
     }
     taut_ = taut;
-    record_.swing = shortcuts_.forever(now());
+    record_.swing = shortcuts_.swing_ahead(now());
     return true;
   }
 
@@ -275,20 +280,21 @@ class Motion final : public PausedMotion<TheCase> {
   void arrive(const Stop<Real>& stop, StateOf<TheCase> state) {
     state_ = std::move(state);
     time_ = record_.arcs.back().end;
+    // once time has passed, only what is taut and what was hit is at zero gap
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     touching_.time_rounding = epsilon<Real>() * time_;
     touching_.note_speed(state_);
     steps_ += stop.cables.empty() ? 1U : 0U;
-    // what has let go of all cables flies
+    // a step is only made in a hold; one without cables is free flight from now on
     const bool goes_on = stop.is_step && !held_->taut().empty();
     held_ = goes_on ? continued(case_, state_, touching_, *held_) : std::nullopt;
     if (held_ && is_singular(*held_, time_)) {
-      held_.reset();
+      held_.reset();  // `hold_resting` looks again, and ends the motion if it is so
     }
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
-  /// The ending that says why, and nothing done, where the rebound is not to be computed.
+  /// Where the rebound cannot be computed, nothing is done: the ending says why.
   [[nodiscard]] std::optional<Ending> hit() {
     const auto [closing, resting] = contacts(case_, state_, touching_);
     const CableSet cables = closing | resting;
@@ -298,9 +304,9 @@ class Motion final : public PausedMotion<TheCase> {
     }
     BasicImpact<TheCase> impact = resolve_impact(options_.law, case_, state_, cables);
     if (!fits(case_, impact.after) || !impact.impulses.allFinite()) {
-      const bool given = delassus(case_, state_, cables).allFinite() &&
-                         gap_rates(case_, state_, cables).allFinite();
-      return given && impact.impulses.hasNaN() ? Ending::singular : Ending::overflow;
+      const bool fitted = delassus(case_, state_, cables).allFinite() &&
+                          gap_rates(case_, state_, cables).allFinite();
+      return fitted && impact.impulses.hasNaN() ? Ending::singular : Ending::overflow;
     }
     spring_steps_ += static_cast<std::size_t>(impact.steps);
     record(EventKind::impact, cables, std::move(impact.impulses), impact.after);
@@ -315,7 +321,7 @@ class Motion final : public PausedMotion<TheCase> {
     state_ = std::move(after);
   }
 
-  /// Ends the motion here, with the arc that says so.
+  /// Ends the motion here, with an arc that says so unless its duration is over.
   void finish(Ending ending) {
     ending_ = ending;
     if (ending == Ending::rest || ending == Ending::unstable_rest) {
@@ -332,7 +338,7 @@ class Motion final : public PausedMotion<TheCase> {
   Real time_ = Real(0);
   StateOf<TheCase> state_;
   TouchingOf<TheCase> touching_;
-  std::size_t steps_ = 0;         // without an event
+  std::size_t steps_ = 0;         // stops without an impact, and grazes
   std::size_t spring_steps_ = 0;  // within impacts
   Progress<Real> progress_;
   Attempts<TheCase> attempts_;
@@ -351,7 +357,7 @@ BasicSolution<TheCase> solve(const TheCase& the_case, const SolveOptions& option
   }
   const CableSet touching = touching_at_start(the_case);
   const auto origin = local_origin(the_case);
-  if (origin.isZero(0)) {
+  if (origin.isZero(0)) {  // else it is seen from near by, where numbers lose nothing
     return Motion<TheCase>(the_case, options, touching).run();
   }
   const TheCase near = seen_from(origin, the_case);

@@ -76,13 +76,20 @@ class Shortcuts {
                               const Attempts<TheCase>& attempts) const {
     return bounces_.search(now, attempts);
   }
+  /// What `search` finds.
+  [[nodiscard]] Bounce bounce(const Search& search) const { return bounces_.next(search); }
+  /// `bounce`, found by a search after `last_hit`; keeps what it says about the next.
+  [[nodiscard]] Landing<TheCase> land(const Bounce& bounce, CableSet last_hit) {
+    return bounces_.land(bounce, last_hit);
+  }
+  /// The body is no longer as the last bounce has left it.
+  void forget() { bounces_.forget(); }
   [[nodiscard]] const SingleBounces<TheCase>& bounces() const { return bounces_; }
-  [[nodiscard]] SingleBounces<TheCase>& bounces() { return bounces_; }
 
   /// The swing for ever that the taut cables are certain to lead to, told before it is followed.
-  [[nodiscard]] std::optional<BasicSwing<Real>> forever(const Present<TheCase>& now) const {
+  [[nodiscard]] std::optional<BasicSwing<Real>> swing_ahead(const Present<TheCase>& now) const {
     return options_.until_locked && options_.swing_ahead && now.held
-               ? swing_ahead(now.the_case, now.state, now.held->pulling, now.remaining)
+               ? tautline::swing_ahead(now.the_case, now.state, now.held->pulling, now.remaining)
                : std::nullopt;
   }
 

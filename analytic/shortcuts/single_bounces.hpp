@@ -56,9 +56,9 @@ class SingleBounces<Case> {
   /// What the search for one starts from.
   struct Search {
     Flyer<double> from;
-    CableSet last_hit;  // the cable that the body has just been hit by, or none
-    double horizon;     // [s], how long it may fly
-    const Attempts<Case>* attempts;
+    CableSet last_hit;     // the cable that the body has just been hit by, or none
+    double horizon = 0.0;  // [s], how long it may fly
+    const Attempts<Case>* attempts = nullptr;
   };
 
   /// Of `the_case`: none where a limit may end a flight, or restitutions vary with the speed.

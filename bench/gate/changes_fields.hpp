@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,12 +62,6 @@ void fields(Visitor& visit, Noise& noise) {
   visit("impacts", noise.impacts);
   visit("cost", noise.cost);
   visit("tolerance", noise.tolerance, at_least(0));
-}
-
-/// The number of a form of JSON: no other version of it.
-template <class Visitor>
-void schema_field(Visitor& visit, int number) {
-  visit("schema", std::int32_t{number}, in_range(number, number));
 }
 
 template <class Visitor>

@@ -13,11 +13,13 @@ std::string version_trends_json(const std::vector<VersionTrend>& trends) {
 }
 
 std::string compare_schema_json() {
-  return text_of(headed("What `tautline compare --json` writes",
-                        "Of two reports what changed beyond noise and tolerance; of more a trend: "
-                        "how every engine, model and step does from report to report, each metric "
-                        "over the cases that all of them could measure.",
-                        {{"anyOf", {schema_of(Changes()), schema_of(Trend())}}}));
+  return text_of(
+      headed("What `tautline compare --json` writes",
+             "Of two reports what changed beyond noise and tolerance, runs told apart by "
+             "case, engine, model and step; of more a trend: "
+             "how every engine, model and step does from report to report, each metric "
+             "over the cases that all of them could measure.",
+             {{"anyOf", {schema_of(Changes()), schema_of(Trend())}}}));
 }
 
 std::string version_trends_schema_json() {

@@ -27,12 +27,12 @@ namespace tautline::bench {
 /// model and step.
 [[nodiscard]] std::string trend_text(const Trend& trend, bool all, const TerminalStyle& style);
 
-/// As JSON, indented, with a line break at its end.
+/// These three write JSON, indented, with a line break at the end.
 [[nodiscard]] std::string changes_json(const Changes& changes);
 [[nodiscard]] std::string trend_json(const Trend& trend);
 [[nodiscard]] std::string version_trends_json(const std::vector<VersionTrend>& trends);
 
-/// The JSON schema of the first two, and of the last.
+/// The JSON schema of `changes_json` and `trend_json`, and that of `version_trends_json`.
 [[nodiscard]] std::string compare_schema_json();
 [[nodiscard]] std::string version_trends_schema_json();
 

@@ -1,9 +1,10 @@
 #include "bench/program/engine_json.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bench/base/text.hpp"
 #include "bench/check/claims.hpp"
@@ -38,12 +39,6 @@ struct CalibratedEngine {
   CalibrationRequest request;
   Calibration found;
 };
-
-/// The number of a form of JSON: no other version of it.
-template <class Visitor>
-void first_form(Visitor& visit) {
-  visit("schema", std::int32_t{1}, in_range(1, 1));
-}
 
 template <class Visitor>
 void fields(Visitor& visit, Parameter& one) {
@@ -81,7 +76,7 @@ void fields(Visitor& visit, ListedEngine& row) {
 
 template <class Visitor>
 void fields(Visitor& visit, Engines& row) {
-  first_form(visit);
+  schema_field(visit, 1);
   visit("engines", row.engines);
 }
 
@@ -92,7 +87,7 @@ void fields(Visitor& visit, SettledClaim& settled) {
   visit("found", settled.found,
         or_null("what is compared with the limit; the smaller the better. null: not measured, or "
                 "not finite"));
-  visit("limit", settled.limit, or_null());
+  visit("limit", settled.limit, or_null("null: not finite"));
   visit("holds", settled.holds);
   visit("sentence", printable(settled.sentence, longest_sentence),
         "what was found; where the claim does not hold, what seems to be wrong");
@@ -123,7 +118,7 @@ void fields(Visitor& visit, CheckedModel& model) {
 template <class Visitor>
 void fields(Visitor& visit, CheckedEngine& row) {
   const EngineInfo info = row.engine.info.value_or(EngineInfo{});
-  first_form(visit);
+  schema_field(visit, 1);
   visit.group("engine", "", [&](auto& inside) {
     inside("name", info.name);
     inside("version", info.version);
@@ -157,7 +152,7 @@ void fields(Visitor& visit, CalibratedEngine& row) {
   for (const auto& [name, value] : request.fixed) {
     fixed.push_back(name);
   }
-  first_form(visit);
+  schema_field(visit, 1);
   visit.group("engine", "", [&](auto& inside) {
     inside("name", info.name);
     inside("version", info.version);
@@ -166,18 +161,16 @@ void fields(Visitor& visit, CalibratedEngine& row) {
   visit("model", request.model.name);
   visit("restitution", request.restitution, in_range(0, 1, "wanted"));
   visit("speeds", std::vector<double>{request.slowest, request.fastest},
-        above(0, "the slowest and the fastest closing speed"));
+        above(0, "the slowest and the fastest closing speed").of(2));
   visit("step", request.step, above(0));
   visit("tolerance", request.tolerance, above(0, "of the restitution of every strike"));
   visit("reached", found.reached(request.tolerance), "`worst` is within the tolerance");
-  visit("parameters",
-        ByName<double>{{found.parameters.begin(), found.parameters.end()}},
+  visit("parameters", ByName<double>{{found.parameters.begin(), found.parameters.end()}},
         "the best that was found, by name; those that are fixed too");
   visit("fixed", fixed, "names of the parameters that were not searched");
-  visit("code", printable(found.code, longest_sentence),
-        "sets the parameters in a user's program");
-  visit("worst", found.worst, or_null("the largest error of the strikes below"));
-  visit("mean", found.mean, or_null("their mean"));
+  visit("code", printable(found.code, longest_sentence), "sets the parameters in a user's program");
+  visit("worst", found.worst, or_null(at_least(0, "the largest error of the strikes below")));
+  visit("mean", found.mean, or_null(at_least(0, "their mean")));
   visit("held_out", found.held_out, Says("strikes that the search did not see").not_empty());
   visit("not_reached", found.why,
         "sentences: where the restitution cannot be had; none if it is reached or the search was "
@@ -194,9 +187,10 @@ std::string engines_json(const std::vector<RegisteredEngine>& engines) {
     if (engine.info) {
       listed.models.emplace();
       for (const Model& model : engine.info->models) {
-        listed.models->push_back({model, model.parameters.empty()
-                                             ? std::nullopt
-                                             : std::optional(Tuning{model.parameters, model.code})});
+        listed.models->push_back(
+            {model, model.parameters.empty()
+                        ? std::nullopt
+                        : std::optional(Tuning{model.parameters, model.code})});
       }
     }
     row.engines.push_back(std::move(listed));

@@ -79,14 +79,14 @@ class TautSeries;
 template <class Real>
 struct BasicCase {
   // The names by which the solver knows this kind of case (analytic/README.md, "Kinds of cases").
-  using Scalar = Real;
-  using Vector = BasicVec2<Real>;
-  using Body = BasicBody<Real>;
-  using Cable = BasicCable<Real>;
-  using State = BasicState<Real>;
-  using Touching = BasicTouching<Real>;
-  using Series = TautSeries<Real>;
-  static constexpr std::size_t freedoms = 3;
+  using Scalar = Real;                   // of all its numbers
+  using Vector = BasicVec2<Real>;        // a point of the world, or a direction
+  using Body = BasicBody<Real>;          // that moves
+  using Cable = BasicCable<Real>;        // that holds it
+  using State = BasicState<Real>;        // where it is and how it moves
+  using Touching = BasicTouching<Real>;  // cables at zero gap, and what rounding leaves of rates
+  using Series = TautSeries<Real>;       // of the motion on taut cables
+  static constexpr std::size_t freedoms = 3;  // of the body
 
   std::string name;                                              // of its file or its maker
   BasicBody<Real> body;                                          // the one that moves
@@ -99,18 +99,25 @@ struct BasicCase {
 };
 using Case = BasicCase<double>;
 
+/// The same names of any kind of case.
 template <class TheCase>
 using RealOf = typename TheCase::Scalar;
+/// A point of the world, or a direction.
 template <class TheCase>
-using VectorOf = typename TheCase::Vector;  // a point of the world, or a direction
+using VectorOf = typename TheCase::Vector;
+/// The body that moves.
 template <class TheCase>
 using BodyOf = typename TheCase::Body;
+/// A cable that holds it.
 template <class TheCase>
 using CableOf = typename TheCase::Cable;
+/// Where the body is and how it moves.
 template <class TheCase>
 using StateOf = typename TheCase::State;
+/// Cables at zero gap, and what rounding leaves of their rates.
 template <class TheCase>
 using TouchingOf = typename TheCase::Touching;
+/// The series of the motion on taut cables.
 template <class TheCase>
 using SeriesOf = typename TheCase::Series;
 /// One number for each freedom of the body.

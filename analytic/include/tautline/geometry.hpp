@@ -171,7 +171,8 @@ template <class Real>
   return row.dot(row.cwiseProduct(inverse_mass(the_case.body)));
 }
 
-/// How long after `state` something given over time is not smooth [s]: never, all is constant.
+/// How long after `state` something given over time is not smooth the next time [s], > 0: never,
+/// all is constant. A state of a kind of case that changes over time has its time.
 template <class Real>
 [[nodiscard]] Real time_to_knot(const BasicCase<Real>& /*the_case*/,
                                 const BasicState<Real>& /*state*/) {

@@ -39,14 +39,15 @@ struct SolveOptions {
   /// followed.
   bool swing_ahead = false;
 
-  // The shortcuts (analytic/README.md section 7) find the same motion faster. Each can be turned
-  // off, so that it can be checked against the general path.
+  // Shortcuts (analytic/README.md section 7) find the same motion faster. These two can be turned
+  // off, so that they can be checked against the general path.
 
   /// Finds bounces on one cable alone the short way, in double: the same motion, to rounding.
   bool single_bounces = true;
 
   /// Ends the search where half a swing, or a whole turn, shows that the motion repeats. Without it
-  /// a swing is followed to the duration, and `until_locked` ends no run.
+  /// a swing is followed to the duration, and `until_locked` ends a run by a swing told ahead
+  /// alone.
   bool half_swings = true;
 };
 

@@ -1,5 +1,7 @@
-#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bench/base/text.hpp"
 #include "bench/ensemble/output/atlas.hpp"
@@ -26,8 +28,6 @@ void fields(Visitor& visit, Statistic& statistic) {
 namespace ensemble_rows {
 
 // The rows of ensemble.json, and their members by name.
-
-constexpr int schema_number = 1;
 
 struct QuantileRow {
   double part = 0.0;
@@ -61,12 +61,12 @@ struct ComparisonRow {
   std::string statistic;
   Comparison comparison;
 };
-struct Axis {
+struct AxisRow {
   std::string quantity;
   std::vector<double> values;
 };
-struct Maps {
-  std::vector<Axis> axes;
+struct MapsRow {
+  std::vector<AxisRow> axes;
   ByName<std::vector<std::optional<double>>> maps;
 };
 struct Ensemble {
@@ -81,7 +81,7 @@ struct Ensemble {
   std::vector<Statistic> statistics;
   std::vector<SetupRow> setups;
   std::vector<ComparisonRow> comparisons;
-  std::optional<Maps> atlas;
+  std::optional<MapsRow> atlas;
 };
 
 template <class Visitor>
@@ -145,14 +145,14 @@ void fields(Visitor& visit, ComparisonRow& row) {
 }
 
 template <class Visitor>
-void fields(Visitor& visit, Axis& axis) {
+void fields(Visitor& visit, AxisRow& axis) {
   visit("quantity", axis.quantity);
   visit("values", axis.values);
 }
 
 template <class Visitor>
-void fields(Visitor& visit, Maps& maps) {
-  visit("axes", maps.axes, Says().not_empty());
+void fields(Visitor& visit, MapsRow& maps) {
+  visit("axes", maps.axes, Says().of(2));
   visit("maps", maps.maps,
         "by statistic, of each cell, the first axis fastest: the mean of its draws, and of "
         "first_cable the most frequent; null: no draw has a value");
@@ -160,15 +160,17 @@ void fields(Visitor& visit, Maps& maps) {
 
 template <class Visitor>
 void fields(Visitor& visit, Ensemble& row) {
-  visit("schema", std::int32_t{schema_number}, in_range(schema_number, schema_number));
+  schema_field(visit, 1);
   visit("case", row.the_case);
   visit("until", row.until, "[s], where every run ends");
   visit("draws", row.draws, at_least(1, "in all: over a grid, those of every point"));
   visit("seed", row.seed);
   visit("sampling", row.sampling, one_of({"random", "sobol"}));
-  visit("speeds", row.speeds,
-        "[m/s], of the last impacts; those faster than the first are counted, those faster than "
-        "the second share the loss");
+  visit(
+      "speeds", row.speeds,
+      Says("[m/s], of the last impacts; those faster than the first are counted, those faster than "
+           "the second share the loss")
+          .of(2));
   visit("interrupted", row.interrupted, "some draws are missing");
   visit("confidence", double{confidence}, "of the intervals of the quantiles");
   visit("error_rate", double{error_rate},
@@ -225,12 +227,12 @@ SetupRow setup_row(const EnsembleReport& report, std::size_t place) {
   return row;
 }
 
-std::optional<Maps> maps_of(const EnsembleReport& report) {
+std::optional<MapsRow> maps_of(const EnsembleReport& report) {
   const std::optional<Atlas> atlas = atlas_of(report);
   if (!atlas) {
     return std::nullopt;
   }
-  Maps result;
+  MapsRow result;
   for (const Varied& axis : atlas->axes) {
     result.axes.push_back({axis.quantity, axis.distribution.numbers});
   }

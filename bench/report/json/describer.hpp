@@ -19,7 +19,9 @@
 namespace tautline::bench {
 
 inline Json schema_of(const double& /*value*/) { return {{"type", "number"}}; }
-inline Json schema_of(const std::size_t& /*value*/) { return {{"type", "integer"}, {"minimum", 0}}; }
+inline Json schema_of(const std::size_t& /*value*/) {
+  return {{"type", "integer"}, {"minimum", 0}};
+}
 inline Json schema_of(const std::int32_t& /*value*/) { return {{"type", "integer"}}; }
 inline Json schema_of(const bool& /*value*/) { return {{"type", "boolean"}}; }
 inline Json schema_of(const std::string& /*value*/) { return {{"type", "string"}}; }
@@ -83,6 +85,9 @@ inline void add(const Says& says, Json& schema) {
   if (says.some) {
     schema["minItems"] = 1;
   }
+  if (says.count) {
+    schema["minItems"] = schema["maxItems"] = *says.count;
+  }
   if (*says.meaning != '\0') {
     schema["description"] = says.meaning;
   }
@@ -118,7 +123,7 @@ class Describer {
   void unless_missing(const char* /*first*/, const std::optional<Value>& /*value*/,
                       const Members& members) {
     required_ = false;
-    Value value;
+    Value value{};
     members(*this, value);
     required_ = true;
   }
@@ -185,7 +190,7 @@ Json schema_of(const ByName<Value>& /*values*/) {
 template <class Row>
 Json schema_of(const Row& /*row*/) {
   Describer describer;
-  Row row;
+  Row row{};
   fields(describer, row);
   return std::move(describer).schema();
 }

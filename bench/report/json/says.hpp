@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,12 @@ struct Says {
     return *this;
   }
 
+  /// Of a list: how many entries it has.
+  Says of(int entries) && {
+    count = entries;
+    return *this;
+  }
+
   const char* meaning;
   std::vector<std::string_view> words;  // the only ones that it may be; none: any
   std::optional<int> least;             // of a number, or of each of a list
@@ -32,6 +39,7 @@ struct Says {
   bool exclusive = false;  // of `least`: it is larger
   bool or_null = false;    // a number that may be missing, or each of a list
   bool some = false;
+  std::optional<int> count;  // of the entries of a list
 };
 
 inline Says one_of(std::vector<std::string_view> words, const char* meaning = "") {
@@ -58,10 +66,15 @@ inline Says in_range(int least, int most, const char* meaning = "") {
   return says;
 }
 
-inline Says or_null(const char* meaning = "") {
-  Says says(meaning);
+inline Says or_null(Says says = {}) {
   says.or_null = true;
   return says;
+}
+
+/// The number of a form of JSON: no other version of it.
+template <class Visitor>
+void schema_field(Visitor& visit, std::int32_t number) {
+  visit("schema", number, in_range(number, number));
 }
 
 }  // namespace tautline::bench

@@ -33,13 +33,25 @@ bool within(const State& a, const State& b, const State& bound) {
          off.velocity.y() <= 2 * bound.velocity.y() && off.spin <= 2 * bound.spin;
 }
 
-/// Expects the same events as far as they are sure, to the bounds of their errors. How many.
-std::size_t expect_same_events(const Case& the_case, const SolveOptions& with,
-                               const SolveOptions& without, const std::string& name) {
+/// How many events were compared, and how many of them differ in a bit: not all are the same, or a
+/// shortcut was not turned off.
+struct SameEvents {
+  std::size_t count = 0;
+  std::size_t rounded = 0;
+  void operator+=(const SameEvents& other) {
+    count += other.count;
+    rounded += other.rounded;
+  }
+};
+
+/// Expects the same events as far as they are sure, to the bounds of their errors.
+SameEvents expect_same_events(const Case& the_case, const SolveOptions& with,
+                              const SolveOptions& without, const std::string& name) {
   const Solution one = solve(the_case, with);
   const Solution other = solve(the_case, without);
   const Uncertainty sure(the_case, one, with);
-  std::size_t same = 0;
+  SameEvents result;
+  std::size_t& same = result.count;
   for (; same < one.events().size() && sure.events()[same]; ++same) {
     EXPECT_LT(same, other.events().size()) << name;
     if (same >= other.events().size()) {
@@ -48,6 +60,7 @@ std::size_t expect_same_events(const Case& the_case, const SolveOptions& with,
     const Event& a = one.events()[same];
     const Event& b = other.events()[same];
     const EventErrors& errors = *sure.events()[same];
+    result.rounded += a.time != b.time || a.after.velocity != b.after.velocity ? 1U : 0U;
     EXPECT_TRUE(a.kind == b.kind && a.cables == b.cables &&
                 std::abs(a.time - b.time) <= 2 * errors.time &&
                 within(a.before, b.before, errors.before) && within(a.after, b.after, errors.after))
@@ -57,12 +70,12 @@ std::size_t expect_same_events(const Case& the_case, const SolveOptions& with,
     EXPECT_EQ(one.ending(), other.ending()) << name;
     EXPECT_EQ(one.events().size(), other.events().size()) << name;
   }
-  return same;
+  return result;
 }
 
 TEST(Shortcuts, SingleBouncesAreThoseOfTheGeneralPathInRandomSystems) {
   Random random(shortcut_seed);
-  std::size_t events = 0;
+  SameEvents events;
   for (int sample = 0; sample < systems; ++sample) {
     const auto cables = static_cast<std::size_t>(sample) % max_cables + 1;
     const Case the_case = random_case(random, {cables, 0.0, 0.2});
@@ -74,11 +87,13 @@ TEST(Shortcuts, SingleBouncesAreThoseOfTheGeneralPathInRandomSystems) {
     events += expect_same_events(the_case, with, without,
                                  "system " + std::to_string(sample) + " of the seed");
   }
-  EXPECT_GT(events, static_cast<std::size_t>(10 * systems)) << "there is something to compare";
+  EXPECT_GT(events.count, static_cast<std::size_t>(10 * systems));
+  EXPECT_GT(events.rounded, 0U);
 }
 
 TEST(Shortcuts, SingleBouncesAreThoseOfTheGeneralPathInHardSystems) {
   Random random(hard_seed);
+  SameEvents events;
   for (int sample = 0; sample < systems; ++sample) {
     const HardFamily& family =
         hard_families()[static_cast<std::size_t>(sample) % hard_families().size()];
@@ -88,19 +103,20 @@ TEST(Shortcuts, SingleBouncesAreThoseOfTheGeneralPathInHardSystems) {
       with.law = system->law;
       SolveOptions without = with;
       without.single_bounces = false;
-      expect_same_events(system->the_case, with, without,
-                         std::string(family.name) + " " + std::to_string(sample));
+      events += expect_same_events(system->the_case, with, without,
+                                   std::string(family.name) + " " + std::to_string(sample));
     }
   }
+  EXPECT_GT(events.count, static_cast<std::size_t>(systems));
+  EXPECT_GT(events.rounded, 0U);
 }
 
 /// What a period that is used again, and steps over as long a time, may differ by [-]: rounding
 /// that grows with the number of steps.
 constexpr double as_in_steps = 1e-11;
 
-TEST(Shortcuts, HalfSwingsAreThoseThatStepsFollow) {
-  Case the_case = table_case("1510121100");
-  the_case.duration = 200.0;
+/// Expects that the motion repeats, as steps over its whole duration do.
+void expect_repeats_as_in_steps(const Case& the_case) {
   SolveOptions without;
   without.half_swings = false;
   const Solution followed = solve(the_case, without);
@@ -113,7 +129,24 @@ TEST(Shortcuts, HalfSwingsAreThoseThatStepsFollow) {
   for (double time = 0.0; time < the_case.duration; time += every) {
     worst = std::max(worst, difference(followed.at(time), repeated.at(time)));
   }
-  expect_within("difference of a motion that repeats from one in steps", worst, as_in_steps);
+  expect_within(the_case.name + ": difference from the motion in steps", worst, as_in_steps);
+}
+
+TEST(Shortcuts, HalfSwingsAreThoseThatStepsFollow) {
+  Case the_case = table_case("1510121100");
+  the_case.duration = 200.0;
+  expect_repeats_as_in_steps(the_case);
+}
+
+TEST(Shortcuts, WholeTurnsAreThoseThatStepsFollow) {
+  Case the_case;  // a pendulum that goes round
+  the_case.name = "full circles";
+  the_case.body.inertia = 0.0;
+  the_case.cables = {Cable{{0.0, 0.0}, {0.0, 0.0}, 1.0, 0.0}};
+  the_case.initial.position = {0.0, -1.0};
+  the_case.initial.velocity = {3.0, 0.0};  // sqrt(5) and more goes round
+  the_case.duration = 60.0;
+  expect_repeats_as_in_steps(the_case);
 }
 
 TEST(Shortcuts, WithoutHalfSwingsNothingIsLocked) {
@@ -128,7 +161,7 @@ TEST(Shortcuts, WithoutHalfSwingsNothingIsLocked) {
 TEST(Shortcuts, ShippedCasesAreTheSameWithoutAny) {
   SolveOptions without;
   without.single_bounces = without.half_swings = false;
-  std::size_t events = 0;
+  SameEvents events;
   for (const Case& the_case : shipped_cases()) {
     events += expect_same_events(the_case, {}, without, the_case.name);
     const Solution one = solve(the_case);
@@ -142,7 +175,8 @@ TEST(Shortcuts, ShippedCasesAreTheSameWithoutAny) {
       }
     }
   }
-  EXPECT_GT(events, 1'000U) << "there is something to compare";
+  EXPECT_GT(events.count, 1'000U);
+  EXPECT_GT(events.rounded, 0U);
 }
 
 }  // namespace

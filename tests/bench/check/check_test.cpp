@@ -189,6 +189,14 @@ TEST(Check, EndsItsTableWithWhatDoesNotHold) {
 /// True if `verdicts` is what the schema says.
 bool is_sound_json(const json& verdicts) { return keeps_the_schema(verdicts, "check"); }
 
+TEST(EnginesSchema, DescribesTheListOfEngines) {
+  const json engines = json::parse(program({"engines", "--json", "-"}).output);
+  EXPECT_TRUE(keeps_the_schema(engines, "engines"));
+  json other = engines;
+  other["engines"][0].erase("plugin");
+  EXPECT_FALSE(keeps_the_schema(other, "engines"));
+}
+
 TEST(CheckSchema, AcceptsEveryKindOfVerdictAndNothingElse) {
   for (const std::string name : {"sound", "wrong-arm", "segfault", "nan"}) {
     const Outcome outcome = program({"check", bad_engine(name), "--json", "-"});

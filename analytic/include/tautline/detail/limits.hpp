@@ -37,8 +37,8 @@ template <class Real>
 /// A limit that a motion reaches.
 template <class Real>
 struct ReachedLimit {
-  Real dt;  // [s] from now; NaN: numbers overflowed
-  Ending ending;
+  Real dt;        // [s] from now; NaN: numbers overflowed
+  Ending ending;  // that it is
 };
 
 /// The first of these, `along` a flight from a state or a series; none: neither.

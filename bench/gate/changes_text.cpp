@@ -78,8 +78,8 @@ Cells cost_cells(const CostChange& change) {
           fmt::format("{:.2f}", change.factor)};
 }
 
-std::string statuses(const std::string& title, const std::vector<StatusChange>& rows,
-                     const TerminalStyle& style) {
+std::string status_changes(const std::string& title, const std::vector<StatusChange>& rows,
+                           const TerminalStyle& style) {
   return section(title, rows, {"engine", "model", "case", "step", "before", "after", "reason"}, 3,
                  3, status_cells, style);
 }
@@ -164,17 +164,17 @@ std::string changes_sentence(const Changes& changes) {
 }
 
 std::string missing_text(const Changes& changes, const TerminalStyle& style) {
-  return statuses("New failures", changes.new_failures, style) +
+  return status_changes("New failures", changes.new_failures, style) +
          counted_runs("Runs that are gone", changes.only_before, style);
 }
 
 std::string changes_text(const Changes& changes, const TerminalStyle& style) {
   return section("Versions that differ", changes.versions, {"what", "before", "after"}, 3, 0,
                  version_cells, style) +
-         statuses("New failures", changes.new_failures, style) +
+         status_changes("New failures", changes.new_failures, style) +
          metrics("Worse", changes.got_worse, style) +
          counted_runs("Runs that are gone", changes.only_before, style) +
-         statuses("Failures that are gone", changes.recovered, style) +
+         status_changes("Failures that are gone", changes.recovered, style) +
          metrics("Better", changes.got_better, style) +
          counted_runs("New runs", changes.only_after, style) +
          counted_runs("Not compared, the case is not the same", changes.other_case, style) +

@@ -30,7 +30,7 @@ constexpr SolveOptions told{.until_locked = true, .swing_ahead = true};
 constexpr double right_to = 1e-10;
 
 /// The largest difference of two swings, of their sizes [-].
-double difference(const Swing& a, const Swing& b) {
+double swing_difference(const Swing& a, const Swing& b) {
   return std::max({std::abs(a.energy / b.energy - 1.0), std::abs(a.period / b.period - 1.0),
                    std::abs(a.least - b.least) / b.amplitude,
                    std::abs(a.largest - b.largest) / b.amplitude,
@@ -74,7 +74,7 @@ struct Tally {
     if (is_ahead) {
       EXPECT_EQ(found.end_time(), found.events().back().time) << "the lock";
     }
-    const double off = difference(*found.swing(), *known.swing());
+    const double off = swing_difference(*found.swing(), *known.swing());
     EXPECT_TRUE(std::isfinite(off));
     worst = std::max(worst, off);
     if (is_ahead) {
@@ -257,7 +257,7 @@ TEST(SwingAhead, HasTenDigitsOfWhatItTells) {
     EXPECT_EQ(found.has_value(), known.has_value()) << sample;
     if (found && known) {
       ++compared;
-      const double off = difference(*found, *known);
+      const double off = swing_difference(*found, *known);
       EXPECT_TRUE(off <= right_to) << sample << ": " << off << ", " << half << " m, " << width
                                    << " m, " << fall << " m, " << speed << " m/s";
       worst = std::max(worst, off);

@@ -28,8 +28,8 @@ template <class Real>
   if (!(impulse > 0)) {  // it opens
     impact.impulse = isfinite(impulse) ? Real(0) : impulse;
   }
-  impact.after.velocity += impact.impulse * response.template head<2>();
-  impact.after.spin += impact.impulse * response[2];
+  const Eigen::Matrix<Real, 3, 1> gain = impact.impulse * response;
+  impact.after = with_gain(before, gain);
   return impact;
 }
 

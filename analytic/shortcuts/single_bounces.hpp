@@ -119,10 +119,14 @@ class SingleBounces<Case> {
 
   /// The cable in this place of `search`.
   [[nodiscard]] FlightCable<double> cable_of(const Search& search, std::size_t place) const {
-    const std::size_t index = cable_at(place, search.last_hit);
-    FlightCable<double> cable = cables_[index];
-    cable.tried = search.attempts->tried(index);
+    FlightCable<double> cable = cables_[cable_at(place, search.last_hit)];
+    cable.tried = tried_of(search, place);
     return cable;
+  }
+
+  /// Of these what changes from search to search: its last attempt [m/s].
+  [[nodiscard]] static double tried_of(const Search& search, std::size_t place) {
+    return search.attempts->tried(cable_at(place, search.last_hit));
   }
 
   /// `bounce`, found by a search after `last_hit`; keeps what it says about the next.

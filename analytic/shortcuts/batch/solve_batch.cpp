@@ -116,7 +116,7 @@ class Batch {
     set(question_.touches, body.search.last_hit.empty() ? 0.0 : 1.0);
     set(question_.horizon, body.search.horizon);
     for (std::size_t place = 0; place < count_; ++place) {
-      set(question_.cables[place].tried, cable_at(place, body).tried);
+      set(question_.cables[place].tried, SingleBounces<Case>::tried_of(body.search, place));
     }
     return true;
   }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "tautline/case.hpp"
 #include "tautline/detail/rounding.hpp"
@@ -46,10 +47,8 @@ template <class Real>
 template <class Real>
 [[nodiscard]] BasicState<Real> with_change(const BasicBody<Real>& body, BasicState<Real> state,
                                            const Vector3<Real>& change) {
-  const Vector3<Real> jump = change.cwiseProduct(root_of_inverse_mass(body));
-  state.velocity += jump.template head<2>();
-  state.spin += jump[2];
-  return state;
+  return with_gain(std::move(state),
+                   Vector3<Real>(change.cwiseProduct(root_of_inverse_mass(body))));
 }
 
 /// The space of up to three independent rows a_i, and their dual vectors k_i in it: k_i . a_j is 1

@@ -1,6 +1,6 @@
+#include "bench/data/describer.hpp"
 #include "bench/gate/changes_fields.hpp"
 #include "bench/gate/changes_output.hpp"
-#include "bench/report/json/describer.hpp"
 
 namespace tautline::bench {
 

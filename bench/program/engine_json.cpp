@@ -8,7 +8,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/check/claims.hpp"
-#include "bench/report/json/describer.hpp"
+#include "bench/report/json/fields.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {

@@ -339,6 +339,7 @@ void add_solve(CLI::App& app, int& code) {
   command->add_flag("--decimal", asked->decimal,
                     "--digits of the decimals that the case is written in, not of their doubles");
   add_target(*command, "--json", asked->json, "write everything as JSON");
+  add_schema(*command, solution_schema_json);
   add_target(*command, "--csv", asked->csv,
              "write the samples of --every and --at as a table, with two rows for each impact");
   command

@@ -2,6 +2,7 @@
 // for JSON, and some of them may be no numbers.
 
 #include "bench/run/wire.hpp"
+#include "bench/data/coordinates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -152,12 +153,9 @@ struct NumberReader {
 // Each of these lists the numbers of a type once, for the writer and for the reader.
 
 void pass_state(auto& numbers, auto& state) {
-  numbers(state.position.x());
-  numbers(state.position.y());
-  numbers(state.angle);
-  numbers(state.velocity.x());
-  numbers(state.velocity.y());
-  numbers(state.spin);
+  for (const auto& one : coordinates(state)) {
+    numbers(one.value);
+  }
 }
 
 void pass_impact(auto& numbers, auto& impact) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "bench/data/says.hpp"
 #include "tautline/case.hpp"
 #include "tautline/detail/ledger.hpp"
 #include "tautline/settling.hpp"
@@ -22,6 +23,13 @@ struct CorrectDigits {
   int digits;
   std::optional<double> until;  // [s]; none: to the end
 };
+
+/// Its members by their names in JSON.
+template <class Visitor>
+void fields(Visitor& visit, CorrectDigits& correct) {
+  visit("digits", correct.digits, at_least(1));
+  visit("until", correct.until, "[s]; null: to the end");
+}
 
 /// Until when the solution of a case is right.
 struct CertifiedDigits {

@@ -1,220 +1,296 @@
 #include "bench/solution/solution_json.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <cstddef>
+#include <utility>
 
-#include "bench/base/json_list.hpp"
 #include "bench/base/text.hpp"
+#include "bench/data/describer.hpp"
+#include "bench/data/motion_fields.hpp"
 #include "bench/solution/samples/samples.hpp"
 #include "bench/solution/samples/taut_phases.hpp"
 #include "bench/solution/time_errors.hpp"
 #include "tautline/uncertainty.hpp"
 
 namespace tautline::bench {
-namespace {
 
-using Json = nlohmann::ordered_json;
+// The members of each object, for writing and for the schema.
 
-Json pair_json(const Vec2& value) { return Json::array({value.x(), value.y()}); }
-
-Json state_json(const State& state) {
-  return {{"position", pair_json(state.position)},
-          {"angle", state.angle},
-          {"velocity", pair_json(state.velocity)},
-          {"spin", state.spin}};
+template <class Visitor>
+void fields(Visitor& visit, EventErrors& errors) {
+  visit.means("bounds of the errors of the numbers beside them");
+  visit("time", errors.time, "[s]; of a completed accumulation: of its limit");
+  visit("impulses", errors.impulses, "[N s]");
+  visit("before", errors.before);
+  visit("after", errors.after);
 }
 
-Json cable_json(const Cable& cable) {
-  Json result = {{"anchor", pair_json(cable.anchor)},
-                 {"attachment", pair_json(cable.attachment)},
-                 {"length", cable.length},
-                 {"restitution", cable.restitution}};
-  if (cable.capture_speed != 0.0) {  // exactly: the default
-    result["capture_speed"] = cable.capture_speed;
-  }
-  for (const RestitutionPoint& point : cable.restitution_table) {
-    result["restitution_table"].push_back(pair_json({point.speed, point.restitution}));
-  }
-  return result;
+struct EventRow {
+  Event event;
+  std::optional<EventErrors> errors;
+  CableSet indeterminate;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, EventRow& row) {
+  Event& event = row.event;
+  event.impulses = event.impulses.cwiseMax(0.0);  // below are gravity's
+  visit("time", event.time, "[s]");
+  visit("kind", event.kind);
+  visit("cables", event.cables);
+  visit("impulses", event.impulses, at_least(0, "of each of `cables` [N s]"));
+  visit("before", event.before);
+  visit("after", event.after);
+  visit("errors", row.errors, "null within `unsure`: the motion is one of many that start alike");
+  const auto split = row.indeterminate.empty() ? std::nullopt : std::optional(row.indeterminate);
+  visit.if_any("indeterminate", split,
+               "cables among which the impulse can be split in several ways; it is the smallest");
 }
 
-Json errors_json(const EventErrors& errors) {
-  return {{"time", errors.time},
-          {"impulses", json_list(errors.impulses, [](double impulse) { return Json(impulse); })},
-          {"before", state_json(errors.before)},
-          {"after", state_json(errors.after)}};
+template <class Visitor>
+void fields(Visitor& visit, Bounded& number) {
+  const auto error = number.error < 0.0 ? std::nullopt : std::optional(number.error);
+  visit("value", number.value);
+  visit("error", error, "null: no digit is right");
 }
 
-Json event_json(const Event& event, const std::optional<EventErrors>& errors, CableSet split) {
-  const auto pull = [](double impulse) { return Json(std::max(impulse, 0.0)); };  // or gravity's
-  Json result = {{"time", event.time},
-                 {"kind", to_string(event.kind)},
-                 {"cables", event.cables.indices()},
-                 {"impulses", json_list(event.impulses, pull)},
-                 {"before", state_json(event.before)},
-                 {"after", state_json(event.after)},
-                 {"errors", errors ? errors_json(*errors) : Json(nullptr)}};
-  if (!split.empty()) {
-    result["indeterminate"] = split.indices();
-  }
-  return result;
+template <class Visitor>
+void fields(Visitor& visit, PeriodTension& one) {
+  visit("cable", one.cable);
+  visit("least", one.least, "[N]");
+  visit("largest", one.largest, "[N]");
 }
 
-/// A bound, null where there is none.
-Json bound_json(const std::optional<double>& error) { return error ? Json(*error) : Json(nullptr); }
+/// A lock, the error of its time, and the tensions of its swing over a period.
+struct LockRow {
+  Lock lock;
+  std::optional<double> error;
+  std::optional<std::vector<PeriodTension>> tensions;
+};
 
-Json accumulation_json(const Accumulation& accumulation, const std::optional<double>& error) {
-  return {{"start", accumulation.start},
-          {"time", accumulation.time},
-          {"uncertainty", bound_json(error)},
-          {"cables", accumulation.cables.indices()},
-          {"energy_lost", accumulation.energy_lost}};
-}
+struct SwingRow {
+  Swing swing;
+  std::optional<std::vector<PeriodTension>> tensions;
+};
 
-Json swing_json(const Swing& swing) {
-  const auto angle = [&](double value) { return swing.goes_round ? Json(nullptr) : Json(value); };
-  return {{"energy", swing.energy},
-          {"period", swing.period},
-          {"least", angle(swing.least)},
-          {"largest", angle(swing.largest)},
-          {"amplitude", angle(swing.amplitude)},
-          {"angle_of", swing.angle == SwingAngle::body ? "body" : "cable"},
-          {"goes_round", swing.goes_round}};
-}
-
-Json lock_json(const Lock& lock, const std::optional<double>& error) {
-  return {{"time", lock.time},
-          {"uncertainty", bound_json(error)},
-          {"cables", lock.cables.indices()},
-          {"permanent", lock.permanent},
-          {"rests", lock.rests},
-          {"swing", lock.swing ? swing_json(*lock.swing) : Json(nullptr)}};
-}
-
-Json mark_json(const std::optional<EventMark>& mark) {
-  if (!mark) {
-    return nullptr;
-  }
-  return {
-      {"time", mark->time}, {"kind", to_string(mark->kind)}, {"cables", mark->cables.indices()}};
-}
-
-/// The numbers of a cable, or their errors, one list for each kind.
-template <class Number>
-void add_cables(Json& object, const MotionSample& sample, const Number& number) {
-  const auto list = [&](Bounded CableSample::*member) {
-    return json_list(sample.cables,
-                     [&](const CableSample& cable) { return Json(number(cable.*member)); });
+template <class Visitor>
+void fields(Visitor& visit, SwingRow& row) {
+  const Swing& swing = row.swing;
+  const auto angle = [&](double value) {
+    return swing.goes_round ? std::nullopt : std::optional(value);
   };
-  object["gaps"] = list(&CableSample::gap);
-  object["gap_rates"] = list(&CableSample::gap_rate);
-  object["tensions"] = list(&CableSample::tension);
-  object["energy"] = number(sample.energy);
+  const std::string angle_of = swing.angle == SwingAngle::body ? "body" : "cable";
+  visit.means("to and fro, or round and round: then it has no turning points");
+  visit("energy", swing.energy, "above the equilibrium [J]");
+  visit("period", swing.period, "[s]");
+  visit("least", angle(swing.least), "smallest angle [rad]");
+  visit("largest", angle(swing.largest), "[rad]");
+  visit("amplitude", angle(swing.amplitude), "half the difference [rad]");
+  visit("angle_of", angle_of,
+        one_of({"body", "cable"}, "cable: the first one; the body does not turn with it"));
+  visit("goes_round", swing.goes_round);
+  visit.if_any("tensions", row.tensions, "the extremes over a period");
 }
 
-Json sample_json(const MotionSample& sample) {
-  Json result = {{"time", sample.time.value}};
-  result.update(state_json(sample.state));
-  add_cables(result, sample, [](const Bounded& one) { return one.value; });
-  result["errors"] = nullptr;
-  if (sample.errors) {
-    result["errors"] = state_json(*sample.errors);
-    add_cables(result["errors"], sample, [](const Bounded& one) { return one.error; });
-  }
-  return result;
+template <class Visitor>
+void fields(Visitor& visit, LockRow& row) {
+  const Lock& lock = row.lock;
+  const auto swing = lock.swing ? std::optional(SwingRow{*lock.swing, row.tensions}) : std::nullopt;
+  visit("time", lock.time, "from which on they are taut [s]");
+  visit("uncertainty", row.error,
+        "bound of the error of the time: rounding, and how the bounces end; of a certificate the "
+        "latter alone [s]");
+  visit("cables", lock.cables);
+  visit("permanent", lock.permanent,
+        "the body rests, or a whole period of its swing passes without a release");
+  visit("rests", lock.rests);
+  visit("swing", swing, "of a body with one degree of freedom left");
 }
 
-Json tie_json(const Tie& tie) {
-  return {{"kind", to_string(tie.kind)}, {"cables", tie.cables.indices()}};
-}
+struct SettlingRow {
+  std::vector<LastImpact> last_impacts;
+  std::optional<LockRow> lock;
+};
 
-Json bounded_json(const Bounded& one) {
-  return {{"value", one.value}, {"error", one.error < 0.0 ? Json(nullptr) : Json(one.error)}};
-}
-
-Json tension_at_json(const TensionAt& extreme) {
-  return {{"tension", bounded_json(extreme.tension)}, {"time", bounded_json(extreme.time)}};
-}
-
-Json phase_json(const TautPhase& phase) {
-  return {{"cable", phase.cable},
-          {"from", phase.from.value},
-          {"until", phase.until.value},
-          {"least", tension_at_json(phase.least)},
-          {"largest", tension_at_json(phase.largest)},
-          {"indeterminate", phase.indeterminate}};
-}
-
-Json period_json(const PeriodTension& one) {
-  return {{"cable", one.cable},
-          {"least", bounded_json(one.least)},
-          {"largest", bounded_json(one.largest)}};
-}
-
-Json unsure_json(const Unsure& stretch) {
-  return {{"from", stretch.from},
-          {"until", std::isfinite(stretch.until) ? Json(stretch.until) : Json(nullptr)},
-          {"tie", stretch.tie ? tie_json(*stretch.tie) : Json(nullptr)}};
-}
-
-Json case_json(const Case& the_case) {
-  Json result = {{"name", the_case.name},
-                 {"duration", the_case.duration},
-                 {"gravity", pair_json(the_case.gravity)}};
-  if (the_case.angle_limit) {
-    result["angle_limit"] = *the_case.angle_limit;
-  }
-  if (the_case.ceiling) {
-    result["ceiling"] = *the_case.ceiling;
-  }
-  result["body"] = {{"mass", the_case.body.mass}, {"inertia", the_case.body.inertia}};
-  result["cables"] = json_list(the_case.cables, cable_json);
-  result["initial"] = state_json(the_case.initial);
-  return result;
-}
-
-Json last_impact_json(const LastImpact& last) {
-  return {{"speed", last.speed}, {"time", last.time ? Json(*last.time) : Json(nullptr)}};
+template <class Visitor>
+void fields(Visitor& visit, SettlingRow& settling) {
+  visit("last_impacts", settling.last_impacts);
+  visit("lock", settling.lock, "the final set of taut cables; null if all are slack at the end");
 }
 
 /// `error` is that of the time of the lock.
-Json settling_json(const Settling& settling, const std::optional<double>& error) {
-  return {{"last_impacts", json_list(settling.last_impacts, last_impact_json)},
-          {"lock", settling.lock ? lock_json(*settling.lock, error) : Json(nullptr)}};
+static SettlingRow settling_row(const Settling& settling, const std::optional<double>& error) {
+  SettlingRow row = {settling.last_impacts, {}};
+  if (settling.lock) {
+    row.lock = {*settling.lock, error, {}};
+  }
+  return row;
 }
 
-Json ledger_json(const EnergyLedger& ledger) {
-  return {{"start", ledger.start},
-          {"impacts", ledger.impacts},
-          {"completions", ledger.completions},
-          {"end", ledger.end},
-          {"residual", ledger.residual}};
+struct AccumulationRow {
+  Accumulation accumulation;
+  std::optional<double> error;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, AccumulationRow& row) {
+  visit("start", row.accumulation.start, "[s]");
+  visit("time", row.accumulation.time, "of its limit [s]");
+  visit("uncertainty", row.error, "of that time [s]");
+  visit("cables", row.accumulation.cables);
+  visit("energy_lost", row.accumulation.energy_lost, "[J]");
 }
 
-Json correct_json(const CorrectDigits& part) {
-  return {{"digits", part.digits}, {"until", part.until ? Json(*part.until) : Json(nullptr)}};
+template <class Visitor>
+void fields(Visitor& visit, Tie& tie) {
+  visit.means(
+      "what rounding decides. impact: which of the cables, taut at one instant, is hit first; "
+      "slack: whether the cable lets go, whose tension touches zero; taut: how the body goes on "
+      "from a dead point of its taut cables");
+  visit("kind", tie.kind);
+  visit("cables", tie.cables);
 }
 
-Json certificate_json(const Certificate& certificate) {
+template <class Visitor>
+void fields(Visitor& visit, Unsure& stretch) {
+  visit("from", stretch.from, "[s]");
+  visit("until", stretch.until, or_null("[s]; null: to the end"));
+  visit("tie", stretch.tie, "that begins it; null: errors have grown");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, TensionAt& extreme) {
+  visit("tension", extreme.tension, "[N]");
+  visit("time", extreme.time, "the first of them [s]");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, TautPhase& phase) {
+  visit.means("a stretch of time in which a cable stays taut, and its tension there");
+  visit("cable", phase.cable);
+  visit("from", phase.from.value, "[s]");
+  visit("until", phase.until.value, "[s]");
+  visit("least", phase.least);
+  visit("largest", phase.largest);
+  visit("indeterminate", phase.indeterminate,
+        "statics leave the share of the cable open: the tensions are the smallest then");
+}
+
+/// Of a sample all values, or all errors.
+struct SamplePart {
+  MotionSample sample;
+  State state;
+  double Bounded::*part = &Bounded::value;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SamplePart& row) {
+  const auto list = [&](Bounded CableSample::*member) {
+    std::vector<double> numbers;
+    for (const CableSample& cable : row.sample.cables) {
+      numbers.push_back(cable.*member.*row.part);
+    }
+    return numbers;
+  };
+  fields(visit, row.state);
+  visit("gaps", list(&CableSample::gap), "of each cable [m]");
+  visit("gap_rates", list(&CableSample::gap_rate), "[m/s]");
+  visit("tensions", list(&CableSample::tension), "[N]");
+  visit("energy", row.sample.energy.*row.part, "[J]");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, MotionSample& sample) {
+  SamplePart values = {sample, sample.state, &Bounded::value};
+  std::optional<SamplePart> errors;
+  if (sample.errors) {
+    errors = {sample, *sample.errors, &Bounded::error};
+  }
+  visit("time", sample.time.value, "[s]");
+  fields(visit, values);
+  visit("errors", errors, "bounds of the errors of these numbers; null beyond the horizon");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, EventMark& mark) {
+  visit("time", mark.time, "[s]");
+  visit("kind", mark.kind);
+  visit("cables", mark.cables);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, EnergyLedger& ledger) {
+  visit("start", ledger.start, "[J]");
+  visit("impacts", ledger.impacts, "of the impacts [J]");
+  visit("completions", ledger.completions, "of the completed accumulations [J]");
+  visit("end", ledger.end, "[J]");
+  visit("residual", ledger.residual, "[J]");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Certificate& certificate) {
   const std::optional<Lock>& lock = certificate.settling.lock;  // without rounding to speak of
-  const auto error = lock ? std::optional(lock->uncertainty) : std::nullopt;
   const EventMatch& events = certificate.events;
-  return {{"digits", certificate.digits},
-          {"completion_error", certificate.completion_error},
-          {"correct", json_list(certificate.correct, correct_json)},
-          {"events",
-           {{"same", events.count},
-            {"until", events.until},
-            {"all", events.all},
-            {"next_in_double", mark_json(events.in_double)},
-            {"next_in_digits", mark_json(events.in_digits)},
-            {"in_digits", certificate.event_count}}},
-          {"ending", to_string(certificate.ending)},
-          {"end_time", certificate.end_time},
-          {"energy", ledger_json(certificate.energy)},
-          {"settling", settling_json(certificate.settling, error)}};
+  visit.means("the motion held against the same one with many digits");
+  visit("digits", certificate.digits, at_least(20, "decimal, of the other solution's numbers"));
+  visit("completion_error", certificate.completion_error);
+  visit("correct", std::vector(certificate.correct.begin(), certificate.correct.end()));
+  visit.group("events", "", [&](auto& inside) {
+    inside("same", events.count, "from the first on");
+    inside("until", events.until, "of the last of them [s]");
+    inside("all", events.all, "neither solution has another");
+    inside("next_in_double", events.in_double);
+    inside("next_in_digits", events.in_digits);
+    inside("in_digits", certificate.event_count, "events of the other solution");
+  });
+  visit("ending", std::string(to_string(certificate.ending)));
+  visit("end_time", certificate.end_time, "[s]");
+  visit("energy", certificate.energy);
+  visit("settling",
+        settling_row(certificate.settling, lock ? std::optional(lock->uncertainty) : std::nullopt));
 }
+
+/// All that is written.
+struct SolutionRow {
+  Case the_case;
+  SolveOptions options;
+  std::vector<EventRow> events;
+  Ending ending = Ending::reached_duration;
+  double end_time = 0.0;
+  State end_state;
+  EnergyLedger energy{};
+  SettlingRow settling;
+  std::vector<Unsure> unsure;
+  std::vector<AccumulationRow> accumulations;
+  std::vector<TautPhase> taut;
+  std::optional<std::vector<MotionSample>> samples;
+  std::optional<Certificate> certificate;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SolutionRow& solution) {
+  schema_field(visit, solution_schema);
+  visit("case", solution.the_case);
+  visit.group("options", "", [&](auto& inside) {
+    inside("law", std::string(to_string(solution.options.law)));
+    inside("completion_error", solution.options.completion.error);
+    inside("max_events", solution.options.max_events);
+    inside("max_steps", solution.options.max_steps);
+  });
+  visit("events", solution.events);
+  visit("ending", std::string(to_string(solution.ending)));
+  visit("end_time", solution.end_time, "[s]");
+  visit("end_state", solution.end_state);
+  visit("energy", solution.energy);
+  visit("settling", solution.settling);
+  visit("unsure", solution.unsure, "stretches of time in which nothing but the energy is sure");
+  visit("accumulations", solution.accumulations);
+  visit("taut", solution.taut);
+  visit.if_any("samples", solution.samples, "at the times asked for");
+  visit.if_any("certificate", solution.certificate);
+}
+
+namespace {
 
 /// `object` with a line for each of its values, and for each element where that is a list: an event
 /// by itself is read at a glance, and indents would nearly double what a long motion takes.
@@ -251,51 +327,52 @@ std::vector<std::string> sample_problems(const Solution& solution,
   return result;
 }
 
+std::string solution_schema_json() {
+  return text_of(headed("Motion of `tautline solve --json`",
+                        "The exact motion of a case. Each value, event and sample is a line.",
+                        schema_of(SolutionRow())));
+}
+
 std::string solution_json(const Case& the_case, const SolveOptions& options,
                           const Solution& solution, const Settling& settling,
                           std::span<const double> sample_times,
                           const std::optional<Certificate>& certificate) {
-  const State end_state = solution.at(solution.end_time());
   const Uncertainty uncertainty(the_case, solution, options);
-  Json result = {
-      {"schema", solution_schema},
-      {"case", case_json(the_case)},
-      {"options",
-       {{"law", to_string(options.law)},
-        {"completion_error", options.completion.error},
-        {"max_events", options.max_events},
-        {"max_steps", options.max_steps}}},
-      {"events", Json::array()},
-      {"ending", to_string(solution.ending())},
-      {"end_time", solution.end_time()},
-      {"end_state", state_json(end_state)},
-      {"energy", ledger_json(energy_ledger(the_case, solution))},
-      {"settling", settling_json(settling, lock_error(solution, settling, uncertainty))}};
+  const double end = solution.end_time();
+  SolutionRow row = {
+      .the_case = the_case,
+      .options = options,
+      .events = {},
+      .ending = solution.ending(),
+      .end_time = end,
+      .end_state = solution.at(end),
+      .energy = energy_ledger(the_case, solution),
+      .settling = settling_row(settling, lock_error(solution, settling, uncertainty)),
+      .unsure = {uncertainty.unsure().begin(), uncertainty.unsure().end()},
+      .accumulations = {},
+      .taut = taut_phases(the_case, solution, uncertainty),
+      .samples = {},
+      .certificate = certificate};
   for (std::size_t index = 0; index < solution.events().size(); ++index) {
-    result["events"].push_back(
-        event_json(solution.events()[index], uncertainty.events()[index],
-                   indeterminate(options.law, the_case, solution.events()[index])));
+    const Event& event = solution.events()[index];
+    row.events.push_back(
+        {event, uncertainty.events()[index], indeterminate(options.law, the_case, event)});
   }
   if (settling.lock && settling.lock->swing) {
-    const auto tensions = period_tensions(the_case, solution.events().back().after,
-                                          settling.lock->cables, *settling.lock->swing,
-                                          uncertainty.energy(solution.end_time()).value_or(-1.0));
-    result["settling"]["lock"]["swing"]["tensions"] = json_list(tensions, period_json);
+    row.settling.lock->tensions =
+        period_tensions(the_case, solution.events().back().after, settling.lock->cables,
+                        *settling.lock->swing, uncertainty.energy(end).value_or(-1.0));
   }
-  result["unsure"] = json_list(uncertainty.unsure(), unsure_json);
-  result["accumulations"] = json_list(solution.accumulations(), [&](const Accumulation& one) {
-    return accumulation_json(one, limit_error(solution, uncertainty, one));
-  });
-  result["taut"] = json_list(taut_phases(the_case, solution, uncertainty), phase_json);
+  for (const Accumulation& one : solution.accumulations()) {
+    row.accumulations.push_back({one, limit_error(solution, uncertainty, one)});
+  }
   if (!sample_times.empty()) {
-    result["samples"] = json_list(sample_times, [&](double time) {
-      return sample_json(sample_at(the_case, solution, uncertainty, time));
-    });
+    auto& samples = row.samples.emplace();
+    for (const double time : sample_times) {
+      samples.push_back(sample_at(the_case, solution, uncertainty, time));
+    }
   }
-  if (certificate) {
-    result["certificate"] = certificate_json(*certificate);
-  }
-  return in_lines(result);
+  return in_lines(json_of(row));
 }
 
 }  // namespace tautline::bench

@@ -8,8 +8,10 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/data/coordinates.hpp"
 #include "bench/solution/cable_words.hpp"
 #include "bench/solution/digits/right_digits.hpp"
+#include "bench/solution/samples/samples.hpp"
 #include "bench/solution/time_errors.hpp"
 #include "tautline/geometry.hpp"
 
@@ -20,17 +22,11 @@ namespace {
 constexpr int time_digits = 12;
 constexpr int state_digits = 6;
 
-/// The cells of six numbers with their errors.
+/// The cells of the numbers of a state.
 void add_state(std::vector<std::string>& cells, const State& state, const State& errors) {
-  const auto add = [&](double value, double error) {
-    cells.push_back(right_fixed(value, error, state_digits));
-  };
-  add(state.position.x(), errors.position.x());
-  add(state.position.y(), errors.position.y());
-  add(state.angle, errors.angle);
-  add(state.velocity.x(), errors.velocity.x());
-  add(state.velocity.y(), errors.velocity.y());
-  add(state.spin, errors.spin);
+  for (const Bounded& one : bounded(state, errors)) {
+    cells.push_back(right_fixed(one.value, one.error, state_digits));
+  }
 }
 
 /// Of an accumulation: its limit, the cables and the state there. Infinitely many impacts have no
@@ -53,7 +49,7 @@ std::vector<std::string> accumulation_cells(const Solution& solution,
     off.spin += 2.0 * std::abs(later.spin - state.spin);
     add_state(cells, state, off);
   } else {
-    cells.insert(cells.end(), 6, dash);
+    cells.insert(cells.end(), coordinates(event.after).size(), dash);
   }
   return cells;
 }
@@ -87,12 +83,12 @@ std::string events_text(const Case& the_case, const Solution& solution,
   if (shown == 0) {
     return "";
   }
-  constexpr int velocity = 2;
-  constexpr int pose = 1;
-  Table table({ranked("event at", 0), ranked("kind", 0), ranked("cables", 0),
-               ranked("closing rate", 0), ranked("impulse", 0), ranked("x", pose),
-               ranked("y", pose), ranked("angle", pose), ranked("vx", velocity),
-               ranked("vy", velocity), ranked("spin", velocity)});
+  std::vector<Column> columns = {ranked("event at", 0), ranked("kind", 0), ranked("cables", 0),
+                                 ranked("closing rate", 0), ranked("impulse", 0)};
+  for (const auto& one : coordinates(the_case.initial)) {
+    columns.push_back(ranked(one.name, one.is_rate ? 2 : 1));
+  }
+  Table table(std::move(columns));
   for (std::size_t index = 0; index < shown; ++index) {
     const auto& errors = uncertainty.events()[index];
     if (errors) {

@@ -16,6 +16,7 @@
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
+#include "bench/data/coordinates.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/run/protocol/engine_file.hpp"
 #include "tautline/case_file.hpp"
@@ -26,8 +27,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string state_columns(const State& state) {
-  return fmt::format("{},{},{},{},{},{}", state.position.x(), state.position.y(), state.angle,
-                     state.velocity.x(), state.velocity.y(), state.spin);
+  std::string columns;
+  for (const auto& one : coordinates(state)) {
+    columns += fmt::format("{},", one.value);
+  }
+  return columns;
 }
 
 /// One side of an impact.
@@ -107,7 +111,11 @@ fs::path run_folder(const fs::path& out, const RunKey& run) {
 
 std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
   const std::size_t cables = run.tensions.size() / run.points.size();
-  std::string csv = "time,x,y,angle,vx,vy,spin,event";
+  std::string csv = "time,";
+  for (const auto& one : coordinates(run.points.front().state)) {
+    csv += fmt::format("{},", one.name);
+  }
+  csv += "event";
   for (std::size_t cable = 0; cable < cables; ++cable) {
     csv += fmt::format(",tension_{}", cable);
   }
@@ -119,7 +127,7 @@ std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
   auto impact = impacts.begin();
   const auto impacts_until = [&](double time) {
     for (; impact != impacts.end() && impact->time <= time; ++impact) {
-      csv += fmt::format("{},{},{}{}\n", impact->time, state_columns(*impact->state), impact->side,
+      csv += fmt::format("{},{}{}{}\n", impact->time, state_columns(*impact->state), impact->side,
                          no_tensions);
     }
   };
@@ -127,7 +135,7 @@ std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
     const auto& [time, state] = run.points[index];
     if (index % stride == 0 || index + 1 == run.points.size()) {
       impacts_until(time);
-      csv += fmt::format("{},{},", time, state_columns(state));
+      csv += fmt::format("{},{}", time, state_columns(state));
       for (std::size_t cable = 0; cable < cables; ++cable) {
         const double tension = run.tensions[index * cables + cable];
         csv += std::isfinite(tension) ? fmt::format(",{}", tension) : ",";

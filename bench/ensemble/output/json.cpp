@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "bench/base/text.hpp"
+#include "bench/data/describer.hpp"
 #include "bench/ensemble/output/atlas.hpp"
 #include "bench/ensemble/output/output.hpp"
-#include "bench/report/json/describer.hpp"
 
 namespace tautline::bench {
 

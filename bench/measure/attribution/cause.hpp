@@ -29,6 +29,6 @@ inline constexpr std::array causes = {
 [[nodiscard]] const char* meaning_of(Cause cause);
 
 /// One number per cause [m].
-using CauseParts = std::array<double, causes.size()>;
+struct CauseParts : std::array<double, causes.size()> {};
 
 }  // namespace tautline::bench

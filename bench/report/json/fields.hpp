@@ -1,20 +1,14 @@
 #pragma once
 
+#include "bench/data/motion_fields.hpp"
 #include "bench/report/json/fields_of_runs.hpp"
 #include "bench/report/report.hpp"
 
 // The members of every row of a report by their names in JSON, once for writing, for reading
 // and for the schema: a visitor is called with each name, member, and what the schema says of it.
-// `group` makes an object of members that are none of their own in C++; `by_metric` one with a key
-// for every metric of the list.
+// `group` makes an object of members that are none of their own in C++.
 
 namespace tautline::bench {
-
-template <class Visitor>
-void fields(Visitor& visit, LastImpact& last) {
-  visit("speed", last.speed, "impacts that close faster than this [m/s]");
-  visit("time", last.time, "of the last of them [s]; null without one");
-}
 
 template <class Visitor>
 void fields(Visitor& visit, Swing& swing) {
@@ -46,12 +40,6 @@ void fields(Visitor& visit, Settling& settling) {
 }
 
 template <class Visitor>
-void fields(Visitor& visit, Body& body) {
-  visit("mass", body.mass);
-  visit("inertia", body.inertia);
-}
-
-template <class Visitor>
 void fields(Visitor& visit, CableRow& cable) {
   visit("anchor", cable.anchor);
   visit("attachment", cable.attachment);
@@ -66,12 +54,6 @@ void fields(Visitor& visit, EventColumns& events) {
   visit("cables", events.cables);
   visit("rate", events.rate, "at which the fastest cable closes [m/s]; null of what is no impact");
   visit("left_out", events.left_out, "impacts that are not here, all slower than those that are");
-}
-
-template <class Visitor>
-void fields(Visitor& visit, CorrectDigits& correct) {
-  visit("digits", correct.digits, at_least(1));
-  visit("until", correct.until, "[s]; null: to the end");
 }
 
 template <class Visitor>
@@ -164,9 +146,10 @@ void fields(Visitor& visit, SummaryRow& row) {
                 inside("exact", row.exact_settled, "cases whose exact motion has one and locks");
                 inside("found", row.found_settled, "runs that have one");
               });
-  visit.by_metric("metrics", row.metrics,
-                  "of every metric, median and worst over the cases; null of one that does not "
-                  "come to one number over cases");
+  ByMetric<decltype(row.metrics)> metrics{row.metrics};
+  visit("metrics", metrics,
+        "of every metric, median and worst over the cases; null of one that does not "
+        "come to one number over cases");
 }
 
 template <class Visitor>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/report/json/says.hpp"
+#include "bench/report/json/values.hpp"
 #include "bench/report/record.hpp"
 #include "bench/report/report.hpp"
 
@@ -222,9 +222,10 @@ void fields(Visitor& visit, RunRow& row) {
   visit("status", row.status);
   visit("reason", row.reason, "of any status but finished");
   visit("output_tail", row.output_tail, "the last a failed engine printed");
-  visit.by_metric("metrics", row.metrics,
-                  "of every metric its value, or null where it could not be measured; null where "
-                  "there is nothing to compare");
+  ByMetric<decltype(row.metrics)> metrics{row.metrics};
+  visit("metrics", metrics,
+        "of every metric its value, or null where it could not be measured; null where "
+        "there is nothing to compare");
   visit("details", row.details);
   visit("path", row.path, "null in a report: it is in the case's `motions`");
   visit("impacts", row.impacts);

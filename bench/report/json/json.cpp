@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "bench/base/text.hpp"
+#include "bench/data/reader.hpp"
+#include "bench/data/writer.hpp"
 #include "bench/report/json/fields.hpp"
-#include "bench/report/json/reader.hpp"
-#include "bench/report/json/writer.hpp"
 #include "bench/report/motion.hpp"
 #include "bench/report/thinning.hpp"
 

@@ -1,7 +1,5 @@
 #include "bench/report/manifest.hpp"
-
-#include "bench/report/json/reader.hpp"
-#include "bench/report/json/writer.hpp"
+#include "bench/report/json/fields.hpp"
 
 namespace tautline::bench {
 

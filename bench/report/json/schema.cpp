@@ -1,6 +1,6 @@
 // The schema of a report, from the members by which it is written and read.
 
-#include "bench/report/json/describer.hpp"
+#include "bench/report/json/fields.hpp"
 #include "bench/report/json/json.hpp"
 
 namespace tautline::bench {

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "bench/data/coordinates.hpp"
 #include "bench/run/protocol/json.hpp"
 #include "bench/run/protocol/messages.hpp"
 
@@ -79,9 +80,8 @@ std::string fly_request(int id, double dt) { return request(id, "fly", {{"dt", d
 
 std::string place_request(int id, const State& state) {
   Json row = Json::array();
-  for (const double value : {state.position.x(), state.position.y(), state.angle,
-                             state.velocity.x(), state.velocity.y(), state.spin}) {
-    row.push_back(json_of(value));
+  for (const auto& one : coordinates(state)) {
+    row.push_back(json_of(one.value));
   }
   return request(id, "place", {{"state", std::move(row)}});
 }

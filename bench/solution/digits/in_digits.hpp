@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <utility>
 
 #include "tautline/case.hpp"
@@ -12,12 +11,6 @@ namespace tautline::bench {
 
 [[nodiscard]] inline BasicState<Multi> in_digits(const State& state) {
   return {in_digits(state.position), state.angle, in_digits(state.velocity), state.spin};
-}
-
-/// The six numbers of a state.
-[[nodiscard]] inline std::array<Multi, 6> numbers(const BasicState<Multi>& state) {
-  return {state.position.x(), state.position.y(), state.angle,
-          state.velocity.x(), state.velocity.y(), state.spin};
 }
 
 /// The same case, its numbers the doubles that they are.

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "bench/base/text.hpp"
+#include "bench/data/coordinates.hpp"
 #include "bench/solution/digits/in_decimals.hpp"
 #include "bench/solution/digits/in_digits.hpp"
 #include "bench/solution/digits/right_digits.hpp"
@@ -54,11 +55,11 @@ int growing_digits(const Case& the_case, const SolveOptions& options, const Solu
 Multi rounded(const Multi& value, int digits) { return Multi(value.str(digits)); }
 
 BasicState<Multi> rounded(const BasicState<Multi>& state, int digits) {
-  const auto one = [&](const Multi& value) { return rounded(value, digits); };
-  return {{one(state.position.x()), one(state.position.y())},
-          one(state.angle),
-          {one(state.velocity.x()), one(state.velocity.y())},
-          one(state.spin)};
+  BasicState<Multi> result = state;
+  for (const auto& one : coordinates(result)) {
+    one.value = rounded(one.value, digits);
+  }
+  return result;
 }
 
 /// Computes `the_case` with many digits up to its lock, and the swing after it, which is as well

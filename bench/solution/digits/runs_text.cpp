@@ -4,6 +4,7 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/data/coordinates.hpp"
 #include "bench/solution/cable_words.hpp"
 #include "bench/solution/digits/in_digits.hpp"
 #include "bench/solution/digits/many_digits.hpp"
@@ -22,8 +23,10 @@ std::vector<Multi> sample_of(const DigitsRun& run, double time) {
   const BasicState<Multi> state = run.solution.at(at);
   const BasicCableVector<Multi> tensions = run.solution.tensions(at);
   const CableSet taut = taut_at(run.solution, at);
-  const auto six = numbers(state);
-  std::vector<Multi> result(six.begin(), six.end());
+  std::vector<Multi> result;
+  for (const auto& one : coordinates(state)) {
+    result.push_back(one.value);
+  }
   for (std::size_t index = 0; index < run.the_case.cables.size(); ++index) {
     const BasicCable<Multi>& cable = run.the_case.cables[index];
     const bool slack = !taut.contains(index);
@@ -114,9 +117,12 @@ std::string events_of(const DigitsRun& few, const DigitsRun& many,
   if (events.empty() && !tie) {
     return "";
   }
-  Table table({ranked("event at", 0), ranked("kind", 0), ranked("cables", 0), ranked("impulse", 1),
-               ranked("x", 2), ranked("y", 2), ranked("angle", 2), ranked("vx", 3), ranked("vy", 3),
-               ranked("spin", 3)});
+  std::vector<Column> columns = {ranked("event at", 0), ranked("kind", 0), ranked("cables", 0),
+                                 ranked("impulse", 1)};
+  for (const auto& one : coordinates(many.the_case.initial)) {
+    columns.push_back(ranked(one.name, one.is_rate ? 3 : 2));
+  }
+  Table table(std::move(columns));
   const std::size_t most = asked.all_events ? events.size() : std::min(events.size(), most_events);
   std::size_t shown = 0;
   for (; shown < std::min(most, few.solution.events().size()); ++shown) {
@@ -125,21 +131,19 @@ std::string events_of(const DigitsRun& few, const DigitsRun& many,
     if ((tie && b.time >= tie->time) || a.kind != b.kind || a.cables != b.cables) {
       break;  // followed further with more digits
     }
-    const auto cell = [&](const Multi& one, const Multi& other) {
-      return right_fixed(other, apart(one, other), asked.digits);
-    };
-    const BasicState<Multi>& p = a.after;
-    const BasicState<Multi>& q = b.after;
     const bool impact = b.kind == EventKind::impact;
-    table.add(std::vector<std::string>{
+    std::vector<std::string> cells = {
         right_general(b.time, apart(a.time, b.time), asked.digits), std::string(to_string(b.kind)),
         cable_list(b.cables),
         impact ? right_scientific(Multi(b.impulses.sum()),
                                   apart(a.impulses.sum(), b.impulses.sum()), asked.digits - 1)
-               : dash,
-        cell(p.position.x(), q.position.x()), cell(p.position.y(), q.position.y()),
-        cell(p.angle, q.angle), cell(p.velocity.x(), q.velocity.x()),
-        cell(p.velocity.y(), q.velocity.y()), cell(p.spin, q.spin)});
+               : dash};
+    const auto few_digits = coordinates(a.after);
+    for (const auto& one : coordinates(b.after)) {
+      const Multi& other = few_digits[cells.size() - 4].value;
+      cells.push_back(right_fixed(one.value, apart(other, one.value), asked.digits));
+    }
+    table.add(cells);
   }
   if (tie && (shown < most || shown == events.size())) {
     table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});

@@ -1,4 +1,5 @@
 #include "bench/solution/samples/samples.hpp"
+#include "bench/data/coordinates.hpp"
 
 #include <fmt/format.h>
 
@@ -124,8 +125,22 @@ MotionSample sample_of(const Case& the_case, const State& state, CableSet taut,
 
 }  // namespace
 
+std::vector<Bounded> bounded(const State& state, const std::optional<State>& errors) {
+  std::vector<Bounded> result;
+  for (const auto& one : coordinates(state)) {
+    result.push_back({one.value, -1.0});
+  }
+  for (std::size_t k = 0; errors && k < result.size(); ++k) {
+    result[k].error = coordinates(*errors)[k].value;
+  }
+  return result;
+}
+
 std::vector<std::string> sample_names(const Case& the_case) {
-  std::vector<std::string> result = {"x", "y", "angle", "vx", "vy", "spin"};
+  std::vector<std::string> result;
+  for (const auto& one : coordinates(the_case.initial)) {
+    result.emplace_back(one.name);
+  }
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     for (const char* name : {"gap", "gap rate", "tension"}) {
       result.push_back(fmt::format("{} {}", name, index));

@@ -19,6 +19,9 @@ struct Bounded {
   double error = -1.0;
 };
 
+/// The coordinates of `state`, each with its error; none of them has a digit without `errors`.
+[[nodiscard]] std::vector<Bounded> bounded(const State& state, const std::optional<State>& errors);
+
 /// One cable at one instant.
 struct CableSample {
   Bounded gap;       // [m]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bench/data/coordinates.hpp"
 #include "bench/solution/digits/right_digits.hpp"
 #include "bench/solution/samples/samples.hpp"
 
@@ -46,7 +47,11 @@ class Csv {
   }
 
   void head() {
-    out_ = "time,event,x,y,angle,vx,vy,spin,energy";
+    out_ = "time,event";
+    for (const auto& one : coordinates(case_.initial)) {
+      out_ += fmt::format(",{}", one.name);
+    }
+    out_ += ",energy";
     for (const char* name : {"gap", "gap_rate", "tension", "impulse"}) {
       for (std::size_t index = 0; index < case_.cables.size(); ++index) {
         out_ += fmt::format(",{}_{}", name, index);
@@ -80,13 +85,9 @@ class Csv {
     out_ += (sample.time.error == 0.0 ? shortest(sample.time.value) : time == dash ? "" : time);
     out_ += ",";
     out_ += event;
-    const State errors = sample.errors.value_or(State{{-1.0, -1.0}, -1.0, {-1.0, -1.0}, -1.0});
-    number({sample.state.position.x(), errors.position.x()});
-    number({sample.state.position.y(), errors.position.y()});
-    number({sample.state.angle, errors.angle});
-    number({sample.state.velocity.x(), errors.velocity.x()});
-    number({sample.state.velocity.y(), errors.velocity.y()});
-    number({sample.state.spin, errors.spin});
+    for (const Bounded& one : bounded(sample.state, sample.errors)) {
+      number(one);
+    }
     number(sample.energy);
     for (const Bounded CableSample::*member :
          {&CableSample::gap, &CableSample::gap_rate, &CableSample::tension}) {

@@ -18,14 +18,7 @@ constexpr int most_digits_of_sample = 17;
 
 /// The numbers of a sample in the order of `sample_names`.
 std::vector<Bounded> numbers_of(const MotionSample& sample) {
-  const State& state = sample.state;
-  const State errors = sample.errors.value_or(State{{-1.0, -1.0}, -1.0, {-1.0, -1.0}, -1.0});
-  std::vector<Bounded> result = {{state.position.x(), errors.position.x()},
-                                 {state.position.y(), errors.position.y()},
-                                 {state.angle, errors.angle},
-                                 {state.velocity.x(), errors.velocity.x()},
-                                 {state.velocity.y(), errors.velocity.y()},
-                                 {state.spin, errors.spin}};
+  std::vector<Bounded> result = bounded(sample.state, sample.errors);
   for (const CableSample& cable : sample.cables) {
     result.insert(result.end(), {cable.gap, cable.gap_rate, cable.tension});
   }

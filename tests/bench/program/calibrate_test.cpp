@@ -10,13 +10,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 #include "bench/check/strike.hpp"
 #include "tests/bench/run/protocol_support.hpp"
+#include "tests/bench/schema.hpp"
 
 namespace tautline::test {
 namespace {
@@ -49,22 +46,6 @@ std::string sentences(const json& found) {
   std::string result;
   for (const json& sentence : found.at("not_reached")) {
     result += sentence.get<std::string>() + "\n";
-  }
-  return result;
-}
-
-/// What is wrong with it in the eyes of the published schema; "" if nothing.
-std::string schema_errors(const json& found) {
-  const json text = json::parse(program({"calibrate", "--schema"}).output);
-  valijson::Schema schema;
-  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
-  valijson::ValidationResults results;
-  valijson::Validator validator;
-  validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(found), &results);
-  std::string result;
-  valijson::ValidationResults::Error error;
-  while (results.popError(error)) {
-    result += error.description + "\n";
   }
   return result;
 }
@@ -105,7 +86,7 @@ TEST_F(CalibrateTunable, FindsTheParameterThatGivesTheRestitution) {
   EXPECT_NEAR(0.9 - knob / 10.0, 0.37, 1e-3);
   EXPECT_LE(found.at("worst").get<double>(), 1e-3);
   EXPECT_TRUE(found.at("reached").get<bool>());
-  EXPECT_EQ(schema_errors(found), "");
+  EXPECT_EQ(broken_rules(found, "calibrate"), "");
   EXPECT_NEAR(std::stod(found.at("code").get<std::string>().substr(std::strlen("cable.knob = "))),
               knob, 1e-12);
 }
@@ -141,7 +122,7 @@ TEST_F(CalibrateTunable, SeesAnEngineThatForgetsTheSpin) {
   EXPECT_GT(found.at("worst").get<double>(), 0.1);
   EXPECT_EQ(sentences(found),
             "no one setting suits all closing speeds, arms, inertias and spins\n");
-  EXPECT_EQ(schema_errors(found), "");
+  EXPECT_EQ(broken_rules(found, "calibrate"), "");
 }
 
 TEST_F(CalibrateTunable, JudgesASettingWithoutASearch) {
@@ -150,7 +131,7 @@ TEST_F(CalibrateTunable, JudgesASettingWithoutASearch) {
   const json found = json::parse(outcome.output);
   EXPECT_EQ(found.at("evaluations").get<int>(), 1);
   EXPECT_NEAR(found.at("worst").get<double>(), 0.1, 1e-9);
-  EXPECT_EQ(schema_errors(found), "");
+  EXPECT_EQ(broken_rules(found, "calibrate"), "");
 }
 
 TEST_F(CalibrateTunable, GivesTheBestSoFarWhereItIsInterrupted) {
@@ -160,7 +141,7 @@ TEST_F(CalibrateTunable, GivesTheBestSoFarWhereItIsInterrupted) {
   EXPECT_TRUE(found.at("interrupted").get<bool>());
   EXPECT_LT(found.at("evaluations").get<int>(), 40);
   EXPECT_EQ(sentences(found), "") << "half a search knows no reach";
-  EXPECT_EQ(schema_errors(found), "");
+  EXPECT_EQ(broken_rules(found, "calibrate"), "");
 }
 
 TEST_F(CalibrateTunable, RefusesWhatItCannotDo) {

@@ -5,14 +5,10 @@
 #include <array>
 #include <limits>
 
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
-
 #include "bench/run/protocol/child.hpp"
 #include "bench/run/protocol/messages.hpp"
 #include "tests/bench/run/protocol_support.hpp"
+#include "tests/bench/schema.hpp"
 
 namespace tautline::test {
 namespace {
@@ -21,13 +17,7 @@ using bench::ChildModel;
 using nlohmann::json;
 
 bool is_message(const std::string& text) {
-  const json schema_text = json::parse(content_of(TAUTLINE_PROTOCOL_SCHEMA));
-  const json message = json::parse(text);
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_text), schema);
-  valijson::Validator validator;
-  return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(message), nullptr);
+  return broken_rules(json::parse(text), json::parse(content_of(TAUTLINE_PROTOCOL_SCHEMA))).empty();
 }
 
 /// A body on two cables, one of which captures slow impacts.

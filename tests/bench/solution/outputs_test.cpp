@@ -12,10 +12,12 @@
 #include "bench/solution/samples/sample_times.hpp"
 #include "bench/solution/samples/samples.hpp"
 #include "bench/solution/samples/taut_phases.hpp"
+#include "tautline/case_file.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 #include "tests/bench/program.hpp"
+#include "tests/bench/schema.hpp"
 
 namespace tautline::test::outputs {
 namespace {
@@ -248,6 +250,33 @@ TEST(Solve, WritesSamplesAndTensionsOfManyCases) {
   const Outcome picture = program({"solve", "bouncing-ball", "--plot", "motion"});
   EXPECT_EQ(picture.code, 0);
   EXPECT_TRUE(picture.output.starts_with("<svg")) << picture.output.substr(0, 40);
+}
+
+TEST(Solve, WritesWhatItsSchemaSays) {
+  TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "swing.toml";
+  Case swing = pendulum(0.5, 3.0);  // one that repeats, with every key that a case file may have
+  swing.angle_limit = 7.0;
+  swing.ceiling = 90.0;
+  swing.initial.position = {0.6, -0.8};
+  swing.cables.push_back({{0.0, 9.0}, {0.0, 0.0}, 30.0, 0.5, 0.25, {}});
+  swing.cables.push_back({{0.0, 9.0}, {0.0, 0.0}, 40.0, 0.0, 0.0, {{0.1, 0.5}, {2.0, 0.3}}});
+  ASSERT_EQ(write_case(swing, file), std::vector<std::string>());
+  const Outcome shipped = program({"solve", "bouncing-ball", "breakwater/1*", "buoy-three-cables",
+                                   "plate-four-cables", "--every", "2", "--json", "-"});
+  const Outcome own = program({"solve", file, "--certify", "--json", "-"});
+  ASSERT_EQ(shipped.code, 0) << shipped.errors;
+  ASSERT_EQ(own.code, 0) << own.errors;
+  std::vector<nlohmann::json> motions = nlohmann::json::parse(shipped.output);
+  motions.push_back(nlohmann::json::parse(own.output));
+  EXPECT_EQ(motions.back()["case"]["cables"][1]["capture_speed"], 0.25);
+  EXPECT_EQ(motions.back()["settling"]["lock"]["swing"]["tensions"].size(), 1);
+  const auto schema = nlohmann::json::parse(program({"solve", "--schema"}).output);
+  for (const auto& motion : motions) {
+    EXPECT_EQ(broken_rules(motion, schema), "") << motion["case"]["name"];
+  }
+  motions.back().erase("ending");
+  EXPECT_NE(broken_rules(motions.back(), schema), "");
 }
 
 TEST(Solve, SaysWhatIsWrongWithItsFilesBeforeItSolves) {

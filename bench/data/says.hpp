@@ -4,10 +4,19 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace tautline::bench {
+
+/// What is written as the word that its `to_string` gives.
+template <class Value>
+concept Enumeration = std::is_enum_v<Value>;
+
+/// `all` enumerators of such an enumeration.
+template <Enumeration Enum>
+struct Words;
 
 /// Values that are an object in JSON, with a key for each.
 template <class Value>

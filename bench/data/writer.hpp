@@ -9,9 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "bench/report/json/fields.hpp"
+#include "bench/data/says.hpp"
+#include "tautline/cable_set.hpp"
+#include "tautline/case.hpp"
+#include "tautline/geometry.hpp"
 
-// From the rows of a report to JSON, which has no number that is not finite: it becomes null.
+// From a row to JSON by its `fields`. JSON has no number that is not finite: it becomes null.
 
 namespace tautline::bench {
 
@@ -22,23 +25,20 @@ inline Json json_of(std::size_t value) { return value; }
 inline Json json_of(std::int32_t value) { return value; }
 inline Json json_of(bool value) { return value; }
 inline Json json_of(const std::string& value) { return value; }
-inline Json json_of(Status value) { return to_string(value); }
-inline Json json_of(Maker value) { return to_string(value); }
-inline Json json_of(Word value) { return to_string(value); }
-inline Json json_of(Holds value) {
-  return value == Holds::not_measured ? Json(nullptr) : Json(value == Holds::yes);
-}
 inline Json json_of(const Vec2& value) { return Json::array({value.x(), value.y()}); }
 inline Json json_of(CableSet value) { return value.indices(); }
-
-inline Json json_of(const CauseParts& parts) {
-  Json object = Json::object();
-  for (std::size_t index = 0; index < causes.size(); ++index) {
-    object[std::string(to_string(causes[index]))] = json_of(parts[index]);
+inline Json json_of(const CableVector& values) {
+  Json list = Json::array();
+  for (const double value : values) {
+    list.push_back(json_of(value));
   }
-  return object;
+  return list;
 }
 
+template <Enumeration Enum>
+Json json_of(const Enum& value) {
+  return to_string(value);
+}
 template <class Value>
 Json json_of(const std::optional<Value>& value);
 template <class Value>
@@ -48,51 +48,32 @@ Json json_of(const ByName<Value>& values);
 template <class Row>
 Json json_of(const Row& row);
 
-/// Writes a count as an integer. A report that was read may have any number in its place.
-inline Json json_of(const Metric& metric, const std::optional<double>& value) {
-  constexpr double most = 0x1p53;  // up to here a double holds every whole number
-  const bool counts = metric.digits.kind == Digits::Kind::shortest && value && *value >= 0.0 &&
-                      *value <= most && std::trunc(*value) == *value;
-  return counts ? Json(static_cast<std::size_t>(*value)) : json_of(value);
-}
-
-inline Json json_of(const Metric& /*metric*/, const std::optional<MedianAndWorst>& value) {
-  return json_of(value);
-}
-
 /// Makes an object of the members that `fields` shows it.
 class Writer {
  public:
   template <class Value>
-  void operator()(const char* key, const Value& value, const Says& /*says*/ = {}) {
+  void operator()(const std::string& key, const Value& value, const Says& /*says*/ = {}) {
     object_[key] = json_of(value);
   }
 
   template <class Members>
-  void group(const char* key, const Says& /*says*/, const Members& members) {
+  void group(const std::string& key, const Says& /*says*/, const Members& members) {
     Writer inside;
     members(inside);
     object_[key] = std::move(inside.object_);
   }
 
+  /// A member that is missing where there is no `value`.
   template <class Value>
-  void by_metric(const char* key, const std::vector<Value>& values, const Says& /*says*/ = {}) {
-    Json object = Json::object();
-    for (std::size_t place = 0; place < values.size(); ++place) {
-      const Metric& metric = metric_list()[place];
-      object[std::string(metric.name)] = json_of(metric, values[place]);
+  void if_any(const std::string& key, const std::optional<Value>& value, const Says& says = {}) {
+    if (value) {
+      (*this)(key, *value, says);
     }
-    object_[key] = std::move(object);
-  }
-
-  template <class Value>
-  void by_metric(const char* key, const std::optional<std::vector<Value>>& values,
-                 const Says& /*says*/) {
-    values ? by_metric(key, *values) : void(object_[key] = nullptr);
   }
 
   template <class Value, class Members>
-  void unless_missing(const char* /*first*/, std::optional<Value>& value, const Members& members) {
+  void unless_missing(const std::string& /*first*/, std::optional<Value>& value,
+                      const Members& members) {
     if (value) {
       members(*this, *value);
     }

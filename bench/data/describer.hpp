@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/report/json/fields.hpp"
-#include "bench/report/json/reader.hpp"
-#include "bench/report/json/writer.hpp"
+#include "bench/data/writer.hpp"
 
 // The schema of what is written as JSON, from the members by which it is written.
 
@@ -25,23 +23,10 @@ inline Json schema_of(const std::size_t& /*value*/) {
 inline Json schema_of(const std::int32_t& /*value*/) { return {{"type", "integer"}}; }
 inline Json schema_of(const bool& /*value*/) { return {{"type", "boolean"}}; }
 inline Json schema_of(const std::string& /*value*/) { return {{"type", "string"}}; }
-inline Json schema_of(const Holds& /*value*/) { return {{"type", {"boolean", "null"}}}; }
-
-/// Of an enumeration: the words for its enumerators.
-template <class Enum, std::size_t count>
-Json schema_of_words(const std::array<Enum, count>& all) {
-  Json words = Json::array();
-  for (const Enum one : all) {
-    words.push_back(to_string(one));
-  }
-  return {{"enum", std::move(words)}};
-}
-inline Json schema_of(const Status& /*value*/) { return schema_of_words(statuses); }
-inline Json schema_of(const Maker& /*value*/) { return schema_of_words(makers); }
-inline Json schema_of(const Word& /*value*/) { return schema_of_words(all_words); }
 
 inline Json list_of(Json one) { return {{"type", "array"}, {"items", std::move(one)}}; }
 inline Json schema_of(const CableSet& /*value*/) { return list_of(schema_of(std::size_t())); }
+inline Json schema_of(const CableVector& /*values*/) { return list_of(schema_of(double())); }
 inline Json schema_of(const Vec2& /*value*/) {
   Json schema = list_of(schema_of(double()));
   schema["minItems"] = 2;
@@ -54,7 +39,15 @@ inline Json or_nothing(Json schema) {
   return schema;
 }
 
-inline Json schema_of(const CauseParts& parts);
+/// The words for the enumerators.
+template <Enumeration Enum>
+Json schema_of(const Enum& /*value*/) {
+  Json words = Json::array();
+  for (const Enum one : Words<Enum>::all) {
+    words.push_back(to_string(one));
+  }
+  return {{"enum", std::move(words)}};
+}
 template <class Value>
 Json schema_of(const std::optional<Value>& /*value*/);
 template <class Value>
@@ -109,18 +102,15 @@ class Describer {
   }
 
   template <class Value>
-  void by_metric(const std::string& key, const std::vector<Value>& /*values*/, const Says& says) {
-    add_member(key, of_metrics<Value>(), says);
-  }
-
-  template <class Value>
-  void by_metric(const std::string& key, const std::optional<std::vector<Value>>& /*values*/,
-                 const Says& says) {
-    add_member(key, or_nothing(of_metrics<Value>()), says);
+  void if_any(const std::string& key, const std::optional<Value>& /*value*/,
+              const Says& says = {}) {
+    required_ = false;
+    (*this)(key, Value(), says);
+    required_ = true;
   }
 
   template <class Value, class Members>
-  void unless_missing(const char* /*first*/, const std::optional<Value>& /*value*/,
+  void unless_missing(const std::string& /*first*/, const std::optional<Value>& /*value*/,
                       const Members& members) {
     required_ = false;
     Value value{};
@@ -148,29 +138,11 @@ class Describer {
   }
 
  private:
-  template <class Value>
-  static Json of_metrics() {
-    Describer metrics;
-    for (const Metric& metric : metric_list()) {
-      metrics(std::string(metric.name), Value(),
-              fmt::format("{} [{}]", metric.meaning, metric.unit).c_str());
-    }
-    return std::move(metrics).schema();
-  }
-
   Json members_ = Json::object();
   Json all_ = Json::array();  // names of the members that may not be missing
   Says meaning_;
   bool required_ = true;
 };
-
-inline Json schema_of(const CauseParts& parts) {
-  Describer describer;
-  for (std::size_t index = 0; index < causes.size(); ++index) {
-    describer(std::string(to_string(causes[index])), parts[index], meaning_of(causes[index]));
-  }
-  return std::move(describer).schema();
-}
 
 template <class Value>
 Json schema_of(const std::optional<Value>& /*value*/) {

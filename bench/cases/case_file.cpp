@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "bench/base/input_file.hpp"
+#include "bench/base/problems.hpp"
+#include "bench/base/strict_table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/base/toml/problems.hpp"
-#include "bench/base/toml/strict_table.hpp"
-#include "bench/base/toml/value.hpp"
+#include "bench/base/value.hpp"
 #include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
 

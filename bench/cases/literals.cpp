@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/base/input_file.hpp"
-#include "bench/base/toml/problems.hpp"
-#include "bench/base/toml/value.hpp"
+#include "bench/base/problems.hpp"
+#include "bench/base/value.hpp"
 #include "tautline/case_file.hpp"
 
 namespace tautline::bench {

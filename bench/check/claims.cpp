@@ -24,7 +24,7 @@ constexpr std::array all_claims = {
           "a contact of 20 steps turns the body meanwhile", measure_mass},
     Claim{"inertia", "an impulse turns the declared inertia",
           "a contact of 20 steps turns the body meanwhile", measure_inertia},
-    Claim{"arm", "an impulse acts at the attachment, whatever the angle",
+    Claim{"arm", "an impulse acts at the attachment at every angle",
           "a contact of 20 steps turns the body meanwhile", measure_arm},
     Claim{"angular-momentum", "a hit keeps the angular momentum about the anchor",
           "the same limit as for the inertia and the arm it comes from", measure_angular_momentum},

@@ -5,9 +5,9 @@
 
 #include "bench/base/input_file.hpp"
 #include "bench/base/listed.hpp"
+#include "bench/base/strict_table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/base/toml/strict_table.hpp"
-#include "bench/base/toml/value.hpp"
+#include "bench/base/value.hpp"
 #include "bench/check/claims.hpp"
 
 namespace tautline::bench {

@@ -51,7 +51,7 @@ inline void read(const Json& json, CableSet& value) {
     std::size_t cable = 0;
     read(index, cable);
     if (cable >= max_cables) {
-      throw Json::other_error::create(501, "no case has so many cables", nullptr);
+      throw Json::other_error::create(501, "a case has fewer cables", nullptr);
     }
     value.insert(cable);
   }

@@ -8,10 +8,10 @@
 
 #include "bench/base/input_file.hpp"
 #include "bench/base/listed.hpp"
+#include "bench/base/problems.hpp"
+#include "bench/base/strict_table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/base/toml/problems.hpp"
-#include "bench/base/toml/strict_table.hpp"
-#include "bench/base/toml/value.hpp"
+#include "bench/base/value.hpp"
 #include "bench/measure/metric_list.hpp"
 #include "shipped_limits.inc"
 #include "tautline/case.hpp"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "bench/measure/audit/audit.hpp"
+#include "bench/measure/audit.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {

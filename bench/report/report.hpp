@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/measure/attribution/attribution.hpp"
-#include "bench/measure/audit/audit.hpp"
+#include "bench/measure/audit.hpp"
 #include "bench/measure/metric_list.hpp"
 #include "bench/report/motion/path.hpp"
 #include "bench/solution/certificate.hpp"

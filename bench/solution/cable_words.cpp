@@ -12,29 +12,36 @@ std::string cable_list(CableSet cables) {
   return result;
 }
 
-std::string cables_are(CableSet cables) {
-  return cables.size() == 1 ? "cable " + cable_list(cables) + " is"
-                            : "cables " + cable_list(cables) + " are";
+std::string cable_names(CableSet cables) {
+  std::string result = cables.size() == 1 ? "cable " : "cables ";
+  std::size_t place = 0;
+  for (const std::size_t index : cables) {
+    result += (place == 0                   ? ""
+               : place + 1 == cables.size() ? " and "
+                                            : ", ") +
+              std::to_string(index);
+    ++place;
+  }
+  return result;
 }
 
 std::string tie_sentence(EventKind kind, CableSet cables, const std::string& time) {
   if (kind == EventKind::slack) {
     const bool one = cables.size() == 1;
     return fmt::format(
-        "At t = {} the tension of cable{} {} touches zero: whether {} there is a tie that rounding "
-        "decides.",
-        time, one ? "" : "s", cable_list(cables), one ? "it lets go" : "they let go");
+        "At t = {} the tension of {} touches zero. Rounding decides whether {} (a tie).", time,
+        cable_names(cables), one ? "it goes slack" : "they go slack");
   }
   if (kind == EventKind::taut) {
     return fmt::format(
-        "At t = {} the taut cables {} are at a dead point, where the body can go on in more than "
-        "one way: which one it takes is a tie that rounding decides.",
-        time, cable_list(cables));
+        "At t = {} the taut {} are at a dead point, where the body can go on in more than one way. "
+        "Rounding decides which way it takes (a tie).",
+        time, cable_names(cables));
   }
   return fmt::format(
-      "At t = {} cables {} become taut at one instant, as far as numbers tell: which of them is "
-      "first is a tie that rounding decides.",
-      time, cable_list(cables));
+      "At t = {} {} become taut at the same instant, to all digits. Rounding decides which of them "
+      "is hit first (a tie).",
+      time, cable_names(cables));
 }
 
 std::string rest_tension_sentence(const std::string& list, bool determine) {
@@ -46,12 +53,11 @@ std::string split_sentence(CableSet cables, const std::string& time, const std::
                            std::size_t more) {
   const std::string others =
       more == 0 ? ""
-                : fmt::format(" So are those of {} later impact{}.", more, more == 1 ? "" : "s");
+                : fmt::format(" The same holds for {} later impact{}.", more, more == 1 ? "" : "s");
   return fmt::format(
-      "The impulses on cables {} at t = {} are indeterminate: {} is the split of least squares, "
-      "and "
-      "every other one that does the same to the body is as right.{}",
-      cable_list(cables), time, impulses, others);
+      "The impulses on {} at t = {} are indeterminate: {} is the split with the least squares, and "
+      "every other split with the same effect on the body is as valid.{}",
+      cable_names(cables), time, impulses, others);
 }
 
 }  // namespace tautline::bench

@@ -11,8 +11,8 @@ namespace tautline::bench {
 /// "0+1"
 [[nodiscard]] std::string cable_list(CableSet cables);
 
-/// "cable 0 is", "cables 0+1 are"
-[[nodiscard]] std::string cables_are(CableSet cables);
+/// "cable 0", "cables 0 and 1", "cables 0, 1 and 2"; not empty.
+[[nodiscard]] std::string cable_names(CableSet cables);
 
 /// What rounding decides at `time`, in a sentence: which of `cables` is hit first
 /// (`EventKind::impact`), or whether they let go (`EventKind::slack`).

@@ -17,10 +17,10 @@ std::string mark_text(const std::optional<EventMark>& mark) {
 }
 
 std::string certified_lock(const Lock& lock) {
-  std::string result =
-      fmt::format("{} taut from t = {:.9f} on", cables_are(lock.cables), lock.time);
+  std::string result = fmt::format("{} {} taut from t = {:.9f} on", cable_names(lock.cables),
+                                   lock.cables.size() == 1 ? "is" : "are", lock.time);
   if (lock.swing && lock.swing->goes_round) {
-    result += fmt::format(", going round and round with period {:.9g}", lock.swing->period);
+    result += fmt::format(", making full turns with period {:.9g}", lock.swing->period);
   } else if (lock.swing) {
     result += fmt::format(", with a swing of energy {:.9g} and amplitude {:.9g} rad",
                           lock.swing->energy, lock.swing->amplitude);
@@ -53,8 +53,8 @@ std::string ledger_text(const EnergyLedger& doubles, const Certificate& certific
 std::string certificate_text(const Certificate& certificate, const Case& the_case,
                              const Solution& solution, const TerminalStyle& style) {
   std::string result = fmt::format(
-      "Certificate: the same with {} digits. The numbers of the case are the doubles they are.\n"
-      "Digits of position and angle, and of velocity while both take the same events:\n",
+      "Certificate: compared with the same motion in {} digits, from the same doubles.\n"
+      "Correct digits of position and angle, and of velocity while both have the same events:\n",
       certificate.digits);
   for (const CorrectDigits& correct : certificate.correct) {
     result +=
@@ -63,19 +63,19 @@ std::string certificate_text(const Certificate& certificate, const Case& the_cas
   }
   const EventMatch& events = certificate.events;
   if (events.all) {
-    result += fmt::format("  both took the same events, {} of them\n", events.count);
+    result += fmt::format("  both have the same {} events\n", events.count);
   } else {
     result += fmt::format(
-        "  both took the same {} events until t = {:.9f}; then {} in double, {} with {} digits\n",
+        "  both have the same {} events until t = {:.9f}; then {} in double, {} in {} digits\n",
         events.count, events.until, mark_text(events.in_double), mark_text(events.in_digits),
         certificate.digits);
   }
   if (certificate.ending != solution.ending()) {
-    result += fmt::format("  with {} digits the ending is {} at t = {:.9f}\n", certificate.digits,
+    result += fmt::format("  in {} digits the ending is {} at t = {:.9f}\n", certificate.digits,
                           to_string(certificate.ending), certificate.end_time);
   }
   if (certificate.settling.lock) {
-    result += fmt::format("  with {} digits {}\n", certificate.digits,
+    result += fmt::format("  in {} digits {}\n", certificate.digits,
                           certified_lock(*certificate.settling.lock));
   }
   return result + "\n" + ledger_text(energy_ledger(the_case, solution), certificate, style);

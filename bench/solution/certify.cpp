@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "bench/solution/certify_events.hpp"
-#include "bench/solution/digits/in_digits.hpp"
+#include "bench/solution/in_digits.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/multiprecision.hpp"
 

@@ -7,8 +7,8 @@
 #include "bench/base/text.hpp"
 #include "bench/data/describer.hpp"
 #include "bench/data/motion_fields.hpp"
-#include "bench/solution/samples/samples.hpp"
-#include "bench/solution/samples/taut_phases.hpp"
+#include "bench/solution/samples.hpp"
+#include "bench/solution/taut_phases.hpp"
 #include "bench/solution/time_errors.hpp"
 #include "tautline/uncertainty.hpp"
 
@@ -18,7 +18,7 @@ namespace tautline::bench {
 
 template <class Visitor>
 void fields(Visitor& visit, EventErrors& errors) {
-  visit.means("bounds of the errors of the numbers beside them");
+  visit.means("bounds of the errors of the event's numbers");
   visit("time", errors.time, "[s]; of a completed accumulation: of its limit");
   visit("impulses", errors.impulses, "[N s]");
   visit("before", errors.before);
@@ -231,7 +231,7 @@ template <class Visitor>
 void fields(Visitor& visit, Certificate& certificate) {
   const std::optional<Lock>& lock = certificate.settling.lock;  // without rounding to speak of
   const EventMatch& events = certificate.events;
-  visit.means("the motion held against the same one with many digits");
+  visit.means("the motion compared with the same one in many digits");
   visit("digits", certificate.digits, at_least(20, "decimal, of the other solution's numbers"));
   visit("completion_error", certificate.completion_error);
   visit("correct", std::vector(certificate.correct.begin(), certificate.correct.end()));

@@ -10,8 +10,8 @@
 #include "bench/base/text.hpp"
 #include "bench/data/coordinates.hpp"
 #include "bench/solution/cable_words.hpp"
-#include "bench/solution/digits/right_digits.hpp"
-#include "bench/solution/samples/samples.hpp"
+#include "bench/solution/right_digits.hpp"
+#include "bench/solution/samples.hpp"
 #include "bench/solution/time_errors.hpp"
 #include "tautline/geometry.hpp"
 

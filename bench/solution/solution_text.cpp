@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "bench/solution/cable_words.hpp"
-#include "bench/solution/digits/right_digits.hpp"
-#include "bench/solution/digits/summary.hpp"
+#include "bench/solution/digits_summary.hpp"
+#include "bench/solution/right_digits.hpp"
 #include "bench/solution/time_errors.hpp"
 #include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
@@ -124,15 +124,16 @@ std::string meetings_text(std::span<const Unsure> stretches) {
     const auto [from, until] = told_apart(stretch.from, stretch.until);
     result += tie_line(stretch);
     result += fmt::format(
-        "Between t = {} and {} the order of impacts is beyond the horizon: one of many motions, "
-        "which all come to the same taut cables.\n",
+        "Between t = {} and {} the order of impacts is beyond the horizon: this is one of many "
+        "motions, which all end with the same taut cables.\n",
         from, until);
   }
   if (stretches.size() > most_in_full) {
     const std::size_t more = stretches.size() - most_in_full;
     const auto [from, until] = told_apart(stretches.back().from, stretches.back().until);
-    result += more == 1 ? fmt::format("So it is between t = {} and {}.\n", from, until)
-                        : fmt::format("So it is in {} more stretches up to t = {}.\n", more, until);
+    result += more == 1
+                  ? fmt::format("The same holds between t = {} and {}.\n", from, until)
+                  : fmt::format("The same holds in {} more stretches up to t = {}.\n", more, until);
   }
   return result;
 }
@@ -153,13 +154,15 @@ std::string horizon_text(const Case& the_case, const Solution& solution,
     const std::string left =
         error < 0.0
             ? ""
-            : fmt::format(", and that impacts have taken {} of it until then",
+            : fmt::format(", and impacts have taken {} of it by then",
                           taken <= rounding ? "nothing" : number_in_words(taken, rounding, 6));
     result += tie_line(all.back());
     result += fmt::format(
-        "From t = {:.6g} on all is beyond the horizon: one of many motions. Sure is that the "
-        "energy does not grow{}. --digits N {}, which may take long.\n",
-        since, left, all.back().tie ? "looks whether more digits decide it" : "computes this one");
+        "From t = {:.6g} on the motion is beyond the horizon: this is one of many. Only its energy "
+        "is "
+        "certain: it does not grow{}. --digits N {}, which may take long.\n",
+        since, left,
+        all.back().tie ? "finds out whether more digits decide it" : "computes the right one");
   }
   return result;
 }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bench/base/text.hpp"
-#include "bench/measure/audit/audit.hpp"
+#include "bench/measure/audit.hpp"
 #include "bench/report/rows.hpp"
 #include "bench/report/summary.hpp"
 #include "bench/suite/manifest.hpp"

@@ -108,7 +108,7 @@ constexpr const char* contact_code = "point.m_combinedRestitution = {restitution
 std::vector<Setting> contact_settings(const std::vector<Setting>& own) {
   return joined({world_settings(),
                  {{"m_combinedRestitution", "the cable's restitution",
-                   "Bullet's contact does not bounce unless it is told to."},
+                   "Bullet's contact does not bounce by default."},
                   {"m_erp2", "0.2; less in a shorter last step, in proportion",
                    "0.2 is Bullet's own; kept in a tiny last step it would turn a small "
                    "overstretch into a large speed."}},

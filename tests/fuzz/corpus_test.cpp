@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bench/check/contract.hpp"
-#include "bench/ensemble/spec/spec_file.hpp"
+#include "bench/ensemble/spec_file.hpp"
 #include "bench/gate/limits.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/report/manifest.hpp"

@@ -2,7 +2,7 @@
 
 #include "bench/cases/literals.hpp"
 #include "bench/check/contract.hpp"
-#include "bench/ensemble/spec/spec_file.hpp"
+#include "bench/ensemble/spec_file.hpp"
 #include "bench/gate/limits.hpp"
 #include "fuzz/targets.hpp"
 #include "tautline/case_file.hpp"

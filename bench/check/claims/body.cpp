@@ -83,8 +83,7 @@ Measure measure_mass(const Subject& subject) {
     if (error >= found) {
       found = error;
       sentence = fmt::format(
-          "a central hit changes the velocity as the reported impulse does that of {:.4g} kg, "
-          "declared are {:g} kg",
+          "a central hit changes the velocity as if the body had {:.4g} kg; it declares {:g} kg",
           shown, mass);
     }
   }

@@ -74,7 +74,7 @@ Measure measure_convergence(const Subject& subject) {
   const Convergence run = convergence(subject);
   if (run.exact) {
     return {0.0, slope_limit,
-            fmt::format("exact whatever the step, to {:.2g} m",
+            fmt::format("exact at every step, to {:.2g} m",
                         *std::max_element(run.deviations.begin(), run.deviations.end()))};
   }
   const double found = std::max(0.0, 1.0 - run.slope);

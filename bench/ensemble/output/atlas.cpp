@@ -6,7 +6,7 @@
 #include <cassert>
 #include <numeric>
 
-#include "bench/ensemble/draw/draw.hpp"
+#include "bench/ensemble/draw.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/ensemble/output/atlas.hpp"
-#include "bench/ensemble/spec/quantity.hpp"
+#include "bench/ensemble/quantity.hpp"
 #include "bench/solution/plot_style.hpp"
 
 namespace tautline::bench {

@@ -87,9 +87,9 @@ struct Ensemble {
 template <class Visitor>
 void fields(Visitor& visit, QuantileRow& row) {
   visit("part", row.part, in_range(0, 1));
-  visit("value", row.quantile.value, "null: so many draws have none");
+  visit("value", row.quantile.value, "null: too many draws have none");
   visit("low", row.quantile.low, "null: the sample is too small for a bound");
-  visit("high", row.quantile.high, "likewise, or so many draws have none");
+  visit("high", row.quantile.high, "likewise, or too many draws have none");
 }
 
 template <class Visitor>

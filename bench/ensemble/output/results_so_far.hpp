@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "bench/ensemble/solve/ensemble.hpp"
+#include "bench/ensemble/ensemble.hpp"
 
 namespace tautline::bench {
 

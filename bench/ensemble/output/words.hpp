@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/ensemble/compare/comparison.hpp"
-#include "bench/ensemble/solve/ensemble.hpp"
+#include "bench/ensemble/ensemble.hpp"
+#include "bench/ensemble/output/comparison.hpp"
 
 namespace tautline::bench {
 
@@ -35,8 +35,9 @@ struct EnsembleReport {
 
 /// How to read the tables.
 inline constexpr const char* how_to_read_summaries =
-    "The median lies between low and high with 95 % confidence, whatever the distribution. Where "
-    "draws have no value (none) they count as the largest.";
+    "The median lies between low and high with 95 % confidence, for any distribution. Draws "
+    "without "
+    "a value (none) count as the largest.";
 inline constexpr const char* how_to_read_comparisons =
     "D is the largest distance between the distribution functions (Kolmogorov and Smirnov), E the "
     "energy distance as a share of the largest it could be: both 0 for the same, 1 for samples "

@@ -17,7 +17,7 @@ constexpr std::array<CauseText, causes.size()> texts = {
      {"late_rate", "restitution of a rate that is not the one at the instant of the impact"},
      {"position_correction",
       "overstretch pushed out, by velocity on top of the bounce or as a shift"},
-     {"threshold", "the rebound of slow impacts is lost, and that of faster ones is not"},
+     {"threshold", "slow impacts lose their rebound, faster ones do not"},
      {"restitution_ignored",
       "no impact, at any speed, comes back with half of the restitution requested"},
      {"solver_residual", "what else the impulse did: a wrong size or a wrong direction"},

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "bench/base/statistics.hpp"
-#include "bench/measure/audit/lost.hpp"
+#include "bench/measure/audit_lost.hpp"
 #include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 

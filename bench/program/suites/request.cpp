@@ -10,7 +10,7 @@
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/ensemble/compare/comparison.hpp"
+#include "bench/ensemble/output/comparison.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/limit_names.hpp"
 #include "bench/report/json/json.hpp"

@@ -9,10 +9,10 @@
 #include <system_error>
 
 #include "bench/base/input_file.hpp"
+#include "bench/base/problems.hpp"
+#include "bench/base/strict_table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/base/toml/problems.hpp"
-#include "bench/base/toml/strict_table.hpp"
-#include "bench/base/toml/value.hpp"
+#include "bench/base/value.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bench/ensemble/output/output.hpp"
-#include "bench/ensemble/solve/visibly.hpp"
+#include "bench/ensemble/visibly.hpp"
 #include "bench/report/tables/columns.hpp"
 #include "bench/suite/run_files.hpp"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/ensemble/solve/draw_solver.hpp"
+#include "bench/ensemble/draw_solver.hpp"
 #include "bench/suite/plan.hpp"
 
 namespace tautline::bench {

@@ -24,7 +24,7 @@
 #include "tautline/solve_batch.hpp"
 #include "tautline/uncertainty.hpp"
 #ifdef TAUTLINE_BITS_OF_DIGITS
-#include "bench/solution/digits/in_digits.hpp"
+#include "bench/solution/in_digits.hpp"
 #endif
 
 namespace tautline::test {

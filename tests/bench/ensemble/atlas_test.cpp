@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/ensemble/compare/comparison.hpp"
+#include "bench/ensemble/output/comparison.hpp"
 #include "tests/bench/ensemble/solved.hpp"
 
 namespace tautline::bench {

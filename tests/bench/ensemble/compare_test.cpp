@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/ensemble/compare/comparison.hpp"
-#include "bench/ensemble/compare/energy_distance.hpp"
-#include "bench/ensemble/compare/kolmogorov.hpp"
-#include "bench/ensemble/compare/summary.hpp"
-#include "bench/ensemble/draw/random.hpp"
+#include "bench/ensemble/output/comparison.hpp"
+#include "bench/ensemble/output/energy_distance.hpp"
+#include "bench/ensemble/output/kolmogorov.hpp"
+#include "bench/ensemble/output/summary.hpp"
+#include "bench/ensemble/random.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/ensemble/compare/comparison.hpp"
+#include "bench/ensemble/output/comparison.hpp"
 #include "tests/bench/ensemble/solved.hpp"
 
 namespace tautline::bench {

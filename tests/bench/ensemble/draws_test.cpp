@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/ensemble/draw/draw.hpp"
-#include "bench/ensemble/draw/random.hpp"
-#include "bench/ensemble/spec/quantity.hpp"
-#include "bench/ensemble/spec/spec_file.hpp"
+#include "bench/ensemble/draw.hpp"
+#include "bench/ensemble/quantity.hpp"
+#include "bench/ensemble/random.hpp"
+#include "bench/ensemble/spec_file.hpp"
 
 namespace tautline::bench {
 namespace {

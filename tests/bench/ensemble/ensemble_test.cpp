@@ -6,12 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "bench/ensemble/compare/comparison.hpp"
-#include "bench/ensemble/compare/kolmogorov.hpp"
+#include "bench/ensemble/draw_files.hpp"
+#include "bench/ensemble/ensemble.hpp"
+#include "bench/ensemble/output/comparison.hpp"
+#include "bench/ensemble/output/kolmogorov.hpp"
 #include "bench/ensemble/output/output.hpp"
-#include "bench/ensemble/solve/draw_files.hpp"
-#include "bench/ensemble/solve/ensemble.hpp"
-#include "bench/ensemble/spec/spec_file.hpp"
+#include "bench/ensemble/spec_file.hpp"
 #include "tautline/detail/ledger.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/ensemble/compare/comparison.hpp"
-#include "bench/ensemble/draw/largest_tension.hpp"
+#include "bench/ensemble/largest_tension.hpp"
+#include "bench/ensemble/output/comparison.hpp"
 #include "bench/ensemble/output/output.hpp"
 #include "support.hpp"
 #include "tautline/geometry.hpp"

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/ensemble/compare/comparison.hpp"
 #include "bench/ensemble/output/atlas.hpp"
+#include "bench/ensemble/output/comparison.hpp"
 #include "bench/ensemble/output/output.hpp"
 #include "bench/ensemble/output/results_so_far.hpp"
-#include "bench/ensemble/team/team.hpp"
+#include "bench/ensemble/team.hpp"
 #include "tests/bench/ensemble/solved.hpp"
 #include "tests/bench/support.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "bench/ensemble/solve/ensemble.hpp"
-#include "bench/ensemble/spec/spec_file.hpp"
+#include "bench/ensemble/ensemble.hpp"
+#include "bench/ensemble/spec_file.hpp"
 
 namespace tautline::bench {
 

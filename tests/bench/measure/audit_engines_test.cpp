@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "bench/cases/catalogue.hpp"
-#include "bench/measure/audit/audit.hpp"
-#include "bench/measure/audit/parts.hpp"
+#include "bench/measure/audit.hpp"
+#include "bench/measure/audit_parts.hpp"
 #include "bench/measure/compare.hpp"
 #include "bench/measure/reference.hpp"
 #include "bench/run/plugin.hpp"

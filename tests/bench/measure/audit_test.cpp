@@ -1,6 +1,6 @@
 // The restitution audit finds what is planted into exact motions, and nothing in those without.
 
-#include "bench/measure/audit/audit.hpp"
+#include "bench/measure/audit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "bench/solution/digits/in_digits.hpp"
+#include "bench/solution/in_digits.hpp"
 #include "hard/hard_families.hpp"
 #include "tautline/multiprecision.hpp"
 #include "tautline/solve.hpp"

@@ -9,9 +9,9 @@
 
 #include "bench/solution/plot/motion_svg.hpp"
 #include "bench/solution/plot_motion.hpp"
-#include "bench/solution/samples/sample_times.hpp"
-#include "bench/solution/samples/samples.hpp"
-#include "bench/solution/samples/taut_phases.hpp"
+#include "bench/solution/sample_times.hpp"
+#include "bench/solution/samples.hpp"
+#include "bench/solution/taut_phases.hpp"
 #include "tautline/case_file.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/ensemble/solve/draw_files.hpp"
-#include "bench/ensemble/solve/draw_table.hpp"
-#include "bench/ensemble/spec/spec_file.hpp"
+#include "bench/ensemble/draw_files.hpp"
+#include "bench/ensemble/draw_table.hpp"
+#include "bench/ensemble/spec_file.hpp"
 #include "tautline/solve_batch.hpp"
 
 using namespace tautline;         // NOLINT(google-build-using-namespace): a program of one page

@@ -1,0 +1,300 @@
+#include "bench/base/strict_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/base/text.hpp"
+#include "bench/base/value.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string with_unit(std::string_view right, std::string_view unit) {
+  return "must be " + std::string(right) + (unit.empty() ? "" : " ") + std::string(unit);
+}
+
+bool has_key(const toml::table* table, std::string_view key) {
+  return table != nullptr && table->contains(key);
+}
+
+}  // namespace
+
+const Range any_number = {"a finite number", [](double x) { return std::isfinite(x); }, 0.0};
+const Range above_zero = {"a finite number above 0",
+                          [](double x) { return std::isfinite(x) && x > 0.0; }, 1.0};
+const Range zero_or_above = {"a finite number, 0 or above",
+                             [](double x) { return std::isfinite(x) && x >= 0.0; }, 0.0};
+const Range zero_to_one = {"in [0, 1]", [](double x) { return x >= 0.0 && x <= 1.0; }, 0.0};
+
+StrictTable::StrictTable(const toml::table* table, std::string path, FileProblems& wrong)
+    : table_(table), path_(std::move(path)), wrong_(&wrong) {}
+
+std::string StrictTable::text(std::string_view key) {
+  const std::string right = "must be a string that is not empty";
+  const toml::node* node = find_required(key, right);
+  if (node == nullptr) {
+    return "";
+  }
+  const auto* value = node->as_string();
+  if (value == nullptr) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
+    return "";
+  }
+  if (value->get().empty()) {
+    refuse(*node, full_name(key), right);
+  }
+  return value->get();
+}
+
+std::optional<std::string> StrictTable::optional_text(std::string_view key) {
+  return find(key) != nullptr ? std::optional(text(key)) : std::nullopt;
+}
+
+std::string StrictTable::one_of(std::string_view key, const std::vector<std::string>& words) {
+  const toml::node* node = find_required(key, "must be " + joined(words, "or"));
+  if (node == nullptr) {
+    return "";
+  }
+  const auto* value = node->as_string();
+  const std::string word = value != nullptr ? value->get() : "";
+  if (std::find(words.begin(), words.end(), word) == words.end()) {
+    refuse(*node, full_name(key),
+           "must be " + joined(words, "or") + suggestion(printable(word), words));
+    return "";
+  }
+  return word;
+}
+
+std::optional<std::string> StrictTable::optional_one_of(std::string_view key,
+                                                        const std::vector<std::string>& words) {
+  return find(key) != nullptr ? std::optional(one_of(key, words)) : std::nullopt;
+}
+
+bool StrictTable::flag(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node != nullptr && !node->is_boolean()) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", must be true or false");
+  }
+  return node != nullptr && node->value_or(false);
+}
+
+std::vector<std::string> StrictTable::texts(std::string_view key, const std::string& right) {
+  std::vector<std::string> result;
+  const toml::node* node = find_required(key, right);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node != nullptr && (array == nullptr || array->empty())) {
+    refuse(*node, full_name(key), right);
+  }
+  for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
+    const toml::node& entry = *array->get(index);
+    if (const auto* value = entry.as_string(); value != nullptr && !value->get().empty()) {
+      result.push_back(value->get());
+    } else {
+      refuse(entry, full_name(key) + "[" + std::to_string(index) + "]",
+             "must be a string that is not empty");
+    }
+  }
+  return result;
+}
+
+double StrictTable::number(std::string_view key, const Range& range, std::string_view unit) {
+  const toml::node* node = find_required(key, with_unit(range.right, unit));
+  return node != nullptr ? checked(*node, full_name(key), range, unit) : range.otherwise;
+}
+
+std::optional<double> StrictTable::optional_number(std::string_view key, const Range& range,
+                                                   std::string_view unit) {
+  const toml::node* node = find(key);
+  return node != nullptr ? std::optional(checked(*node, full_name(key), range, unit))
+                         : std::nullopt;
+}
+
+std::vector<double> StrictTable::numbers(std::string_view key, std::string_view unit,
+                                         const Range& range) {
+  std::vector<double> result;
+  const toml::node* node = find(key);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node != nullptr && (array == nullptr || array->empty())) {
+    refuse(*node, full_name(key), with_unit("an array of at least one number", unit));
+  }
+  for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
+    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    result.push_back(checked(*array->get(index), name, range, unit));
+  }
+  return result;
+}
+
+Vec2 StrictTable::pair(std::string_view key, std::string_view unit) {
+  const toml::node* node = find_required(key, with_unit("two numbers [x, y]", unit));
+  return node != nullptr ? checked_pair(*node, full_name(key), "[x, y]", unit) : Vec2(Vec2::Zero());
+}
+
+std::optional<Vec2> StrictTable::optional_pair(std::string_view key, std::string_view unit,
+                                               const Range& range) {
+  const toml::node* node = find(key);
+  return node != nullptr ? std::optional(checked_pair(*node, full_name(key), "[x, y]", unit, range))
+                         : std::nullopt;
+}
+
+std::vector<Vec2> StrictTable::pairs(std::string_view key, std::string_view form,
+                                     std::string_view unit) {
+  std::vector<Vec2> result;
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    return result;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty()) {
+    refuse(*node, full_name(key),
+           (array == nullptr ? "is " + type_name(*node) : std::string("none given")) + ", " +
+               with_unit("an array of pairs " + std::string(form), unit));
+    return result;
+  }
+  for (std::size_t index = 0; index < array->size(); ++index) {
+    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    result.push_back(checked_pair(*array->get(index), name, form, unit));
+  }
+  return result;
+}
+
+StrictTable StrictTable::table(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node != nullptr && !node->is_table()) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", must be a table");
+  }
+  return {node != nullptr ? node->as_table() : nullptr, full_name(key), *wrong_};
+}
+
+std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t most,
+                                             const std::string& right) {
+  std::vector<StrictTable> result;
+  const toml::node* node = find_required(key, right);
+  const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+  if (node != nullptr && array == nullptr) {
+    refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
+  }
+  if (array == nullptr) {
+    return result;
+  }
+  if (array->empty()) {
+    refuse(*node, full_name(key), "none given, " + right);
+  }
+  if (array->size() > most) {
+    refuse(*array->get(most), full_name(key), std::to_string(array->size()) + " given, " + right);
+  }
+  for (std::size_t index = 0; index < std::min(most, array->size()); ++index) {
+    const toml::node& entry = *array->get(index);
+    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    if (const toml::table* table = entry.as_table()) {
+      result.emplace_back(table, name, *wrong_);
+    } else {
+      refuse(entry, name, "is " + type_name(entry) + ", must be a table");
+    }
+  }
+  return result;
+}
+
+std::vector<StrictTable> StrictTable::optional_tables(std::string_view key, std::size_t most,
+                                                      const std::string& right) {
+  return find(key) != nullptr ? tables(key, most, right) : std::vector<StrictTable>();
+}
+
+std::vector<StrictTable> StrictTable::each(std::size_t most) {
+  if (find("each") == nullptr) {
+    return {*this};
+  }
+  std::vector<StrictTable> entries =
+      tables("each", most, "must be tables, each with what tells it from the others");
+  for (StrictTable& entry : entries) {
+    entry.common_ = table_;
+    entry.common_path_ = path_;
+  }
+  return entries;
+}
+
+void StrictTable::refuse_value(std::string_view key, const std::string& why) {
+  if (has_key(table_, key) || has_key(common_, key)) {
+    refuse(*find(key), full_name(key), why);
+  }
+}
+
+void StrictTable::refuse_unknown_keys() {
+  if (table_ != nullptr) {
+    refuse_unknown_keys(*table_);
+  }
+  if (common_ != nullptr) {
+    refuse_unknown_keys(*common_);
+  }
+}
+
+void StrictTable::refuse_unknown_keys(const toml::table& table) {
+  for (const auto& [key, node] : table) {
+    const bool is_each = &table == common_ && key.str() == "each";
+    if (is_each || std::find(known_.begin(), known_.end(), key.str()) != known_.end()) {
+      continue;
+    }
+    const std::string near = suggestion(key.str(), known_);
+    wrong_->add(key.source().begin.line,
+                full_name(printable(key.str())) + quoted_value(node) + ": unknown key" +
+                    (near.empty() ? ", must be " + joined(known_, "or") : near));
+  }
+}
+
+const toml::node* StrictTable::find(std::string_view key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+    known_.emplace_back(key);
+  }
+  const toml::table* holder = has_key(table_, key) ? table_ : common_;
+  return holder != nullptr ? holder->get(key) : nullptr;
+}
+
+const toml::node* StrictTable::find_required(std::string_view key, const std::string& right) {
+  const toml::node* node = find(key);
+  if (node == nullptr) {
+    // the file itself has no line to point at
+    wrong_->add(path_.empty() ? 0 : line_of(table_), full_name(key) + ": is missing, " + right);
+  }
+  return node;
+}
+
+double StrictTable::checked(const toml::node& node, const std::string& name, const Range& range,
+                            std::string_view unit) {
+  const std::optional<double> value = as_number(node);
+  if (!value) {
+    refuse(node, name, "is " + type_name(node) + ", " + with_unit(range.right, unit));
+    return range.otherwise;
+  }
+  if (!range.holds(*value)) {
+    refuse(node, name, with_unit(range.right, unit));
+    return range.otherwise;  // nothing is made of a number that is out of range
+  }
+  return *value;
+}
+
+Vec2 StrictTable::checked_pair(const toml::node& node, const std::string& name,
+                               std::string_view form, std::string_view unit, const Range& range) {
+  const toml::array* array = node.as_array();
+  const std::string right = with_unit("two numbers " + std::string(form), unit);
+  if (array == nullptr) {
+    refuse(node, name, "is " + type_name(node) + ", " + right);
+    return Vec2::Zero();
+  }
+  if (array->size() != 2) {
+    refuse(node, name, "is an array of length " + std::to_string(array->size()) + ", " + right);
+    return Vec2::Zero();
+  }
+  return {checked(*array->get(0), name + "[0]", range, unit),
+          checked(*array->get(1), name + "[1]", range, unit)};
+}
+
+void StrictTable::refuse(const toml::node& node, const std::string& name, const std::string& why) {
+  wrong_->add(line_of(&node), name + quoted_value(node) + ": " + why);
+}
+
+std::string StrictTable::full_name(std::string_view key) const {
+  const bool is_common = has_key(common_, key) && !has_key(table_, key);
+  const std::string& path = is_common ? common_path_ : path_;
+  return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,311 @@
+#include "bench/ensemble/spec_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bench/base/input_file.hpp"
+#include "bench/base/listed.hpp"
+#include "bench/base/problems.hpp"
+#include "bench/base/strict_table.hpp"
+#include "bench/base/text.hpp"
+#include "bench/base/value.hpp"
+#include "bench/cases/catalogue.hpp"
+#include "bench/ensemble/quantity.hpp"
+#include "bench/run/record.hpp"
+#include "tautline/case.hpp"
+#include "tautline/detail/scalar.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A longer file is refused before it is read [bytes].
+constexpr std::size_t longest_spec_file = std::size_t{1} << 20U;
+
+/// More of them than this are a mistake: each draw is solved for each.
+constexpr std::size_t most_tables = 100;
+
+/// Points of one grid, which is drawn with a cell for each.
+constexpr double most_points = 1000;
+
+const Range whole_number = {"a whole number from 1 to 10000000",
+                            [](double x) {
+                              return x >= 1.0 && x <= static_cast<double>(most_draws) &&
+                                     x == std::floor(x);  // exactly: it is an integer
+                            },
+                            1.0};
+const Range seed_number = {"a whole number from 0 to 2^53",
+                           [](double x) { return x >= 0.0 && x <= 0x1p53 && x == std::floor(x); },
+                           1.0};
+const Range point_count = {
+    "a whole number from 2 to 1000",
+    [](double x) { return x >= 2.0 && x <= most_points && x == std::floor(x); }, 2.0};
+
+// a case takes no larger numbers, and differences of such numbers are finite
+const Range case_number = {"a number from -1e20 to 1e20",
+                           [](double x) { return std::abs(x) <= largest_number; }, 0.0};
+// of a pair: what is refused is compared with nothing
+const Range number_of_pair = {case_number.right, case_number.holds, not_a_number<double>()};
+const Range positive_number = {"above 0 and at most 1e20",
+                               [](double x) { return x > 0.0 && x <= largest_number; }, 1.0};
+
+/// More would leave out bounces that the slower of the speeds asks for, in systems of sizes near
+/// one.
+const Range completion_error = {"above 0 and at most 1e-10",
+                                [](double x) { return x > 0.0 && x <= 1e-10; }, 1e-10};
+
+/// `otherwise`: where none is given.
+ImpactLaw read_law(StrictTable& table, ImpactLaw otherwise) {
+  const std::vector<std::string> names =
+      listed<std::string>(impact_laws, [](ImpactLaw law) { return to_string(law); });
+  const std::optional<std::string> name = table.optional_one_of("law", names);
+  const auto place = name ? std::find(names.begin(), names.end(), *name) : names.end();
+  return place == names.end() ? otherwise
+                              : impact_laws.at(static_cast<std::size_t>(place - names.begin()));
+}
+
+/// A relative path, as it is from where the program runs. `name` with a '/' or an ending is one.
+std::string from_folder_of(const std::filesystem::path& source, const std::string& name) {
+  const bool is_path =
+      name.find('/') != std::string::npos || name.ends_with(".so") || name.ends_with(".toml");
+  if (!is_path || std::filesystem::path(name).is_absolute()) {
+    return name;
+  }
+  const std::string path = (source.parent_path() / name).string();
+  return path.find('/') == std::string::npos ? "./" + path : path;
+}
+
+/// The case that a spec means: a file beside it, or a shipped one.
+std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source,
+                              const std::optional<std::string>& other_case, FileProblems& wrong,
+                              std::vector<std::string>& notes) {
+  std::string name = root.text("case");
+  if (name.ends_with(".toml")) {  // a shipped one has a '/', too
+    name = from_folder_of(source, name);
+  }
+  name = other_case.value_or(name);
+  if (name.empty()) {
+    return std::nullopt;
+  }
+  CaseSelection selection = select_cases({&name, 1});
+  if (selection.cases.size() > 1) {
+    selection.problems.push_back(
+        fmt::format("means {} cases, must mean one", selection.cases.size()));
+  }
+  for (const std::string& sentence : selection.problems) {
+    other_case ? wrong.add(0, "--case: " + sentence) : root.refuse_value("case", sentence);
+  }
+  notes = std::move(selection.notes);
+  return selection.cases.size() == 1 ? std::optional(std::move(selection.cases.front()))
+                                     : std::nullopt;
+}
+
+/// Values of a grid from one end to the other.
+std::vector<double> evenly(const Vec2& ends, double points) {
+  const auto count = static_cast<std::size_t>(points);
+  std::vector<double> values;
+  for (std::size_t index = 0; index < count; ++index) {
+    values.push_back(ends.x() +
+                     (ends.y() - ends.x()) * static_cast<double>(index) / (points - 1.0));
+  }
+  return values;
+}
+
+Vec2 rising_pair(StrictTable& table, std::string_view key) {
+  Vec2 ends = table.optional_pair(key, "", number_of_pair).value_or(Vec2(0.0, 1.0));
+  if (ends.x() >= ends.y()) {
+    table.refuse_value(key, "must be two numbers [low, high] with low below high");
+  }
+  return ends;
+}
+
+Distribution read_distribution(StrictTable& table) {
+  using Kind = Distribution::Kind;
+  std::vector<Distribution> given;
+  const auto has = [&](const char* kind) { return table.has(kind); };
+  const auto kinds = {"normal", "uniform", "list", "grid"};
+  const auto count = std::count_if(kinds.begin(), kinds.end(), has);
+  if (const auto deviation = table.optional_number("normal", positive_number, "")) {
+    given.push_back({Kind::normal, {*deviation}});
+  }
+  if (table.has("uniform")) {
+    const Vec2 ends = rising_pair(table, "uniform");
+    given.push_back({Kind::uniform, {ends.x(), ends.y()}});
+  }
+  if (auto values = table.numbers("list", "", case_number); !values.empty()) {
+    given.push_back({Kind::list, std::move(values)});
+  }
+  if (table.has("grid")) {
+    const Vec2 ends = rising_pair(table, "grid");
+    given.push_back({Kind::grid, evenly(ends, table.number("points", point_count, ""))});
+  }
+  if (count != 1) {
+    table.refuse_value("quantities", "needs one of normal, uniform, list and grid; " +
+                                         std::string(count == 0 ? "none is" : "several are") +
+                                         " given");
+  }
+  return given.empty() ? Distribution{Kind::list, {0.0}} : given.front();
+}
+
+/// What one table [[vary]] varies, each of its quantities independent of the others: `names`, and
+/// none of those `before`, which it joins.
+std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::string>& names,
+                                std::set<std::string>& before) {
+  std::vector<Varied> result;
+  const auto chosen =
+      table.texts("quantities", "must be an array of names, such as [\"x\", \"y\"]");
+  const Distribution distribution = read_distribution(table);
+  for (const std::string& name : chosen) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      table.refuse_value("quantities", printable(name) + " is none of this case" +
+                                           suggestion(name, names) + "; it has " +
+                                           joined(names, "and"));
+    } else if (!before.insert(name).second) {
+      table.refuse_value("quantities", printable(name) + " is varied twice");
+    }
+    result.push_back({name, distribution});
+  }
+  table.refuse_unknown_keys();
+  return result;
+}
+
+/// What it does not say is as in `spec`, with the variants `before` it.
+ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& names,
+                          const EnsembleSpec& spec) {
+  ExactVariant result;
+  result.name = table.text("name");
+  const bool is_taken =
+      result.name == "exact" || find_by(spec.exact, &ExactVariant::name, result.name) != nullptr;
+  if (is_taken && !result.name.empty()) {
+    table.refuse_value("name", "two are called " + printable(result.name));
+  }
+  result.law = read_law(table, spec.law);
+  if (const auto seed = table.optional_number("seed", seed_number, "")) {
+    result.seed = static_cast<std::uint64_t>(*seed);
+  }
+  result.quantity = table.optional_one_of("quantity", names).value_or("");
+  if (!result.quantity.empty()) {
+    result.factor = table.number("factor", case_number, "");
+  }
+  result.completion =
+      table.optional_number("completion", completion_error, "").value_or(spec.completion);
+  table.refuse_unknown_keys();
+  return result;
+}
+
+void read_engines(StrictTable table, const std::filesystem::path& source, EnsembleSpec& spec) {
+  const std::string names = "must be an array of at least one name";
+  for (const std::string& name : table.texts("names", names)) {
+    spec.engines.push_back(from_folder_of(source, name));
+  }
+  if (table.has("models")) {
+    spec.models = table.texts("models", names);
+  }
+  spec.steps = table.numbers("steps", "[s]", positive_number);
+  if (spec.steps.empty()) {
+    spec.steps = {1e-3};  // the middle one of those that `tautline bench` takes
+  }
+  for (const double step : spec.steps) {
+    if (const double count = spec.the_case.duration / step; count > most_steps) {
+      table.refuse_value(
+          "steps",
+          fmt::format("{} needs {:.0e} steps for {} s, must need at most {:.0e}", shortest(step),
+                      count, shortest(spec.the_case.duration), most_steps));
+    }
+  }
+  if (std::set<double>(spec.steps.begin(), spec.steps.end()).size() != spec.steps.size()) {
+    table.refuse_value("steps", "a step is given twice");
+  }
+  table.refuse_unknown_keys();
+}
+
+void read_speeds(StrictTable& root, EnsembleSpec& spec) {
+  const Vec2 speeds = root.optional_pair("speeds", "[m/s]", number_of_pair)
+                          .value_or(Vec2(spec.speeds[0], spec.speeds[1]));
+  spec.speeds = {speeds.x(), speeds.y()};
+  if (speeds.x() <= speeds.y() || speeds.y() < 1e-3) {
+    // RecordOptions::slowest: an engine's slower impacts are not kept
+    root.refuse_value("speeds", "must be two falling speeds of at least 0.001 m/s");
+  }
+}
+
+/// The points of all grids together count.
+void check_count(StrictTable& root, const EnsembleSpec& spec) {
+  if (draw_count(spec) > most_draws) {
+    root.refuse_value(
+        "count", fmt::format("{} draws in all, must be at most {}", draw_count(spec), most_draws));
+  }
+}
+
+EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& source,
+                         const std::optional<std::string>& other_case, FileProblems& wrong,
+                         std::vector<std::string>& notes) {
+  StrictTable root(&file, "", wrong);
+  EnsembleSpec spec;
+  Case any_case;  // stands for one that cannot be read: with every cable that is asked for
+  any_case.cables.resize(max_cables);
+  spec.the_case = read_case(root, source, other_case, wrong, notes).value_or(any_case);
+  spec.the_case.duration =
+      root.optional_number("until", positive_number, "[s]").value_or(spec.the_case.duration);
+  spec.count =
+      static_cast<std::size_t>(root.optional_number("count", whole_number, "").value_or(1000.0));
+  spec.seed =
+      static_cast<std::uint64_t>(root.optional_number("seed", seed_number, "").value_or(1.0));
+  spec.sampling = root.optional_one_of("sampling", {"random", "sobol"}) == "sobol"
+                      ? Sampling::sobol
+                      : Sampling::random;
+  spec.law = read_law(root, spec.law);
+  read_speeds(root, spec);
+  spec.completion =
+      root.optional_number("completion", completion_error, "").value_or(spec.completion);
+  const std::vector<std::string> names = quantities_of(spec.the_case);
+  std::set<std::string> quantities;
+  for (StrictTable& table : root.tables("vary", most_tables, "must be tables [[vary]]")) {
+    for (Varied& one : read_varied(table, names, quantities)) {
+      spec.varied.push_back(std::move(one));
+    }
+  }
+  for (StrictTable& table : root.optional_tables("exact", most_tables, "must be [[exact]]")) {
+    spec.exact.push_back(read_variant(table, names, spec));
+  }
+  if (root.has("engines")) {
+    read_engines(root.table("engines"), source, spec);
+  }
+  root.refuse_unknown_keys();
+  if (wrong.empty()) {
+    check_count(root, spec);
+  }
+  return spec;
+}
+
+}  // namespace
+
+SpecReading read_spec_file(const std::filesystem::path& path,
+                           const std::optional<std::string>& other_case) {
+  const InputFile file = read_input_file(path, longest_spec_file);
+  if (file.problem) {
+    FileProblems wrong(path.native());
+    wrong.add(0, *file.problem);
+    return {std::nullopt, wrong.sentences()};
+  }
+  return read_spec_text(file.content, path, other_case);
+}
+
+SpecReading read_spec_text(std::string_view text, const std::filesystem::path& source,
+                           const std::optional<std::string>& other_case) {
+  FileProblems wrong(source.native());
+  const std::optional<toml::table> file = parse_toml(text, wrong);
+  if (!file) {
+    return {std::nullopt, wrong.sentences()};
+  }
+  std::vector<std::string> notes;
+  EnsembleSpec spec = read_tables(*file, source, other_case, wrong, notes);
+  if (!wrong.empty()) {
+    return {std::nullopt, wrong.sentences()};
+  }
+  return {std::move(spec), {}, std::move(notes)};
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,232 @@
+#include "bench/solution/taut_phases.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tautline/detail/projection.hpp"
+#include "tautline/detail/rounding.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/impact.hpp"
+#include "tautline/solve.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A tension that differs less than this from another is the same one [-]: an extreme that comes
+/// again in each swing is told where it is first.
+constexpr double same_tension = 1e-12;
+
+/// Looks for the extremes of the tension of one cable over the arcs of a phase.
+class Extremes {
+ public:
+  Extremes(const Solution& solution, std::size_t cable) : solution_(solution), cable_(cable) {}
+
+  void look_at(const Arc& arc) {
+    // an arc is a quarter of the radius of convergence long: its tension turns once or twice
+    constexpr int parts = 8;
+    const double step = (arc.end - arc.start) / parts;
+    double before = tension(arc, 0.0);
+    take(arc, 0.0, before);
+    double here = before;
+    for (int k = 1; k <= parts && step > 0.0; ++k) {
+      const double dt = k * step;
+      const double next = tension(arc, dt);
+      take(arc, dt, next);
+      if (k > 1 && (here - before) * (next - here) < 0.0) {
+        refine(arc, dt - 2.0 * step, dt, here < before);
+      }
+      before = here;
+      here = next;
+    }
+    // a turn within the first or the last part shows at its end alone
+    if (step > 0.0) {
+      for (const bool least : {true, false}) {
+        refine(arc, 0.0, step, least);
+        refine(arc, (parts - 1) * step, parts * step, least);
+      }
+    }
+  }
+
+  struct Found {
+    const Arc* arc = nullptr;
+    double dt = 0.0;
+    double tension = 0.0;
+  };
+  [[nodiscard]] const Found& least() const { return least_; }
+  [[nodiscard]] const Found& largest() const { return largest_; }
+
+ private:
+  [[nodiscard]] double tension(const Arc& arc, double dt) const {
+    return solution_.tensions(arc, dt)[static_cast<Eigen::Index>(cable_)];
+  }
+
+  void take(const Arc& arc, double dt, double value) {
+    const double same = same_tension * std::max(largest_.tension, value);
+    if (least_.arc == nullptr || value < least_.tension - same) {
+      least_ = {&arc, dt, value};
+    }
+    if (largest_.arc == nullptr || value > largest_.tension + same) {
+      largest_ = {&arc, dt, value};
+    }
+  }
+
+  /// By golden sections; where there is no extreme inside, it comes to an end.
+  void refine(const Arc& arc, double low, double high, bool least) {
+    constexpr double golden = 0.6180339887498949;
+    const double sign = least ? 1.0 : -1.0;
+    double a = high - golden * (high - low);
+    double b = low + golden * (high - low);
+    double at_a = sign * tension(arc, a);
+    double at_b = sign * tension(arc, b);
+    const double known = least ? least_.tension : -largest_.tension;
+    const double promise = 2.0 * std::abs(at_a - at_b) + same_tension * std::abs(known);
+    if (std::min(at_a, at_b) > known + promise) {
+      return;  // not near the best so far
+    }
+    constexpr int enough = 40;  // to the root of rounding
+    for (int k = 0; k < enough; ++k) {
+      if (at_a < at_b) {
+        high = b;
+        b = a;
+        at_b = at_a;
+        a = high - golden * (high - low);
+        at_a = sign * tension(arc, a);
+      } else {
+        low = a;
+        a = b;
+        at_a = at_b;
+        b = low + golden * (high - low);
+        at_b = sign * tension(arc, b);
+      }
+    }
+    take(arc, a, sign * at_a);
+  }
+
+  const Solution& solution_;
+  std::size_t cable_;
+  Found least_;
+  Found largest_;
+};
+
+/// The error of the instant of an event; 0 for the start and the end of the solution.
+double event_error(const Solution& solution, const Uncertainty& uncertainty, double time) {
+  const auto& events = solution.events();
+  const auto next = std::lower_bound(events.begin(), events.end(), time,
+                                     [](const Event& event, double t) { return event.time < t; });
+  if (next == events.end() || next->time != time) {  // exactly: arcs end at events
+    return 0.0;
+  }
+  const auto& errors = uncertainty.events()[static_cast<std::size_t>(next - events.begin())];
+  return errors ? errors->time : -1.0;
+}
+
+/// An extreme of an arc with its errors.
+TensionAt with_errors(const Case& the_case, const Solution& solution,
+                      const Uncertainty& uncertainty, const TautPhase& phase,
+                      const Extremes::Found& found) {
+  const Arc& arc = *found.arc;
+  const double from = phase.from.value;
+  const double until = phase.until.value;
+  const double time = arc.start + found.dt;
+  const State state = arc.after(found.dt, solution.gravity());
+  const double last = std::nextafter(until, 0.0);  // before the event at its end
+  const auto tension = bounded_tensions(the_case, state, arc.taut, solution.tensions(arc, found.dt),
+                                        uncertainty.at(std::clamp(time, from, last)));
+  TensionAt result{tension[phase.cable], {time, -1.0}};
+  if (result.tension.error < 0.0) {
+    return result;
+  }
+  if (time <= from || time >= last) {
+    result.time.error = event_error(solution, uncertainty, time <= from ? from : until);
+    return result;
+  }
+  // T changes by half its curvature times dt^2: errors of up to e move its extreme by up to
+  // 2 sqrt(e / curvature)
+  constexpr double part = 0.05;  // [-], of an arc, over which the curvature is measured
+  const double dt = std::min({part * (arc.end - arc.start), time - from, last - time});
+  const auto at = [&](double when) {
+    return solution.tensions(when)[static_cast<Eigen::Index>(phase.cable)];
+  };
+  const double bend = std::abs(at(time + dt) - 2.0 * at(time) + at(time - dt));  // times dt^2
+  const double noise = 16.0 * epsilon<double>() * result.tension.value;
+  result.time.error =
+      bend > noise ? 2.0 * dt * std::sqrt(result.tension.error / bend) : until - from;
+  return result;
+}
+
+}  // namespace
+
+std::vector<TautPhase> taut_phases(const Case& the_case, const Solution& solution,
+                                   const Uncertainty& uncertainty) {
+  std::vector<TautPhase> result;
+  const auto& arcs = solution.arcs();
+  for (std::size_t cable = 0; cable < the_case.cables.size(); ++cable) {
+    for (std::size_t first = 0; first < arcs.size();) {
+      if (!arcs[first].taut.contains(cable)) {
+        ++first;
+        continue;
+      }
+      std::size_t last = first;
+      bool indeterminate = false;
+      Extremes extremes(solution, cable);
+      CableSet seen;
+      for (; last < arcs.size() && arcs[last].taut.contains(cable); ++last) {
+        extremes.look_at(arcs[last]);
+        if (arcs[last].taut != seen) {
+          seen = arcs[last].taut;
+          indeterminate = indeterminate || !independent(the_case, arcs[last].initial, seen);
+        }
+      }
+      // what repeats goes on to the end
+      const double until = last < arcs.size() ? arcs[last - 1].end : solution.end_time();
+      TautPhase phase{cable, {arcs[first].start}, {until}, {}, {}, indeterminate};
+      phase.from.error = event_error(solution, uncertainty, phase.from.value);
+      phase.until.error = event_error(solution, uncertainty, phase.until.value);
+      if (phase.until.value > phase.from.value) {
+        phase.least = with_errors(the_case, solution, uncertainty, phase, extremes.least());
+        phase.largest = with_errors(the_case, solution, uncertainty, phase, extremes.largest());
+        result.push_back(phase);
+      }
+      first = last;
+    }
+  }
+  std::stable_sort(result.begin(), result.end(), [](const TautPhase& a, const TautPhase& b) {
+    return a.from.value < b.from.value;
+  });
+  return result;
+}
+
+std::vector<PeriodTension> period_tensions(const Case& the_case, const State& state,
+                                           CableSet cables, const Swing& swing,
+                                           double energy_error) {
+  const auto over_period = [&](double faster) {
+    Case period = the_case;
+    period.initial = projected(the_case, state, cables);
+    period.initial.velocity *= faster;
+    period.initial.spin *= faster;
+    period.duration = swing.period;
+    const Solution solution = solve(period);
+    return std::pair(taut_phases(period, solution, Uncertainty(period, solution)),
+                     energy(period, period.initial));
+  };
+  constexpr double faster = 1.001;  // [-]
+  const auto [phases, energy] = over_period(1.0);
+  const auto [others, more] = over_period(faster);
+  std::vector<PeriodTension> result;
+  for (std::size_t index = 0; index < phases.size(); ++index) {
+    PeriodTension found{phases[index].cable, phases[index].least.tension,
+                        phases[index].largest.tension};
+    if (energy_error < 0.0) {
+      found.least.error = found.largest.error = -1.0;
+    } else if (others.size() == phases.size() && more > energy) {
+      const double part = energy_error / (more - energy);
+      found.least.error += part * std::abs(others[index].least.tension.value - found.least.value);
+      found.largest.error +=
+          part * std::abs(others[index].largest.tension.value - found.largest.value);
+    }
+    result.push_back(found);
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

@@ -268,14 +268,20 @@ void add_calibrate(CLI::App& app, int& code) {
       ->add_option("ENGINE", asked->engine,
                    "an engine's name, or the path of a plug-in or an engine.toml")
       ->required();
-  command->add_option("--model", asked->model, "one of its models that has parameters")->required();
+  command->add_option("--model", asked->model, "one of its models that has parameters")
+      ->option_text("MODEL")
+      ->required();
   command->add_option("--restitution", asked->restitution, "what is wanted [-]")->required();
   command->add_option("--fix", asked->fixed, "leave these parameters at these values")
+      ->option_text("NAME=VALUE")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--speeds", asked->speeds, "the range of closing speeds [m/s]")
+      ->option_text("FROM..TO")
       ->capture_default_str();
-  command->add_option("--step", asked->step, "the engine's step [s]")->capture_default_str();
+  command->add_option("--step", asked->step, "the engine's step [s]")
+      ->option_text("SECONDS")
+      ->capture_default_str();
   command
       ->add_option("--tolerance", asked->tolerance,
                    "the largest error on strikes that the search did not see [-]")
@@ -283,6 +289,7 @@ void add_calibrate(CLI::App& app, int& code) {
   command->add_option("--settings", asked->settings,
                       "try so many at most (default: 64 for each parameter that is searched)");
   command->add_option("--time-limit", asked->time_limit, "give up a setting after this long [s]")
+      ->option_text("SECONDS")
       ->capture_default_str();
   add_target(*command, "--json", asked->json, "write the result as JSON");
   add_schema(*command, calibration_schema_json);

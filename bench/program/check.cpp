@@ -200,10 +200,12 @@ void add_check(CLI::App& app, int& code) {
       ->add_option("PLUGIN", asked->engine,
                    "the path of a plug-in or an engine.toml, or an engine's name")
       ->required();
-  command->add_option("--model", asked->model, "only this model (default: all)");
+  command->add_option("--model", asked->model, "only this model (default: all)")
+      ->option_text("MODEL");
   command
       ->add_option("--time-limit", asked->time_limit,
                    "end the check of a model after this long [s]")
+      ->option_text("SECONDS")
       ->capture_default_str();
   add_target(*command, "--json", asked->json, "write the verdicts as JSON");
   add_schema(*command, check_schema_json);

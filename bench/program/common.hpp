@@ -10,7 +10,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace tautline::bench {
 
@@ -52,9 +53,9 @@ void add_law(CLI::App& command, ImpactLaw& law, const std::string& help);
 
 /// Adds to `command` the option that says where to write: `help` is "write the list as JSON", or
 /// what else. An empty name, as of an unset variable of a shell, is refused: it would write
-/// nothing. `file` must outlive the command.
-void add_target(CLI::App& command, const std::string& option, std::string& file,
-                const std::string& help);
+/// nothing. `file` must outlive the command. Returns the option.
+CLI::Option* add_target(CLI::App& command, const std::string& option, std::string& file,
+                        const std::string& help);
 
 /// The option --schema, which prints the JSON schema of what the command writes.
 void add_schema(CLI::App& command, std::string (*schema)());

@@ -282,13 +282,16 @@ void add_ensemble(CLI::App& app, int& code) {
           "SPEC", asked->spec,
           "a file (TOML) that names the case, what varies, how many draws, and the engines")
       ->required();
-  command->add_option("--case", asked->the_case, "this case instead, a file or a shipped one");
+  command->add_option("--case", asked->the_case, "this case instead, a file or a shipped one")
+      ->option_text("CASE");
   command->add_option("--count", asked->count, "so many draws, or at each point of a grid");
   command->add_option("--out", asked->out, "folder for the page and the draws")
+      ->option_text("FOLDER")
       ->capture_default_str();
   command->add_option("--jobs", asked->jobs, "draws at a time (default: one per core)");
   command->add_flag("--resume", asked->resume, "keep the draws that --out already has");
   command->add_option("--time-limit", asked->time_limit, "end an engine's run after this long [s]")
+      ->option_text("SECONDS")
       ->capture_default_str();
   add_target(*command, "--json", asked->json, "also write the result as JSON");
   add_schema(*command, ensemble_schema_json);

@@ -81,10 +81,13 @@ void add_help(CLI::App& app, int& code) {
   command->add_option("COMMAND", asked->command, "a command of tautline (default: all of them)");
   command->add_flag("--man", asked->man, "print the manual page, for `man -l -`");
   command->add_option("--completion", asked->completion, "print the completion for this shell")
+      ->option_text("SHELL")
       ->check(CLI::IsMember(shells()));
-  command->add_option("--write", asked->folder,
-                      "write all manual pages and completions below this folder, as they lie in "
-                      "/usr/share");
+  command
+      ->add_option("--write", asked->folder,
+                   "write all manual pages and completions below this folder, as they lie in "
+                   "/usr/share")
+      ->option_text("FOLDER");
   command->footer(
       "source <(tautline help --completion bash)    complete in this shell\n"
       "tautline help run --man | man -l -           a manual page without an installation");

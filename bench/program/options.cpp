@@ -22,13 +22,15 @@ void add_law(CLI::App& command, ImpactLaw& law, const std::string& help) {
   command
       .add_option_function<std::string>(
           "--law", [&law](const std::string& name) { law = law_names().at(name); }, help)
+      ->option_text("LAW")
       ->check(CLI::IsMember(law_names()))
       ->default_str("simultaneous");
 }
 
-void add_target(CLI::App& command, const std::string& option, std::string& file,
-                const std::string& help) {
-  command.add_option(option, file, help + " to this file, or to stdout: -")
+CLI::Option* add_target(CLI::App& command, const std::string& option, std::string& file,
+                        const std::string& help) {
+  return command.add_option(option, file, help + " to this file, or to stdout: -")
+      ->option_text("FILE")
       ->check([](const std::string& name) {
         return std::string(name.empty() ? "must be the name of a file, or -" : "");
       });

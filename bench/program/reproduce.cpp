@@ -86,6 +86,7 @@ void add_reproduce(CLI::App& app, int& code) {
       "reproduce", "The source chapter's tables and figures, and what it got wrong");
   const auto asked = std::make_shared<ReproduceCommand>();
   command->add_option("--out", asked->out, "folder for chapter.md, chapter.json and chapter/")
+      ->option_text("FOLDER")
       ->capture_default_str();
   add_target(*command, "--json", asked->json, "also write chapter.json");
   command->callback([asked, &code] { code = reproduce_command(*asked); });

@@ -86,17 +86,24 @@ void add_run(CLI::App& app, int& code) {
   command
       ->add_option("--engine", asked->engine,
                    "an engine's name, or the path of a plug-in or an engine.toml")
+      ->option_text("ENGINE")
       ->required();
   command
       ->add_option("--model", asked->model,
                    "one of its models of a cable; `tautline engines` lists them")
+      ->option_text("MODEL")
       ->required();
-  command->add_option("--step", asked->step, "the engine's step [s]")->capture_default_str();
+  command->add_option("--step", asked->step, "the engine's step [s]")
+      ->option_text("SECONDS")
+      ->capture_default_str();
   add_law(*command, asked->law, law_help);
   command->add_option("--time-limit", asked->time_limit, "end the run after this long [s]")
+      ->option_text("SECONDS")
       ->capture_default_str();
-  command->add_option("--out", asked->out,
-                      "write trajectory.csv, events.csv and settings below this folder");
+  command
+      ->add_option("--out", asked->out,
+                   "write trajectory.csv, events.csv and settings below this folder")
+      ->option_text("FOLDER");
   add_target(*command, "--json", asked->json, "write the result as JSON");
   command->add_flag("--all", asked->all, "print all metrics, not only those that matter");
   command->footer(

@@ -314,11 +314,14 @@ void add_solve(CLI::App& app, int& code) {
       "solve", "The exact motion of cases: events, tensions, samples and pictures");
   const auto asked = std::make_shared<SolveCommand>();
   command->add_option("CASES", asked->cases, case_help)->required();
-  command->add_option("--until", asked->until,
-                      "end the run at this time [s], not at the case's duration");
+  command
+      ->add_option("--until", asked->until,
+                   "end the run at this time [s], not at the case's duration")
+      ->option_text("SECONDS");
   command
       ->add_option("--at", asked->at,
                    "also give the state, gaps and tensions at these times [s]: 1,2.5,3 or 0:0.1:5")
+      ->option_text("SECONDS")
       ->delimiter(',');
   command->add_option("--every", asked->every,
                       "the same from 0 to the end, with this time between samples [s]");
@@ -341,13 +344,15 @@ void add_solve(CLI::App& app, int& code) {
   add_target(*command, "--json", asked->json, "write everything as JSON");
   add_schema(*command, solution_schema_json);
   add_target(*command, "--csv", asked->csv,
-             "write the samples of --every and --at as a table, with two rows for each impact");
+             "write the samples of --every and --at as a table, with two rows for each impact")
+      ->option_text("TEXT");
   command
       ->add_option("--plot", asked->plots,
                    "write a picture (SVG, or PNG by its name): [KIND=]FILE, where KIND is path "
                    "(the default: the path in "
                    "the plane) or motion (position, gaps and tensions over time); KIND alone: to "
                    "stdout")
+      ->option_text("FILE")
       ->allow_extra_args(false);
   command->add_option("--max-events", asked->max_events,
                       fmt::format("give up after so many events (default: {})", asked->max_events));

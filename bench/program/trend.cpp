@@ -166,21 +166,28 @@ void add_runs(CLI::App& command, BenchCommand& runs) {
       .add_option("--cases", runs.cases,
                   std::string(case_help) + ", several with commas. Without: --suite quick")
       ->delimiter(',');
-  command.add_option("--suite", runs.suite,
-                     "a selection of shipped cases: quick, chapter or all; see `tautline help "
-                     "bench`");
+  command
+      .add_option("--suite", runs.suite,
+                  "a selection of shipped cases: quick, chapter or all; see `tautline help "
+                  "bench`")
+      ->option_text("SUITE");
   command.add_option("--models", runs.models, "only these models: row,event (default: all)")
+      ->option_text("MODELS")
       ->delimiter(',');
   command
       .add_option("--steps", runs.steps,
                   "steps [s] (default: those of the suite; of --cases 0.01,0.001,0.0001)")
+      ->option_text("SECONDS")
       ->delimiter(',');
-  command.add_option("--until", runs.until, "end every run at this time [s]");
+  command.add_option("--until", runs.until, "end every run at this time [s]")
+      ->option_text("SECONDS");
   command.add_option("--out", runs.out, "folder for the trend and the versions' reports")
+      ->option_text("FOLDER")
       ->capture_default_str();
   command.add_option("--jobs", runs.jobs, "runs at a time (default: one per core)");
   command.add_flag("--resume", runs.resume, "keep the runs that --out already has");
   command.add_option("--time-limit", runs.time_limit, "end a run after this long [s]")
+      ->option_text("SECONDS")
       ->capture_default_str();
   add_target(command, "--json", runs.json, "also write the trend as JSON");
   add_schema(command, version_trends_schema_json);

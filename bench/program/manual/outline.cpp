@@ -3,36 +3,20 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
-#include <string_view>
 #include <utility>
 
 namespace tautline::bench {
 namespace {
-
-/// What stands for the value of an option, in all commands; a shell completes by it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 21> value_names = {{
-    {"--json", "FILE"},          {"--plot", "FILE"},     {"--gate", "LIMITS"},
-    {"--case", "CASE"},          {"--out", "FOLDER"},    {"--write", "FOLDER"},
-    {"--engines", "ENGINES"},    {"--engine", "ENGINE"}, {"--model", "MODEL"},
-    {"--models", "MODELS"},      {"--suite", "SUITE"},   {"--shard", "K/N"},
-    {"--step", "SECONDS"},       {"--steps", "SECONDS"}, {"--until", "SECONDS"},
-    {"--time-limit", "SECONDS"}, {"--at", "SECONDS"},    {"--speeds", "FROM..TO"},
-    {"--fix", "NAME=VALUE"},     {"--law", "LAW"},       {"--completion", "SHELL"},
-}};
 
 std::string value_of(const CLI::Option& option) {
   const bool is_flag = option.get_items_expected_max() == 0;
   if (is_flag) {
     return "";
   }
-  for (const auto& [name, value] : value_names) {
-    if (option.check_name(std::string(name))) {
-      return std::string(value);
-    }
+  if (!option.get_option_text().empty()) {
+    return option.get_option_text();
   }
-  const std::string type = option.get_type_name();
-  return type.starts_with("TEXT") ? "TEXT" : "NUMBER";
+  return option.get_type_name().starts_with("TEXT") ? "TEXT" : "NUMBER";
 }
 
 /// The values between the braces of "TEXT:{a,b}": CLI11 tells them in no other way.

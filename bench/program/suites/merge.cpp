@@ -107,8 +107,9 @@ void add_merge(CLI::App& app, int& code, const std::string& command_line) {
                    "the folders that the shards had as their --out, in any order")
       ->required();
   command->add_option("--out", asked->out, "folder for the merged report and the runs' files")
+      ->option_text("FOLDER")
       ->required();
-  command->add_option("--gate", asked->gate, gate_help);
+  command->add_option("--gate", asked->gate, gate_help)->option_text("LIMITS");
   add_target(*command, "--json", asked->json, "also write the report as JSON");
   command->callback([asked, &code] { code = merge_command(*asked); });
 }

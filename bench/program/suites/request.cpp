@@ -155,32 +155,41 @@ Request read_request(const BenchCommand& command) {
 
 void add_bench_options(CLI::App& command, BenchCommand& asked) {
   command.add_option("CASES", asked.cases, std::string(case_help) + ". Without: --suite quick");
-  command.add_option("--suite", asked.suite,
-                     "a selection of shipped cases: quick, chapter or all; see below");
+  command
+      .add_option("--suite", asked.suite,
+                  "a selection of shipped cases: quick, chapter or all; see below")
+      ->option_text("SUITE");
   command
       .add_option(
           "--engines,--engine", asked.engines,
           "names, or paths of a plug-in or an engine.toml: bullet64,./libmine.so (default: "
           "all plug-ins). Engines with an engine.toml run where they are named; the name of a "
           "folder of them, such as npm, stands for all in it")
+      ->option_text("ENGINES")
       ->delimiter(',')
       ->allow_extra_args(false);  // a case may follow
   command.add_option("--models", asked.models, "only these models: row,event (default: all)")
+      ->option_text("MODELS")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
       .add_option("--steps", asked.steps,
                   "steps [s] (default: those of the suite; of CASES 0.01,0.001,0.0001)")
+      ->option_text("SECONDS")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--until", asked.until, "end every run at this time [s]");
+  command.add_option("--until", asked.until, "end every run at this time [s]")
+      ->option_text("SECONDS");
   add_law(command, asked.law, law_help);
   command.add_option("--out", asked.out, "folder for the report and the runs' files")
+      ->option_text("FOLDER")
       ->capture_default_str();
   command.add_option("--jobs", asked.jobs, "runs at a time (default: one per core)");
-  command.add_option("--shard", asked.shard,
-                     "do only part K of N of the runs: 3/16; `tautline merge` puts the N result "
-                     "folders together");
+  command
+      .add_option("--shard", asked.shard,
+                  "do only part K of N of the runs: 3/16; `tautline merge` puts the N result "
+                  "folders together")
+      ->option_text("K/N");
   command.add_flag("--resume", asked.resume, "keep the runs that --out already has");
   command.add_flag_callback(
       "--certify", [&asked] { asked.certify = true; },
@@ -193,10 +202,11 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
                      "settling times and other statistics are compared as distributions (default: "
                      "those of the suite; of CASES 0)");
   command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
+      ->option_text("SECONDS")
       ->capture_default_str();
   add_target(command, "--json", asked.json, "also write the report as JSON");
   add_schema(command, report_schema_json);
-  command.add_option("--gate", asked.gate, gate_help);
+  command.add_option("--gate", asked.gate, gate_help)->option_text("LIMITS");
   command.footer("Suites, and what their cases show:\n" + suites_text());
 }
 

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 #include "bench/base/atomic_file.hpp"
@@ -26,22 +25,15 @@ struct HelpCommand {
   std::filesystem::path folder;  // to write all of them to, or empty
 };
 
-/// What completes for each shell.
-const std::map<std::string, std::string (*)(const Outline& outline)>& shells() {
-  static const std::map<std::string, std::string (*)(const Outline& outline)> all = {
-      {"bash", bash_completion}, {"fish", fish_completion}, {"zsh", zsh_completion}};
-  return all;
-}
-
 /// All manual pages and scripts, where they lie below a share/ folder.
 void write_manual(const Outline& outline, const std::filesystem::path& share) {
   write_file(share / "man/man1/tautline.1", man_page(outline));
   for (const Command& command : outline.commands) {
     write_file(share / ("man/man1/tautline-" + command.name + ".1"), man_page(outline, command));
   }
-  write_file(share / "bash-completion/completions/tautline", bash_completion(outline));
-  write_file(share / "zsh/site-functions/_tautline", zsh_completion(outline));
-  write_file(share / "fish/vendor_completions.d/tautline.fish", fish_completion(outline));
+  write_file(share / "bash-completion/completions/tautline", completion_scripts().at("bash"));
+  write_file(share / "zsh/site-functions/_tautline", completion_scripts().at("zsh"));
+  write_file(share / "fish/vendor_completions.d/tautline.fish", completion_scripts().at("fish"));
 }
 
 int help_command(const HelpCommand& asked, const Outline& outline) {
@@ -55,7 +47,7 @@ int help_command(const HelpCommand& asked, const Outline& outline) {
     return exit_done;
   }
   if (!asked.completion.empty()) {
-    fmt::print("{}", shells().at(asked.completion)(outline));
+    fmt::print("{}", completion_scripts().at(asked.completion));
     return exit_done;
   }
   const std::size_t width = output_style().text;
@@ -82,7 +74,7 @@ void add_help(CLI::App& app, int& code) {
   command->add_flag("--man", asked->man, "print the manual page, for `man -l -`");
   command->add_option("--completion", asked->completion, "print the completion for this shell")
       ->option_text("SHELL")
-      ->check(CLI::IsMember(shells()));
+      ->check(CLI::IsMember(completion_scripts()));
   command
       ->add_option("--write", asked->folder,
                    "write all manual pages and completions below this folder, as they lie in "

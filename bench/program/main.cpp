@@ -79,6 +79,10 @@ int run_program(int count, char** arguments) {
   int code = exit_done;
   add_commands(app, code, typed(count, arguments));
   app.footer(first_steps);  // after the commands, which would take it over
+  if (count > 1 && std::string(arguments[1]) == "--complete") {  // a shell asks, not its user
+    fmt::print("{}", completions(outline_of(app), {arguments + 2, arguments + count}));
+    return exit_done;
+  }
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -233,7 +233,9 @@ std::vector<RegisteredEngine> registered_engines(Asked asked) {
       found.push_back(from_plugin(plugin));
     }
   }
-  ask_all(found);
+  if (asked != Asked::none) {
+    ask_all(found);
+  }
   std::vector<RegisteredEngine> result = in_known_order(std::move(found));
   for (const fs::path& folder : engine_folders()) {
     for (const fs::path& file : engine_files_in(folder)) {

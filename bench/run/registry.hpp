@@ -23,8 +23,9 @@ struct RegisteredEngine {
 /// TAUTLINE_ENGINE_PATH, or else the program's own.
 [[nodiscard]] std::vector<std::filesystem::path> engine_folders();
 
-/// Which engines are asked what they are. One in a process of its own takes a second to start.
-enum class Asked { plugins, all };
+/// Which engines are asked what they are. A plug-in takes up to 0.1 s to load, an engine in a
+/// process of its own a second to start; one that is not asked is called as its file is.
+enum class Asked { none, plugins, all };
 
 /// Every engine there is or could be: the exact control first, then the known ones in their order,
 /// then others found, those with an engine.toml last. They are asked in worker processes.

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "bench/program/manual/outline.hpp"
 
@@ -20,11 +22,14 @@ namespace tautline::bench {
 /// tautline-solve(1) and the like: one of its commands.
 [[nodiscard]] std::string man_page(const Outline& outline, const Command& command);
 
-// Scripts with which a shell completes the command line: commands, options, the shipped cases, the
-// engines that are here and their models, files and folders.
+/// What may stand at the end of a command line, for a shell: `words` are those after `tautline`,
+/// and the last of them, which may be "", is being typed. A line each: the word, a tab and its
+/// meaning. A line ":files", a tab and a pattern asks the shell for its files, a line ":folders"
+/// for folders.
+[[nodiscard]] std::string completions(const Outline& outline,
+                                      const std::vector<std::string>& words);
 
-[[nodiscard]] std::string bash_completion(const Outline& outline);
-[[nodiscard]] std::string zsh_completion(const Outline& outline);
-[[nodiscard]] std::string fish_completion(const Outline& outline);
+/// The script with which a shell asks for them, by the name of the shell.
+[[nodiscard]] const std::map<std::string, std::string>& completion_scripts();
 
 }  // namespace tautline::bench

@@ -58,10 +58,6 @@ std::string in_roff(const std::string& option) {
 TEST(Manual, HasEveryOptionOfEveryCommand) {
   const auto all = options_in_the_sources();
   ASSERT_GE(all.size(), 9U);
-  const std::string bash = content_of((share() / "bash-completion/completions/tautline").string());
-  const std::string zsh = content_of((share() / "zsh/site-functions/_tautline").string());
-  const std::string fish =
-      content_of((share() / "fish/vendor_completions.d/tautline.fish").string());
   const std::string overview = content_of((share() / "man/man1/tautline.1").string());
   std::size_t checked = 0;
   for (const auto& [command, options] : all) {
@@ -69,19 +65,13 @@ TEST(Manual, HasEveryOptionOfEveryCommand) {
         content_of((share() / ("man/man1/tautline-" + command + ".1")).string());
     const std::string help = program({command, "--help"}).output;
     EXPECT_NE(overview.find("tautline\\-" + command), std::string::npos) << command;
-    const std::size_t part = bash.find("\n    " + command + ")");
-    ASSERT_NE(part, std::string::npos) << command;
-    const std::string of_command = bash.substr(part, bash.find(";;\n    ", part + 5) - part);
+    const std::string offers = "\n" + program({"--complete", command, "-"}).output;
     for (const std::string& option : options) {
       ++checked;
       EXPECT_NE(page.find("\\fB" + in_roff(option) + "\\fR"), std::string::npos)
           << command << " " << option;
       EXPECT_NE(help.find(option), std::string::npos) << command << " " << option;
-      EXPECT_NE(bash.find(option, part), std::string::npos) << command << " " << option;
-      EXPECT_NE(zsh.find(option + "["), std::string::npos) << command << " " << option;
-      EXPECT_NE(fish.find("__fish_seen_subcommand_from " + command + "' -l " + option.substr(2)),
-                std::string::npos)
-          << command << " " << option;
+      EXPECT_NE(offers.find("\n" + option + "\t"), std::string::npos) << command << " " << option;
     }
   }
   EXPECT_GE(checked, 40U);
@@ -118,19 +108,39 @@ TEST(Manual, PagesAreReadWithoutAWarning) {
   EXPECT_GE(pages, 10U);
 }
 
+/// The installed script of each shell.
+const std::map<std::string, std::string> scripts = {
+    {"bash", "bash-completion/completions/tautline"},
+    {"zsh", "zsh/site-functions/_tautline"},
+    {"fish", "fish/vendor_completions.d/tautline.fish"}};
+
+/// What `shell` prints that runs `text` after its script, with the program in PATH, in a folder
+/// with a few files.
+std::string said(const std::string& shell, const std::string& text) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "here");
+  for (const char* file : {"a b.json", "case.toml", "it.so"}) {
+    std::ofstream(folder.path() / file) << "\n";
+  }
+  const std::string bin = std::filesystem::path(TAUTLINE_PROGRAM_PATH).parent_path().string();
+  const std::string script =
+      "cd '" + folder.path().string() + "'\n" +
+      (shell == "fish" ? "set -x PATH '" + bin + "' $PATH\n" : "PATH='" + bin + "':$PATH\n") + text;
+  const std::string no_start = shell == "bash" ? " --norc '" : shell == "zsh" ? " -f '" : " -N '";
+  return printed_by(shell + no_start + folder.file("complete.sh", script).string() + "'");
+}
+
+std::string script_of(const std::string& shell) { return (share() / scripts.at(shell)).string(); }
+
 /// What bash offers for a command line, whose last word is the one that is being typed.
 std::string offered(const std::vector<std::string>& words) {
-  std::string line =
-      "PATH='" + std::filesystem::path(TAUTLINE_PROGRAM_PATH).parent_path().string() +
-      "':$PATH; source '" + (share() / "bash-completion/completions/tautline").string() +
-      "'; COMP_WORDS=(tautline";
+  std::string line = "source '" + script_of("bash") + "'; COMP_WORDS=(tautline";
   for (const std::string& word : words) {
     line += " '" + word + "'";
   }
   line += "); COMP_CWORD=" + std::to_string(words.size()) +
           "; _tautline; printf '%s\\n' \"${COMPREPLY[@]}\"";
-  const TemporaryFolder folder;
-  return printed_by("bash --norc '" + folder.file("complete.sh", line).string() + "'");
+  return said("bash", line);
 }
 
 TEST(Completion, OffersWhatFits) {
@@ -141,18 +151,70 @@ TEST(Completion, OffersWhatFits) {
   EXPECT_EQ(offered({"solve", "--pl"}), "--plot\n");
   EXPECT_EQ(offered({"solve", "bounc"}), "bouncing-ball\n");
   EXPECT_EQ(offered({"run", "bouncing-ball", "--engine", "exa"}), "exact\n");
+  EXPECT_EQ(offered({"run", "bouncing-ball", "--engine", "=", "exa"}), "exact\n");
+  EXPECT_EQ(offered({"run", "--engine", "exact", "--model", "ev"}), "event\n");
   EXPECT_EQ(offered({"bench", "--models", "row,sampl"}), "row,sampled\n");
   EXPECT_EQ(offered({"bench", "--law", "po"}), "poisson\n");
+  EXPECT_EQ(offered({"bench", "--law", "="}), "energetic\npoisson\nsequential\nsimultaneous\n");
   EXPECT_EQ(offered({"help", "rep"}), "reproduce\n");
+  EXPECT_EQ(offered({"solve", "bouncing-ball", "--json", "a"}), "a b.json\n");
+  EXPECT_EQ(offered({"solve", "case"}), "case.toml\n");
+  EXPECT_EQ(offered({"check", "it"}), "it.so\n");
+  EXPECT_EQ(offered({"bench", "--out", ""}), "here\n");
   EXPECT_NE(offered({""}).find("compare\n"), std::string::npos);
   EXPECT_EQ(offered({"solve", "--xy"}), "\n") << "nothing fits";
 }
 
+TEST(Completion, NeverComplains) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{},
+                                             {"no-such", ""},
+                                             {"bench", "--engines", "no-such", "--models", ""},
+                                             {"run", "--engine", "./no-such.so", "--model", ""},
+                                             {"--nope", "="}}) {
+    std::vector<std::string> arguments = {"--complete"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const Outcome outcome = program(arguments);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.errors, "");
+  }
+}
+
+TEST(Completion, FishOffersWhatFits) {
+  if (!here("fish")) {
+    GTEST_SKIP() << "fish is not here";
+  }
+  const auto offers = [](const std::string& line) {
+    return said("fish", "source '" + script_of("fish") + "'\ncomplete -C '" + line + "'\n");
+  };
+  EXPECT_EQ(offers("tautline so").substr(0, 6), "solve\t");
+  EXPECT_EQ(offers("tautline solve --pl").substr(0, 7), "--plot\t");
+  EXPECT_EQ(offers("tautline solve bouncing-b").substr(0, 14), "bouncing-ball\t");
+  EXPECT_EQ(offers("tautline run x --engine=exa"), "--engine=exact\n");
+  EXPECT_EQ(offers("tautline bench --law po"), "poisson\n");
+  EXPECT_EQ(offers("tautline solve x --json=case"), "--json=case.toml\n");
+  EXPECT_EQ(offers("tautline bench --out her"), "here/\n");
+}
+
+TEST(Completion, ZshOffersWhatFits) {
+  if (!here("zsh")) {
+    GTEST_SKIP() << "zsh is not here";
+  }
+  // its own functions stand here for those of its completion, which want a terminal
+  const auto offers = [](const std::string& words) {
+    return said("zsh",
+                "_describe() { print -l -- $offers }; _files() { print -r -- files $* }\n"
+                "compset() { }\nwords=(tautline " +
+                    words + "); CURRENT=$#words; PREFIX=$words[-1]\nsource '" + script_of("zsh") +
+                    "'\n");
+  };
+  EXPECT_EQ(offers("run x --engine exact --model ''").substr(0, 6), "event:");
+  EXPECT_EQ(offers("bench --law ''"), "energetic\npoisson\nsequential\nsimultaneous\n");
+  EXPECT_EQ(offers("solve --json ''"), "\nfiles -g *\n");
+  EXPECT_EQ(offers("bench --out ''"), "\nfiles -/\n");
+}
+
 TEST(Completion, ScriptsAreRightForTheirShells) {
-  const std::map<std::string, std::string> scripts = {
-      {"bash", "bash-completion/completions/tautline"},
-      {"zsh", "zsh/site-functions/_tautline"},
-      {"fish", "fish/vendor_completions.d/tautline.fish"}};
   for (const auto& [shell, file] : scripts) {
     EXPECT_EQ(program({"help", "--completion", shell}).output,
               content_of((share() / file).string()));

@@ -8,7 +8,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/solution/plot/png.hpp"
+#include "bench/plot/svg.hpp"
 
 namespace tautline::bench {
 

@@ -5,7 +5,7 @@
 #include "bench/base/text.hpp"
 #include "bench/ensemble/output/atlas.hpp"
 #include "bench/ensemble/quantity.hpp"
-#include "bench/solution/plot_style.hpp"
+#include "bench/plot/svg.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -45,21 +45,16 @@ std::string axes_svg(const Atlas& atlas) {
   const auto& across = atlas.axes[0].distribution.numbers;
   const auto& up = atlas.axes[1].distribution.numbers;
   const double bottom = top + map_size;
-  const auto text = [](double x, double y, const char* anchor, const std::string& words) {
-    return fmt::format(
-        "<text class=\"muted\" text-anchor=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}"
-        "</text>\n",
-        anchor, x, y, xml_text(words));
+  const double middle = left + map_size / 2.0;
+  const auto number = [](double x, double y, double value, const char* anchor) {
+    return muted_text(x, y, fmt::format("{:.4g}", value), anchor);
   };
-  return text(left, bottom + 18.0, "start", fmt::format("{:.4g}", across.front())) +
-         text(left + map_size, bottom + 18.0, "end", fmt::format("{:.4g}", across.back())) +
-         text(left + map_size / 2.0, bottom + 38.0, "middle", axis_title(atlas.axes[0])) +
-         text(left - 6.0, bottom, "end", fmt::format("{:.4g}", up.front())) +
-         text(left - 6.0, top + 12.0, "end", fmt::format("{:.4g}", up.back())) +
-         fmt::format(
-             "<text class=\"muted\" text-anchor=\"middle\" transform=\"translate({:.1f} "
-             "{:.1f}) rotate(-90)\">{}</text>\n",
-             left - 60.0, top + map_size / 2.0, xml_text(axis_title(atlas.axes[1])));
+  return number(left, bottom + 18.0, across.front(), "start") +
+         number(left + map_size, bottom + 18.0, across.back(), "end") +
+         muted_text(middle, bottom + 38.0, axis_title(atlas.axes[0]), "middle") +
+         number(left - 6.0, bottom, up.front(), "end") +
+         number(left - 6.0, top + 12.0, up.back(), "end") +
+         turned_text(left - 60.0, top + map_size / 2.0, -90, axis_title(atlas.axes[1]), "middle");
 }
 
 /// The numbers between which the colours of a map go.
@@ -99,8 +94,7 @@ std::string words_of(const AtlasMap& map, std::optional<double> value) {
 }
 
 std::string beside(double y, const std::string& words) {
-  return fmt::format("<text class=\"muted\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-                     left + map_size + bar_gap + bar_width + 6.0, y, xml_text(words));
+  return muted_text(left + map_size + bar_gap + bar_width + 6.0, y, words);
 }
 
 std::string swatch(double y, double height, const std::string& colour) {
@@ -176,20 +170,19 @@ std::string atlas_svg(const Atlas& atlas, const AtlasMap& map, const Statistic& 
   std::string drawn;
   for (std::size_t cell = 0; cell < map.cells.size(); ++cell) {
     const std::optional<double>& value = map.cells[cell];
-    drawn += cell_svg(atlas, cell, words_of(map, value), value ? range.colour(*value) : "#8a8a8a");
+    drawn += cell_svg(atlas, cell, words_of(map, value),
+                      value ? range.colour(*value) : line_colours[grey_line]);
   }
   drawn += axes_svg(atlas);
   if (!known.empty()) {
     drawn += map.names.empty() ? bar_svg(range) : names_svg(map, range, known);
   }
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-             "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n{3}<rect "
-             "class=\"paper\" width=\"100%\" height=\"100%\"/>\n<text class=\"title\" "
-             "x=\"{4}\" y=\"24\">{2}</text>\n",
-             left + map_size + bar_gap + bar_width + numbers_room, top + map_size + labels_room,
-             xml_text(statistic_title(statistic)), plot_style, left) +
-         drawn + "</svg>\n";
+  return svg_sheet({.width = left + map_size + bar_gap + bar_width + numbers_room,
+                    .height = top + map_size + labels_room,
+                    .left = left,
+                    .title = statistic_title(statistic),
+                    .title_y = 24.0},
+                   drawn);
 }
 
 }  // namespace tautline::bench

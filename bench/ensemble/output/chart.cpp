@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
-#include "bench/solution/plot_style.hpp"
+#include "bench/plot/svg.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -25,19 +24,11 @@ constexpr double legend_line = 20.0;  // of the legend
 /// Points of a curve: closer ones are not seen.
 constexpr int curve_points = 200;
 
-/// Colours that are told apart by those who see fewer, too (Okabe and Ito 2008), on light and dark.
-constexpr std::array setup_colours = {"#8a8a8a", "#0072b2", "#d55e00", "#009e73",
-                                      "#cc79a7", "#e69f00", "#56b4e9", "#a6761d"};
-constexpr std::array setup_dashes = {"none", "8 3", "2 3", "10 3 2 3", "5 5"};
-
-/// How the line of a setup looks, as attributes.
-std::string look(std::size_t setup) {
-  // grey is the exact motion's alone
-  const std::size_t colour = setup == 0 ? 0 : 1 + (setup - 1) % (setup_colours.size() - 1);
-  return fmt::format(
-      "stroke=\"{}\" stroke-dasharray=\"{}\" stroke-width=\"1.8\" "
-      "style=\"fill:none\"",
-      setup_colours[colour], setup_dashes[setup % setup_dashes.size()]);
+/// How the line of a setup looks, as attributes; grey is the exact motion's alone.
+std::string look_of(std::size_t setup) {
+  const std::size_t other = (setup - 1) % (line_colours.size() - 1);
+  const std::size_t colour = setup == 0 ? grey_line : other < grey_line ? other : other + 1;
+  return line_look(colour, setup) + " stroke-width=\"1.8\"";
 }
 
 /// The numbers that a panel shows, and where they lie.
@@ -63,21 +54,15 @@ Axis axis_of(const std::vector<EnsembleSample>& samples) {
   return axis;
 }
 
-std::string muted(double x, double y, const char* anchor, const std::string& words) {
-  return fmt::format(
-      "<text class=\"muted\" text-anchor=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", anchor, x,
-      y, xml_text(words));
-}
-
 /// A frame with both ends of each axis.
 std::string frame_at(double x, const Axis& across, const Axis& up) {
   const double bottom = top_edge + panel;
   return fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
                      x, top_edge, panel, panel) +
-         muted(x, bottom + 16.0, "start", fmt::format("{:.4g}", across.low)) +
-         muted(x + panel, bottom + 16.0, "end", fmt::format("{:.4g}", across.high)) +
-         muted(x - 5.0, bottom, "end", fmt::format("{:.4g}", up.low)) +
-         muted(x - 5.0, top_edge + 12.0, "end", fmt::format("{:.4g}", up.high));
+         muted_text(x, bottom + 16.0, fmt::format("{:.4g}", across.low), "start") +
+         muted_text(x + panel, bottom + 16.0, fmt::format("{:.4g}", across.high), "end") +
+         muted_text(x - 5.0, bottom, fmt::format("{:.4g}", up.low), "end") +
+         muted_text(x - 5.0, top_edge + 12.0, fmt::format("{:.4g}", up.high), "end");
 }
 
 /// A point of a panel at `x`, inside its frame.
@@ -96,7 +81,7 @@ std::string distribution_curve(const EnsembleSample& sample, const Axis& axis, s
     path += (place == 0 ? "M" : "L") +
             point(left_edge, axis.part(nearest_value(sample.values, part)), part * with);
   }
-  return fmt::format("<path d=\"{}\" {}/>\n", path, look(setup));
+  return fmt::format("<path d=\"{}\" {}/>\n", path, look_of(setup));
 }
 
 std::string quantile_curve(const EnsembleSample& first, const EnsembleSample& sample,
@@ -108,16 +93,14 @@ std::string quantile_curve(const EnsembleSample& first, const EnsembleSample& sa
                                              axis.part(nearest_value(first.values, part)),
                                              axis.part(nearest_value(sample.values, part)));
   }
-  return fmt::format("<path d=\"{}\" {}/>\n", path, look(setup));
+  return fmt::format("<path d=\"{}\" {}/>\n", path, look_of(setup));
 }
 
 std::string legend_of(const std::vector<EnsembleSetup>& setups) {
   std::string out;
   double y = top_edge + panel + under + legend_line;
   for (std::size_t setup = 0; setup < setups.size(); ++setup) {
-    out += fmt::format("<path d=\"M{} {:.1f}h40\" {}/><text x=\"{}\" y=\"{:.1f}\">{}</text>\n",
-                       left_edge, y - 4.0, look(setup), left_edge + 48.0, y,
-                       xml_text(printable(setups[setup].name)));
+    out += legend_entry(left_edge, y - 4.0, look_of(setup), printable(setups[setup].name));
     y += legend_line;
   }
   return out;
@@ -139,7 +122,7 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
   std::string curves;
   if (has_others) {
     curves = frame_at(right, axis, axis) +
-             muted(right, top_edge - 10.0, "start", "quantiles over those of exact") +
+             muted_text(right, top_edge - 10.0, "quantiles over those of exact", "start") +
              fmt::format("<path class=\"frame\" d=\"M{}L{}\"/>\n", point(right, 0, 0),
                          point(right, 1, 1));
   }
@@ -154,15 +137,10 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
   const double width = (has_others ? right : left_edge) + panel + 24.0;
   const double height =
       top_edge + panel + under + legend_line * static_cast<double>(setups.size() + 1);
-  const std::string title = statistic_title(shown);
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-             "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n{3}<rect "
-             "class=\"paper\" width=\"100%\" height=\"100%\"/>\n<text class=\"title\" "
-             "x=\"{4}\" y=\"26\">{2}</text>\n",
-             width, height, xml_text(title), plot_style, left_edge) +
-         muted(left_edge, top_edge - 10.0, "start", "share of the draws below") +
-         frame_at(left_edge, axis, {0.0, 1.0}) + curves + legend_of(setups) + "</svg>\n";
+  return svg_sheet(
+      {.width = width, .height = height, .left = left_edge, .title = statistic_title(shown)},
+      muted_text(left_edge, top_edge - 10.0, "share of the draws below", "start") +
+          frame_at(left_edge, axis, {0.0, 1.0}) + curves + legend_of(setups));
 }
 
 }  // namespace tautline::bench

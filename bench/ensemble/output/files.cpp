@@ -4,7 +4,7 @@
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/ensemble/output/atlas.hpp"
-#include "bench/solution/plot_svg.hpp"
+#include "bench/plot/motion.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {

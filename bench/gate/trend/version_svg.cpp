@@ -11,8 +11,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/gate/trend/version_tables.hpp"
-#include "bench/solution/plot_panel.hpp"
-#include "bench/solution/plot_style.hpp"
+#include "bench/plot/svg.hpp"
 
 namespace tautline::bench {
 namespace {

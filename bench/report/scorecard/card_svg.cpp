@@ -4,6 +4,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
+#include "bench/plot/svg.hpp"
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecards_table.hpp"
 #include "bench/report/tables/columns.hpp"
@@ -66,10 +67,8 @@ std::string numbers(const Report& report, const MakerCard& card) {
 std::string card_svg(const Report& report, const std::string& engine) {
   const Scorecard card = scorecard(report, engine);
   const std::string verdict = tally_text(card.verdicts);
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" height=\"176\" viewBox=\"0 0 400 "
-      "176\" role=\"img\" aria-label=\"{}: {}\">\n",
-      name_of(engine), xml_text(verdict));
+  std::string out = svg_start(
+      400, 176, fmt::format(" aria-label=\"{}: {}\"", name_of(engine), xml_text(verdict)));
   out += card_style;
   out += "<rect class=\"b\" x=\"0.5\" y=\"0.5\" width=\"399\" height=\"175\" rx=\"4\"/>\n";
   out += line(34, 22, "i", name_of(engine));

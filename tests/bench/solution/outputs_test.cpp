@@ -7,8 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "bench/solution/plot/motion_svg.hpp"
-#include "bench/solution/plot_motion.hpp"
+#include "bench/plot/motion.hpp"
 #include "bench/solution/sample_times.hpp"
 #include "bench/solution/samples.hpp"
 #include "bench/solution/taut_phases.hpp"

@@ -1,4 +1,4 @@
-#include "bench/solution/plot/png.hpp"
+#include "bench/plot/svg.hpp"
 
 #include <stdexcept>
 

@@ -1,5 +1,3 @@
-#include "bench/solution/plot/motion_svg.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
-#include "bench/solution/plot_panel.hpp"
-#include "bench/solution/plot_style.hpp"
-#include "bench/solution/plot_view.hpp"
+#include "bench/plot/motion.hpp"
+#include "bench/plot/svg.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
@@ -121,22 +119,9 @@ class Gatherer {
 
 /// The instants of the fastest impacts.
 std::vector<double> impact_times(const Case& the_case, const Solution& solution) {
-  std::vector<std::pair<double, double>> impacts;  // speed [m/s], time [s]
-  for (const Event& event : solution.events()) {
-    if (event.kind == EventKind::impact) {
-      double speed = 0.0;
-      for (const std::size_t index : event.cables) {
-        speed = std::max(speed, -gap_rate(the_case.cables[index], event.before));
-      }
-      impacts.emplace_back(-speed, event.time);
-    }
-  }
-  std::stable_sort(impacts.begin(), impacts.end());
-  impacts.resize(std::min(impacts.size(), marked_impacts));
-  std::vector<double> result;
-  for (const auto& [speed, time] : impacts) {
-    result.push_back(time);
-  }
+  std::vector<Mark> marks = impact_marks(the_case, solution);
+  marks.resize(std::min(marks.size(), marked_impacts));
+  std::vector<double> result = listed(marks, &Mark::time);
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -192,36 +177,23 @@ class DrawnPanel {
   }
 
   [[nodiscard]] std::string axes(bool last) const {
+    const double below = top_ + panel_height;
     std::string out;
     for (const double time : ticks(0.0, end_ > 0.0 ? end_ : 1.0)) {
-      out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}v{:.1f}\"/>\n", px(time), top_,
-                         panel_height);
+      out += grid_down(px(time), top_, panel_height) + "\n";
       if (last) {
-        out += fmt::format(
-            "<text class=\"muted\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{:.6g}"
-            "</text>\n",
-            px(time), top_ + panel_height + 18.0, time);
+        out += muted_text(px(time), below + 18.0, fmt::format("{:.6g}", time), "middle");
       }
     }
     for (const double value : ticks(low_, high_ - low_)) {
-      const std::string number = fmt::format("{:.6g}", value);
-      constexpr double room = panel_left - 12.0;  // a longer number is set narrower
-      const std::string narrower =
-          room_for(number, letters) > room
-              ? fmt::format("textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\" ", room)
-              : "";
-      out += fmt::format(
-          "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}h{2:.1f}\"/><text class=\"muted\" "
-          "text-anchor=\"end\" {3}x=\"{4:.1f}\" y=\"{5:.1f}\">{6}</text>\n",
-          panel_left, py(value), panel_width, narrower, panel_left - 6.0, py(value) + 4.0, number);
+      out += grid_across(panel_left, py(value), panel_width, fmt::format("{:.6g}", value));
     }
-    out += fmt::format(
-        "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>"
-        "\n<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-        panel_left, top_, panel_width, panel_height, panel_left, top_ - 6.0, panel_.name);
+    out += rectangle(frame_look, panel_left, top_, panel_width, panel_height) +
+           fmt::format("\n<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", panel_left, top_ - 6.0,
+                       panel_.name);
     if (last) {
       out += fmt::format("<text text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">t [s]</text>\n",
-                         panel_left + 0.5 * panel_width, top_ + panel_height + 38.0);
+                         panel_left + 0.5 * panel_width, below + 38.0);
     }
     return out;
   }
@@ -229,11 +201,7 @@ class DrawnPanel {
   /// Of the points within one pixel the first, the least, the largest and the last.
   [[nodiscard]] std::string line(const Curve& curve) const {
     std::string out;
-    char move = 'M';
-    const auto point = [&](std::size_t k) {
-      out += fmt::format("{}{:.1f} {:.1f}", move, px(times_[k]), py(curve.values[k]));
-      move = 'L';
-    };
+    const auto point = [&](std::size_t k) { add_point(out, px(times_[k]), py(curve.values[k])); };
     for (std::size_t first = 0; first < times_.size();) {
       const double pixel = std::floor(px(times_[first]));
       std::size_t least = first;
@@ -286,25 +254,24 @@ std::string plot_motion_svg(const Case& the_case, const Solution& solution) {
   const std::vector<double> impacts = impact_times(the_case, solution);
   const auto panels = static_cast<double>(curves.panels.size());
   const double bottom = motion_top + panels * panel_height + (panels - 1.0) * between_panels;
-  const double height = bottom + 92.0;
-  const std::string name = xml_text(printable(the_case.name, longest_title));
-  const std::string words =
-      fmt::format("t = 0 to {:.6g} s; a thin line marks an impact", solution.end_time());
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n<desc>Exact "
-      "motion over time: position, angle, gaps and tensions, {3}.</desc>\n{4}<rect "
-      "class=\"paper\" width=\"100%\" height=\"100%\"/>\n<text class=\"title\" x=\"{5}\" "
-      "y=\"26\">{2}</text>\n<text class=\"muted\" x=\"{5}\" y=\"47\">{3}</text>\n",
-      motion_width, height, name, words, plot_style, panel_left);
+  std::string drawn;
   double from_top = motion_top;
   for (std::size_t index = 0; index < curves.panels.size(); ++index) {
     const bool last = index + 1 == curves.panels.size();
-    out += DrawnPanel(curves.panels.at(index), curves.times, solution.end_time(), from_top)
-               .text(impacts, last);
+    drawn += DrawnPanel(curves.panels.at(index), curves.times, solution.end_time(), from_top)
+                 .text(impacts, last);
     from_top += panel_height + between_panels;
   }
-  return out + legend(the_case, bottom + 66.0) + "</svg>\n";
+  const std::string words =
+      fmt::format("t = 0 to {:.6g} s; a thin line marks an impact", solution.end_time());
+  return svg_sheet(
+      {.width = motion_width,
+       .height = bottom + 92.0,
+       .left = panel_left,
+       .title = printable(the_case.name, longest_title),
+       .description = "Exact motion over time: position, angle, gaps and tensions, " + words + ".",
+       .line = words},
+      drawn + legend(the_case, bottom + 66.0));
 }
 
 }  // namespace tautline::bench

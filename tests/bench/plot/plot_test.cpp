@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "bench/solution/plot_svg.hpp"
-#include "bench/solution/plot_view.hpp"
+#include "bench/plot/motion.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 #include "tests/bench/program.hpp"

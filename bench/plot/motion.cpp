@@ -1,4 +1,6 @@
-#include "bench/solution/plot_motion.hpp"
+// What a picture of a motion shows, and its geometry.
+
+#include "bench/plot/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,25 +11,13 @@
 namespace tautline::bench {
 namespace {
 
-constexpr std::size_t path_points = 40'000;  // half a megabyte: more would be a smear
+/// Room around the points, as a share of the larger side [-].
+constexpr double margin = 0.06;
 
-/// Every impact, the fastest first.
-std::vector<Mark> marks_of(const Case& the_case, const Solution& solution) {
-  std::vector<Mark> marks;
-  for (const Event& event : solution.events()) {
-    if (event.kind != EventKind::impact) {
-      continue;
-    }
-    double speed = 0.0;
-    for (const std::size_t index : event.cables) {
-      speed = std::max(speed, -gap_rate(the_case.cables[index], event.before));
-    }
-    marks.push_back({speed, event.before});
-  }
-  std::stable_sort(marks.begin(), marks.end(),
-                   [](const Mark& a, const Mark& b) { return a.speed > b.speed; });
-  return marks;
-}
+/// Coordinates are cut here: differences and squares of them stay finite [m].
+constexpr double largest_coordinate = 1e150;
+
+constexpr std::size_t path_points = 40'000;  // half a megabyte: more would be a smear
 
 /// The path in rising time: a chord of it lies less than the width of its line from the motion,
 /// however long that is. It ends early where it has more points than a picture can show.
@@ -54,12 +44,13 @@ Path path_of(const Solution& solution) {
     const Arc& arc = arcs[index];
     const Vec2 first = position(arc, 0.0);
     const Vec2 last = position(arc, 1.0);
-    double sag = 0.0;  // [m], of the arc's chord: that of n parts is smaller by n^2
+    double deepest = 0.0;  // [m], of the arc's chord: that of n parts is smaller by n^2
     for (const double part : {0.25, 0.5, 0.75}) {
-      sag = std::max(sag, (position(arc, part) - (1.0 - part) * first - part * last).norm());
+      deepest =
+          std::max(deepest, (position(arc, part) - (1.0 - part) * first - part * last).norm());
     }
     constexpr double most_parts = 500.0;  // of one flight, or where its numbers are too large
-    const double wanted = std::ceil(std::sqrt(sag / chord));
+    const double wanted = std::ceil(std::sqrt(deepest / chord));
     const int parts =
         std::isfinite(wanted) ? static_cast<int>(std::clamp(wanted, 1.0, most_parts)) : 1;
     for (int k = 1; k <= parts; ++k) {
@@ -81,13 +72,86 @@ Vec2 down(const Case& the_case) {
 
 }  // namespace
 
+void Extent::add(const Vec2& point) {
+  if (!point.allFinite()) {
+    return;
+  }
+  const Vec2 inside = point.cwiseMax(-largest_coordinate).cwiseMin(largest_coordinate);
+  low_ = empty_ ? inside : Vec2(low_.cwiseMin(inside));
+  high_ = empty_ ? inside : Vec2(high_.cwiseMax(inside));
+  empty_ = false;
+}
+
+Extent Extent::with_margin() const {
+  constexpr double thinnest = 0.25;  // of the larger side: a motion on a line needs room too [-]
+  const double scale = std::max({low_.cwiseAbs().maxCoeff(), high_.cwiseAbs().maxCoeff(), 1e-150});
+  // a body that does not move has no extent; below this, coordinates are not told apart
+  const double larger = std::max(size().maxCoeff(), 1e-9 * scale);
+  Extent result = *this;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double missing = std::max(0.0, thinnest * larger - size()[axis]);
+    result.low_[axis] -= 0.5 * missing + margin * larger;
+    result.high_[axis] += 0.5 * missing + margin * larger;
+  }
+  return result;
+}
+
+double sag(double length, double chord) {
+  return chord < length ? std::sqrt(3.0 / 16.0) * std::sqrt((length - chord) * (length + chord))
+                        : 0.0;
+}
+
+std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
+  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  std::vector<Vec2> hull;
+  // points of one line, which rounding has moved off it, stay on it [m^2]
+  const double in_line =
+      points.empty() ? 0.0 : 1e-9 * (points.back() - points.front()).squaredNorm();
+  const auto go_round = [&](auto first, auto last) {  // Andrew's monotone chain, one half
+    const std::size_t start = hull.size();
+    for (; first != last; ++first) {
+      while (hull.size() >= start + 2 &&
+             cross<double>(hull.back() - hull[hull.size() - 2], *first - hull.back()) <= in_line) {
+        hull.pop_back();
+      }
+      hull.push_back(*first);
+    }
+    hull.pop_back();  // begins the other half
+  };
+  if (points.size() < 3) {
+    return points;
+  }
+  go_round(points.begin(), points.end());
+  go_round(points.rbegin(), points.rend());
+  return hull;
+}
+
+std::vector<Mark> impact_marks(const Case& the_case, const Solution& solution) {
+  std::vector<Mark> marks;
+  for (const Event& event : solution.events()) {
+    if (event.kind != EventKind::impact) {
+      continue;
+    }
+    double speed = 0.0;
+    for (const std::size_t index : event.cables) {
+      speed = std::max(speed, -gap_rate(the_case.cables[index], event.before));
+    }
+    marks.push_back({speed, event.time, event.before});
+  }
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const Mark& a, const Mark& b) { return a.speed > b.speed; });
+  return marks;
+}
+
 PlotMotion plot_motion(const Case& the_case, const Solution& solution) {
   Path path = path_of(solution);
   return {the_case,
           solution,
           std::move(path.points),
           path.end,
-          marks_of(the_case, solution),
+          impact_marks(the_case, solution),
           solution.at(solution.end_time())};
 }
 

@@ -1,0 +1,119 @@
+#include "bench/plot/svg.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bench/base/table.hpp"
+#include "bench/base/text.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::string anchor_attribute(const std::string& anchor) {
+  return anchor.empty() ? "" : "text-anchor=\"" + anchor + "\" ";
+}
+
+}  // namespace
+
+std::string line_look(std::size_t colour, std::size_t dashes) {
+  constexpr std::array kinds = {"none", "8 3", "2 3", "10 3 2 3", "5 5"};
+  return fmt::format("stroke=\"{}\" stroke-dasharray=\"{}\" style=\"fill:none\"",
+                     line_colours[colour % line_colours.size()], kinds[dashes % kinds.size()]);
+}
+
+std::string svg_start(double width, double height, const std::string& more) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+      "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\"{2}>\n",
+      width, height, more);
+}
+
+std::string svg_sheet(const SvgSheet& sheet, const std::string& drawn) {
+  const std::string title = xml_text(sheet.title);
+  std::string out = svg_start(sheet.width, sheet.height) + "<title>" + title + "</title>\n";
+  if (!sheet.description.empty()) {
+    out += "<desc>" + xml_text(sheet.description) + "</desc>\n";
+  }
+  out += plot_style;
+  out += fmt::format(
+      "<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n"
+      "<text class=\"title\" x=\"{}\" y=\"{}\">{}</text>\n",
+      sheet.left, sheet.title_y, title);
+  if (!sheet.line.empty()) {
+    out += fmt::format("<text class=\"muted\" x=\"{}\" y=\"47\">{}</text>\n", sheet.left,
+                       xml_text(sheet.line));
+  }
+  return out + drawn + "</svg>\n";
+}
+
+std::string muted_text(double x, double y, const std::string& words, const char* anchor) {
+  return fmt::format("<text class=\"muted\" {}x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+                     anchor_attribute(anchor), x, y, xml_text(words));
+}
+
+std::string turned_text(double x, double y, int degrees, const std::string& words,
+                        const char* anchor) {
+  return fmt::format(
+      "<text class=\"muted\" {}transform=\"translate({:.1f} {:.1f}) rotate({})\">{}</text>\n",
+      anchor_attribute(anchor), x, y, degrees, xml_text(words));
+}
+
+std::string rectangle(const std::string& look, double x, double y, double width, double height) {
+  return fmt::format("<rect {}x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>", look,
+                     x, y, width, height);
+}
+
+std::string grid_down(double x, double top, double height) {
+  return fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}v{:.1f}\"/>", x, top, height);
+}
+
+std::string grid_across(double left, double y, double width, const std::string& number) {
+  constexpr double room = panel_left - 12.0;
+  const std::string narrower =
+      room_for(number, letters) > room
+          ? fmt::format("textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\" ", room)
+          : "";
+  return fmt::format(
+      "<path class=\"grid\" d=\"M{:.1f} {:.1f}h{:.1f}\"/><text class=\"muted\" "
+      "text-anchor=\"end\" {}x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+      left, y, width, narrower, left - 6.0, y + 4.0, number);
+}
+
+std::string legend_entry(double x, double y, const std::string& look, const std::string& name) {
+  return fmt::format("<path d=\"M{} {:.1f}h40\" {}/><text x=\"{}\" y=\"{:.1f}\">{}</text>\n", x, y,
+                     look, x + 48.0, y + 4.0, xml_text(name));
+}
+
+void add_point(std::string& path, double x, double y) {
+  path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x, y);
+}
+
+double room_for(const std::string& text, double size) {
+  constexpr double width_of_a_letter = 0.66;  // [-] of its size: bold letters and digits
+  return width_of_a_letter * size * static_cast<double>(terminal_width(text));
+}
+
+double round_below(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  for (const double digit : {5.0, 2.0}) {
+    if (digit * power <= length) {
+      return digit * power;
+    }
+  }
+  return power;
+}
+
+std::vector<double> ticks(double low, double size) {
+  constexpr double fewest = 3.5;  // intervals
+  const double step = round_below(size / fewest);
+  std::vector<double> result;
+  const double first = std::ceil(low / step);
+  constexpr int most = 20;  // where the steps are lost in the size of the numbers
+  for (int index = 0; index < most && (first + index) * step <= low + size; ++index) {
+    result.push_back((first + index) * step);
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

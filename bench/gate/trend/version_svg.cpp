@@ -24,16 +24,8 @@ constexpr double top = 84.0;
 constexpr double across = 56.0;  // from a panel to the next
 constexpr double down = 34.0;
 constexpr double legend_line = 20.0;
-constexpr double title_size = 16.0;
 constexpr double versions_room = 46.0;  // of a name under a panel
 constexpr double apart = 16.0;          // at least, from a version's name to the next
-
-/// Colours that are told apart by those who see fewer, too (Okabe and Ito 2008), on light and dark.
-constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                "#e69f00", "#56b4e9", "#8a8a8a", "#a6761d"};
-
-/// Dashes tell models apart without colour, and let a line be seen below another.
-constexpr std::array dashes = {"none", "8 3", "2 3", "10 3 2 3", "5 5"};
 
 using Points = std::vector<std::optional<double>>;
 
@@ -126,8 +118,7 @@ struct Sheet {
   [[nodiscard]] std::string look(const std::string& model) const {
     const auto place =
         static_cast<std::size_t>(std::find(models.begin(), models.end(), model) - models.begin());
-    return fmt::format("stroke=\"{}\" stroke-dasharray=\"{}\" style=\"fill:none\"",
-                       colours[place % colours.size()], dashes[place % dashes.size()]);
+    return line_look(place, place);
   }
   /// Of each version its name, or of so many that they would run into each other of every nth, back
   /// from the newest.
@@ -147,26 +138,17 @@ std::string frame(const Sheet& sheet, std::size_t column, double y, const Decade
   std::string out;
   const int every = std::max(1, (decades.high - decades.low) / 5);
   for (int power = decades.low; power <= decades.high; power += every) {
-    const double at = y + decades.height_of(std::pow(10.0, power));
-    out += fmt::format(
-        "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}h{2:.1f}\"/><text class=\"muted\" "
-        "text-anchor=\"end\" x=\"{3:.1f}\" y=\"{4:.1f}\">1e{5}</text>\n",
-        start, at, panel_width, start - 6.0, at + 4.0, power);
+    out += grid_across(start, y + decades.height_of(std::pow(10.0, power)), panel_width,
+                       fmt::format("1e{}", power));
   }
   for (std::size_t index = 0; index < sheet.versions.size(); ++index) {
     const double at = sheet.x(column, index);
-    out += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}v{:.1f}\"/>\n", at, y, panel_height);
+    out += grid_down(at, y, panel_height) + "\n";
     if (sheet.is_named(index)) {
-      out += fmt::format(
-          "<text class=\"muted\" text-anchor=\"end\" transform=\"translate({:.1f} {:.1f}) "
-          "rotate(-40)\">{}</text>\n",
-          at, y + panel_height + 14.0, xml_text(sheet.versions[index]));
+      out += turned_text(at, y + panel_height + 14.0, -40, sheet.versions[index], "end");
     }
   }
-  return out + fmt::format(
-                   "<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
-                   "height=\"{:.1f}\"/>\n",
-                   start, y, panel_width, panel_height);
+  return out + rectangle(frame_look, start, y, panel_width, panel_height) + "\n";
 }
 
 /// A line for each model, interrupted where a version has no such run.
@@ -202,10 +184,7 @@ std::string curves(const Sheet& sheet, std::size_t column, double y, const Quant
 std::string legend(const Sheet& sheet, double y) {
   std::string out;
   for (const std::string& model : sheet.models) {
-    out += fmt::format(
-        "<path d=\"M{0} {1:.1f}h40\" {2} stroke-width=\"2.4\"/><text x=\"{3}\" "
-        "y=\"{4:.1f}\">{5}</text>\n",
-        left, y, sheet.look(model), left + 48.0, y + 4.0, xml_text(printable(model)));
+    out += legend_entry(left, y, sheet.look(model) + " stroke-width=\"2.4\"", printable(model));
     y += legend_line;
   }
   return out;
@@ -228,26 +207,22 @@ std::string version_svg(const VersionTrend& versions) {
     y += panel_height + versions_room + down;
   }
   for (std::size_t column = 0; column < sheet.steps.size(); ++column) {
-    panels += fmt::format(
-        "<text class=\"muted\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">step {:g} s</text>\n",
-        left + static_cast<double>(column) * (panel_width + across) + panel_width, top - 8.0,
-        sheet.steps[column]);
+    panels += muted_text(left + static_cast<double>(column) * (panel_width + across) + panel_width,
+                         top - 8.0, fmt::format("step {:g} s", sheet.steps[column]), "end");
   }
   const double columns = static_cast<double>(std::max<std::size_t>(1, sheet.steps.size()));
-  const double width = std::max(left + columns * (panel_width + across),
-                                left + room_for(version_title(versions), title_size));
-  const double height = y + legend_line * static_cast<double>(sheet.models.size());
   const std::string reading = fmt::format(
       "Medians over the cases; 0 lies on the lowest line{}.",
       sheet.with_report.size() < sheet.versions.size() ? "; (a version) has no report" : "");
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-             "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n<desc>Error "
-             "and cost over versions. {5}</desc>\n{3}<rect class=\"paper\" width=\"100%\" "
-             "height=\"100%\"/>\n<text class=\"title\" x=\"{4}\" y=\"26\">{2}</text>\n<text "
-             "class=\"muted\" x=\"{4}\" y=\"47\">{5}</text>\n",
-             width, height, xml_text(version_title(versions)), plot_style, left, reading) +
-         panels + legend(sheet, y - 20.0) + "</svg>\n";
+  const std::string title = version_title(versions);
+  return svg_sheet({.width = std::max(left + columns * (panel_width + across),
+                                      left + room_for(title, title_letters)),
+                    .height = y + legend_line * static_cast<double>(sheet.models.size()),
+                    .left = left,
+                    .title = title,
+                    .description = "Error and cost over versions. " + reading,
+                    .line = reading},
+                   panels + legend(sheet, y - 20.0));
 }
 
 }  // namespace tautline::bench

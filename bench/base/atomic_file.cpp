@@ -72,18 +72,6 @@ class TemporaryFile {
   bool created_ = false;
 };
 
-/// 0, or the reason why not all of `content` was taken.
-int write_all(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(descriptor, content.data(), content.size());
-    if (written < 0 && errno != EINTR) {
-      return errno;
-    }
-    content.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
-  }
-  return 0;
-}
-
 /// True for names of what this process has open already: the file behind must stay the one it is.
 bool is_open_already(const fs::path& path) {
   const std::string& name = path.native();

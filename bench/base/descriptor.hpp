@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string_view>
 #include <utility>
 
 namespace tautline::bench {
@@ -31,5 +32,17 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// 0, or the reason (an errno) why not all of `content` was taken.
+inline int write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno != EINTR) {
+      return errno;
+    }
+    content.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+  }
+  return 0;
+}
 
 }  // namespace tautline::bench

@@ -1,19 +1,24 @@
 #include "bench/base/process.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -65,15 +70,10 @@ class SpawnSetup {
   SpawnSetup& operator=(const SpawnSetup&) = delete;
 
   [[nodiscard]] pid_t spawn(const std::vector<std::string>& arguments) {
-    std::vector<char*> raw;
-    raw.reserve(arguments.size() + 1);
-    for (const std::string& argument : arguments) {
-      raw.push_back(const_cast<char*>(argument.c_str()));  // POSIX takes char* but does not write
-    }
-    raw.push_back(nullptr);
+    const std::vector<char*> words = exec_words(arguments);
     pid_t child = -1;
     const int error =
-        posix_spawn(&child, raw.front(), &actions_, &attributes_, raw.data(), environ);
+        posix_spawn(&child, words.front(), &actions_, &attributes_, words.data(), environ);
     if (error != 0) {
       fail_with("cannot start " + arguments.front(), error);
     }
@@ -94,7 +94,58 @@ void append_tail(ProcessEnd& end, const char* data, std::size_t size) {
   }
 }
 
+/// The beginning of /proc/`process`/`name`; empty if it is gone.
+std::string proc_file(pid_t process, const char* name) {
+  std::array<char, 4096> text{};  // a stat and a statm are far shorter, a status is not longer
+  (void)std::snprintf(text.data(), text.size(), "/proc/%d/%s", static_cast<int>(process), name);
+  const Descriptor file(::open(text.data(), O_RDONLY | O_CLOEXEC));
+  const ssize_t size = file.get() < 0 ? 0 : ::read(file.get(), text.data(), text.size());
+  return {text.data(), static_cast<std::size_t>(size > 0 ? size : 0)};
+}
+
+/// The parent of a process; 0 if it is gone.
+pid_t parent_of(pid_t process) {
+  const std::string stat = proc_file(process, "stat");  // 42 (any name) S 1 ...
+  const std::size_t name_end = stat.rfind(") ");
+  return name_end == stat.npos || name_end + 4 >= stat.size()
+             ? 0
+             : static_cast<pid_t>(std::strtol(stat.c_str() + name_end + 4, nullptr, 10));
+}
+
+/// Every process with its parent.
+std::vector<std::pair<pid_t, pid_t>> all_processes() {
+  std::vector<std::pair<pid_t, pid_t>> result;
+  DIR* const folder = ::opendir("/proc");
+  if (folder == nullptr) {
+    return result;
+  }
+  while (const dirent* const entry = ::readdir(folder)) {
+    if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])) != 0) {
+      const auto process = static_cast<pid_t>(std::strtol(entry->d_name, nullptr, 10));
+      result.emplace_back(process, parent_of(process));
+    }
+  }
+  ::closedir(folder);
+  return result;
+}
+
 }  // namespace
+
+std::pair<Descriptor, Descriptor> make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    fail_with("cannot make a pipe", errno);
+  }
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+std::pair<Descriptor, Descriptor> make_socket(int type) {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, type | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    fail_with("cannot make a socket", errno);
+  }
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
 
 Descriptor memory_file() {
   Descriptor file(::memfd_create("tautline", MFD_CLOEXEC));
@@ -163,12 +214,8 @@ void catch_interruption() {
 
 Process::Process(const std::vector<std::string>& arguments, const Descriptor& input,
                  const Descriptor& result, const Descriptor& turn) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    fail_with("cannot make a pipe", errno);
-  }
-  output_ = Descriptor(ends[0]);
-  const Descriptor writing(ends[1]);
+  auto [reading, writing] = make_pipe();
+  output_ = std::move(reading);
   ::fcntl(output_.get(), F_SETFL, O_NONBLOCK);
   process_ = SpawnSetup(input.get(), writing.get(), result.get(), turn.get()).spawn(arguments);
 }
@@ -243,14 +290,92 @@ ProcessEnd Process::wait(const Descriptor& turn, double time_limit) {
   return end;
 }
 
-double peak_memory() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmHWM:")) {
-      return 1024.0 * std::strtod(line.c_str() + std::strlen("VmHWM:"), nullptr);  // in kB
+std::vector<char*> exec_words(const std::vector<std::string>& words) {
+  std::vector<char*> raw;
+  raw.reserve(words.size() + 1);
+  for (const std::string& word : words) {
+    raw.push_back(const_cast<char*>(word.c_str()));  // POSIX takes char* but does not write
+  }
+  raw.push_back(nullptr);
+  return raw;
+}
+
+void limit_address_space(std::size_t memory) {
+  rlimit space{};
+  ::getrlimit(RLIMIT_AS, &space);
+  space.rlim_cur = std::min<rlim_t>(memory, space.rlim_max);
+  ::setrlimit(RLIMIT_AS, &space);
+}
+
+std::vector<pid_t> descendants_of(pid_t root) {
+  const auto all = all_processes();
+  std::vector<pid_t> found = {root};
+  for (std::size_t next = 0; next < found.size(); ++next) {
+    for (const auto& [process, parent] : all) {
+      if (parent == found[next]) {
+        found.push_back(process);
+      }
     }
   }
-  return 0.0;
+  found.erase(found.begin());
+  return found;
+}
+
+double resident_memory(const std::vector<pid_t>& processes) {
+  double pages = 0.0;
+  for (const pid_t process : processes) {
+    const std::string statm = proc_file(process, "statm");  // pages: in all, resident, ...
+    const std::size_t space = statm.find(' ');
+    pages += space == statm.npos ? 0.0 : std::strtod(statm.c_str() + space, nullptr);
+  }
+  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+double peak_memory_of(pid_t process) {
+  constexpr const char* label = "VmHWM:";
+  const std::string status = proc_file(process, "status");
+  const std::size_t place = status.find(label);
+  return place == status.npos
+             ? 0.0
+             : 1024.0 * std::strtod(status.c_str() + place + std::strlen(label), nullptr);  // kB
+}
+
+double peak_memory() { return peak_memory_of(::getpid()); }
+
+void forget_peak_memory_of(pid_t process) {
+  std::ofstream("/proc/" + std::to_string(process) + "/clear_refs") << "5";  // see man 5 proc
+}
+
+double clock_time(clockid_t clock) {
+  timespec now{};
+  return ::clock_gettime(clock, &now) == 0
+             ? static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec)
+             : 0.0;
+}
+
+double processor_time_of(pid_t process) {
+  clockid_t clock{};
+  return ::clock_getcpuclockid(process, &clock) == 0 ? clock_time(clock) : 0.0;
+}
+
+void end_descendants() {
+  constexpr int most_passes = 2000;        // of a millisecond
+  constexpr timespec pause{0, 1'000'000};  // [ns]
+  for (int pass = 0; pass < most_passes; ++pass) {
+    // a process that is about to start another is stopped before one is missed
+    const std::vector<pid_t> found = descendants_of(::getpid());
+    for (const int signal : {SIGSTOP, SIGKILL}) {
+      for (const pid_t process : found) {
+        ::kill(process, signal);
+      }
+    }
+    while (::waitpid(-1, nullptr, WNOHANG) > 0) {
+    }
+    if (::waitpid(-1, nullptr, WNOHANG) < 0 && errno == ECHILD) {
+      return;
+    }
+    ::nanosleep(&pause, nullptr);
+  }
 }
 
 std::string signal_name(int signal) {

@@ -4,13 +4,22 @@
 
 #include <atomic>
 #include <cstddef>
+#include <ctime>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bench/base/descriptor.hpp"
 
 namespace tautline::bench {
+
+/// Two ends: to read, and to write. Throws std::system_error.
+[[nodiscard]] std::pair<Descriptor, Descriptor> make_pipe();
+
+/// Two ends of a socket, of such a `type` as SOCK_STREAM: what is said at one is heard at the
+/// other. Throws std::system_error.
+[[nodiscard]] std::pair<Descriptor, Descriptor> make_socket(int type);
 
 /// A nameless and empty file in memory, so that a full disk cannot stop a run. Throws
 /// std::system_error.
@@ -68,9 +77,37 @@ class Process {
   pid_t process_ = -1;  // -1 once it is reaped
 };
 
-/// The most memory this process has held at once [bytes]; what it was before an exec does not
-/// count.
-[[nodiscard]] double peak_memory();
+/// The words of a command as exec takes them; good as long as `words`.
+[[nodiscard]] std::vector<char*> exec_words(const std::vector<std::string>& words);
+
+/// From here on this process may take so much address space [bytes], or the most that it may ask
+/// for if that is less. That most stays.
+void limit_address_space(std::size_t memory);
+
+/// The processes that `root` started, and those that they started, living or not yet reaped. One
+/// whose parent died belongs to who took it in: `root`, where that is a subreaper.
+[[nodiscard]] std::vector<pid_t> descendants_of(pid_t root);
+
+/// What these processes hold in memory [bytes]; pages that several share count for each.
+[[nodiscard]] double resident_memory(const std::vector<pid_t>& processes);
+
+/// The most memory that a process has held at once [bytes], what it was before an exec apart; 0 if
+/// it is gone.
+[[nodiscard]] double peak_memory_of(pid_t process);
+[[nodiscard]] double peak_memory();  // of this one
+
+/// From here on `peak_memory_of` is the most that it holds from here on.
+void forget_peak_memory_of(pid_t process);
+
+/// What a clock shows [s]; 0 if it is gone.
+[[nodiscard]] double clock_time(clockid_t clock);
+
+/// Processor time that a process has used [s]; 0 if it is gone.
+[[nodiscard]] double processor_time_of(pid_t process);
+
+/// Ends every descendant of this process, which is a subreaper, and reaps those that are its
+/// children. What cannot be ended within some seconds is given up.
+void end_descendants();
 
 /// "SIGSEGV" and its like; "signal 42" for one without a name.
 [[nodiscard]] std::string signal_name(int signal);

@@ -19,11 +19,7 @@ constexpr std::size_t most_repetitions = 9;
 constexpr std::size_t timed_steps = 20'000;
 
 /// Processor time of this thread [s].
-double thread_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+double thread_time() { return clock_time(CLOCK_THREAD_CPUTIME_ID); }
 
 /// Steps `simulation` so often, unless it stops; how often that was.
 std::size_t take_steps(Simulation& simulation, std::size_t most, double dt) {

@@ -32,15 +32,7 @@ namespace {
 /// Writes an answer in place of the one before, which was never longer. False where it cannot.
 bool write_answer(const WorkerAnswer& answer) {
   ::lseek(answer_descriptor, 0, SEEK_SET);
-  const std::string text = to_bytes(answer);
-  for (std::string_view bytes = text; !bytes.empty();) {
-    const ssize_t size = ::write(answer_descriptor, bytes.data(), bytes.size());
-    if (size <= 0) {
-      return false;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(size));
-  }
-  return true;
+  return write_all(answer_descriptor, to_bytes(answer)) == 0;
 }
 
 RunAnswer do_run(const WorkerRequest& request, const Plugin& plugin) {
@@ -100,11 +92,8 @@ void limit_this_process(std::size_t memory) {
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
 #ifndef TAUTLINE_SANITIZED  // whose shadow memory is terabytes of address space
-  rlimit space{};
-  ::getrlimit(RLIMIT_AS, &space);
   // the most that may be asked for stays: an engine's own process is limited in what it holds
-  space.rlim_cur = std::min<rlim_t>(memory, space.rlim_max);
-  ::setrlimit(RLIMIT_AS, &space);
+  limit_address_space(memory);
 #else
   (void)memory;
 #endif

@@ -5,12 +5,9 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cerrno>
 #include <sstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -120,15 +117,10 @@ class Workplace::Worker {
   }
 
  private:
-  /// Two ends of a socket; what is said at one is heard at the other.
   struct Turns {
     Turns() {
-      std::array<int, 2> ends{};
-      if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-        throw std::system_error(errno, std::generic_category(), "cannot make a socket");
-      }
-      ours = Descriptor(ends[0]);
-      const Descriptor other(ends[1]);
+      auto [one, other] = make_socket(SOCK_STREAM);
+      ours = std::move(one);
       // above all that a worker has, so that nothing takes its place while it is moved there
       of_the_worker = Descriptor(::fcntl(other.get(), F_DUPFD_CLOEXEC, turn_descriptor + 1));
     }

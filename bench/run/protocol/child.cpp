@@ -1,6 +1,5 @@
 #include "bench/run/protocol/child.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -34,27 +33,6 @@ constexpr int forever = -1;  // until the keeper says something, or is gone
 
 constexpr std::size_t written_excerpt = 40;  // [bytes] of what a child wrote, in a sentence
 
-[[noreturn]] void fail_to_start(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
-/// Two ends: to read, and to write.
-std::pair<Descriptor, Descriptor> make_pipe() {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    fail_to_start("cannot make a pipe");
-  }
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
-
-std::pair<Descriptor, Descriptor> make_life() {
-  std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    fail_to_start("cannot make a socket");
-  }
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
-
 }  // namespace
 
 Child::Child(const KeptCommand& command)
@@ -62,13 +40,13 @@ Child::Child(const KeptCommand& command)
   std::signal(SIGPIPE, SIG_IGN);  // a child that has ended is a failed write, not the end
   auto [its_input, our_output] = make_pipe();
   auto [our_input, its_output] = make_pipe();
-  auto [our_life, its_life] = make_life();
+  auto [our_life, its_life] = make_socket(SOCK_SEQPACKET);
   keeper_ = ::fork();
   if (keeper_ == 0) {
     keep(command, its_input.get(), its_output.get(), its_life.get());
   }
   if (keeper_ < 0) {
-    fail_to_start("cannot start a process");
+    throw std::system_error(errno, std::generic_category(), "cannot start a process");
   }
   input_ = std::move(our_output);
   output_ = std::move(our_input);
@@ -88,15 +66,8 @@ Child::~Child() {
 void Child::send(std::string_view line, std::string_view method) {
   std::string bytes(line);
   bytes += '\n';
-  for (std::string_view rest = bytes; !rest.empty();) {
-    const ssize_t size = ::write(input_.get(), rest.data(), rest.size());
-    if (size < 0 && errno == EINTR) {
-      continue;
-    }
-    if (size < 0) {
-      fail(method);
-    }
-    rest.remove_prefix(static_cast<std::size_t>(size));
+  if (write_all(input_.get(), bytes) != 0) {
+    fail(method);
   }
 }
 

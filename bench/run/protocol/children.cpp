@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bench/run/protocol/process_tree.hpp"
+#include "bench/base/process.hpp"
 
 namespace tautline::bench {
 

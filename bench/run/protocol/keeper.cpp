@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,8 +11,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <limits>
 
-#include "bench/run/protocol/process_tree.hpp"
+#include "bench/base/process.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -42,11 +42,7 @@ int become(const KeptCommand& command, int input, int output, pid_t keeper) {
   if (::chdir(command.folder.c_str()) != 0) {
     return errno;
   }
-  std::vector<char*> arguments;
-  for (const std::string& word : command.command) {
-    arguments.push_back(const_cast<char*>(word.c_str()));  // POSIX takes char*, does not write
-  }
-  arguments.push_back(nullptr);
+  const std::vector<char*> arguments = exec_words(command.command);
   ::execvp(arguments.front(), arguments.data());
   return errno;
 }
@@ -98,14 +94,6 @@ void watch(pid_t child, std::size_t memory, int life) {
   }
 }
 
-/// Lets the command have the address space that the worker may not have.
-void lift_address_space() {
-  rlimit space{};
-  ::getrlimit(RLIMIT_AS, &space);
-  space.rlim_cur = space.rlim_max;
-  ::setrlimit(RLIMIT_AS, &space);
-}
-
 /// Closes all descriptors but these: what the worker holds of another command must not be held
 /// here.
 void keep_open(std::array<int, 4> descriptors) {
@@ -127,7 +115,7 @@ void keep(const KeptCommand& command, int input, int output, int life) {
   keep_open({STDERR_FILENO, input, output, life});
   ::setpgid(0, 0);  // a kill of the worker's group must leave it
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-  lift_address_space();
+  limit_address_space(std::numeric_limits<std::size_t>::max());  // which the worker may not have
   const pid_t child = start(command, input, output, life);
   if (child > 0) {
     report(life, {KeeperReport::Kind::started, static_cast<int>(child)});

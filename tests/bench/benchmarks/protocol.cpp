@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "bench/base/process.hpp"
 #include "bench/run/protocol/children.hpp"
-#include "bench/run/protocol/process_tree.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {

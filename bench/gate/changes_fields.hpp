@@ -1,12 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "bench/gate/changes.hpp"
-#include "bench/gate/trend/trend.hpp"
-#include "bench/gate/trend/version_trend.hpp"
+#include "bench/gate/trend.hpp"
 #include "bench/report/json/fields.hpp"
 
 // The members of what changed between reports by their names in JSON, as fields.hpp has those of a
@@ -131,39 +128,6 @@ void fields(Visitor& visit, Trend& trend) {
   visit("reports", trend.reports, Says("in the order of the command line").not_empty());
   visit("rows", trend.rows);
   visit("costs", trend.costs, "what a simulated second costs: noisy, and judges nothing");
-}
-
-template <class Visitor>
-void fields(Visitor& visit, TrendVersion& version) {
-  const bool has_report = version.problem.empty();
-  using Text = std::optional<std::string>;
-  visit("version", version.version);
-  visit("untried", version.untried,
-        "the engine.toml names versions that it is made for, and not this one");
-  visit("report", has_report ? Text(version.file) : std::nullopt,
-        "the file of its report; null: it has none");
-  visit("problem", has_report ? std::nullopt : Text(version.problem), "why it has none");
-}
-
-template <class Visitor>
-void fields(Visitor& visit, VersionTrend& trend) {
-  visit("engine", trend.engine);
-  visit("package", trend.package, "of npm");
-  visit("range", trend.range, "as npm reads it");
-  visit("versions", trend.versions, "from the oldest to the newest");
-  visit("trend", trend.trend,
-        "over the versions that have a report, which it names; null: no version has one");
-}
-
-/// Of several engines.
-struct VersionTrends {
-  std::vector<VersionTrend> engines;
-};
-
-template <class Visitor>
-void fields(Visitor& visit, VersionTrends& trends) {
-  schema_field(visit, 1);
-  visit("engines", trends.engines, Says().not_empty());
 }
 
 }  // namespace tautline::bench

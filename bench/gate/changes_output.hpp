@@ -1,12 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "bench/base/terminal.hpp"
 #include "bench/gate/changes.hpp"
-#include "bench/gate/trend/trend.hpp"
-#include "bench/gate/trend/version_trend.hpp"
+#include "bench/gate/trend.hpp"
 
 namespace tautline::bench {
 
@@ -27,13 +26,17 @@ namespace tautline::bench {
 /// model and step.
 [[nodiscard]] std::string trend_text(const Trend& trend, bool all, const TerminalStyle& style);
 
-/// These three write JSON, indented, with a line break at the end.
+/// A metric at the head of a column or a row: "early [m]".
+[[nodiscard]] std::string metric_heading(const Metric& metric);
+
+/// A dash for 0.
+[[nodiscard]] std::string count_or_dash(std::size_t count);
+
+/// These two write JSON, indented, with a line break at the end.
 [[nodiscard]] std::string changes_json(const Changes& changes);
 [[nodiscard]] std::string trend_json(const Trend& trend);
-[[nodiscard]] std::string version_trends_json(const std::vector<VersionTrend>& trends);
 
-/// The JSON schema of `changes_json` and `trend_json`, and that of `version_trends_json`.
+/// The JSON schema of `changes_json` and `trend_json`.
 [[nodiscard]] std::string compare_schema_json();
-[[nodiscard]] std::string version_trends_schema_json();
 
 }  // namespace tautline::bench

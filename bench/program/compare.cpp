@@ -10,7 +10,7 @@
 #include "bench/gate/changes.hpp"
 #include "bench/gate/changes_output.hpp"
 #include "bench/gate/noise.hpp"
-#include "bench/gate/trend/trend.hpp"
+#include "bench/gate/trend.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/report/json/json.hpp"

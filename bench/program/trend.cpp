@@ -12,7 +12,6 @@
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/gate/changes_output.hpp"
-#include "bench/gate/trend/version_output.hpp"
 #include "bench/gate/trend/version_trend.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"

@@ -5,7 +5,7 @@
 #include "bench/gate/changes.hpp"
 #include "bench/gate/changes_output.hpp"
 #include "bench/gate/limits.hpp"
-#include "bench/gate/trend/trend.hpp"
+#include "bench/gate/trend.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/report/manifest.hpp"

@@ -1,4 +1,4 @@
-#include "bench/gate/trend/version_output.hpp"
+#include "bench/gate/trend/version_trend.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include <set>
 
 #include "bench/base/text.hpp"
-#include "bench/gate/trend/version_tables.hpp"
 #include "bench/plot/svg.hpp"
 
 namespace tautline::bench {

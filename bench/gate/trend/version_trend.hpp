@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/gate/trend/trend.hpp"
+#include "bench/base/table.hpp"
+#include "bench/gate/trend.hpp"
+#include "bench/page/page_assets.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
@@ -19,7 +21,7 @@ struct TrendVersion {
   std::optional<Report> report;  // one engine's
 };
 
-/// An engine over the versions of its package.
+/// A trend of one engine over the versions of its package, with what is to be said of each version.
 struct VersionTrend {
   std::string engine;
   std::string package;
@@ -38,18 +40,52 @@ struct VersionMove {
   std::size_t runs = 0;  // that changed so
 };
 
-/// What got worse: the newest version comes first, and of each what changed most.
-[[nodiscard]] std::vector<VersionMove> worse_moves(const Trend& trend);
-
-/// The same of what got better.
-[[nodiscard]] std::vector<VersionMove> better_moves(const Trend& trend);
-
-/// By how much a metric changed [-]: 1 not at all, otherwise more, whichever way; infinity where a
-/// factor says nothing.
-[[nodiscard]] double size_of_change(const MetricChange& change);
+/// Those that are listed in `kind`, which is what got worse or what got better: the newest version
+/// comes first, and of each what changed most.
+[[nodiscard]] std::vector<VersionMove> version_moves(const Trend& trend,
+                                                     std::vector<MetricChange> Changes::*kind);
 
 /// True where a maintainer should look before a release: the newest version has no report, or is
 /// worse than the one before it that has one.
 [[nodiscard]] bool newest_is_worse(const VersionTrend& versions);
+
+/// "planck: planck >=1.0 <=1.4.2 of npm, 3 versions".
+[[nodiscard]] std::string version_title(const VersionTrend& versions);
+
+/// What the newest version has come to since the one before it, in a sentence or two.
+[[nodiscard]] std::string newest_sentence(const VersionTrend& versions);
+
+/// A table and what stands above it.
+struct TitledTable {
+  std::string title;
+  Table table;
+};
+
+/// Which version changed which figure by how much: what got worse, then what got better, then
+/// costs. What there is nothing of is left out.
+[[nodiscard]] std::vector<TitledTable> change_tables(const Trend& trend);
+
+/// A trend over versions for a terminal: each version, which changed what, and with `all` also each
+/// model and step over the versions.
+[[nodiscard]] std::string version_text(const VersionTrend& versions, bool all,
+                                       const TerminalStyle& style);
+
+/// All of `trends` as a page in Markdown, each with its chart, a file beside it.
+[[nodiscard]] std::string version_markdown(const std::vector<VersionTrend>& trends);
+
+/// All of `trends` as a page, charts included, that needs no other file and no script.
+[[nodiscard]] std::string version_html(const std::vector<VersionTrend>& trends,
+                                       const PageAssets& assets);
+
+/// All of `trends` as JSON, indented, with a line break at the end, and its schema.
+[[nodiscard]] std::string version_trends_json(const std::vector<VersionTrend>& trends);
+[[nodiscard]] std::string version_trends_schema_json();
+
+/// The name of the chart of an engine.
+[[nodiscard]] std::string chart_name(const std::string& engine);
+
+/// Error and cost of an engine over its versions as a picture: a row of panels for each of what is
+/// looked at first, a column for each step, a line for each model. Requires a trend.
+[[nodiscard]] std::string version_svg(const VersionTrend& versions);
 
 }  // namespace tautline::bench

@@ -1,6 +1,6 @@
 // How engines do over several reports, made by hand.
 
-#include "bench/gate/trend/trend.hpp"
+#include "bench/gate/trend.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "bench/gate/changes_output.hpp"
-#include "bench/gate/trend/version_output.hpp"
-#include "bench/gate/trend/version_tables.hpp"
 #include "bench/gate/trend/version_trend.hpp"
 #include "tests/bench/gate/made_report.hpp"
 
@@ -112,7 +110,7 @@ VersionTrend four_versions() {
 
 TEST(VersionMoves, TheNewestRegressionComesFirstAndNamesItsCase) {
   const Trend trend = four_versions().trend.value();
-  const std::vector<VersionMove> worse = worse_moves(trend);
+  const std::vector<VersionMove> worse = version_moves(trend, &Changes::got_worse);
   ASSERT_FALSE(worse.empty());
   EXPECT_EQ(worse.front().version, "3");
   EXPECT_EQ(worse.front().runs, 2U);
@@ -121,7 +119,7 @@ TEST(VersionMoves, TheNewestRegressionComesFirstAndNamesItsCase) {
   EXPECT_DOUBLE_EQ(worse.front().most.after.value(), 5.0);
   EXPECT_EQ(worse.back().version, "2");
   EXPECT_EQ(worse.back().most.key.the_case, "case-0");
-  for (const VersionMove& move : better_moves(trend)) {
+  for (const VersionMove& move : version_moves(trend, &Changes::got_better)) {
     EXPECT_EQ(move.version, "2");
     EXPECT_EQ(move.most.key.the_case, "case-1");
   }

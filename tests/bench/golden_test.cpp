@@ -1,5 +1,6 @@
-// What the program writes, as it stands in tests/data/golden: a file for each rendering. These hold the wording and
-// the bytes; other tests ask for numbers and types. TAUTLINE_GOLDEN=write writes the files anew: read what changed.
+// What the program writes, as it stands in tests/data/golden: a file for each rendering. These hold
+// the wording and the bytes; other tests ask for numbers and types. TAUTLINE_GOLDEN=write writes
+// the files anew: read what changed.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,8 @@ constexpr bench::TerminalStyle narrow = {80, false, 80};
 
 void expect_golden(const std::string& name, const std::string& text) {
   const std::filesystem::path file = std::filesystem::path(TAUTLINE_GOLDEN_FOLDER) / name;
-  if (const char* const mode = std::getenv("TAUTLINE_GOLDEN"); mode && mode == std::string("write")) {
+  if (const char* const mode = std::getenv("TAUTLINE_GOLDEN");
+      mode && mode == std::string("write")) {
     std::ofstream(file) << text;
   }
   ASSERT_TRUE(std::filesystem::exists(file)) << file;
@@ -56,16 +58,15 @@ TEST(Golden, Solve) {
   expect_golden("solve.txt", printed({"solve", "caught-swing", "--every", "1"}) + "\n" +
                                  printed({"solve", "level-beam", "--until", "1"}) + "\n" +
                                  printed({"solve", "spinning-rod", "--until", "0.2"}));
-  expect_golden("solve.json",
-                printed({"solve", "bouncing-ball", "--until", "2.7", "--every", "1", "--json", "-"}));
-  expect_golden("solve.csv",
-                printed({"solve", "caught-swing", "--every", "1", "--csv", "-"}));
+  expect_golden("solve.json", printed({"solve", "bouncing-ball", "--until", "2.7", "--every", "1",
+                                       "--json", "-"}));
+  expect_golden("solve.csv", printed({"solve", "caught-swing", "--every", "1", "--csv", "-"}));
 }
 
 TEST(Golden, Help) {
   std::string all = printed({"help"});
-  for (const char* command : {"solve", "run", "bench", "merge", "compare", "trend", "ensemble", "check",
-                              "calibrate", "reproduce", "engines", "cases", "help"}) {
+  for (const char* command : {"solve", "run", "bench", "merge", "compare", "trend", "ensemble",
+                              "check", "calibrate", "reproduce", "engines", "cases", "help"}) {
     all += "\n" + printed({"help", command});
   }
   expect_golden("help.txt", all);

@@ -129,9 +129,9 @@ Offers values_of(const Argument& argument, const Line& line, const Outline& outl
   if (kind == "COMMAND") {
     return commands_of(outline);
   }
-  return is_engine(argument)                    ? engines_and_files()
+  return is_engine(argument)                   ? engines_and_files()
          : kind == "MODEL" || kind == "MODELS" ? models_of(line.engines)
-                                                : Offers();
+                                               : Offers();
 }
 
 /// The words as a shell sees them, but "--engine=exact" in two; bash hands it over in three.
@@ -184,7 +184,8 @@ std::string completions(const Outline& outline, const std::vector<std::string>& 
 }
 
 const std::map<std::string, std::string>& completion_scripts() {
-  static const std::map<std::string, std::string> scripts = {{"bash", R"(# bash completion of tautline
+  static const std::map<std::string, std::string> scripts = {
+      {"bash", R"(# bash completion of tautline
 _tautline() {
   local line cur="${COMP_WORDS[COMP_CWORD]#=}"
   COMPREPLY=()
@@ -199,7 +200,7 @@ _tautline() {
 }
 complete -F _tautline tautline
 )"},
-                                                                  {"fish", R"(# fish completion of tautline
+      {"fish", R"(# fish completion of tautline
 function __tautline_offers
   set -l words (commandline -opc)
   set -l last (commandline -ct)
@@ -219,7 +220,7 @@ function __tautline_offers
 end
 complete -c tautline -f -a '(__tautline_offers)'
 )"},
-                                                                  {"zsh", R"(#compdef tautline
+      {"zsh", R"(#compdef tautline
 _tautline() {
   local line
   local -a offers patterns

@@ -262,7 +262,7 @@ int calibrate_command(const CalibrateCommand& command) {
 
 void add_calibrate(CLI::App& app, int& code) {
   CLI::App* const command =
-      app.add_subcommand("calibrate", "The setting of an engine that gives the restitution wanted");
+      app.add_subcommand("calibrate", "The setting of an engine that gives a wanted restitution");
   const auto asked = std::make_shared<CalibrateCommand>();
   command
       ->add_option("ENGINE", asked->engine,
@@ -271,7 +271,8 @@ void add_calibrate(CLI::App& app, int& code) {
   command->add_option("--model", asked->model, "one of its models that has parameters")
       ->option_text("MODEL")
       ->required();
-  command->add_option("--restitution", asked->restitution, "what is wanted [-]")->required();
+  command->add_option("--restitution", asked->restitution, "the restitution to reach [-]")
+      ->required();
   command->add_option("--fix", asked->fixed, "leave these parameters at these values")
       ->option_text("NAME=VALUE")
       ->delimiter(',')
@@ -284,10 +285,11 @@ void add_calibrate(CLI::App& app, int& code) {
       ->capture_default_str();
   command
       ->add_option("--tolerance", asked->tolerance,
-                   "the largest error on strikes that the search did not see [-]")
+                   "the largest error allowed on strikes that the search did not use [-]")
       ->capture_default_str();
-  command->add_option("--settings", asked->settings,
-                      "try so many at most (default: 64 for each parameter that is searched)");
+  command->add_option(
+      "--settings", asked->settings,
+      "try at most this many settings (default: 64 for each parameter that is searched)");
   command->add_option("--time-limit", asked->time_limit, "give up a setting after this long [s]")
       ->option_text("SECONDS")
       ->capture_default_str();

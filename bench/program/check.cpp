@@ -47,7 +47,7 @@ std::string verdict_text(const SettledClaim& settled) {
 std::string finding_text(const SettledClaim& settled) {
   std::string text = printable(settled.sentence, 1000);
   if (!settled.known.empty()) {
-    text += (settled.holds ? "; take it out of contract.toml, which says: " : "; known: ") +
+    text += (settled.holds ? "; delete it from contract.toml, which says: " : "; known: ") +
             printable(settled.known, 1000);
   }
   return text;
@@ -80,10 +80,10 @@ std::string verdict(const CheckedModel& checked) {
                          : fmt::format("{} of {} claims {} not hold: {}.", broken.size(), count,
                                        broken.size() == 1 ? "does" : "do", joined(broken, "and"));
   if (!known.empty()) {
-    text += fmt::format(" Known not to hold, from contract.toml: {}.", joined(known, "and"));
+    text += fmt::format(" Violations listed in contract.toml: {}.", joined(known, "and"));
   }
   if (const auto now = claims_that(checked, holds_now); !now.empty()) {
-    text += fmt::format(" Said not to hold by contract.toml, and hold{}: {}.",
+    text += fmt::format(" Listed in contract.toml as violated, but hold{}: {}.",
                         now.size() == 1 ? "s" : "", joined(now, "and"));
   }
   const std::size_t all = claims().size() + 1;  // and `quiet`
@@ -118,7 +118,7 @@ std::string closing(const EngineInfo& info, const std::vector<CheckedModel>& mod
   if (unsound.empty()) {
     return fmt::format("{}: every claim holds for {}{}.", info.name,
                        models.size() == 1 ? "this model" : "all of its models",
-                       some_known ? ", but for those that are known not to" : "");
+                       some_known ? ", except the violations that contract.toml lists" : "");
   }
   return fmt::format("{}: {} of {} models {} every claim; {} {} not.", info.name,
                      models.size() - unsound.size(), models.size(),
@@ -194,7 +194,7 @@ int check_command(const CheckCommand& command) {
 
 void add_check(CLI::App& app, int& code) {
   CLI::App* const command = app.add_subcommand(
-      "check", "Whether an engine keeps the claims that every sound engine keeps");
+      "check", "Test an engine against the claims that every sound engine keeps");
   const auto asked = std::make_shared<CheckCommand>();
   command
       ->add_option("PLUGIN", asked->engine,

@@ -46,7 +46,7 @@ inline constexpr const char* case_help =
 
 /// What --law is for where an engine runs.
 inline constexpr const char* law_help =
-    "the law for impacts on several cables: of the exact motion, and of the models that can choose";
+    "the law for impacts on several cables, for the exact motion and for models that have a choice";
 
 /// Adds --law to `command`, with what it is for. `law` must outlive it.
 void add_law(CLI::App& command, ImpactLaw& law, const std::string& help);

@@ -117,10 +117,8 @@ void add_compare(CLI::App& app, int& code) {
       ->required()
       ->expected(1, CLI::detail::expected_max_vector_size);
   command
-      ->add_option(
-          "--tolerance", asked->tolerance,
-          "a change by no more than this share of a number is none, beside the noise: 0.05 "
-          "is what two digits tell")
+      ->add_option("--tolerance", asked->tolerance,
+                   "ignore relative changes up to this size, in addition to noise")
       ->capture_default_str();
   command->add_flag("--all", asked->all, "print all rows of a trend, not only those that move");
   add_target(*command, "--json", asked->json, "write the changes or the trend as JSON");

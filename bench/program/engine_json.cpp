@@ -100,8 +100,7 @@ void fields(Visitor& visit, SettledClaim& settled) {
     known = printable(settled.known, longest_sentence);
   }
   visit.unless_missing("known", known, [](auto& inside, std::string& text) {
-    inside("known", text,
-           "why the claim is known not to hold, from contract.toml beside the engine");
+    inside("known", text, "why the claim does not hold, from the contract.toml of the engine");
   });
 }
 

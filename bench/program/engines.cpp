@@ -21,7 +21,8 @@ struct EnginesCommand {
 
 void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
   if (!engine.info) {
-    const std::string why = engine.missing.empty() ? engine.failure : "not here: " + engine.missing;
+    const std::string why =
+        engine.missing.empty() ? engine.failure : "not installed: " + engine.missing;
     const std::string package =
         engine.missing.empty() || engine.package.empty() ? "" : " (package " + engine.package + ")";
     fmt::print("{}\n", wrapped_lines(engine.name + "  " + printable(why) + package, style.text, 2));
@@ -56,7 +57,7 @@ int engines_command(const EnginesCommand& command) {
 
 void add_engines(CLI::App& app, int& code) {
   CLI::App* const command = app.add_subcommand(
-      "engines", "The engines here, their models, and the engines that are missing");
+      "engines", "The installed engines, their models, and the engines that are missing");
   const auto asked = std::make_shared<EnginesCommand>();
   add_target(*command, "--json", asked->json, "write the list as JSON");
   add_schema(*command, engines_schema_json);

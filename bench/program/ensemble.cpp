@@ -132,7 +132,7 @@ EnsembleReading read_ensemble(const EnsembleCommand& command) {
 void give(const EnsembleCommand& command, const EnsembleReport& report) {
   write_ensemble(command.out, report);
   if (command.json != "-") {
-    fmt::print("{}\nensemble: {}, with ensemble.md, ensemble.json and draws/ beside it\n",
+    fmt::print("{}\nensemble: {}, with ensemble.md, ensemble.json and draws/ next to it\n",
                ensemble_text(report, output_style()), (command.out / "index.html").string());
   }
   if (!command.json.empty()) {
@@ -274,8 +274,8 @@ int ensemble_command(const EnsembleCommand& command) {
 }  // namespace
 
 void add_ensemble(CLI::App& app, int& code) {
-  CLI::App* const command =
-      app.add_subcommand("ensemble", "Many draws of a case, by engines too, as distributions");
+  CLI::App* const command = app.add_subcommand(
+      "ensemble", "Many draws of a case, exact and by engines, as distributions");
   const auto asked = std::make_shared<EnsembleCommand>();
   command
       ->add_option(
@@ -284,7 +284,8 @@ void add_ensemble(CLI::App& app, int& code) {
       ->required();
   command->add_option("--case", asked->the_case, "this case instead, a file or a shipped one")
       ->option_text("CASE");
-  command->add_option("--count", asked->count, "so many draws, or at each point of a grid");
+  command->add_option("--count", asked->count,
+                      "number of draws; with a grid: at each of its points");
   command->add_option("--out", asked->out, "folder for the page and the draws")
       ->option_text("FOLDER")
       ->capture_default_str();

@@ -23,7 +23,7 @@ using namespace tautline::bench;
 
 constexpr const char* first_steps =
     "tautline solve bouncing-ball           an exact motion, solved now\n"
-    "tautline bench --engine ./mine.so      hold engines against it, yours too";
+    "tautline bench --engine ./mine.so      compare engines with it, yours too";
 
 /// A word in single quotes, for a shell.
 std::string quoted(const std::string& word) {
@@ -71,7 +71,8 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
 }
 
 int run_program(int count, char** arguments) {
-  CLI::App app{"The exact motion of rigid bodies on slack cables, and engines held against it"};
+  CLI::App app{
+      "Exact motions of rigid bodies on slack cables, and physics engines compared with them"};
   app.formatter_fn(help_of);  // before the commands, which take it over
   app.require_subcommand(0, 1);
   app.set_help_flag("-h,--help", "print this help, and end");

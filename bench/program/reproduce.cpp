@@ -71,7 +71,7 @@ int reproduce_command(const ReproduceCommand& command) {
                                      [](const Correction& one) { return !one.holds; });
     const std::string said = fmt::format(
         "{} cases, {} tables, {} figures, {} corrections: {}, with chapter.md and chapter.json "
-        "beside it",
+        "next to it",
         study.cases.size(), report.tables.size(), report.figures.size(), wrong,
         (command.out / "chapter.html").string());
     fmt::print("{}", wrapped(said, output_style().text));

@@ -319,31 +319,31 @@ void add_solve(CLI::App& app, int& code) {
       ->option_text("SECONDS");
   command
       ->add_option("--at", asked->at,
-                   "also give the state, gaps and tensions at these times [s]: 1,2.5,3 or 0:0.1:5")
+                   "also print the state, gaps and tensions at these times [s]: 1,2.5,3 or 0:0.1:5")
       ->option_text("SECONDS")
       ->delimiter(',');
-  command->add_option("--every", asked->every,
-                      "the same from 0 to the end, with this time between samples [s]");
+  command->add_option("--every", asked->every, "the same from 0 to the end, at this interval [s]");
   command->add_option("--angle-limit", asked->angle_limit, "end where |angle| reaches this [rad]");
   command->add_option("--ceiling", asked->ceiling,
                       "end where an attachment rises to this height [m]");
   command
       ->add_option("--taut", asked->taut,
-                   "cables that start taut: 0,1; the start moves as little as that takes, at most "
+                   "cables that start taut: 0,1; moves the start by as little as needed, at most "
                    "0.001 of a length")
       ->delimiter(',');
   add_law(*command, asked->law, "the law for impacts on several cables");
   command->add_flag("--certify", asked->certify,
                     "also solve with many digits, and say until when the doubles are right");
   command->add_option("--digits", asked->digits,
-                      "print so many right digits, 1 to 100; with --certify: compute with so "
-                      "many, 20 to 1000 (default: 50)");
-  command->add_flag("--decimal", asked->decimal,
-                    "--digits of the decimals that the case is written in, not of their doubles");
+                      "print this many right digits, 1 to 100; with --certify: the digits to "
+                      "compute with, 20 to 1000 (default: 50)");
+  command->add_flag(
+      "--decimal", asked->decimal,
+      "with --digits: solve the decimals that the case is written in, not their doubles");
   add_target(*command, "--json", asked->json, "write everything as JSON");
   add_schema(*command, solution_schema_json);
   add_target(*command, "--csv", asked->csv,
-             "write the samples of --every and --at as a table, with two rows for each impact")
+             "write the samples of --every and --at, with two rows for each impact, as CSV")
       ->option_text("TEXT");
   command
       ->add_option("--plot", asked->plots,
@@ -354,11 +354,12 @@ void add_solve(CLI::App& app, int& code) {
       ->option_text("FILE")
       ->allow_extra_args(false);
   command->add_option("--max-events", asked->max_events,
-                      fmt::format("give up after so many events (default: {})", asked->max_events));
-  command->add_option("--max-steps", asked->max_steps,
-                      fmt::format("give up after so many steps of taut motion, and of springs "
-                                  "within impacts (default: {})",
-                                  asked->max_steps));
+                      fmt::format("stop after this many events (default: {})", asked->max_events));
+  command->add_option(
+      "--max-steps", asked->max_steps,
+      fmt::format(
+          "stop after this many steps of taut motion, and of springs within impacts (default: {})",
+          asked->max_steps));
   command->add_flag("--events", asked->events,
                     "print all events, not the first 20, and the least and largest tensions");
   command->footer(

@@ -32,11 +32,11 @@ std::vector<std::string> file_problems(const std::vector<OutputFile>& files,
   const bool several = cases.size() > 1;
   for (const OutputFile& output : files) {
     if (several && !output.takes_all && !names_case(output.file)) {
-      result.push_back(fmt::format(
-          "{} {}: there are {} cases, and a file takes one; {{case}} in its name stands for the "
-          "name of the case, as in {}",
-          output.option, printable(output.file), cases.size(),
-          output.option == "--csv" ? "'{case}.csv'" : "'{case}.svg'"));
+      result.push_back(
+          fmt::format("{} {}: there are {} cases, and a file takes one; use {{case}} in its name "
+                      "for the name of the case, as in {}",
+                      output.option, printable(output.file), cases.size(),
+                      output.option == "--csv" ? "'{case}.csv'" : "'{case}.svg'"));
       continue;
     }
     std::vector<std::string> names;

@@ -132,7 +132,7 @@ void give(const TrendCommand& command, const std::vector<VersionTrend>& trends) 
     write_output(command.runs.json, json);
   }
   if (command.runs.json != "-") {
-    fmt::print("trend: {}, with trend.md, its charts and trend.json beside it\n",
+    fmt::print("trend: {}, with trend.md, its charts and trend.json next to it\n",
                (out / "index.html").string());
   }
 }
@@ -175,7 +175,7 @@ void add_runs(CLI::App& command, BenchCommand& runs) {
       ->delimiter(',');
   command
       .add_option("--steps", runs.steps,
-                  "steps [s] (default: those of the suite; of --cases 0.01,0.001,0.0001)")
+                  "step sizes [s] (default: the suite's; for --cases 0.01,0.001,0.0001)")
       ->option_text("SECONDS")
       ->delimiter(',');
   command.add_option("--until", runs.until, "end every run at this time [s]")
@@ -202,17 +202,16 @@ void add_trend(CLI::App& app, int& code, const std::string& command_line) {
   asked->runs.out = "trend";
   asked->runs.certify = false;  // versions are held against each other
   command
-      ->add_option(
-          "ENGINES", asked->engines,
-          "engines that npm brings, by name or engine.toml, each with its versions: "
-          "rapier2d@0.15..0.21, planck@1.0.., ./mine/engine.toml@^2. Without: those that "
-          "its engine.toml names. npm installs each once, in $XDG_CACHE_HOME/tautline/npm, "
-          "or ~/.cache/tautline/npm")
+      ->add_option("ENGINES", asked->engines,
+                   "engines that npm installs, by name or engine.toml, each with its versions: "
+                   "rapier2d@0.15..0.21, planck@1.0.., ./mine/engine.toml@^2. Without versions: "
+                   "those that its engine.toml names. Each is installed once, in "
+                   "$XDG_CACHE_HOME/tautline/npm, or ~/.cache/tautline/npm")
       ->required();
   command->add_flag("--every", asked->every,
                     "run every version, not only the newest of each minor one");
   command->add_flag("--all", asked->all,
-                    "print each model and step over the versions, too; the page has them");
+                    "also print each model and step over the versions; the page always has them");
   add_runs(*command, asked->runs);
   command->footer(
       "tautline trend rapier2d@0.15..0.21\n"

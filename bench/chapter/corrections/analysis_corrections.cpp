@@ -25,21 +25,22 @@ Correction settling_at_rest(const ChapterStudy& study) {
   const ChapterCase& standard = study.cases.front();
   const Swing& swing = lock_of(standard).swing.value();
   const double start = energy(standard.the_case, standard.the_case.initial);
-  return {false,
-          "Section 5.8",
-          "Once g1 and g2 are close to zero the body settles to the equilibrium.",
-          "With both cables taut one degree of freedom is left: a swing without losses. Only the "
-          "point mass comes to rest.",
-          fmt::format("{} of {} rigid bodies with e < 1 end in a swing for good. The standard case "
-                      "keeps {:.1f} % of its energy and swings by {:.4f} rad ({:.0f} degrees).",
-                      swinging, dissipative, 100.0 * swing.energy / start, swing.amplitude,
-                      swing.amplitude * 180.0 / std::numbers::pi),
-          {{"rigid_bodies", {count(dissipative)}},
-           {"swinging", {count(swinging)}},
-           {"energy_kept", {swing.energy / start}},
-           {"amplitude", {swing.amplitude}}},
-          {},
-          true};
+  return {
+      false,
+      "Section 5.8",
+      "Once g1 and g2 are close to zero the body settles to the equilibrium.",
+      "With both cables taut one degree of freedom is left: a swing without losses. Only the "
+      "point mass comes to rest.",
+      fmt::format("{} of {} rigid bodies with e < 1 end in a swing that never stops. The standard "
+                  "case keeps {:.1f} % of its energy and swings by {:.4f} rad ({:.0f} degrees).",
+                  swinging, dissipative, 100.0 * swing.energy / start, swing.amplitude,
+                  swing.amplitude * 180.0 / std::numbers::pi),
+      {{"rigid_bodies", {count(dissipative)}},
+       {"swinging", {count(swinging)}},
+       {"energy_kept", {swing.energy / start}},
+       {"amplitude", {swing.amplitude}}},
+      {},
+      true};
 }
 
 Correction rising_again(const ChapterStudy& study) {

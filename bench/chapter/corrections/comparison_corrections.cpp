@@ -30,13 +30,14 @@ Correction special_code(const ChapterStudy& study) {
 
 Correction state_at_15(const ChapterStudy& study) {
   const std::vector<double> errors = table_5_3_errors(study, "t = 15");
-  return {false,
-          "Table 5.3, t = 15",
-          "Six decimals of the state after 15 time units.",
-          "Not all of them are right, after so many impacts that are located to 1e-6 in g.",
-          fmt::format("Printed less exact: x {:+.1e}, x' {:+.1e}, y {:+.1e}, y' {:+.1e}.",
-                      errors[1], errors[2], errors[3], errors[4]),
-          {{"x", {errors[1]}}, {"vx", {errors[2]}}, {"y", {errors[3]}}, {"vy", {errors[4]}}}};
+  return {
+      false,
+      "Table 5.3, t = 15",
+      "Six decimals of the state after 15 time units.",
+      "Not all of them are right: each impact is located to 1e-6 in g only, and there are many.",
+      fmt::format("Printed less exact: x {:+.1e}, x' {:+.1e}, y {:+.1e}, y' {:+.1e}.", errors[1],
+                  errors[2], errors[3], errors[4]),
+      {{"x", {errors[1]}}, {"vx", {errors[2]}}, {"y", {errors[3]}}, {"vy", {errors[4]}}}};
 }
 
 Correction late_constraints(const ChapterStudy& study) {

@@ -34,7 +34,7 @@ constexpr std::string_view of_restitution =
     "The chapter sees no characteristic difference as e falls from 1 to 0.5.";
 constexpr std::string_view of_elastic =
     "The chapter notes that the rotation passes pi/2, its limit, as no energy is lost; its time "
-    "scale differs from that of the next three figures.";
+    "scale is not the one of the next three figures.";
 constexpr std::string_view of_point =
     "The chapter shows the same trajectory twice, once by the formulas of the point mass and once "
     "by those of the rigid body without dimensions.";
@@ -102,8 +102,8 @@ std::string end_sentence(const ChapterStudy& study, const ChapterCase& solved) {
   }
   return fmt::format(
       "**From t = {:.4f} on both cables are taut, which the chapter takes for settled; the body "
-      "swings on for good:** amplitude {:.4f} rad, period {:.4f}, energy {:.6f}, which is {:.1f} % "
-      "of the {:.3f} it started with.",
+      "swings on without end:** amplitude {:.4f} rad, period {:.4f}, energy {:.6f}, which is "
+      "{:.1f} % of the {:.3f} it started with.",
       lock->time, lock->swing->amplitude, lock->swing->period, lock->swing->energy,
       100.0 * lock->swing->energy / start, start);
 }
@@ -122,7 +122,7 @@ std::string finding(const ChapterStudy& study, const ChapterCase& solved, Plot p
   }
   std::string result =
       fmt::format("At angle 0 the boundaries meet at {:.1f} degrees{}. ",
-                  corner_angle(p) * 180.0 / std::numbers::pi, p.b > 0.0 ? ", whatever b is" : "");
+                  corner_angle(p) * 180.0 / std::numbers::pi, p.b > 0.0 ? ", for any b" : "");
   if (p.a > 0.0) {
     result += fmt::format("The largest |theta| is {:.4f} rad. ", largest_angle(solved));
   } else {

@@ -67,7 +67,7 @@ std::string help_text(const Outline& outline, std::size_t width) {
   }
   return wrapped(outline.summary, width) + "\nusage: tautline COMMAND [OPTIONS]\n" +
          section("commands", commands, width) + example_lines(outline.examples, width) + "\n" +
-         wrapped("`tautline COMMAND --help` says the rest of it; `--version` is the version.",
+         wrapped("Run `tautline COMMAND --help` for details, `tautline --version` for the version.",
                  width);
 }
 

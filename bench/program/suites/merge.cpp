@@ -47,8 +47,8 @@ std::string out_problem(const MergeCommand& command) {
   for (const std::string& tree : command.trees) {
     if (contains(tree, command.out) || contains(command.out, tree)) {
       return fmt::format(
-          "--out {}: is, holds or lies in the tree {}, which stays as it is; give a "
-          "folder beside it",
+          "--out {}: is, holds or lies in the tree {}, which stays as it is; give a folder next to "
+          "it",
           printable(command.out, 1024), printable(tree, 1024));
     }
   }
@@ -102,9 +102,7 @@ void add_merge(CLI::App& app, int& code, const std::string& command_line) {
       app.add_subcommand("merge", "One report from the result folders of `tautline bench --shard`");
   const auto asked = std::make_shared<MergeCommand>();
   asked->command_line = command_line;
-  command
-      ->add_option("TREES", asked->trees,
-                   "the folders that the shards had as their --out, in any order")
+  command->add_option("TREES", asked->trees, "the --out folders of the shards, in any order")
       ->required();
   command->add_option("--out", asked->out, "folder for the merged report and the runs' files")
       ->option_text("FOLDER")

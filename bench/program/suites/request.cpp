@@ -160,11 +160,10 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
                   "a selection of shipped cases: quick, chapter or all; see below")
       ->option_text("SUITE");
   command
-      .add_option(
-          "--engines,--engine", asked.engines,
-          "names, or paths of a plug-in or an engine.toml: bullet64,./libmine.so (default: "
-          "all plug-ins). Engines with an engine.toml run where they are named; the name of a "
-          "folder of them, such as npm, stands for all in it")
+      .add_option("--engines,--engine", asked.engines,
+                  "names, or paths of a plug-in or an engine.toml: bullet64,./libmine.so (default: "
+                  "all plug-ins). An engine with an engine.toml runs only if it is named; the name "
+                  "of a folder, such as npm, means all engines in it")
       ->option_text("ENGINES")
       ->delimiter(',')
       ->allow_extra_args(false);  // a case may follow
@@ -174,7 +173,7 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
       ->allow_extra_args(false);
   command
       .add_option("--steps", asked.steps,
-                  "steps [s] (default: those of the suite; of CASES 0.01,0.001,0.0001)")
+                  "step sizes [s] (default: the suite's; for CASES 0.01,0.001,0.0001)")
       ->option_text("SECONDS")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -193,14 +192,14 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
   command.add_flag("--resume", asked.resume, "keep the runs that --out already has");
   command.add_flag_callback(
       "--certify", [&asked] { asked.certify = true; },
-      "say until when the exact solution of each case is right, held against many digits: up to "
-      "seconds a case (default: of a --suite)");
+      "say until when the exact solution of each case is right, by comparison with many digits; "
+      "takes up to seconds a case (default for a --suite)");
   command.add_flag_callback(
-      "--no-certify", [&asked] { asked.certify = false; }, "do not");
+      "--no-certify", [&asked] { asked.certify = false; }, "do not certify the cases");
   command.add_option("--draws", asked.draws,
-                     "after the runs, so many draws of breakwater/1910121100 by every model, whose "
-                     "settling times and other statistics are compared as distributions (default: "
-                     "those of the suite; of CASES 0)");
+                     "after the runs, solve this many draws of breakwater/1910121100 on every "
+                     "model, and compare the distributions of settling times and other statistics "
+                     "(default: the suite's; for CASES 0)");
   command.add_option("--time-limit", asked.time_limit, "end a run after this long [s]")
       ->option_text("SECONDS")
       ->capture_default_str();

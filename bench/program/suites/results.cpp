@@ -48,7 +48,7 @@ void write_results(const ResultsTarget& target, const Report& report) {
 
 void print_results(const ResultsTarget& target, const Report& report, const std::string& last) {
   if (target.json != "-") {
-    fmt::print("{}\n{}; report: {}, with report.md and report.json beside it\n",
+    fmt::print("{}\n{}; report: {}, with report.md and report.json next to it\n",
                report_summary(report, output_style()), last, (target.out / "index.html").string());
   }
 }

@@ -10,9 +10,7 @@
 #include "bench/base/text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/manual/manual.hpp"
-#include "bench/program/manual/mistake.hpp"
-#include "bench/program/manual/outline.hpp"
+#include "bench/program/manual.hpp"
 
 namespace tautline::bench {
 namespace {

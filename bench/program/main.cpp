@@ -12,9 +12,7 @@
 #include "bench/base/terminal.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/manual/manual.hpp"
-#include "bench/program/manual/mistake.hpp"
-#include "bench/program/manual/outline.hpp"
+#include "bench/program/manual.hpp"
 #include "bench/run/worker_process.hpp"
 
 namespace {

@@ -6,11 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/title.hpp"
-#include "bench/program/manual/manual.hpp"
+#include "bench/program/manual.hpp"
 #include "bench/run/registry.hpp"
 #include "tautline/scenarios.hpp"
 
@@ -83,30 +84,32 @@ bool is_engine(const Argument& argument) {
 
 /// A command line but for its last word, as far as that word's meaning depends on it.
 struct Line {
-  const Command* command = nullptr;  // null where none is named, or an unknown one
   const Argument* asked = nullptr;   // the option whose value comes next
   bool has_word = false;             // one that is known by its place
   std::vector<std::string> engines;  // that are named
 };
 
 Line read_line(const Command& command, const std::vector<std::string>& words) {
-  Line line{&command, nullptr, false, {}};
+  Line line;
   for (const std::string& word : words) {
-    const bool is_value = line.asked != nullptr || !word.starts_with('-');
-    const Argument* argument = line.asked;
-    if (is_value && argument == nullptr && !command.words.empty()) {
+    const Argument* argument = std::exchange(line.asked, nullptr);
+    if (argument == nullptr && word.starts_with('-')) {
+      const auto option =
+          std::find_if(command.options.begin(), command.options.end(), [&](const Argument& one) {
+            return std::count(one.names.begin(), one.names.end(), word) > 0;
+          });
+      const bool takes_value = option != command.options.end() && !option->value.empty();
+      line.asked = takes_value ? &*option : nullptr;
+      continue;
+    }
+    if (argument == nullptr && !command.words.empty()) {
       argument = &command.words.front();
       line.has_word = true;
     }
-    if (is_value && argument != nullptr && is_engine(*argument)) {
+    if (argument != nullptr && is_engine(*argument)) {
       const auto names = CLI::detail::split(word, ',');
       line.engines.insert(line.engines.end(), names.begin(), names.end());
     }
-    const auto takes_value = [&](const Argument& option) {
-      return !option.value.empty() && std::count(option.names.begin(), option.names.end(), word);
-    };
-    const auto option = std::find_if(command.options.begin(), command.options.end(), takes_value);
-    line.asked = is_value || option == command.options.end() ? nullptr : &*option;
   }
   return line;
 }
@@ -152,6 +155,63 @@ std::vector<std::string> apart(const std::vector<std::string>& words) {
   return result;
 }
 
+constexpr const char* bash_script = R"(# bash completion of tautline
+_tautline() {
+  local line cur="${COMP_WORDS[COMP_CWORD]#=}"
+  COMPREPLY=()
+  while IFS= read -r line; do
+    case "$line" in
+      :files*) mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -- "$cur") ;;&
+      :folders*) mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -d -- "$cur") ;;&
+      :*) compopt -o filenames 2>/dev/null ;;
+      "$cur"*) COMPREPLY+=("${line%%$'\t'*}") ;;
+    esac
+  done < <("${COMP_WORDS[0]/#\~/$HOME}" --complete "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
+}
+complete -F _tautline tautline
+)";
+
+constexpr const char* fish_script = R"(# fish completion of tautline
+function __tautline_offers
+  set -l words (commandline -opc)
+  set -l last (commandline -ct)
+  set -l option (string match -r -- '^--[a-z-]+=' $last)
+  set -l value (string replace -r -- '^--[a-z-]+=' '' $last)
+  set -l program (string replace -r '^~' ~ -- $words[1])
+  for line in ($program --complete $words[2..] "$last" 2>/dev/null)
+    switch $line
+      case ':files*'
+        __fish_complete_path "$value"
+      case ':folders*'
+        __fish_complete_directories "$value" ''
+      case '*'
+        echo $line
+    end
+  end | string replace -r '^' -- "$option"
+end
+complete -c tautline -f -a '(__tautline_offers)'
+)";
+
+constexpr const char* zsh_script = R"(#compdef tautline
+_tautline() {
+  local line
+  local -a offers patterns
+  for line in "${(@f)$(${~words[1]} --complete "${(@)words[2,CURRENT-1]}" "$PREFIX" 2>/dev/null)}"; do
+    case $line in
+      :files*) patterns=(-g "${line#*$'\t'}") ;;
+      :folders*) patterns=(-/) ;;
+      ?*)
+        line="${${line%%$'\t'*}//:/\\:}:${line#*$'\t'}"
+        offers+=("${line%:}") ;;
+    esac
+  done
+  compset -P '--*='
+  _describe -t words word offers -S ' ' -r ', '
+  (( $#patterns )) && _files $patterns
+}
+_tautline "$@"
+)";
+
 }  // namespace
 
 std::string completions(const Outline& outline, const std::vector<std::string>& typed) {
@@ -185,60 +245,7 @@ std::string completions(const Outline& outline, const std::vector<std::string>& 
 
 const std::map<std::string, std::string>& completion_scripts() {
   static const std::map<std::string, std::string> scripts = {
-      {"bash", R"(# bash completion of tautline
-_tautline() {
-  local line cur="${COMP_WORDS[COMP_CWORD]#=}"
-  COMPREPLY=()
-  while IFS= read -r line; do
-    case "$line" in
-      :files*) mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -f -- "$cur") ;;&
-      :folders*) mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(compgen -d -- "$cur") ;;&
-      :*) compopt -o filenames 2>/dev/null ;;
-      "$cur"*) COMPREPLY+=("${line%%$'\t'*}") ;;
-    esac
-  done < <("${COMP_WORDS[0]/#\~/$HOME}" --complete "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
-}
-complete -F _tautline tautline
-)"},
-      {"fish", R"(# fish completion of tautline
-function __tautline_offers
-  set -l words (commandline -opc)
-  set -l last (commandline -ct)
-  set -l option (string match -r -- '^--[a-z-]+=' $last)
-  set -l value (string replace -r -- '^--[a-z-]+=' '' $last)
-  set -l program (string replace -r '^~' ~ -- $words[1])
-  for line in ($program --complete $words[2..] "$last" 2>/dev/null)
-    switch $line
-      case ':files*'
-        __fish_complete_path "$value"
-      case ':folders*'
-        __fish_complete_directories "$value" ''
-      case '*'
-        echo $line
-    end
-  end | string replace -r '^' -- "$option"
-end
-complete -c tautline -f -a '(__tautline_offers)'
-)"},
-      {"zsh", R"(#compdef tautline
-_tautline() {
-  local line
-  local -a offers patterns
-  for line in "${(@f)$(${~words[1]} --complete "${(@)words[2,CURRENT-1]}" "$PREFIX" 2>/dev/null)}"; do
-    case $line in
-      :files*) patterns=(-g "${line#*$'\t'}") ;;
-      :folders*) patterns=(-/) ;;
-      ?*)
-        line="${${line%%$'\t'*}//:/\\:}:${line#*$'\t'}"
-        offers+=("${line%:}") ;;
-    esac
-  done
-  compset -P '--*='
-  _describe -t words word offers -S ' ' -r ', '
-  (( $#patterns )) && _files $patterns
-}
-_tautline "$@"
-)"}};
+      {"bash", bash_script}, {"fish", fish_script}, {"zsh", zsh_script}};
   return scripts;
 }
 

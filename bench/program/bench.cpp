@@ -5,9 +5,8 @@
 
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/suites/request.hpp"
-#include "bench/program/suites/results.hpp"
-#include "bench/program/suites/running.hpp"
+#include "bench/program/request.hpp"
+#include "bench/program/results.hpp"
 #include "bench/report/words.hpp"
 #include "bench/suite/manifest.hpp"
 #include "bench/suite/shard.hpp"

@@ -1,4 +1,4 @@
-#include "bench/program/suites/request.hpp"
+#include "bench/program/request.hpp"
 
 #include <fmt/format.h>
 
@@ -6,16 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
 #include "bench/ensemble/output/comparison.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/limit_names.hpp"
 #include "bench/report/json/json.hpp"
+#include "bench/run/registry.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/shard.hpp"
+#include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -101,14 +103,44 @@ std::size_t draws_of(const BenchCommand& command, const Request& request,
   return static_cast<std::size_t>(std::clamp(draws, 0LL, most));
 }
 
+LimitNames::Engine names_of(const RegisteredEngine& engine) {
+  LimitNames::Engine names{engine.name, std::nullopt};
+  if (engine.info) {
+    names.models = listed(engine.info->models, &Model::name);
+  }
+  return names;
+}
+
+/// The names that a limits file may have: of all engines that the program knows or was given, their
+/// models, the shipped cases and `cases`.
+LimitNames limit_names(const std::vector<RegisteredEngine>& given, const std::vector<Case>& cases) {
+  std::vector<RegisteredEngine> engines = given;
+  for (RegisteredEngine& engine : registered_engines(Asked::plugins)) {
+    const bool is_given = std::any_of(given.begin(), given.end(), [&](const auto& one) {
+      return one.name == engine.name;  // one of the user's own may stand for it
+    });
+    if (!is_given) {
+      engines.push_back(std::move(engine));
+    }
+  }
+  LimitNames names;
+  names.engines = listed(engines, names_of);
+  for (const std::vector<Case>& some : {shipped_cases(), cases}) {
+    for (const Case& the_case : some) {
+      names.cases.push_back(the_case.name);
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
-Limits limits_of(const std::optional<std::string>& gate, const LimitNames& names,
+Limits limits_of(const std::optional<std::string>& gate, const SuiteOptions& options,
                  std::vector<std::string>& problems) {
   if (!gate) {
     return shipped_limits();
   }
-  LimitsReading reading = read_limits_file(*gate, names);
+  LimitsReading reading = read_limits_file(*gate, limit_names(options.engines, options.cases));
   append(problems, reading.problems);
   return std::move(reading.limits).value_or(Limits());
 }
@@ -148,8 +180,7 @@ Request read_request(const BenchCommand& command) {
   append(request.problems, unknown_models(choice.engines, command.models));
   options.engines = std::move(choice.engines);
   append(request.problems, suite_problems(options));
-  request.limits =
-      limits_of(command.gate, limit_names(options.engines, options.cases), request.problems);
+  request.limits = limits_of(command.gate, options, request.problems);
   return request;
 }
 

@@ -51,9 +51,10 @@ struct Request {
 /// The same but for the engines, their models and the limits, which it leaves out.
 [[nodiscard]] Request read_runs(const BenchCommand& command);
 
-/// The limits of the file that --gate names, or those that ship; the file's mistakes, names that
-/// are not among `names` too, are appended to `problems`.
-[[nodiscard]] Limits limits_of(const std::optional<std::string>& gate, const LimitNames& names,
+/// The limits of the file that --gate names, or those that ship. The file's mistakes are appended
+/// to `problems`, and names in it that are neither of `options`, nor shipped, nor of a plug-in
+/// here.
+[[nodiscard]] Limits limits_of(const std::optional<std::string>& gate, const SuiteOptions& options,
                                std::vector<std::string>& problems);
 
 /// What --gate is for.

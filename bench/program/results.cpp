@@ -1,14 +1,27 @@
-#include "bench/program/suites/running.hpp"
+#include "bench/program/results.hpp"
 
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <numeric>
 #include <utility>
 
+#include "bench/base/atomic_file.hpp"
 #include "bench/base/process.hpp"
 #include "bench/base/progress.hpp"
+#include "bench/base/terminal.hpp"
+#include "bench/gate/broken.hpp"
+#include "bench/gate/gate_text.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/measure/certification.hpp"
-#include "bench/program/suites/results.hpp"
+#include "bench/program/common.hpp"
+#include "bench/report/json/json.hpp"
+#include "bench/report/output.hpp"
+#include "bench/report/scorecard/pull_request.hpp"
+#include "bench/report/scorecard/scorecard.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
 #include "bench/suite/manifest.hpp"
 #include "bench/suite/report_of.hpp"
@@ -39,6 +52,20 @@ SuiteResult run_visibly(const SuiteOptions& options, const std::vector<Reference
   return result;
 }
 
+/// The instant that it is, ISO 8601, UTC.
+std::string now_utc() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+/// True if a run or an engine did not do what it should.
+bool any_failure(const Report& report) {
+  return std::any_of(report.runs.begin(), report.runs.end(),
+                     [](const RunRow& run) { return !did_its_work(run.status); }) ||
+         std::any_of(report.engines.begin(), report.engines.end(), [](const EngineRow& engine) {
+           return engine.problem.has_value() && !engine.missing;
+         });
+}
+
 }  // namespace
 
 RunSuite run_request(const Request& request, const std::string& command_line) {
@@ -67,6 +94,39 @@ RunSuite run_request(const Request& request, const std::string& command_line) {
   report.distributions = std::move(distributions);
   add_verdicts(report, request.limits);
   return {std::move(tree), std::move(manifest), std::move(result), std::move(report)};
+}
+
+void write_results(const ResultsTarget& target, const Report& report) {
+  const std::string json = report_json(report);
+  write_file(target.out / "report.json", json);
+  write_file(target.out / "report.md", report_markdown(report));
+  write_motions(target.out, report);
+  write_file(target.out / "index.html", report_html(report, page_assets()));
+  write_file(target.out / "summary.md", summary_markdown(report));
+  for (const Scorecard& card : scorecards(report)) {
+    write_file(target.out / card_name(card.engine), card_svg(report, card.engine));
+  }
+  if (!target.json.empty()) {
+    write_output(target.json, json);
+  }
+}
+
+void print_results(const ResultsTarget& target, const Report& report, const std::string& last) {
+  if (target.json != "-") {
+    fmt::print("{}\n{}; report: {}, with report.md and report.json next to it\n",
+               report_summary(report, output_style()), last, (target.out / "index.html").string());
+  }
+}
+
+int judged(const ResultsTarget& target, const Report& report) {
+  if (!target.gate) {
+    return any_failure(report) ? exit_failed : exit_done;
+  }
+  // a known failure does not break it
+  const std::vector<BrokenRow> broken = broken_rows(report, target.limits);
+  fmt::print(target.json == "-" ? stderr : stdout, "\n{}",
+             gate_text(report, target.limits, broken));
+  return broken.empty() ? exit_done : exit_failed;
 }
 
 }  // namespace tautline::bench

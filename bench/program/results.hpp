@@ -4,10 +4,26 @@
 #include <optional>
 #include <string>
 
+#include "bench/base/descriptor.hpp"
 #include "bench/gate/limits.hpp"
+#include "bench/program/request.hpp"
+#include "bench/report/manifest.hpp"
 #include "bench/report/report.hpp"
+#include "bench/suite/suite.hpp"
 
 namespace tautline::bench {
+
+/// A suite that was run, and its report with verdicts, which is not written yet.
+struct RunSuite {
+  Descriptor tree;  // the result tree is this program's alone until it is gone
+  Manifest manifest;
+  SuiteResult result;
+  Report report;
+};
+
+/// Runs what `request`, which has no problems, asks for, and shows how far it is. `command_line` is
+/// what was typed. From here on an interruption ends the runs, not the program.
+[[nodiscard]] RunSuite run_request(const Request& request, const std::string& command_line);
 
 /// Where a report goes, and what it is held against.
 struct ResultsTarget {
@@ -28,8 +44,5 @@ void print_results(const ResultsTarget& target, const Report& report, const std:
 /// The exit code of a report that is whole: prints what breaks the gate if there is one; without
 /// one, a run or an engine that failed counts.
 [[nodiscard]] int judged(const ResultsTarget& target, const Report& report);
-
-/// The instant that it is, ISO 8601, UTC.
-[[nodiscard]] std::string now_utc();
 
 }  // namespace tautline::bench

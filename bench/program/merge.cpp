@@ -10,9 +10,8 @@
 #include "bench/measure/certification.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/program/limit_names.hpp"
-#include "bench/program/suites/request.hpp"
-#include "bench/program/suites/results.hpp"
+#include "bench/program/request.hpp"
+#include "bench/program/results.hpp"
 #include "bench/suite/gathering.hpp"
 #include "bench/suite/manifest.hpp"
 #include "bench/suite/report_of.hpp"
@@ -65,7 +64,7 @@ int merge_command(const MergeCommand& command) {
   const SuiteOptions options =
       set.problems.empty() ? whole_suite(set.trees, command.out) : SuiteOptions();
   ResultsTarget target = {command.out, command.json, command.gate, {}};
-  target.limits = limits_of(command.gate, limit_names(options.engines, options.cases), problems);
+  target.limits = limits_of(command.gate, options, problems);
   if (complain(problems)) {
     return exit_usage;
   }

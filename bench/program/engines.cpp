@@ -56,8 +56,8 @@ int engines_command(const EnginesCommand& command) {
 }  // namespace
 
 void add_engines(CLI::App& app, int& code) {
-  CLI::App* const command = app.add_subcommand(
-      "engines", "The installed engines, their models, and the engines that are missing");
+  CLI::App* const command =
+      app.add_subcommand("engines", "The installed engines, their models, and those missing");
   const auto asked = std::make_shared<EnginesCommand>();
   add_target(*command, "--json", asked->json, "write the list as JSON");
   add_schema(*command, engines_schema_json);

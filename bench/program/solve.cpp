@@ -343,8 +343,7 @@ void add_solve(CLI::App& app, int& code) {
   add_target(*command, "--json", asked->json, "write everything as JSON");
   add_schema(*command, solution_schema_json);
   add_target(*command, "--csv", asked->csv,
-             "write the samples of --every and --at, with two rows for each impact, as CSV")
-      ->option_text("TEXT");
+             "write the samples of --every and --at, with two rows for each impact, as CSV");
   command
       ->add_option("--plot", asked->plots,
                    "write a picture (SVG, or PNG by its name): [KIND=]FILE, where KIND is path "

@@ -19,9 +19,8 @@
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/engine_json.hpp"
-#include "bench/run/calibration/calibrate.hpp"
-#include "bench/run/calibration/reach.hpp"
 #include "bench/run/registry.hpp"
+#include "bench/tools/calibrate/calibrate.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -6,9 +6,9 @@
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/cases/title.hpp"
-#include "bench/chapter/source.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/tools/reproduce/source.hpp"
 #include "tautline/case_file.hpp"
 #include "tautline/scenarios.hpp"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bench/check/settle.hpp"
-#include "bench/run/calibration/calibrate.hpp"
 #include "bench/run/registry.hpp"
+#include "bench/tools/calibrate/calibrate.hpp"
 
 namespace tautline::bench {
 

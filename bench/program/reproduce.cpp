@@ -9,10 +9,10 @@
 #include "bench/base/progress.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
-#include "bench/chapter/output.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/suite/tree.hpp"
+#include "bench/tools/reproduce/output.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {

@@ -12,15 +12,14 @@
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
 #include "bench/gate/changes_output.hpp"
-#include "bench/gate/trend/version_trend.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/request.hpp"
 #include "bench/program/results.hpp"
 #include "bench/report/words.hpp"
-#include "bench/run/versions/pinned_engine.hpp"
-#include "bench/run/versions/version_plan.hpp"
 #include "bench/suite/tree.hpp"
+#include "bench/tools/trend/version_trend.hpp"
+#include "bench/tools/trend/versions.hpp"
 
 namespace tautline::bench {
 namespace {

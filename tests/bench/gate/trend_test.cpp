@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/gate/changes_output.hpp"
-#include "bench/gate/trend/version_trend.hpp"
+#include "bench/tools/trend/version_trend.hpp"
 #include "tests/bench/gate/made_report.hpp"
 
 namespace tautline::bench::test {

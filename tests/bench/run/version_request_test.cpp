@@ -1,4 +1,4 @@
-#include "bench/run/versions/version_request.hpp"
+#include "bench/tools/trend/versions.hpp"
 
 #include <gtest/gtest.h>
 

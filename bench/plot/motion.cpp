@@ -11,9 +11,6 @@
 namespace tautline::bench {
 namespace {
 
-/// Room around the points, as a share of the larger side [-].
-constexpr double margin = 0.06;
-
 /// Coordinates are cut here: differences and squares of them stay finite [m].
 constexpr double largest_coordinate = 1e150;
 
@@ -83,6 +80,7 @@ void Extent::add(const Vec2& point) {
 }
 
 Extent Extent::with_margin() const {
+  constexpr double margin = 0.06;    // around the points, as a share of the larger side [-]
   constexpr double thinnest = 0.25;  // of the larger side: a motion on a line needs room too [-]
   const double scale = std::max({low_.cwiseAbs().maxCoeff(), high_.cwiseAbs().maxCoeff(), 1e-150});
   // a body that does not move has no extent; below this, coordinates are not told apart

@@ -9,7 +9,7 @@
 
 #include "bench/base/process.hpp"
 #include "bench/base/text.hpp"
-#include "bench/run/workplace.hpp"
+#include "bench/run/worker.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"

@@ -13,7 +13,7 @@
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/manual.hpp"
-#include "bench/run/worker_process.hpp"
+#include "bench/run/wire.hpp"
 
 namespace {
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "bench/run/cost.hpp"
 #include "tautline/engine.hpp"
@@ -62,5 +64,9 @@ class Plugin {
   OwnedEngine engine_;
   const ChildEngine* child_ = nullptr;  // the engine, where it has a process of its own
 };
+
+/// Why a plug-in whose interface text is `theirs` cannot be loaded by a program whose text is
+/// `ours` (TAUTLINE_INTERFACE of plugin.hpp), and how to build one that can; empty if it can be.
+[[nodiscard]] std::string misfit(std::string_view theirs, std::string_view ours);
 
 }  // namespace tautline::bench

@@ -1,4 +1,4 @@
-#include "bench/run/worker_process.hpp"
+#include "bench/run/wire.hpp"
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -23,7 +23,6 @@
 #include "bench/run/plugin.hpp"
 #include "bench/run/protocol/messages.hpp"
 #include "bench/run/record.hpp"
-#include "bench/run/wire.hpp"
 #include "tautline/case_file.hpp"
 
 namespace tautline::bench {

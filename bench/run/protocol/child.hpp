@@ -2,13 +2,30 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bench/base/descriptor.hpp"
-#include "bench/run/protocol/keeper.hpp"
 
 namespace tautline::bench {
+
+/// What a keeper starts.
+struct KeptCommand {
+  std::vector<std::string> command;  // the first word is looked up on PATH
+  std::string folder;                // in which it runs
+  std::size_t memory = 0;            // [bytes], the most that it and all it starts may hold
+};
+
+/// What a keeper says of its command, as bytes in a socket: that it runs, and how it ended. One
+/// that says nothing is silent.
+struct KeeperReport {
+  enum class Kind { silent, started, not_started, exited, signalled, ate_memory };
+  Kind kind = Kind::silent;
+  int number = 0;      // process id, errno, exit code or signal
+  double bytes = 0.0;  // that were held, where these were too many
+};
 
 /// An engine's own process, which reads lines and answers with lines. Gone when this is.
 class Child {

@@ -1,11 +1,48 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <string_view>
 #include <vector>
 
-#include "bench/run/protocol/conversation.hpp"
+#include "bench/run/protocol/child.hpp"
+#include "bench/run/protocol/messages.hpp"
 
 namespace tautline::bench {
+
+/// The protocol with one child: a call is a request and its answer. Throws ProtocolError where the
+/// child breaks the protocol, and EngineRefusal where it says that it cannot.
+class Conversation {
+ public:
+  /// Starts the child and asks who it is.
+  explicit Conversation(const KeptCommand& command);
+
+  [[nodiscard]] const ChildInfo& info() const { return info_; }
+  [[nodiscard]] pid_t process() const { return child_.process(); }
+
+  /// False once the child broke the protocol: another run needs another child.
+  [[nodiscard]] bool sound() const { return sound_; }
+
+  /// Begins a run, and ends the one before.
+  [[nodiscard]] ChildStart start(const Case& the_case, const ChildModel& model,
+                                 const RunSettings& settings);
+  [[nodiscard]] ChildSteps step(double dt, std::size_t count);
+  [[nodiscard]] State fly(double dt);
+  [[nodiscard]] State place(const State& state);
+  [[nodiscard]] ChildSolve solve(CableSet cables, const CableVector& rates);
+
+ private:
+  /// `request(id)` is the text of a request, `answer(line, id)` reads what comes back.
+  template <class Request, class Answer>
+  [[nodiscard]] auto exchange(std::string_view method, const Request& request,
+                              const Answer& answer);
+
+  Child child_;
+  int id_ = 0;  // of the latest request
+  bool sound_ = true;
+  std::size_t cables_ = 0;  // of the case that runs
+  ChildInfo info_;
+};
 
 /// The processes of one engine: a process does one run at a time, and the next one after it.
 class Children {

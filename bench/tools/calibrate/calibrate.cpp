@@ -18,7 +18,7 @@
 #endif
 
 #include "bench/base/process.hpp"
-#include "bench/run/workplace.hpp"
+#include "bench/run/worker.hpp"
 
 namespace tautline::bench {
 namespace {

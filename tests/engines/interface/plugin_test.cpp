@@ -9,7 +9,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "bench/run/interface_text.hpp"
 #include "bench/run/plugin.hpp"
 #include "tautline/plugin.hpp"
 

@@ -118,6 +118,16 @@ class Describer {
     required_ = true;
   }
 
+  template <class Row, class Drawn>
+  void drawn(const std::string& key, const std::vector<Row>& /*rows*/,
+             const std::vector<Drawn>& /*all*/) {
+    Describer inside;
+    Row row{};
+    Drawn its{};
+    fields(inside, row, its);
+    add_member(key, list_of(std::move(inside).schema()));
+  }
+
   void means(const char* meaning) { meaning_ = meaning; }
 
   void add_member(const std::string& key, Json schema, const Says& says = {}) {

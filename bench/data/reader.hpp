@@ -75,6 +75,14 @@ void read(const Json& json, std::vector<Value>& values);
 template <class Row>
 void read(const Json& json, Row& row);
 
+/// `json`, which must be a list.
+inline const Json& list_in(const Json& json) {
+  if (!json.is_array()) {
+    throw Json::other_error::create(501, "a list must be an array", nullptr);
+  }
+  return json;
+}
+
 /// Fills the members that `fields` shows it from an object.
 class Reader {
  public:
@@ -89,6 +97,16 @@ class Reader {
   void group(const std::string& key, const Says& /*says*/, const Members& members) {
     Reader inside(object_.at(key));
     members(inside);
+  }
+
+  template <class Row, class Drawn>
+  void drawn(const std::string& key, std::vector<Row>& rows, std::vector<Drawn>& drawn) {
+    rows.clear();
+    drawn.clear();
+    for (const Json& one : list_in(object_.at(key))) {
+      Reader inside(one);
+      fields(inside, rows.emplace_back(), drawn.emplace_back());
+    }
   }
 
   template <class Value, class Members>
@@ -117,10 +135,7 @@ void read(const Json& json, std::optional<Value>& value) {
 template <class Value>
 void read(const Json& json, std::vector<Value>& values) {
   values.clear();
-  if (!json.is_array()) {
-    throw Json::other_error::create(501, "a list must be an array", nullptr);
-  }
-  for (const Json& one : json) {
+  for (const Json& one : list_in(json)) {
     read(one, values.emplace_back());
   }
 }

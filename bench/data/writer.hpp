@@ -20,6 +20,19 @@ namespace tautline::bench {
 
 using Json = nlohmann::ordered_json;
 
+[[nodiscard]] inline std::string on_one_line(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The list of metrics, with what each means.
+[[nodiscard]] inline Json metrics_json() {
+  Json list = Json::array();
+  for (const Metric& metric : metric_list()) {
+    list.push_back({{"name", metric.name}, {"unit", metric.unit}, {"meaning", metric.meaning}});
+  }
+  return list;
+}
+
 inline Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 inline Json json_of(std::size_t value) { return value; }
 inline Json json_of(std::int32_t value) { return value; }
@@ -47,6 +60,8 @@ template <class Value>
 Json json_of(const ByName<Value>& values);
 template <class Row>
 Json json_of(const Row& row);
+template <class... Rows>
+Json object_of(const Rows&... rows);
 
 /// Makes an object of the members that `fields` shows it.
 class Writer {
@@ -77,6 +92,16 @@ class Writer {
     if (value) {
       members(*this, *value);
     }
+  }
+
+  template <class Row, class Drawn>
+  void drawn(const std::string& key, const std::vector<Row>& rows,
+             const std::vector<Drawn>& drawn) {
+    Json array = Json::array();
+    for (std::size_t place = 0; place < rows.size(); ++place) {
+      array.push_back(object_of(rows[place], drawn.at(place)));
+    }
+    object_[key] = std::move(array);
   }
 
   static void means(const char* /*meaning*/) {}
@@ -110,11 +135,17 @@ Json json_of(const ByName<Value>& values) {
   return object;
 }
 
+/// The object that the `fields` of rows make together.
+template <class... Rows>
+Json object_of(const Rows&... rows) {
+  Writer writer;
+  fields(writer, const_cast<Rows&>(rows)...);  // NOLINT: a writer only looks
+  return std::move(writer).object();
+}
+
 template <class Row>
 Json json_of(const Row& row) {
-  Writer writer;
-  fields(writer, const_cast<Row&>(row));  // NOLINT: a writer only looks
-  return std::move(writer).object();
+  return object_of(row);
 }
 
 }  // namespace tautline::bench

@@ -183,8 +183,8 @@ std::vector<Number> numbers_of(const CaseRow& the_case) {
     numbers.insert(numbers.end(), {cable.anchor.x(), cable.anchor.y(), cable.attachment.x(),
                                    cable.attachment.y(), cable.length, cable.restitution});
   }
-  for (const auto* column : {&the_case.path.x, &the_case.path.y, &the_case.path.angle}) {
-    numbers.push_back(column->steps.empty() ? std::nullopt : Number(column->start));
+  for (const Eigen::Index coordinate : {0, 1, 2}) {
+    numbers.push_back(the_case.start ? Number((*the_case.start)[coordinate]) : std::nullopt);
   }
   return numbers;
 }

@@ -14,13 +14,12 @@
     }
   }
 
-  // impacts come as columns without names; a column of one value throughout as that value
-  const columns = ['time', 'cable', 'requested', 'rate_before', 'rate_after', 'arm', 'tangential_error', 'angular_error'];
+  // impacts come as columns, whose names stand once; behind the first, one of a single value as that value
   for (const run of report.runs.filter((one) => one.impacts)) {
-    const [time] = run.impacts;
-    const full = (column) => (Array.isArray(column) ? column : Array(time.length).fill(column));
-    run.impacts = { ...Object.fromEntries(columns.map((name, i) => [name, full(run.impacts[i])])),
-      left_out: run.impacts[columns.length] };
+    const [{ length }] = run.impacts;
+    const full = (column) => (Array.isArray(column) ? column : Array(length).fill(column));
+    run.impacts = Object.fromEntries(report.impact_columns.map((name, i) =>
+      [name, name === 'left_out' ? run.impacts[i] : full(run.impacts[i])]));
   }
 
   const shapes = ['circle', 'square', 'diamond', 'triangle-up', 'triangle-down', 'pentagon', 'star',
@@ -30,10 +29,7 @@
   const dashes = ['solid', 'dash', 'dot', 'dashdot', 'longdash', 'longdashdot'];
 
   const engines = report.engines.map((engine) => engine.name);
-  const modelsOf = (name) => {
-    const engine = report.engines.find((one) => one.name === name);
-    return (engine && engine.models || []).map((model) => model.name);
-  };
+  const modelsOf = (name) => report.engines.find((one) => one.name === name)?.models ?? [];
   /// The place of each model among all of them, engine after engine.
   const places = new Map(engines.flatMap((engine) => modelsOf(engine).map((model) => `${engine}/${model}`))
     .map((key, place) => [key, place]));

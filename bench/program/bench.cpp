@@ -34,9 +34,9 @@ int bench_command(const BenchCommand& command) {
   if (complain(request.problems)) {
     return exit_usage;
   }
-  auto [tree, manifest, result, report] = run_request(request, command.command_line);
+  auto [tree, manifest, result, report, replay] = run_request(request, command.command_line);
   const ResultsTarget target = {command.out, command.json, command.gate, request.limits};
-  write_results(target, report);
+  write_results(target, report, replay);
   print_results(target, report, what_was_done(request, result, report.context));
   if (result.interrupted) {
     const char* left = result.runs.size() == result.due ? ", the draws are not" : "";

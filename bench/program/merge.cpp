@@ -81,7 +81,7 @@ int merge_command(const MergeCommand& command) {
       report_of(options, references, Certification(references, options.certify).digits(),
                 gathering.result, std::move(context));
   add_verdicts(report, target.limits);
-  write_results(target, report);
+  write_results(target, report, replay_of(references, gathering.result));
   print_results(
       target, report,
       fmt::format("{} of {} runs from {} result tree{}", report.runs.size(), report.planned_runs,

@@ -93,15 +93,17 @@ RunSuite run_request(const Request& request, const std::string& command_line) {
   Report report = report_of(options, references, digits, result, std::move(context));
   report.distributions = std::move(distributions);
   add_verdicts(report, request.limits);
-  return {std::move(tree), std::move(manifest), std::move(result), std::move(report)};
+  Replay replay = replay_of(references, result);
+  return {std::move(tree), std::move(manifest), std::move(result), std::move(report),
+          std::move(replay)};
 }
 
-void write_results(const ResultsTarget& target, const Report& report) {
-  const std::string json = report_json(report);
+void write_results(const ResultsTarget& target, const Report& report, const Replay& replay) {
+  const std::string json = report_json(report, replay);
   write_file(target.out / "report.json", json);
   write_file(target.out / "report.md", report_markdown(report));
-  write_motions(target.out, report);
-  write_file(target.out / "index.html", report_html(report, page_assets()));
+  write_motions(target.out, report, replay);
+  write_file(target.out / "index.html", report_html(report, replay, page_assets()));
   write_file(target.out / "summary.md", summary_markdown(report));
   for (const Scorecard& card : scorecards(report)) {
     write_file(target.out / card_name(card.engine), card_svg(report, card.engine));

@@ -8,6 +8,7 @@
 #include "bench/gate/limits.hpp"
 #include "bench/program/request.hpp"
 #include "bench/report/manifest.hpp"
+#include "bench/report/replay.hpp"
 #include "bench/report/report.hpp"
 #include "bench/suite/suite.hpp"
 
@@ -19,6 +20,7 @@ struct RunSuite {
   Manifest manifest;
   SuiteResult result;
   Report report;
+  Replay replay;  // of the report
 };
 
 /// Runs what `request`, which has no problems, asks for, and shows how far it is. `command_line` is
@@ -33,9 +35,9 @@ struct ResultsTarget {
   Limits limits;                    // of it, or those that ship
 };
 
-/// Writes `report`, which has its verdicts: report.json, report.md, index.html with its motions,
-/// summary.md and a card for each engine.
-void write_results(const ResultsTarget& target, const Report& report);
+/// Writes `report`, which has its verdicts, and its `replay`: report.json, report.md, index.html
+/// with its motions, summary.md and a card for each engine.
+void write_results(const ResultsTarget& target, const Report& report, const Replay& replay);
 
 /// Prints the summary of `report`, and `last`, which says what was done, before the place where all
 /// of it is; nothing where standard output has the JSON.

@@ -71,7 +71,7 @@ int run_command(const RunCommand& command) {
   if (command.json.empty()) {
     fmt::print("{}", run_card(report, command.all, output_style()));
   } else {
-    write_output(command.json, run_json(row));
+    write_output(command.json, run_json(row, result.runs.front().replay));
   }
   return did_its_work(row.status) ? exit_done : exit_failed;
 }

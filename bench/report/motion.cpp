@@ -167,14 +167,11 @@ Path run_path(const Case& the_case, const Nearness& nearness, const Trajectory& 
   return path;
 }
 
-Path exact_path(const ReferenceCase& reference) {
-  Path path = drawn(samples_of(reference.the_case, reference.solution), nearness_of(reference));
-  path.cables = taut_columns(reference.the_case, reference.solution);
-  return path;
-}
-
-EventColumns exact_events(const ReferenceCase& reference) {
-  EventColumns columns;
+CaseReplay exact_replay(const ReferenceCase& reference) {
+  CaseReplay replay;
+  replay.path = drawn(samples_of(reference.the_case, reference.solution), nearness_of(reference));
+  replay.path.cables = taut_columns(reference.the_case, reference.solution);
+  EventColumns& columns = replay.events;
   for (const Event* event : kept_events(reference)) {
     columns.time.push_back(event->time);
     columns.kind.emplace_back(to_string(event->kind));
@@ -183,7 +180,7 @@ EventColumns exact_events(const ReferenceCase& reference) {
     columns.rate.push_back(closing_speed(reference.the_case, *event));
   }
   columns.left_out = reference.solution.events().size() - columns.time.size();
-  return columns;
+  return replay;
 }
 
 }  // namespace tautline::bench

@@ -4,7 +4,7 @@
 
 #include "bench/measure/reference.hpp"
 #include "bench/report/motion/curve.hpp"
-#include "bench/report/report.hpp"
+#include "bench/report/replay.hpp"
 #include "bench/run/record.hpp"
 #include "tautline/case.hpp"
 
@@ -38,10 +38,8 @@ inline constexpr std::size_t most_impacts = 300;
 [[nodiscard]] ImpactColumns run_impacts(const Case& the_case, const Trajectory& run,
                                         double count_speed);
 
-/// The exact motion as it is drawn.
-[[nodiscard]] Path exact_path(const ReferenceCase& reference);
-
-/// Its events; of very many the fastest impacts, and all that are none.
-[[nodiscard]] EventColumns exact_events(const ReferenceCase& reference);
+/// The exact motion as it is drawn, and its events; of very many the fastest impacts, and all that
+/// are none.
+[[nodiscard]] CaseReplay exact_replay(const ReferenceCase& reference);
 
 }  // namespace tautline::bench

@@ -4,6 +4,7 @@
 
 #include "bench/base/terminal.hpp"
 #include "bench/page/page_assets.hpp"
+#include "bench/report/replay.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
@@ -14,9 +15,10 @@ namespace tautline::bench {
 [[nodiscard]] std::string report_markdown(const Report& report);
 
 /// The report as one page that needs no other file and no network: all of it in plain HTML, and the
-/// charts by the page's scripts. Drawn from `report` alone; every number in its tables is one of
-/// `report`, and stands in full in its cell: in its data-value, or as its text.
-[[nodiscard]] std::string report_html(const Report& report, const PageAssets& assets);
+/// charts by the page's scripts. Drawn from `report` and its `replay`; every number in its tables
+/// is one of `report`, and stands in full in its cell: in its data-value, or as its text.
+[[nodiscard]] std::string report_html(const Report& report, const Replay& replay,
+                                      const PageAssets& assets);
 
 /// The answers for a terminal: the table over all cases with as many columns as fit, what its words
 /// mean, and the failures. Drawn from `report` alone.

@@ -3,13 +3,16 @@
 #include <optional>
 
 #include "bench/measure/audit.hpp"
+#include "bench/report/replay.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
 
-/// All that a run left: its row, and what the report draws from all runs together.
+/// All that a run left: its row, what is drawn of it, and what the report draws from all runs
+/// together.
 struct RunRecord {
   RunRow row;
+  RunReplay replay;
   std::optional<TimingRow> timing;  // none if nothing was measured
   std::optional<RunAudit> audit;    // none without a trajectory
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -9,7 +10,6 @@
 #include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/audit.hpp"
 #include "bench/measure/metric_list.hpp"
-#include "bench/report/motion/path.hpp"
 #include "bench/solution/certificate.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
@@ -62,20 +62,6 @@ enum class Status {
 [[nodiscard]] constexpr bool did_its_work(Status status) {
   return status == Status::finished || status == Status::stopped;
 }
-
-/// The counted impacts of a run in rising time, a column each; of very many the fastest.
-struct ImpactColumns {
-  std::vector<double> time;              // [s]
-  std::vector<std::size_t> cable;        //
-  std::vector<double> requested;         // [-], the cable's restitution at that speed
-  std::vector<double> rate_before;       // [m/s], gap rate, negative when closing
-  std::vector<double> rate_after;        // [m/s]
-  std::vector<double> arm;               // [m], lever arm, > 0 where the pull turns anticlockwise
-  std::vector<double> tangential_error;  // [N s], momentum across the cable that nothing explains
-  std::vector<double> angular_error;     // [N m s], spin that no arm times impulse explains
-  std::vector<std::size_t> steps;        // with an impulse; 0 if located
-  std::size_t left_out = 0;              // counted impacts that are not here, all slower
-};
 
 /// What the comparison with the exact motion says beside the metrics of the list.
 struct RunDetails {
@@ -135,8 +121,6 @@ struct RunRow {
   std::optional<std::string> output_tail;  // the last that a run that failed printed
   std::optional<MetricValues> metrics;     // none where there is nothing to compare
   std::optional<RunDetails> details;       // set exactly where `metrics` is
-  std::optional<Path> path;                // not in a report's JSON: see `CaseRow::motions`
-  std::optional<ImpactColumns> impacts;
   std::optional<Ladder> ladder;
   std::optional<Scatter> scatter;
   std::optional<Attribution> attribution;
@@ -156,17 +140,7 @@ struct CableRow {
   std::optional<double> restitution;  // none where it depends on the speed
 };
 
-/// Events of an exact motion, a column each; of thousands the fastest impacts.
-struct EventColumns {
-  std::vector<double> time;                      // [s]
-  std::vector<std::string> kind;                 // "impact", "taut", "slack"
-  std::vector<std::vector<std::size_t>> cables;  //
-  std::vector<std::optional<double>>
-      rate;                  // [m/s], of the fastest cable; none of what is no impact
-  std::size_t left_out = 0;  // impacts that are not here, all slower
-};
-
-/// What the exact solution says of a case, and what a page needs to draw it.
+/// What the exact solution says of a case, and how it stands.
 struct CaseRow {
   std::string name;
   std::string title;  // what tells it from others, in words
@@ -182,10 +156,9 @@ struct CaseRow {
   Body body;
   Vec2 gravity = Vec2::Zero();  // [m/s^2]
   std::vector<CableRow> geometry;
-  double extent = 0.0;  // [m], what the anchors and the exact motion cover
-  Path path;            // of the exact motion
-  EventColumns events;
-  std::optional<std::string> motions;  // file beside the page with those of its runs; none: in it
+  double extent = 0.0;                   // [m], what the anchors and the exact motion cover
+  std::optional<Eigen::Vector3d> start;  // x, y [m] and angle [rad]; read from JSON: of its path
+  std::optional<std::string> motions;    // file beside the page with those of its runs; none: in it
   std::optional<CertifiedDigits> certified;  // none where it was not asked for
 };
 

@@ -74,8 +74,8 @@ void measure(const ReferenceCase& reference, const EngineInfo& engine, const Tra
   RunRow& row = record.row;
   row.metrics = values_of(metrics);
   row.details = details_of(metrics, run);
-  row.path = run_path(reference.the_case, nearness_of(reference), run);
-  row.impacts = run_impacts(reference.the_case, run, count_speed);
+  record.replay = {run_path(reference.the_case, nearness_of(reference), run),
+                   run_impacts(reference.the_case, run, count_speed)};
   row.attribution = attribute(reference.the_case, reference.solution, reference.horizon, run,
                               {reference.law, noise_of(engine.precision), count_speed});
   record.audit = audit(reference, run, count_speed);
@@ -137,8 +137,8 @@ CaseRow case_row(const ReferenceCase& reference, const CompareOptions& options) 
          depends_on_speed(cable) ? std::nullopt : std::optional(cable.restitution)});
   }
   row.extent = drawn_extent(reference);
-  row.path = exact_path(reference);
-  row.events = exact_events(reference);
+  const State& start = the_case.initial;
+  row.start = Eigen::Vector3d(start.position.x(), start.position.y(), start.angle);
   return row;
 }
 

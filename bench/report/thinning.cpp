@@ -29,12 +29,6 @@ constexpr int rest_digits = 3;
 
 using Places = std::vector<std::size_t>;
 
-void round_all(std::vector<double>& column, int digits = 6) {
-  for (double& value : column) {
-    value = rounded(value, digits);
-  }
-}
-
 /// The columns of impacts that hold numbers.
 std::array<std::vector<double>*, 7> numbers(ImpactColumns& impacts) {
   return {&impacts.time, &impacts.requested,        &impacts.rate_before,  &impacts.rate_after,
@@ -90,28 +84,42 @@ std::size_t impacts_per_run(std::size_t runs) {
                     most_impacts);
 }
 
+void round_all(std::vector<double>& column, int digits) {
+  for (double& value : column) {
+    value = rounded(value, digits);
+  }
+}
+
 double rounded(double value, int digits) {
   return std::isfinite(value) ? std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr)
                               : value;
 }
 
-RunRow drawable(RunRow result, std::size_t impacts) {
-  if (!result.impacts) {
-    return result;
+ImpactColumns drawable(ImpactColumns impacts, std::size_t most) {
+  round_impacts(impacts);
+  const std::size_t all = impacts.time.size();
+  if (all > most) {
+    keep(impacts, fastest(impacts, most));
+    impacts.left_out += all - most;
   }
-  round_impacts(*result.impacts);
-  const std::size_t all = result.impacts->time.size();
-  if (all > impacts) {
-    keep(*result.impacts, fastest(*result.impacts, impacts));
-    result.impacts->left_out += all - impacts;
-  }
-  return result;
+  return impacts;
 }
 
-CaseRow drawable(CaseRow result) {
-  round_all(result.events.time);
-  for (std::optional<double>& rate : result.events.rate) {
-    rate = rate ? std::optional(rounded(*rate)) : rate;
+Replay drawable(const Replay& replay, const Report& report) {
+  Replay result;
+  for (std::size_t place = 0; place < report.cases.size(); ++place) {
+    CaseReplay& one =
+        result.cases.emplace_back(place < replay.cases.size() ? replay.cases[place] : CaseReplay());
+    round_all(one.events.time);
+    for (std::optional<double>& rate : one.events.rate) {
+      rate = rate ? std::optional(rounded(*rate)) : rate;
+    }
+  }
+  const std::size_t most = impacts_per_run(report.runs.size());
+  for (std::size_t place = 0; place < report.runs.size(); ++place) {
+    const std::optional<ImpactColumns>& impacts = replay.of_run(place).impacts;
+    result.runs.push_back(
+        {std::nullopt, impacts ? std::optional(drawable(*impacts, most)) : std::nullopt});
   }
   return result;
 }

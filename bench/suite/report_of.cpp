@@ -6,6 +6,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/measure/audit.hpp"
+#include "bench/report/motion.hpp"
 #include "bench/report/rows.hpp"
 #include "bench/report/summary.hpp"
 #include "bench/suite/manifest.hpp"
@@ -75,6 +76,17 @@ Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& 
   report.findings = findings_in(result.runs);
   report.context = filled(std::move(context), result);
   return report;
+}
+
+Replay replay_of(const std::vector<ReferenceCase>& references, const SuiteResult& result) {
+  Replay replay;
+  for (const ReferenceCase& reference : references) {
+    replay.cases.push_back(exact_replay(reference));
+  }
+  for (const RunRecord& run : result.runs) {
+    replay.runs.push_back(run.replay);
+  }
+  return replay;
 }
 
 }  // namespace tautline::bench

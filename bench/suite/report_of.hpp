@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/measure/reference.hpp"
+#include "bench/report/replay.hpp"
 #include "bench/report/report.hpp"
 #include "bench/suite/plan.hpp"
 #include "bench/suite/suite.hpp"
@@ -20,11 +21,15 @@ namespace tautline::bench {
                                const std::vector<std::optional<CertifiedDigits>>& certified,
                                const SuiteResult& result, Context context);
 
+/// What is drawn of that report.
+[[nodiscard]] Replay replay_of(const std::vector<ReferenceCase>& references,
+                               const SuiteResult& result);
+
 /// The file with the motions of all runs of a case, seen from the page: motions/<case>.js.
 [[nodiscard]] std::string motion_file(const std::string& case_name);
 
 /// Writes those files below `out` that the cases of `report` name. Each is a script, which a page
 /// on disk may load where it may not read data.
-void write_motions(const std::filesystem::path& out, const Report& report);
+void write_motions(const std::filesystem::path& out, const Report& report, const Replay& replay);
 
 }  // namespace tautline::bench

@@ -15,11 +15,11 @@
 namespace tautline::fuzz {
 namespace {
 
-void use(bench::Report report) {
-  const std::string written = bench::report_json(report);
+void use(bench::Report report, const bench::Replay& replay) {
+  const std::string written = bench::report_json(report, replay);
   const bench::ReportReading again = bench::report_from(written, "written.json");
   require(again.report.has_value(), "what is written reads back");
-  require(bench::report_json(*again.report) == written, "it is written alike");
+  require(bench::report_json(*again.report, again.replay) == written, "it is written alike");
 
   const bench::Changes none = bench::changes(report, report);
   require(!none.worse() && none.count_better() == 0, "a report has not changed from itself");
@@ -40,10 +40,10 @@ void fuzz_reports(std::string_view input) {
   require_sentences(reading.problems, !reading.report);
   static_cast<void>(bench::manifest_from(input));
   if (const auto record = bench::record_from(input, "")) {
-    static_cast<void>(bench::run_json(record->row));
+    static_cast<void>(bench::run_json(record->row, record->replay));
   }
   if (reading.report && bench::contradiction(*reading.report).empty()) {
-    use(std::move(*reading.report));
+    use(std::move(*reading.report), reading.replay);
   }
 }
 

@@ -85,7 +85,8 @@ function simulate({ geometry, gravity, body, start }, duration, dt, samples, bia
   return { path, hits };
 }
 
-/// The columns of impacts in the order of bench/page/common.js.
+/// The columns of impacts, and their names.
+const columnNames = ['time', 'cable', 'requested', 'rate_before', 'rate_after', 'arm', 'tangential_error', 'angular_error', 'left_out'];
 const impactColumns = (hits, bias) => [hits.map((h) => six(h.time)), hits.map((h) => h.cable), hits.map((h) => h.requested),
   hits.map((h) => six(h.rate)), hits.map((h) => six(h.after)), hits.map((h) => six(h.arm)),
   hits.map((h) => six(1e-6 * bias * h.impulse)), hits.map((h) => six(1e-7 * bias * h.impulse)), 0];
@@ -152,9 +153,8 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
   return { schema: 5, program: { name: 'tautline', version: 'synthetic' }, complete: true, planned_runs: runs.length,
     options: { steps, law: 'simultaneous', count_speed: 0.01, early_impacts: 5, time_limit: 60, memory_limit: 1e9 },
     metrics: Object.entries(units).map(([name, unit]) => ({ name, unit, meaning: 'Synthetic.' })),
-    engines: [...engines.map((name) => ({ name, version: '1', precision: 'float64', problem: null, missing: false,
-      models: modelNames[name].map((model) => ({ name: model, sentence: 'Synthetic.', maker: 'by_hand', settings: [] })) })),
-    { name: 'absent', problem: 'its library was not found', missing: true }],
+    engines: [...engines.map((name) => ({ name, models: modelNames[name] })), { name: 'absent', models: [] }],
+    impact_columns: columnNames,
     cases: made.map((the) => the.row), runs,
     summary: groups.map(({ engine, model, step }) => {
       const { metrics } = runs.find((run) => run.engine === engine && run.model === model && run.step === step);

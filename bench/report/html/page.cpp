@@ -45,19 +45,19 @@ std::string replay_section() {
 }
 
 /// The motions that are in the page itself.
-std::string own_motions(const Report& report) {
+std::string own_motions(const Report& report, const Replay& replay) {
   std::string out;
   for (const CaseRow& row : report.cases) {
-    out += row.motions ? "" : motions_json(report, row.name);
+    out += row.motions ? "" : motions_json(report, replay, row.name);
   }
   return out;
 }
 
 }  // namespace
 
-std::string report_html(const Report& report, const PageAssets& assets) {
+std::string report_html(const Report& report, const Replay& replay, const PageAssets& assets) {
   std::string out =
-      fmt::format("<header>\n<h1>{}</h1>\n{}{}{}", title, picture_html(report),
+      fmt::format("<header>\n<h1>{}</h1>\n{}{}{}", title, picture_html(report, replay),
                   verdict_paragraph(report), folded("In sentences", answer_paragraph(report)));
   if (assets.plotly.empty()) {
     out +=
@@ -75,9 +75,9 @@ std::string report_html(const Report& report, const PageAssets& assets) {
                         .content = std::move(out),
                         .command = "tautline bench",
                         .data_id = "report-data",
-                        .data = html_json(page_json(report)),
+                        .data = html_json(page_json(report, replay)),
                         .scripts = assets.scripts,
-                        .motions = html_json(own_motions(report)),
+                        .motions = html_json(own_motions(report, replay)),
                         .files_beside = report.cases.size() > most_cases_in_page},
                        assets);
 }

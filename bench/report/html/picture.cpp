@@ -54,8 +54,8 @@ double slackest(const CaseRow& the_case, const DrawnPath& path, double from, dou
 /// The stills of the impact at `place`; none where its cable does not look taut at it, or slack
 /// around it.
 std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run,
-                                      const DrawnPath& path, std::size_t place) {
-  const ImpactColumns& impacts = *run.impacts;
+                                      const ImpactColumns& impacts, const DrawnPath& path,
+                                      std::size_t place) {
   const std::size_t index = impacts.cable[place];
   if (index >= the_case.geometry.size() || impacts.rate_after[place] <= 0.0) {
     return std::nullopt;
@@ -72,7 +72,7 @@ std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run
       std::abs(gap_of(cable, pose_at(path, time))) > taut * cable.length) {
     return std::nullopt;
   }
-  return ImpactStills{&the_case, &run, path, index, place, times};
+  return ImpactStills{&the_case, &run, &impacts, path, index, place, times};
 }
 
 /// How slack all cables are seen to be, before or after, whichever is less [-].
@@ -83,21 +83,30 @@ double clearness(const ImpactStills& stills) {
 
 /// The path of a run: of the exact motion that of its case, which a report that was read back has
 /// too; none of another run there.
-const Path* path_of(const CaseRow& the_case, const RunRow& run) {
-  const bool is_exact = run.key.engine == control && run.key.model == "event";
-  return is_exact ? &the_case.path : run.path ? &*run.path : nullptr;
+std::optional<Path> path_of(const Report& report, const Replay& replay, std::size_t run) {
+  const RunKey& key = report.runs[run].key;
+  if (key.engine != control || key.model != "event") {
+    return replay.of_run(run).path;
+  }
+  const auto of = static_cast<std::size_t>(case_of(report, report.runs[run]) - report.cases.data());
+  return of < replay.cases.size() ? std::optional(replay.cases[of].path) : std::nullopt;
 }
 
-std::optional<ImpactStills> stills_of(const Report& report, const RunRow& run) {
+/// Of the run at `index`, the stills that show best how slack the cables are.
+std::optional<ImpactStills> stills_of(const Report& report, const Replay& replay,
+                                      std::size_t index) {
+  const RunRow& run = report.runs[index];
+  const std::optional<ImpactColumns>& impacts = replay.of_run(index).impacts;
   const CaseRow* const the_case = case_of(report, run);
-  const Path* const recorded = the_case != nullptr ? path_of(*the_case, run) : nullptr;
-  if (recorded == nullptr || !run.impacts) {
+  const std::optional<Path> recorded =
+      the_case != nullptr && impacts ? path_of(report, replay, index) : std::nullopt;
+  if (!recorded) {
     return std::nullopt;
   }
   const DrawnPath path(*recorded);
   std::optional<ImpactStills> best;
-  for (std::size_t place = 0; place < run.impacts->time.size(); ++place) {
-    const auto stills = stills_of(*the_case, run, path, place);
+  for (std::size_t place = 0; place < impacts->time.size(); ++place) {
+    const auto stills = stills_of(*the_case, run, *impacts, path, place);
     if (stills && (!best || clearness(*stills) > clearness(*best))) {
       best = stills;
     }
@@ -116,7 +125,7 @@ std::string instant_text(const ImpactStills& stills, std::size_t still) {
 }
 
 std::vector<std::string> captions(const ImpactStills& stills) {
-  const ImpactColumns& impacts = *stills.run->impacts;
+  const ImpactColumns& impacts = *stills.impacts;
   const double before = -impacts.rate_before[stills.impact];
   const double after = impacts.rate_after[stills.impact];
   return {
@@ -127,7 +136,7 @@ std::vector<std::string> captions(const ImpactStills& stills) {
 }
 
 std::string legend_html(const ImpactStills& stills) {
-  const ImpactColumns& impacts = *stills.run->impacts;
+  const ImpactColumns& impacts = *stills.impacts;
   const RunKey& key = stills.run->key;
   const double before = -impacts.rate_before[stills.impact];
   const double after = impacts.rate_after[stills.impact];
@@ -142,11 +151,11 @@ std::string legend_html(const ImpactStills& stills) {
 
 }  // namespace
 
-std::optional<ImpactStills> impact_stills(const Report& report) {
+std::optional<ImpactStills> impact_stills(const Report& report, const Replay& replay) {
   for (const bool of_control : {true, false}) {
-    for (const RunRow& run : report.runs) {
-      if ((run.key.engine == control) == of_control) {
-        if (auto stills = stills_of(report, run)) {
+    for (std::size_t run = 0; run < report.runs.size(); ++run) {
+      if ((report.runs[run].key.engine == control) == of_control) {
+        if (auto stills = stills_of(report, replay, run)) {
           return stills;
         }
       }
@@ -155,8 +164,8 @@ std::optional<ImpactStills> impact_stills(const Report& report) {
   return std::nullopt;
 }
 
-std::string picture_html(const Report& report) {
-  const std::optional<ImpactStills> stills = impact_stills(report);
+std::string picture_html(const Report& report, const Replay& replay) {
+  const std::optional<ImpactStills> stills = impact_stills(report, replay);
   if (!stills) {
     return "";
   }

@@ -6,7 +6,8 @@
 
 // The members of every row of a report by their names in JSON, once for writing, for reading
 // and for the schema: a visitor is called with each name, member, and what the schema says of it.
-// `group` makes an object of members that are none of their own in C++.
+// `group` makes an object of members that are none of their own in C++; `drawn` a list of rows that
+// have, each, what is drawn of them.
 
 namespace tautline::bench {
 
@@ -63,7 +64,7 @@ void fields(Visitor& visit, CertifiedDigits& certified) {
 }
 
 template <class Visitor>
-void fields(Visitor& visit, CaseRow& row) {
+void fields(Visitor& visit, CaseRow& row, CaseReplay& replay) {
   visit("name", row.name);
   visit("title", row.title, "what tells the case from others, in words");
   visit("cables", row.cables, in_range(1, 8));
@@ -82,8 +83,8 @@ void fields(Visitor& visit, CaseRow& row) {
   visit("geometry", row.geometry);
   visit("extent", row.extent,
         "what the anchors and the exact motion cover, the wider of width and height [m]");
-  visit("path", row.path);
-  visit("events", row.events,
+  visit("path", replay.path);
+  visit("events", replay.events,
         "of the exact motion, a column each; of thousands the fastest impacts");
   visit("motions", row.motions,
         "the file beside the report with the motions of the case's runs, a script that calls "
@@ -316,17 +317,17 @@ void fields(Visitor& visit, Context& context) {
 
 /// All of it but the form, the program and the list of metrics, which stand before.
 template <class Visitor>
-void fields(Visitor& visit, Report& report) {
+void fields(Visitor& visit, Report& report, Replay& replay) {
   visit("complete", report.complete, "false if the suite was interrupted");
   visit("planned_runs", report.planned_runs);
   visit("options", report.options);
   visit("engines", report.engines);
-  visit("cases", report.cases);
+  visit.drawn("cases", report.cases, replay.cases);
   visit("summary", report.summary);
   visit("convergence", report.convergence);
   visit("findings", report.findings);
   visit("causes", report.causes);
-  visit("runs", report.runs);
+  visit.drawn("runs", report.runs, replay.runs);
   visit("limits", report.limits, "what the verdicts hold the runs against; null without verdicts");
   visit.unless_missing("distributions", report.distributions,
                        [](auto& inside, Distributions& distributions) {

@@ -217,7 +217,7 @@ void fields(Visitor& visit, Verdict& verdict) {
 }
 
 template <class Visitor>
-void fields(Visitor& visit, RunRow& row) {
+void fields(Visitor& visit, RunRow& row, RunReplay& replay) {
   fields(visit, row.key);
   visit("status", row.status);
   visit("reason", row.reason, "of any status but finished");
@@ -227,8 +227,8 @@ void fields(Visitor& visit, RunRow& row) {
         "of every metric its value, or null where it could not be measured; null where "
         "there is nothing to compare");
   visit("details", row.details);
-  visit("path", row.path, "null in a report: it is in the case's `motions`");
-  visit("impacts", row.impacts);
+  visit("path", replay.path, "null in a report: it is in the case's `motions`");
+  visit("impacts", replay.impacts);
   visit.group("audit", "", [&](auto& inside) {
     inside("ladder", row.ladder,
            "heights of consecutive bounces on one cable through the centre of mass, as parts of "
@@ -293,7 +293,7 @@ void fields(Visitor& visit, RunAudit& audit) {
 
 template <class Visitor>
 void fields(Visitor& visit, RunRecord& record) {
-  visit("row", record.row);
+  visit.group("row", "", [&](auto& inside) { fields(inside, record.row, record.replay); });
   visit("timing", record.timing);
   visit("audit", record.audit);
 }

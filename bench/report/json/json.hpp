@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/report/record.hpp"
+#include "bench/report/replay.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
@@ -14,23 +15,25 @@ namespace tautline::bench {
 // The one place in which a report becomes JSON and is read back. Impacts are rounded here, and
 // thinned to what a page can hold, and nowhere before. Motions are for the replay alone.
 
-/// `report` as `report_schema_json` describes it, a line for every row, without the motions of its
-/// runs.
-[[nodiscard]] std::string report_json(const Report& report);
+/// `report` with its `replay` as `report_schema_json` describes it, a line for every row, without
+/// the motions of its runs.
+[[nodiscard]] std::string report_json(const Report& report, const Replay& replay);
 
-/// The same on one line and without what only tools read: verdicts, output, details and digits that
-/// no chart shows. For a page's script.
-[[nodiscard]] std::string page_json(const Report& report);
+/// What the scripts of the report's page read, on one line. `impact_columns` has the names of the
+/// columns of which the impacts of a run are a list.
+[[nodiscard]] std::string page_json(const Report& report, const Replay& replay);
 
 /// The motions of all runs of a case for a replay, a line each: an array of {engine, model, step,
 /// path, impacts}, of which `path` is as in the schema and `impacts` has the columns time [s],
 /// cable and speed [m/s], at which it closed. Of the others it says only how many: `left_out`.
-[[nodiscard]] std::string motions_json(const Report& report, const std::string& the_case);
+[[nodiscard]] std::string motions_json(const Report& report, const Replay& replay,
+                                       const std::string& the_case);
 
 /// A report, or in sentences what `text` has that is none. `name` of its file stands before each.
 struct ReportReading {
   std::optional<Report> report;  // present exactly when `problems` is empty
-  std::vector<std::string> problems;
+  std::vector<std::string> problems = {};
+  Replay replay = {};  // of the report, without the paths of its runs
 };
 [[nodiscard]] ReportReading report_from(std::string_view text, const std::string& name);
 
@@ -38,7 +41,7 @@ struct ReportReading {
 [[nodiscard]] std::string report_schema_json();
 
 /// One run as the report has it, indented.
-[[nodiscard]] std::string run_json(const RunRow& run);
+[[nodiscard]] std::string run_json(const RunRow& run, RunReplay replay);
 
 /// What a model is run with: its settings that are not the engine's defaults. Indented.
 [[nodiscard]] std::string settings_json(const EngineInfo& engine, const Model& model, double step);

@@ -20,7 +20,8 @@ std::string report_schema_json() {
   members.add_member("metrics", list_of(std::move(metric).schema()),
                      "what a run is measured by; the smaller, the better");
   Report report;
-  fields(members, report);
+  Replay replay;
+  fields(members, report, replay);
   return text_of(headed("Report of `tautline bench`",
                         "Two runs of one suite on one program give the same text but for the last "
                         "key, context.",

@@ -22,9 +22,7 @@ namespace tautline::bench::test {
   ball.horizon = 5.0;
   ball.start_energy = 1.0;
   ball.geometry = {CableRow{}};
-  for (GridColumn* column : {&ball.path.time, &ball.path.x, &ball.path.y, &ball.path.angle}) {
-    column->steps = {0};
-  }
+  ball.start = Eigen::Vector3d::Zero();
   report.cases = {ball};
   return report;
 }

@@ -32,8 +32,8 @@ double pixel(const ReferenceCase& reference) { return 1e-3 * drawn_extent(refere
 /// `path` as a page has it: written as JSON and read back.
 Path as_read(const Path& path) {
   RunRecord record;
-  record.row.path = path;
-  return *record_from(record_json(record, "it"), "it").value().row.path;
+  record.replay.path = path;
+  return *record_from(record_json(record, "it"), "it").value().replay.path;
 }
 
 /// How far centre and attachments are from `state` [m], at most.
@@ -118,7 +118,7 @@ void expect_near(const ReferenceCase& reference, const Trajectory& run, double e
 TEST(Motion, TheExactMotionIsDrawnWithinAPixelAtEveryInstant) {
   for (const std::size_t which : {0U, 2U, 6U, 8U}) {
     const ReferenceCase reference = reference_of(shipped_cases().at(which));
-    const Path path = as_read(exact_path(reference));
+    const Path path = as_read(exact_replay(reference).path);
     const DrawnPath drawn(path);
     const double end = reference.solution.end_time();
     double worst = 0.0;
@@ -141,7 +141,7 @@ TEST(Motion, TheExactMotionIsDrawnWithinAPixelAtEveryInstant) {
 
 TEST(Motion, ARunThatIsExactLiesOverTheExactMotionAtEveryInstant) {
   const ReferenceCase reference = reference_of(shipped_cases().front());
-  const DrawnPath exact(as_read(exact_path(reference)));
+  const DrawnPath exact(as_read(exact_replay(reference).path));
   for (const double step : {1e-2, 1e-3}) {
     const Trajectory run = located_run(reference, step);
     const DrawnPath drawn(as_read(run_path(reference.the_case, nearness_of(reference), run)));
@@ -209,7 +209,7 @@ TEST(Motion, ARunOfOneSampleIsAPoint) {
 TEST(Motion, TautIsWhatTheExactMotionHoldsAndNothingElse) {
   for (const std::size_t which : {0U, 8U}) {
     const ReferenceCase reference = reference_of(shipped_cases().at(which));
-    const DrawnPath drawn(as_read(exact_path(reference)));
+    const DrawnPath drawn(as_read(exact_replay(reference).path));
     std::size_t told = 0;
     for (const Arc& arc : reference.solution.arcs()) {
       const double middle = 0.5 * (arc.start + arc.end);
@@ -259,7 +259,7 @@ TEST(Motion, TautIsWhereTheRecordHoldsACableAtItsLength) {
 
 TEST(Motion, TheGapOfATautCableIsTheRecordedOne) {
   const ReferenceCase reference = reference_of(shipped_cases().at(8));
-  const Path path = exact_path(reference);
+  const Path path = exact_replay(reference).path;
   std::size_t shown = 0;
   for (std::size_t cable = 0; cable < path.cables.size(); ++cable) {
     const std::vector<double> times = numbers(path.cables[cable].gap_times);
@@ -277,7 +277,7 @@ TEST(Motion, IsReadAsThePageReadsIt) {
   RunRecord empty;
   json record = json::parse(record_json(empty, "it"));
   record["record"]["row"]["path"] = shared.at("path");
-  const DrawnPath drawn(*record_from(record.dump(), "it").value().row.path);
+  const DrawnPath drawn(*record_from(record.dump(), "it").value().replay.path);
   for (const json& row : shared.at("at")) {
     const double time = row.at("time");
     const Eigen::Vector3d pose = drawn.pose(time);
@@ -292,7 +292,7 @@ TEST(Motion, IsReadAsThePageReadsIt) {
 
 TEST(Motion, TheEventsOfTheExactMotionAreCounted) {
   const ReferenceCase reference = reference_of(shipped_cases().front());
-  const EventColumns events = exact_events(reference);
+  const EventColumns events = exact_replay(reference).events;
   EXPECT_EQ(events.time.size(), std::min(reference.solution.events().size(), most_impacts));
   EXPECT_EQ(events.time.size() + events.left_out, reference.solution.events().size());
 }

@@ -26,6 +26,7 @@ using nlohmann::ordered_json;
 /// The report and the page of a small suite with good, stopped, failed and missing rows.
 struct Made {
   Report report;
+  bench::Replay replay;
   std::string page;
 };
 
@@ -40,7 +41,8 @@ const Made& made() {
     const bench::ReportReading read =
         bench::report_from(content_of(out.path() / "r/report.json"), "report.json");
     EXPECT_TRUE(read.report) << bench::joined(read.problems, "and");
-    return Made{read.report.value_or(Report()), content_of(out.path() / "r/index.html")};
+    return Made{read.report.value_or(Report()), read.replay,
+                content_of(out.path() / "r/index.html")};
   }();
   return result;
 }
@@ -151,7 +153,7 @@ double half_unit(const std::string& shown) {
 
 TEST(ReportPage, IsTheSameFromTheReportReadBack) {
   EXPECT_GT(made().page.size(), 10'000U);
-  EXPECT_TRUE(made().page == report_html(made().report, page_assets()));
+  EXPECT_TRUE(made().page == report_html(made().report, made().replay, page_assets()));
 }
 
 TEST(ReportPage, IsWholeOrNotThere) {
@@ -172,7 +174,7 @@ TEST(ReportPage, IsWholeOrNotThere) {
 
 TEST(ReportPage, ClosesEveryElement) {
   EXPECT_EQ(unbalanced(made().page), "");
-  EXPECT_EQ(unbalanced(report_html(full_report(), page_assets())), "");
+  EXPECT_EQ(unbalanced(report_html(full_report(), made().replay, page_assets())), "");
 }
 
 TEST(ReportPage, HasEverySection) {
@@ -186,7 +188,7 @@ TEST(ReportPage, HasEverySection) {
 TEST(ReportPage, EveryNumberInItsTablesIsInTheReport) {
   const Report report = full_report();
   std::set<double> known;
-  collect_numbers(ordered_json::parse(bench::report_json(report)), known);
+  collect_numbers(ordered_json::parse(bench::report_json(report, made().replay)), known);
   // of the engines' own numbers scorecard_test says that they are those of the rows
   for (const bench::Scorecard& card : scorecards(report)) {
     for (const bench::MakerCard& of : card.makers) {
@@ -196,7 +198,7 @@ TEST(ReportPage, EveryNumberInItsTablesIsInTheReport) {
       }
     }
   }
-  const std::string page = without_scripts(report_html(report, page_assets()));
+  const std::string page = without_scripts(report_html(report, made().replay, page_assets()));
   // the table of runs has five digits of each, or as many as it shows
   for (const double value : std::vector<double>(known.begin(), known.end())) {
     for (const int digits : {5, 6, 7, 8, 9}) {
@@ -240,7 +242,8 @@ TEST(ReportPage, ShowsEveryRunAndWhyItFailed) {
 }
 
 TEST(ReportPage, ShowsLimitsBesideValuesAndNamesNoWinner) {
-  const std::string page = without_scripts(report_html(full_report(), page_assets()));
+  const std::string page =
+      without_scripts(report_html(full_report(), made().replay, page_assets()));
   EXPECT_NE(page.find("known deviation</span><br>" + known_limit + "</td>"), std::string::npos);
   EXPECT_EQ(page.find("energy gain 5.0e-01"), std::string::npos)
       << "a limit that holds beside one that does not";
@@ -269,7 +272,7 @@ TEST(ReportPage, NamesNoNetworkAddress) {
 TEST(ReportPage, IsWholeWithoutPlotly) {
   bench::PageAssets bare = page_assets();
   bare.plotly = {};
-  const std::string page = report_html(made().report, bare);
+  const std::string page = report_html(made().report, made().replay, bare);
   EXPECT_EQ(unbalanced(page), "");
   EXPECT_EQ(page.find("<script id=\"plotly\">"), std::string::npos);
   EXPECT_NE(page.find("Charts are not in this build"), std::string::npos);
@@ -279,7 +282,7 @@ TEST(ReportPage, IsWholeWithoutPlotly) {
 TEST(ReportPage, IsWholeForAReportWithNothingInIt) {
   Report report;
   report.complete = false;
-  const std::string page = report_html(report, page_assets());
+  const std::string page = report_html(report, made().replay, page_assets());
   EXPECT_EQ(unbalanced(page), "");
   EXPECT_NE(page.find("This report is incomplete"), std::string::npos);
 }
@@ -318,7 +321,8 @@ Report renamed(Report report, const std::string& from, const std::string& to) {
 }
 
 TEST(ReportPage, HostileNamesAreHarmless) {
-  const std::vector<std::string> expected = tags(report_html(full_report(), page_assets()));
+  const std::vector<std::string> expected =
+      tags(report_html(full_report(), made().replay, page_assets()));
   const std::string names[] = {"</script><script>alert(1)</script>",
                                "\"><img src=x onerror=alert(1)>",
                                "' onmouseover='alert(1)",
@@ -331,7 +335,7 @@ TEST(ReportPage, HostileNamesAreHarmless) {
   for (const std::string& name : names) {
     for (const std::string part : {"breakwater/1510121100", "exact", "event"}) {
       const Report report = renamed(full_report(), part, name);
-      const std::string page = report_html(report, page_assets());
+      const std::string page = report_html(report, made().replay, page_assets());
       // where no `exact` is left to stand apart, there is a body less
       if (part != "exact") {
         EXPECT_TRUE(tags(page) == expected) << part << ": " << bench::printable(name);
@@ -347,7 +351,7 @@ TEST(ReportPage, HostileNamesAreHarmless) {
       EXPECT_EQ(data.find("\xe2\x80\xa8"), std::string::npos);
       const ordered_json back = ordered_json::parse(data, nullptr, false);
       EXPECT_FALSE(back.is_discarded());
-      EXPECT_TRUE(back == ordered_json::parse(bench::page_json(report)))
+      EXPECT_TRUE(back == ordered_json::parse(bench::page_json(report, made().replay)))
           << "the data are not the report's";
     }
   }

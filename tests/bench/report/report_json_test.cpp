@@ -33,47 +33,48 @@ Trajectory run_with(std::size_t count) {
   return run;
 }
 
-RunRow row_of(const Trajectory& run) {
+RunReplay replay_of(const Trajectory& run) {
   static const ReferenceCase reference =
       solve_cases({shipped_cases().front()}, ImpactLaw::simultaneous).front();
-  RunRow row;
-  row.path = run_path(reference.the_case, nearness_of(reference), run);
-  row.impacts = run_impacts(reference.the_case, run, least_counted);
-  return row;
+  return {run_path(reference.the_case, nearness_of(reference), run),
+          run_impacts(reference.the_case, run, least_counted)};
 }
 
 TEST(ReportJson, OfVeryManyImpactsTheFastestStay) {
-  const RunRow row = row_of(run_with(500));
-  ASSERT_EQ(row.impacts->time.size(), most_impacts);
-  EXPECT_EQ(row.impacts->left_out, 200U);
-  EXPECT_LT(row.impacts->rate_before.back(), -0.4);  // they slow down from 1 to 0.1
+  const ImpactColumns impacts = replay_of(run_with(500)).impacts.value();
+  ASSERT_EQ(impacts.time.size(), most_impacts);
+  EXPECT_EQ(impacts.left_out, 200U);
+  EXPECT_LT(impacts.rate_before.back(), -0.4);  // they slow down from 1 to 0.1
 }
 
 TEST(ReportJson, IsRoundedForAChartAlone) {
-  const RunRow row = row_of(run_with(200));
-  const RunRow drawn = drawable(row, most_impacts);
-  EXPECT_NE(row.impacts->rate_before.at(3), drawn.impacts->rate_before.at(3));
-  EXPECT_NEAR(row.impacts->rate_before.at(3), drawn.impacts->rate_before.at(3), 1e-6);
-  EXPECT_EQ(row.impacts->time.size(), drawn.impacts->time.size());
+  const ImpactColumns impacts = replay_of(run_with(200)).impacts.value();
+  const ImpactColumns drawn = drawable(impacts, most_impacts);
+  EXPECT_NE(impacts.rate_before.at(3), drawn.rate_before.at(3));
+  EXPECT_NEAR(impacts.rate_before.at(3), drawn.rate_before.at(3), 1e-6);
+  EXPECT_EQ(impacts.time.size(), drawn.time.size());
 }
 
 TEST(ReportJson, AReportOfVeryManyRunsHasFewerImpactsInEach) {
   Report report;
+  Replay replay;
   const std::size_t runs = 4320;  // all cases on the engines of Debian at three steps
-  report.runs.assign(runs, row_of(run_with(200)));
-  const RunRow thinned = drawable(report.runs.back(), impacts_per_run(runs));
-  EXPECT_EQ(thinned.impacts->time.size(), 3U);
-  EXPECT_EQ(thinned.impacts->left_out, 197U);
+  report.runs.resize(runs);
+  replay.runs.assign(runs, replay_of(run_with(200)));
+  const ImpactColumns thinned = drawable(replay, report).runs.back().impacts.value();
+  EXPECT_EQ(thinned.time.size(), 3U);
+  EXPECT_EQ(thinned.left_out, 197U);
   // the motions are beside it, and what is left of 10 MB is for the page itself and the tables
-  EXPECT_LT(report_json(report).size(), 6'000'000U);
+  EXPECT_LT(report_json(report, replay).size(), 6'000'000U);
 }
 
 TEST(ReportJson, TheMotionsOfACaseSayHowManyImpactsThereWere) {
   Report report;
-  report.runs = {row_of(run_with(500)), row_of(run_with(1))};
+  report.runs.resize(2);
   report.runs[0].key = {"one", "box2d", "row", 1e-3};
   report.runs[1].key = {"other", "ode", "row", 1e-3};
-  const nlohmann::json motions = nlohmann::json::parse(motions_json(report, "one"));
+  const nlohmann::json motions = nlohmann::json::parse(
+      motions_json(report, {{}, {replay_of(run_with(500)), replay_of(run_with(1))}}, "one"));
   ASSERT_EQ(motions.size(), 1U);
   EXPECT_EQ(motions[0].at("engine"), "box2d");
   const nlohmann::json& impacts = motions[0].at("impacts");
@@ -85,20 +86,20 @@ TEST(ReportJson, TheMotionsOfACaseSayHowManyImpactsThereWere) {
 TEST(ReportJson, HasALineForEveryRowAndReadsBack) {
   Report report;
   report.version = "1";
-  report.runs.assign(2, row_of(run_with(3)));
+  report.runs.resize(2);
   report.runs[1].key.the_case = "another";
-  const std::string text = report_json(report);
+  const std::string text = report_json(report, {{}, {2, replay_of(run_with(3))}});
   EXPECT_NE(text.find("\n  {\"case\":\"another\",\"engine\":\"\""), std::string::npos) << text;
   const ReportReading reading = report_from(text, "it");
   ASSERT_TRUE(reading.report) << (reading.problems.empty() ? "" : reading.problems.front());
-  EXPECT_EQ(report_json(*reading.report), text);
+  EXPECT_EQ(report_json(*reading.report, reading.replay), text);
 }
 
 TEST(ReportJson, RefusesWhatIsNoReportInASentence) {
   Report report;
   report.version = "1";
-  report.runs.assign(1, row_of(run_with(3)));
-  const std::string text = report_json(report);
+  report.runs.resize(1);
+  const std::string text = report_json(report, {{}, {replay_of(run_with(3))}});
   const auto problem_of = [](std::string changed, const std::string& from, const std::string& to) {
     const std::size_t at = changed.find(from);
     EXPECT_NE(at, std::string::npos) << from;
@@ -118,7 +119,7 @@ TEST(ReportJson, RefusesWhatIsNoReportInASentence) {
 
 TEST(ReportJson, RefusesAStepOnAGridThatDoesNotFit) {
   RunRecord record;
-  record.row = row_of(run_with(3));
+  record.replay = replay_of(run_with(3));
   const std::string text = record_json(record, "3");
   const std::string first = "\"steps\":[0";  // of the coordinate x
   const std::size_t step = text.find(first, text.find("\"x\":{")) + first.size() - 1;

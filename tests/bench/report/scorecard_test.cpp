@@ -150,25 +150,29 @@ Path path_through(const std::vector<double>& heights) {
   return path;
 }
 
-/// A body on one cable: slack, taut at 0.5 s, slack again.
+/// A report of a run of a body on one cable.
 Report bouncing_report() {
   Report report = report_of_two_metres();
   add_makers(report, "e");
-  RunRow& run = add_audited(report, "e", "row", 1e-3, 0.1);
-  run.path = path_through({-1.0, -1.4, -2.0, -1.5, -1.2});
+  add_audited(report, "e", "row", 1e-3, 0.1);
+  return report;
+}
+
+/// What is drawn of it, through these `heights` [m]: slack, taut at 0.5 s, slack again.
+Replay bouncing(const std::vector<double>& heights = {-1.0, -1.4, -2.0, -1.5, -1.2}) {
   ImpactColumns impacts;
   impacts.time = {0.5};
   impacts.cable = {0};
   impacts.requested = {0.75};
   impacts.rate_before = {-2.0};
   impacts.rate_after = {1.25};
-  run.impacts = impacts;
-  return report;
+  return {{}, {{path_through(heights), impacts}}};
 }
 
 TEST(Picture, TheStillsAreTheRunsOwnPosesAroundTheImpact) {
   const Report report = bouncing_report();
-  const auto stills = impact_stills(report);
+  const Replay replay = bouncing();
+  const auto stills = impact_stills(report, replay);
   ASSERT_TRUE(stills);
   const CableRow& cable = report.cases.front().geometry.front();
   const auto gap = [&](std::size_t still) {
@@ -180,22 +184,20 @@ TEST(Picture, TheStillsAreTheRunsOwnPosesAroundTheImpact) {
   EXPECT_GT(gap(0), 0.9);
   EXPECT_GT(stills->times[2], 0.5);
   EXPECT_GT(gap(2), 0.7);
-  const std::string html = picture_html(report);
+  const std::string html = picture_html(report, replay);
   EXPECT_NE(html.find("closes at 2 m/s and opens at 1.25 m/s"), std::string::npos) << html;
   EXPECT_NE(html.find("<b>t = 0.500 s</b> taut: closes at 2 m/s"), std::string::npos) << html;
   EXPECT_NE(html.find("asked: <b>0.75</b>; got: <b>0.625</b>"), std::string::npos) << html;
 }
 
 TEST(Picture, WithoutAnImpactThatIsSeenThereIsNone) {
-  Report report = bouncing_report();
-  report.runs.front().path = path_through(std::vector<double>(5, -2.0));
-  EXPECT_EQ(picture_html(report), "");
+  EXPECT_EQ(picture_html(bouncing_report(), bouncing(std::vector<double>(5, -2.0))), "");
 }
 
 TEST(Picture, ACaseWithoutUnitsIsShownWithout) {
   Report report = bouncing_report();
   report.cases.front().gravity = {0.0, -1.0};
-  const std::string html = picture_html(report);
+  const std::string html = picture_html(report, bouncing());
   EXPECT_EQ(html.find("m/s"), std::string::npos) << html;
   EXPECT_EQ(html.find(" s:"), std::string::npos) << html;
 }
@@ -281,10 +283,10 @@ TEST(ScorecardsTable, HasARowForEachMakerAndItsNumbersAreTheCards) {
 TEST(ReportPage, UnitsStandOnlyWhereTheCasesHaveThem) {
   Report report = bouncing_report();
   report.options.steps = {1e-3};
-  const std::string with = report_html(report, {});
+  const std::string with = report_html(report, bouncing(), {});
   EXPECT_NE(with.find("[m]"), std::string::npos);
   report.cases.front().gravity = {0.0, -1.0};
-  const std::string without = report_html(report, {});
+  const std::string without = report_html(report, bouncing(), {});
   for (const char* unit : {"[m]", "[s]", "[J]", "[m/s]"}) {
     EXPECT_EQ(without.find(unit), std::string::npos) << unit;
   }

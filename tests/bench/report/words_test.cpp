@@ -48,7 +48,7 @@ Report report_of_all_words() {
 TEST(VerdictWords, AreExplainedAlikeOnThePageInMarkdownOnATerminalAndInTheDocs) {
   const Report report = report_of_all_words();
   const std::filesystem::path docs = std::filesystem::path(TAUTLINE_README).parent_path() / "docs";
-  const std::string page = plainly(report_html(report, page_assets()));
+  const std::string page = plainly(report_html(report, {}, page_assets()));
   const std::string markdown = plainly(report_markdown(report));
   const std::string terminal = plainly(report_summary(report, unlimited));
   const std::string recipe = plainly(content_of(docs / "ci-recipe.md"));
@@ -66,7 +66,7 @@ TEST(VerdictWords, TheWorstOfAllCasesStandsInTheAnswersOfEveryRenderingWithItsCo
   for (const Word word : {Word::breaks_limit, Word::known_deviation, Word::not_judged}) {
     const std::string said =
         std::string(to_string(word)) + " in 1 of " + std::to_string(report.runs.size());
-    EXPECT_NE(report_html(report, page_assets()).find(said), std::string::npos) << said;
+    EXPECT_NE(report_html(report, {}, page_assets()).find(said), std::string::npos) << said;
     EXPECT_NE(report_markdown(report).find(said), std::string::npos) << said;
     EXPECT_NE(report_summary(report, unlimited).find(said), std::string::npos) << said;
     std::erase_if(report.runs, [&](const RunRow& run) { return run.verdict->word == word; });
@@ -76,7 +76,7 @@ TEST(VerdictWords, TheWorstOfAllCasesStandsInTheAnswersOfEveryRenderingWithItsCo
 }
 
 TEST(VerdictWords, EachHasALookOfItsOwnOnThePage) {
-  const std::string page = report_html(report_of_all_words(), page_assets());
+  const std::string page = report_html(report_of_all_words(), {}, page_assets());
   for (const char* look : {"pass", "known-deviation", "breaks-a-limit", "not-judged"}) {
     EXPECT_NE(page.find(std::string("class=\"verdict ") + look + "\""), std::string::npos) << look;
     EXPECT_NE(page.find(std::string(".verdict.") + look), std::string::npos) << look;

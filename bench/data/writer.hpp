@@ -24,15 +24,6 @@ using Json = nlohmann::ordered_json;
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The list of metrics, with what each means.
-[[nodiscard]] inline Json metrics_json() {
-  Json list = Json::array();
-  for (const Metric& metric : metric_list()) {
-    list.push_back({{"name", metric.name}, {"unit", metric.unit}, {"meaning", metric.meaning}});
-  }
-  return list;
-}
-
 inline Json json_of(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 inline Json json_of(std::size_t value) { return value; }
 inline Json json_of(std::int32_t value) { return value; }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <map>
 
-#include "bench/data/writer.hpp"
+#include "bench/report/json/fields.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/report/motion.hpp"
 #include "bench/report/thinning.hpp"

@@ -12,11 +12,21 @@
 #include "bench/data/describer.hpp"
 #include "bench/data/reader.hpp"
 #include "bench/data/writer.hpp"
+#include "bench/report/replay.hpp"
 #include "bench/report/report.hpp"
 
 // The values of a report that are neither numbers nor rows: as JSON, from it, and in its schema.
 
 namespace tautline::bench {
+
+/// The list of metrics, with what each means.
+[[nodiscard]] inline Json metrics_json() {
+  Json list = Json::array();
+  for (const Metric& metric : metric_list()) {
+    list.push_back({{"name", metric.name}, {"unit", metric.unit}, {"meaning", metric.meaning}});
+  }
+  return list;
+}
 
 /// A list with a value for every metric of `metric_list`, in its order; an object in JSON.
 template <class Values>

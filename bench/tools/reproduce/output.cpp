@@ -2,17 +2,117 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "bench/base/html.hpp"
 #include "bench/base/json_list.hpp"
 #include "bench/base/listed.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/data/describer.hpp"
 #include "bench/tools/reproduce/checks.hpp"
 #include "bench/tools/reproduce/source.hpp"
 
 namespace tautline::bench {
+
+// The members of chapter.json by their names; it has no schema.
+
+inline Json json_of(const ChapterCell& cell) {
+  return std::visit(
+      [](const auto& value) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
+          return nullptr;
+        } else {
+          return value;
+        }
+      },
+      static_cast<const ChapterCell::variant&>(cell));
+}
+
+/// Numbers by their names: one alone as it is, several as a list.
+template <class Visitor>
+void number_fields(Visitor& visit, const NamedNumbers& numbers) {
+  for (const auto& [name, values] : numbers) {
+    values.size() == 1 ? visit(name, values.front()) : visit(name, values);
+  }
+}
+inline Json json_of(const NamedNumbers& numbers) {
+  Writer object;
+  number_fields(object, numbers);
+  return std::move(object).object();
+}
+
+template <class Visitor>
+void fields(Visitor& visit, ChapterColumn& column) {
+  visit("name", column.name);
+  visit("unit", column.unit);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, ChapterTable& table) {
+  visit("name", table.name);
+  visit("title", table.title);
+  visit("file", table.file);
+  visit("columns", table.columns);
+  visit("rows", table.rows);
+  visit("notes", table.notes);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, FigureMark& mark) {
+  visit("time", mark.time);
+  visit("meaning", mark.meaning);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Boundary& boundary) {
+  visit("file", boundary.file);
+  visit("columns", boundary.data.columns);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, ChapterFigure& figure) {
+  const std::vector<std::string>& columns = figure.data.columns;
+  visit("name", figure.number);
+  visit("title", figure.title);
+  visit("file", figure.file);
+  visit("columns", columns);
+  visit("x", columns[figure.x]);
+  visit("y", columns[figure.y]);
+  visit("cases", std::vector<std::string>{figure.case_number});
+  visit("marks", figure.marks);
+  visit("chapter", figure.chapter);
+  visit("truth", figure.truth);
+  visit.if_any("boundary", figure.boundary);
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Correction& correction) {
+  visit("where", correction.where);
+  visit("holds", correction.holds);
+  visit("chapter", correction.chapter);
+  visit("right", correction.right);
+  visit("shown", correction.shown);
+  visit.group("numbers", {}, [&](auto& inside) {
+    number_fields(inside, correction.numbers);
+    if (!correction.list.name.empty()) {
+      inside(correction.list.name, correction.list.rows);
+    }
+  });
+}
+
+template <class Visitor>
+void fields(Visitor& visit, ChapterReport& report) {
+  schema_field(visit, chapter_schema);
+  visit.group("options", {}, [](auto& inside) {
+    inside("digits", std::size_t{chapter_digits});
+    inside("law", std::string("simultaneous"));
+    inside("counted_speed", counted_speed);
+    inside("figure_step", figure_step);
+    inside("seed", std::size_t{chapter_seed});
+  });
+  visit("tables", report.tables);
+  visit("figures", report.figures);
+  visit("corrections", report.corrections);
+}
 
 namespace {
 
@@ -115,90 +215,18 @@ std::string field(const ChapterCell& cell) {
   return whole != nullptr ? std::to_string(*whole) : "";
 }
 
-using nlohmann::ordered_json;
-
-ordered_json cell_json(const ChapterCell& cell) {
-  return std::visit(
-      [](const auto& value) -> ordered_json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
-          return nullptr;
-        } else {
-          return value;
-        }
-      },
-      cell);
-}
-
-ordered_json cells_json(const std::vector<ChapterCell>& cells) {
-  return json_list(cells, cell_json);
-}
-
-ordered_json column_json(const ChapterColumn& column) {
-  return {{"name", column.name}, {"unit", column.unit}};
-}
-
-ordered_json table_json(const ChapterTable& table) {
-  return {{"name", table.name},
-          {"title", table.title},
-          {"file", table.file},
-          {"columns", json_list(table.columns, column_json)},
-          {"rows", json_list(table.rows, cells_json)},
-          {"notes", table.notes}};
-}
-
-ordered_json mark_json(const FigureMark& mark) {
-  return {{"time", mark.time}, {"meaning", mark.meaning}};
-}
-
-ordered_json figure_json(const ChapterFigure& figure) {
-  const FigureData& data = figure.data;
-  ordered_json result = {{"name", figure.number},
-                         {"title", figure.title},
-                         {"file", figure.file},
-                         {"columns", data.columns},
-                         {"x", data.columns[figure.x]},
-                         {"y", data.columns[figure.y]},
-                         {"cases", ordered_json::array({figure.case_number})},
-                         {"marks", json_list(figure.marks, mark_json)},
-                         {"chapter", figure.chapter},
-                         {"truth", figure.truth}};
-  if (figure.boundary) {
-    result["boundary"] = {{"file", figure.boundary->file},
-                          {"columns", figure.boundary->data.columns}};
-  }
-  return result;
-}
-
-ordered_json numbers_json(const NamedNumbers& numbers) {
-  ordered_json result = ordered_json::object();
-  for (const auto& [name, values] : numbers) {
-    result[name] = values.size() == 1 ? cell_json(values.front()) : cells_json(values);
-  }
-  return result;
-}
-
-ordered_json correction_json(const Correction& correction) {
-  ordered_json numbers = numbers_json(correction.numbers);
-  if (!correction.list.name.empty()) {
-    numbers[correction.list.name] = json_list(correction.list.rows, numbers_json);
-  }
-  return {{"where", correction.where},     {"holds", correction.holds},
-          {"chapter", correction.chapter}, {"right", correction.right},
-          {"shown", correction.shown},     {"numbers", std::move(numbers)}};
-}
-
 /// Six digits, more than a plot shows.
-ordered_json drawn(const std::vector<double>& values) {
-  return json_list(
-      values, [](double value) -> ordered_json { return std::stod(fmt::format("{:.6g}", value)); });
+Json drawn(const std::vector<double>& values) {
+  return json_list(values,
+                   [](double value) -> Json { return std::stod(fmt::format("{:.6g}", value)); });
 }
 
-ordered_json curve_json(const Curve& curve) {
+Json curve_json(const Curve& curve) {
   return {{"name", curve.name}, {"x", drawn(curve.x)}, {"y", drawn(curve.y)}};
 }
 
-ordered_json plot_json(const ChapterFigure& figure) {
-  ordered_json boundary;
+Json plot_json(const ChapterFigure& figure) {
+  Json boundary;
   if (figure.boundary) {
     boundary = curve_json(boundary_curve(*figure.boundary));
   }
@@ -207,7 +235,7 @@ ordered_json plot_json(const ChapterFigure& figure) {
           {"y", typeset(figure.data.columns[figure.y])},
           {"curves", json_list(figure_curves(figure), curve_json)},
           {"boundary", std::move(boundary)},
-          {"marks", json_list(figure.marks, mark_json)}};
+          {"marks", json_of(figure.marks)}};
 }
 
 }  // namespace
@@ -262,23 +290,11 @@ std::string corrections_csv(const std::vector<Correction>& corrections) {
   return csv;
 }
 
-std::string chapter_json(const ChapterReport& report) {
-  const ordered_json whole = {{"schema", chapter_schema},
-                              {"options",
-                               {{"digits", chapter_digits},
-                                {"law", "simultaneous"},
-                                {"counted_speed", counted_speed},
-                                {"figure_step", figure_step},
-                                {"seed", chapter_seed}}},
-                              {"tables", json_list(report.tables, table_json)},
-                              {"figures", json_list(report.figures, figure_json)},
-                              {"corrections", json_list(report.corrections, correction_json)}};
-  return whole.dump(2) + "\n";
-}
+std::string chapter_json(const ChapterReport& report) { return text_of(json_of(report)); }
 
 std::string chapter_page_data(const ChapterReport& report) {
-  const ordered_json data = {{"figures", json_list(report.figures, plot_json)}};
-  return html_json(data.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  const Json data = {{"figures", json_list(report.figures, plot_json)}};
+  return html_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace tautline::bench

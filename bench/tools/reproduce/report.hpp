@@ -12,7 +12,9 @@
 namespace tautline::bench {
 
 /// A cell of a table, or a number with a name: nothing, a number, a count or words.
-using ChapterCell = std::variant<std::monostate, double, long, std::string>;
+struct ChapterCell : std::variant<std::monostate, double, long, std::string> {
+  using variant::variant;
+};
 
 [[nodiscard]] inline ChapterCell count(std::size_t number) { return static_cast<long>(number); }
 

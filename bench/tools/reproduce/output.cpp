@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "bench/base/html.hpp"
-#include "bench/base/json_list.hpp"
 #include "bench/base/listed.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
@@ -13,7 +12,7 @@
 
 namespace tautline::bench {
 
-// The members of chapter.json by their names; it has no schema.
+// The members of chapter.json and of the data of the page by their names; they have no schema.
 
 inline Json json_of(const ChapterCell& cell) {
   return std::visit(
@@ -82,6 +81,35 @@ void fields(Visitor& visit, ChapterFigure& figure) {
   visit("chapter", figure.chapter);
   visit("truth", figure.truth);
   visit.if_any("boundary", figure.boundary);
+}
+
+/// What the page's script draws of a figure.
+struct FigurePlot {
+  const ChapterFigure* figure;
+};
+
+/// Six digits, more than a plot shows.
+inline std::vector<double> drawn(const std::vector<double>& values) {
+  return listed(values, [](double value) { return std::stod(fmt::format("{:.6g}", value)); });
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Curve& curve) {
+  visit("name", curve.name);
+  visit("x", drawn(curve.x));
+  visit("y", drawn(curve.y));
+}
+
+template <class Visitor>
+void fields(Visitor& visit, FigurePlot& plot) {
+  const ChapterFigure& figure = *plot.figure;
+  const auto& boundary = figure.boundary;
+  visit("name", figure.number);
+  visit("x", typeset(figure.data.columns[figure.x]));
+  visit("y", typeset(figure.data.columns[figure.y]));
+  visit("curves", figure_curves(figure));
+  visit("boundary", boundary ? std::optional(boundary_curve(*boundary)) : std::nullopt);
+  visit("marks", figure.marks);
 }
 
 template <class Visitor>
@@ -215,29 +243,6 @@ std::string field(const ChapterCell& cell) {
   return whole != nullptr ? std::to_string(*whole) : "";
 }
 
-/// Six digits, more than a plot shows.
-Json drawn(const std::vector<double>& values) {
-  return json_list(values,
-                   [](double value) -> Json { return std::stod(fmt::format("{:.6g}", value)); });
-}
-
-Json curve_json(const Curve& curve) {
-  return {{"name", curve.name}, {"x", drawn(curve.x)}, {"y", drawn(curve.y)}};
-}
-
-Json plot_json(const ChapterFigure& figure) {
-  Json boundary;
-  if (figure.boundary) {
-    boundary = curve_json(boundary_curve(*figure.boundary));
-  }
-  return {{"name", figure.number},
-          {"x", typeset(figure.data.columns[figure.x])},
-          {"y", typeset(figure.data.columns[figure.y])},
-          {"curves", json_list(figure_curves(figure), curve_json)},
-          {"boundary", std::move(boundary)},
-          {"marks", json_of(figure.marks)}};
-}
-
 }  // namespace
 
 std::string chapter_markdown(const ChapterReport& report) {
@@ -293,7 +298,9 @@ std::string corrections_csv(const std::vector<Correction>& corrections) {
 std::string chapter_json(const ChapterReport& report) { return text_of(json_of(report)); }
 
 std::string chapter_page_data(const ChapterReport& report) {
-  const Json data = {{"figures", json_list(report.figures, plot_json)}};
+  const Json data = {{"figures", json_of(listed(report.figures, [](const ChapterFigure& figure) {
+                        return FigurePlot{&figure};
+                      }))}};
   return html_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

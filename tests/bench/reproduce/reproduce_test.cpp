@@ -8,7 +8,7 @@
 #include "bench/tools/reproduce/source.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
-#include "tests/bench/tools/reproduce/reproduced.hpp"
+#include "tests/bench/reproduce/reproduced.hpp"
 
 namespace tautline::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/bench/tools/reproduce/reproduced.hpp"
+#include "tests/bench/reproduce/reproduced.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tests/bench/tools/reproduce/reproduced.hpp"
+#include "tests/bench/reproduce/reproduced.hpp"
 
 namespace tautline::test {
 namespace {

@@ -1,6 +1,6 @@
 // Of very many runs a report has fewer impacts each, and of all numbers that are drawn as many
 // digits as can be seen: else no page would hold it. Motions are not in it: see
-// suite/motion_files.cpp.
+// suite/report_of.cpp.
 
 #include "bench/report/thinning.hpp"
 

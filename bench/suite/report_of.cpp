@@ -1,15 +1,20 @@
 #include "bench/suite/report_of.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <thread>
 #include <utility>
 
+#include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
+#include "bench/cases/catalogue.hpp"
 #include "bench/measure/audit.hpp"
+#include "bench/report/json/json.hpp"
 #include "bench/report/motion.hpp"
-#include "bench/report/rows.hpp"
 #include "bench/report/summary.hpp"
 #include "bench/suite/manifest.hpp"
+#include "bench/suite/rows.hpp"
 #include "bench/suite/source_commit.hpp"
 
 namespace tautline::bench {
@@ -87,6 +92,21 @@ Replay replay_of(const std::vector<ReferenceCase>& references, const SuiteResult
     replay.runs.push_back(run.replay);
   }
   return replay;
+}
+
+std::string motion_file(const std::string& case_name) {
+  return ("motions" / folder_name(case_name)).generic_string() + ".js";
+}
+
+void write_motions(const std::filesystem::path& out, const Report& report, const Replay& replay) {
+  for (const CaseRow& row : report.cases) {
+    if (row.motions) {
+      // the file's name stands for the case: it needs no quoting
+      write_file(out / *row.motions,
+                 fmt::format("tautline.motionsCame(\"{}\", {});\n", *row.motions,
+                             motions_json(report, replay, row.name)));
+    }
+  }
 }
 
 }  // namespace tautline::bench

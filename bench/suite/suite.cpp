@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "bench/base/process.hpp"
-#include "bench/report/rows.hpp"
 #include "bench/run/worker.hpp"
+#include "bench/suite/rows.hpp"
 #include "bench/suite/run_files.hpp"
 #include "bench/suite/shard.hpp"
 
@@ -36,7 +36,7 @@ std::optional<RunRecord> do_run(const SuiteOptions& options, const ReferenceCase
   if (reply.interrupted) {
     return std::nullopt;
   }
-  RunRecord record = run_record(reference, *engine.info, key, reply, {options.compare});
+  RunRecord record = run_record(reference, *engine.info, key, reply, options.compare);
   if (!options.out.empty()) {
     write_run(run_folder(options.out, key), options, run, reply, record);
   }

@@ -11,7 +11,7 @@ namespace tautline::bench {
 namespace {
 
 /// Of each number of the start, about the case's own: [m], [rad], [m/s] or [rad/s].
-constexpr double deviation = 1e-3;
+constexpr double start_deviation = 1e-3;
 
 /// In the result tree.
 constexpr const char* folder = "ensemble";
@@ -34,7 +34,7 @@ EnsembleRequest request_of(const SuiteOptions& options) {
   spec.count = options.draws;
   spec.law = options.law;
   for (const char* quantity : {"x", "y", "angle", "velocity_x", "velocity_y", "spin"}) {
-    spec.varied.push_back({quantity, {Distribution::Kind::normal, {deviation}}});
+    spec.varied.push_back({quantity, {Distribution::Kind::normal, {start_deviation}}});
   }
   spec.models = options.models;
   spec.steps = {step_of_draws(options.steps)};
@@ -70,7 +70,7 @@ Distributions distributions_of(const EnsembleRequest& request, const Findings& f
   Distributions result;
   result.the_case = request.spec.the_case.name;
   result.draws = request.spec.count;
-  result.deviation = deviation;
+  result.deviation = start_deviation;
   result.page = std::string(folder) + "/index.html";
   for (std::size_t place = 0; place < findings.statistics.size(); ++place) {
     const Statistic& statistic = findings.statistics[place];

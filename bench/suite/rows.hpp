@@ -8,15 +8,10 @@
 
 namespace tautline::bench {
 
-/// How the rows of a report are made.
-struct RowOptions {
-  CompareOptions compare;
-};
-
 /// What a run left: how it ended, and measures, audit and attribution if there is a trajectory.
 [[nodiscard]] RunRecord run_record(const ReferenceCase& reference, const EngineInfo& engine,
                                    const RunKey& key, const RunReply& reply,
-                                   const RowOptions& options);
+                                   const CompareOptions& options);
 
 /// What the exact solution says of a case.
 [[nodiscard]] CaseRow case_row(const ReferenceCase& reference, const CompareOptions& options);

@@ -1,4 +1,4 @@
-#include "bench/report/rows.hpp"
+#include "bench/suite/rows.hpp"
 
 #include <fmt/format.h>
 
@@ -67,10 +67,10 @@ RunDetails details_of(const Metrics& metrics, const Trajectory& run) {
 
 /// Puts into `record` all that is measured on `run`.
 void measure(const ReferenceCase& reference, const EngineInfo& engine, const Trajectory& run,
-             const RowOptions& options, RunRecord& record) {
-  const double count_speed = options.compare.count_speed;
+             const CompareOptions& options, RunRecord& record) {
+  const double count_speed = options.count_speed;
   const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
-                                  reference.horizon, run, options.compare);
+                                  reference.horizon, run, options);
   RunRow& row = record.row;
   row.metrics = values_of(metrics);
   row.details = details_of(metrics, run);
@@ -99,7 +99,7 @@ TimingRow timing_row(const RunKey& key, const Cost& cost) {
 }  // namespace
 
 RunRecord run_record(const ReferenceCase& reference, const EngineInfo& engine, const RunKey& key,
-                     const RunReply& reply, const RowOptions& options) {
+                     const RunReply& reply, const CompareOptions& options) {
   RunRecord record;
   record.row.key = key;
   std::tie(record.row.status, record.row.reason) = status(reference, reply);

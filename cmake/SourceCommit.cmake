@@ -16,7 +16,7 @@ if(git)
   endif()
 endif()
 set(text "// Written by cmake/SourceCommit.cmake.
-#include \"bench/suite/source_commit.hpp\"
+#include \"bench/store/source_commit.hpp\"
 
 namespace tautline::bench {
 

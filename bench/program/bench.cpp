@@ -8,8 +8,8 @@
 #include "bench/program/request.hpp"
 #include "bench/program/results.hpp"
 #include "bench/report/words.hpp"
-#include "bench/suite/manifest.hpp"
-#include "bench/suite/shard.hpp"
+#include "bench/store/manifest.hpp"
+#include "bench/store/shard.hpp"
 
 namespace tautline::bench {
 namespace {

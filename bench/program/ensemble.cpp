@@ -19,8 +19,8 @@
 #include "bench/ensemble/visibly.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/store/tree.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
-#include "bench/suite/tree.hpp"
 #include "tautline/case_file.hpp"
 
 namespace tautline::bench {

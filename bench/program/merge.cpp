@@ -12,10 +12,10 @@
 #include "bench/program/common.hpp"
 #include "bench/program/request.hpp"
 #include "bench/program/results.hpp"
-#include "bench/suite/gathering.hpp"
-#include "bench/suite/manifest.hpp"
+#include "bench/store/manifest.hpp"
+#include "bench/store/tree.hpp"
+#include "bench/store/trees.hpp"
 #include "bench/suite/report_of.hpp"
-#include "bench/suite/tree.hpp"
 
 namespace tautline::bench {
 namespace {

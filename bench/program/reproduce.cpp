@@ -11,7 +11,7 @@
 #include "bench/base/terminal.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
-#include "bench/suite/tree.hpp"
+#include "bench/store/tree.hpp"
 #include "bench/tools/reproduce/output.hpp"
 #include "tautline/scenarios.hpp"
 

@@ -15,8 +15,8 @@
 #include "bench/program/common.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/run/registry.hpp"
+#include "bench/store/shard.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
-#include "bench/suite/shard.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {

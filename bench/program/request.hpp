@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/gate/limits.hpp"
-#include "bench/suite/plan.hpp"
+#include "bench/store/plan.hpp"
 #include "bench/suite/suites.hpp"
 
 namespace CLI {

@@ -22,11 +22,11 @@
 #include "bench/report/output.hpp"
 #include "bench/report/scorecard/pull_request.hpp"
 #include "bench/report/scorecard/scorecard.hpp"
+#include "bench/store/manifest.hpp"
+#include "bench/store/shard.hpp"
+#include "bench/store/tree.hpp"
 #include "bench/suite/draws/compare_draws.hpp"
-#include "bench/suite/manifest.hpp"
 #include "bench/suite/report_of.hpp"
-#include "bench/suite/shard.hpp"
-#include "bench/suite/tree.hpp"
 
 namespace tautline::bench {
 namespace {

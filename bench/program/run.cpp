@@ -12,9 +12,9 @@
 #include "bench/program/common.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/report/output.hpp"
+#include "bench/store/tree.hpp"
 #include "bench/suite/report_of.hpp"
 #include "bench/suite/suite.hpp"
-#include "bench/suite/tree.hpp"
 
 namespace tautline::bench {
 namespace {

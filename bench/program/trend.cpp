@@ -17,7 +17,7 @@
 #include "bench/program/request.hpp"
 #include "bench/program/results.hpp"
 #include "bench/report/words.hpp"
-#include "bench/suite/tree.hpp"
+#include "bench/store/tree.hpp"
 #include "bench/tools/trend/version_trend.hpp"
 #include "bench/tools/trend/versions.hpp"
 

@@ -13,9 +13,9 @@
 #include "bench/report/json/json.hpp"
 #include "bench/report/motion.hpp"
 #include "bench/report/summary.hpp"
-#include "bench/suite/manifest.hpp"
+#include "bench/store/manifest.hpp"
+#include "bench/store/source_commit.hpp"
 #include "bench/suite/rows.hpp"
-#include "bench/suite/source_commit.hpp"
 
 namespace tautline::bench {
 namespace {

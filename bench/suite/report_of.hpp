@@ -8,7 +8,7 @@
 #include "bench/measure/reference.hpp"
 #include "bench/report/replay.hpp"
 #include "bench/report/report.hpp"
-#include "bench/suite/plan.hpp"
+#include "bench/store/plan.hpp"
 #include "bench/suite/suite.hpp"
 
 namespace tautline::bench {

@@ -9,9 +9,9 @@
 
 #include "bench/base/process.hpp"
 #include "bench/run/worker.hpp"
+#include "bench/store/run_files.hpp"
+#include "bench/store/shard.hpp"
 #include "bench/suite/rows.hpp"
-#include "bench/suite/run_files.hpp"
-#include "bench/suite/shard.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -1,22 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <vector>
 
 #include "bench/measure/reference.hpp"
-#include "bench/report/record.hpp"
-#include "bench/suite/plan.hpp"
+#include "bench/store/plan.hpp"
 
 namespace tautline::bench {
-
-struct SuiteResult {
-  std::vector<RunRecord> runs;  // those that finished, in the order of `plan`
-  std::size_t planned = 0;      // of the whole suite
-  std::size_t due = 0;          // of `planned`, those of the shard
-  std::size_t kept = 0;         // of `runs`, taken from an earlier invocation
-  bool interrupted = false;
-};
 
 /// Told of each run that ended, from one thread at a time; `kept` if it had been done before.
 using SuiteProgress = std::function<void(const PlannedRun& run, bool kept)>;

@@ -15,8 +15,8 @@
 #include "bench/ensemble/spec_file.hpp"
 #include "bench/gate/limits.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/manifest.hpp"
 #include "bench/run/wire.hpp"
+#include "bench/store/manifest.hpp"
 #include "fuzz/targets.hpp"
 #include "tautline/case_file.hpp"
 

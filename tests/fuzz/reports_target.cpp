@@ -8,8 +8,8 @@
 #include "bench/gate/trend.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/manifest.hpp"
 #include "bench/report/output.hpp"
+#include "bench/store/manifest.hpp"
 #include "fuzz/targets.hpp"
 
 namespace tautline::fuzz {

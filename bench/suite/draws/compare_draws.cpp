@@ -5,7 +5,7 @@
 #include "bench/ensemble/output/output.hpp"
 #include "bench/ensemble/visibly.hpp"
 #include "bench/report/tables/columns.hpp"
-#include "bench/suite/run_files.hpp"
+#include "bench/store/run_files.hpp"
 
 namespace tautline::bench {
 namespace {

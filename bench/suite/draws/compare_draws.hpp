@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/ensemble/draw_solver.hpp"
-#include "bench/suite/plan.hpp"
+#include "bench/store/plan.hpp"
 
 namespace tautline::bench {
 

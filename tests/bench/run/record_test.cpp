@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/suite/run_files.hpp"
+#include "bench/store/run_files.hpp"
 #include "tautline/detail/flight.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"

@@ -1,4 +1,4 @@
-#include "bench/suite/tree.hpp"
+#include "bench/store/tree.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "bench/suite/run_files.hpp"
+#include "bench/store/run_files.hpp"
 
 #include <fmt/format.h>
 

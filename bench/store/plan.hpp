@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/measure/compare.hpp"
-#include "bench/report/report.hpp"
+#include "bench/report/record.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/run/worker.hpp"
 #include "tautline/case.hpp"
@@ -55,6 +55,15 @@ struct PlannedRun {
 
 /// Every run, in the order in which the report lists them.
 [[nodiscard]] std::vector<PlannedRun> plan(const SuiteOptions& options);
+
+/// What the runs of a suite left.
+struct SuiteResult {
+  std::vector<RunRecord> runs;  // those that finished, in the order of `plan`
+  std::size_t planned = 0;      // of the whole suite
+  std::size_t due = 0;          // of `planned`, those of the shard
+  std::size_t kept = 0;         // of `runs`, taken from an earlier invocation
+  bool interrupted = false;
+};
 
 /// Sentences that say why `options` cannot run: no steps, a step that is not above 0 or needs more
 /// than `most_steps` for a case, an output folder that holds something else.

@@ -1,4 +1,4 @@
-#include "bench/suite/shard.hpp"
+#include "bench/store/shard.hpp"
 
 #include <gtest/gtest.h>
 

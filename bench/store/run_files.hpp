@@ -8,7 +8,7 @@
 #include "bench/report/record.hpp"
 #include "bench/run/record.hpp"
 #include "bench/run/worker.hpp"
-#include "bench/suite/plan.hpp"
+#include "bench/store/plan.hpp"
 
 namespace tautline::bench {
 

@@ -1,4 +1,4 @@
-#include "bench/suite/plan.hpp"
+#include "bench/store/plan.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/run/record.hpp"
-#include "bench/suite/tree.hpp"
+#include "bench/store/tree.hpp"
 
 namespace tautline::bench {
 

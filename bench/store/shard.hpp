@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/suite/plan.hpp"
+#include "bench/store/plan.hpp"
 
 namespace tautline::bench {
 

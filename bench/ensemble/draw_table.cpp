@@ -9,7 +9,7 @@ namespace {
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 /// The nearest number of `counted_digits` binary digits.
-double rounded(double value) {
+double in_counted_digits(double value) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);  // 0.5 to 1
   return std::ldexp(std::nearbyint(std::ldexp(fraction, counted_digits)),
@@ -23,7 +23,7 @@ void ValueCounts::add(std::optional<double> value) {
     ++without_;
     return;
   }
-  ++values_[rounded(*value)];
+  ++values_[in_counted_digits(*value)];
   ++count_;
 }
 

@@ -1,5 +1,5 @@
 // The motions that the replay shows: columns of the report become curves, which are evaluated as
-// bench/report/motion/drawn_path.cpp evaluates them. The exact motion of a case is in the page; those
+// bench/replay/path.cpp evaluates them. The exact motion of a case is in the page; those
 // of its runs are too in the page of a single case, else in a file beside it.
 (() => {
   'use strict';

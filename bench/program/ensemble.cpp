@@ -20,7 +20,7 @@
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/store/tree.hpp"
-#include "bench/suite/draws/compare_draws.hpp"
+#include "bench/suite/draws.hpp"
 #include "tautline/case_file.hpp"
 
 namespace tautline::bench {

@@ -16,7 +16,7 @@
 #include "bench/report/json/json.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/store/shard.hpp"
-#include "bench/suite/draws/compare_draws.hpp"
+#include "bench/suite/draws.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {

@@ -20,12 +20,11 @@
 #include "bench/program/common.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/report/output.hpp"
-#include "bench/report/scorecard/pull_request.hpp"
-#include "bench/report/scorecard/scorecard.hpp"
+#include "bench/report/scorecard.hpp"
 #include "bench/store/manifest.hpp"
 #include "bench/store/shard.hpp"
 #include "bench/store/tree.hpp"
-#include "bench/suite/draws/compare_draws.hpp"
+#include "bench/suite/draws.hpp"
 #include "bench/suite/report_of.hpp"
 
 namespace tautline::bench {

@@ -7,7 +7,7 @@
 #include "bench/base/descriptor.hpp"
 #include "bench/gate/limits.hpp"
 #include "bench/program/request.hpp"
-#include "bench/report/replay.hpp"
+#include "bench/replay/replay.hpp"
 #include "bench/report/report.hpp"
 #include "bench/store/manifest.hpp"
 #include "bench/suite/suite.hpp"

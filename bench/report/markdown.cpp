@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "bench/base/text.hpp"
-#include "bench/report/scorecard/scorecards_table.hpp"
-#include "bench/report/tables/tables.hpp"
+#include "bench/report/scorecard.hpp"
+#include "bench/report/tables.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {

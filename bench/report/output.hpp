@@ -4,7 +4,7 @@
 
 #include "bench/base/terminal.hpp"
 #include "bench/page/page_assets.hpp"
-#include "bench/report/replay.hpp"
+#include "bench/replay/replay.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {

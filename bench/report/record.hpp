@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "bench/measure/audit.hpp"
-#include "bench/report/replay.hpp"
+#include "bench/replay/replay.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {

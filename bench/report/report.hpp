@@ -140,7 +140,7 @@ struct CableRow {
   std::optional<double> restitution;  // none where it depends on the speed
 };
 
-/// What the exact solution says of a case, and how it stands.
+/// What the exact solution says of a case, and what a page needs to draw it at rest.
 struct CaseRow {
   std::string name;
   std::string title;  // what tells it from others, in words
@@ -157,7 +157,7 @@ struct CaseRow {
   Vec2 gravity = Vec2::Zero();  // [m/s^2]
   std::vector<CableRow> geometry;
   double extent = 0.0;                   // [m], what the anchors and the exact motion cover
-  std::optional<Eigen::Vector3d> start;  // x, y [m] and angle [rad]; read from JSON: of its path
+  std::optional<Eigen::Vector3d> start;  // x, y [m] and angle [rad]; in JSON that of its path
   std::optional<std::string> motions;    // file beside the page with those of its runs; none: in it
   std::optional<CertifiedDigits> certified;  // none where it was not asked for
 };

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
+#include "bench/base/listed.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/report/tables/tables.hpp"
+#include "bench/report/columns.hpp"
+#include "bench/report/tables.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {
@@ -34,6 +38,188 @@ std::string legend(const Report& report, std::size_t width) {
   return out;
 }
 
+std::string number_and_unit(double value, const Digits& digits, const std::string& unit) {
+  return number_text(value, digits) + (unit.empty() ? "" : " " + unit);
+}
+
+const Check* check_of(const RunRow& run, std::string_view metric) {
+  if (!run.verdict) {
+    return nullptr;
+  }
+  return find_by(run.verdict->checks, &Check::metric, metric);
+}
+
+/// What became of a limit, in words.
+Cell check_cell(const Check* check) {
+  if (check == nullptr) {
+    return "";
+  }
+  Cell cell = check->holds == Holds::yes            ? "holds"
+              : check->holds == Holds::not_measured ? "could not be measured"
+              : check->known                        ? "known not to hold"
+                                                    : "does not hold";
+  cell.colour = check->holds != Holds::no ? Colour::plain
+                : check->known            ? Colour::yellow
+                                          : Colour::red;
+  return cell;
+}
+
+/// Metrics with value, limit and unit: those that matter and those that are judged, or all.
+Table metrics_of(const RunRow& run, bool all) {
+  Table table({word_column("against the exact motion", ""), number_column("value", "", "", ""),
+               number_column("limit", "", "", ""), word_column("unit", ""), word_column("", "")});
+  for (std::size_t place = 0; place < metric_list().size(); ++place) {
+    const Metric& metric = metric_list()[place];
+    const Check* check = check_of(run, metric.name);
+    if (!all && !is_asked_first(metric) && check == nullptr) {
+      continue;
+    }
+    table.add({in_words(metric.name), number_cell(run.metric(place), metric.digits),
+               check != nullptr ? number_cell(check->limit, as_error) : Cell(""),
+               shown_unit(metric), check_cell(check)});
+  }
+  return table;
+}
+
+/// Why a limit that does not hold is there, or is known not to hold; a sentence each.
+std::string reasons_of(const RunRow& run, std::size_t width) {
+  std::string out;
+  for (const Check& check : run.verdict ? run.verdict->checks : std::vector<Check>()) {
+    if (check.holds == Holds::no && !check.reason.empty()) {
+      out +=
+          wrapped(in_words(check.metric) + ": " + printable(check.reason, longest_sentence), width);
+    }
+  }
+  return out.empty() ? "" : "\n" + out;
+}
+
+/// The impacts of each window and how far the run was compared.
+Table windows_of(const RunDetails& details) {
+  Table table({word_column("impacts up to", ""), number_column("t [s]", "", "", ""),
+               number_column("compared [s]", "", "", ""), number_column("exact", "", "", ""),
+               number_column("found", "", "", ""), number_column("matched", "", "", "")});
+  for (const Window window : windows) {
+    const RunDetails::OfWindow& of = details.in(window);
+    const char* name = window == Window::early     ? "the first few"
+                       : window == Window::horizon ? "the horizon"
+                                                   : "the end";
+    table.add({name, number_cell(of.until, as_instant), number_cell(of.covered, as_instant),
+               count_cell(of.exact), count_cell(of.found), count_cell(of.matched)});
+  }
+  return table;
+}
+
+/// What the run found of a number, and what is exact.
+std::string found_and_exact(const std::optional<double>& found, const std::optional<double>& exact,
+                            const std::string& unit, int digits) {
+  const auto text = [&](const std::optional<double>& value) {
+    return value ? number_and_unit(*value, fixed(digits), unit) : std::string("none");
+  };
+  return fmt::format("{} (exact: {})", text(found), text(exact));
+}
+
+std::string swing_sentence(const SwingMatch& swing) {
+  return fmt::format("Swing from {:.4f} to {:.4f} s: energy {}, amplitude {}.", swing.from,
+                     swing.until, found_and_exact(swing.energy.found, swing.energy.exact, "J", 8),
+                     found_and_exact(swing.amplitude.found, swing.amplitude.exact, "rad", 5));
+}
+
+/// The tensions and the first impulse, a sentence each where there is one.
+std::vector<std::string> pull_sentences(const RunDetails& details) {
+  std::vector<std::string> sentences;
+  const auto add = [&](const char* name, const std::optional<ExactAndFound>& both,
+                       const char* unit) {
+    if (both) {
+      sentences.push_back(
+          fmt::format("{}: {}.", name, found_and_exact(both->found, both->exact, unit, 6)));
+    }
+  };
+  add("Tension at rest", details.rest_tension, "N");
+  add("Largest tension of a taut phase", details.largest_tension, "N");
+  add("Impulse of the first impact", details.first_impulse, "N s");
+  return sentences;
+}
+
+std::string restitution_sentence(const MeasuredRestitution& measured) {
+  return fmt::format("Restitution of {}: {} in the mean, from {} to {}.",
+                     counted(measured.count, "impact"), fixed_text(measured.mean, 4),
+                     fixed_text(measured.smallest, 4), fixed_text(measured.largest, 4));
+}
+
+/// Settling, the swing, restitution and what was recorded, a sentence each.
+std::string sentences_of(const RunDetails& details, bool all, std::size_t width) {
+  const RunDetails::OfWindow& horizon = details.in(Window::horizon);
+  std::vector<std::string> sentences = {
+      fmt::format("Impacts up to the predictability horizon, t = {:.4f} s: {} of {} exact ones are "
+                  "matched, {} found.",
+                  horizon.until, horizon.matched, horizon.exact, horizon.found)};
+  for (const LastImpactMatch& last : details.last_impacts) {
+    if (!last.exact && !last.found) {
+      continue;  // the exact motion does not lock, or beyond its horizon
+    }
+    sentences.push_back(fmt::format("Last impact faster than {:g} m/s: {}.", last.speed,
+                                    found_and_exact(last.found, last.exact, "s", 4)));
+  }
+  if (details.swing) {
+    sentences.push_back(swing_sentence(*details.swing));
+  }
+  if (details.restitution) {
+    sentences.push_back(restitution_sentence(*details.restitution));
+  }
+  const std::vector<std::string> pulls = pull_sentences(details);
+  sentences.insert(sentences.end(), pulls.begin(), pulls.end());
+  if (all) {
+    sentences.push_back(fmt::format("Recorded: {}.", counted(details.recorded_impacts, "impact")));
+  }
+  if (all && details.slow_impacts > 0) {
+    sentences.push_back(
+        fmt::format("Slower, and only counted: {}.", counted(details.slow_impacts, "impact")));
+  }
+  std::string out;
+  for (const std::string& sentence : sentences) {
+    out += wrapped(sentence, width);
+  }
+  return out;
+}
+
+/// "bullet64 3.24 (float64), model row, step 0.001 s"
+std::string setup_text(const Report& report, const RunKey& key) {
+  const EngineRow* const engine = find_by(report.engines, &EngineRow::name, key.engine);
+  const bool known = engine != nullptr && engine->info;
+  return printable(key.engine) +
+         (known ? fmt::format(" {} ({})", printable(engine->info->version), engine->info->precision)
+                : "") +
+         fmt::format(", model {}, step {:g} s", printable(key.model), key.step);
+}
+
+/// What the run comes to: a word of the verdicts, what it is judged by, and why it is not.
+std::string verdict_text(const Report& report, const RunRow& run, const TerminalStyle& style) {
+  if (!run.verdict) {
+    return "";
+  }
+  const std::string by = report.limits
+                             ? fmt::format(" (by {}, version {})", printable(report.limits->file),
+                                           printable(report.limits->version))
+                             : "";
+  const Word word = run.verdict->word;
+  const std::string& reason = run.verdict->reason;
+  return "verdict: " + coloured(to_string(word), colour_of(word), style) + by + "\n" +
+         (reason.empty() ? ""
+                         : wrapped("because: " + printable(reason, longest_sentence), style.text));
+}
+
+/// Processor time, where the run was timed.
+std::string cost_text(const Report& report, std::size_t width) {
+  if (report.context.timing.empty()) {
+    return "";
+  }
+  const TimingRow& timing = report.context.timing.front();
+  return wrapped(fmt::format("Cost: {:.2g} s of processor time for a second of motion, {:.2g} "
+                             "closed-form flights for a step.",
+                             timing.second_cost, timing.cost_ratio),
+                 width);
+}
+
 }  // namespace
 
 std::string report_summary(const Report& report, const TerminalStyle& style) {
@@ -48,6 +234,36 @@ std::string report_summary(const Report& report, const TerminalStyle& style) {
   }
   const Table failures = failures_table(report);
   return failures.empty() ? out : out + "\n" + failures.plain(style);
+}
+
+std::string run_card(const Report& report, bool all_metrics, const TerminalStyle& style) {
+  const RunRow& run = report.runs.front();
+  std::string out =
+      wrapped(printable(run.key.the_case) + " on " + setup_text(report, run.key), style.text) +
+      wrapped_lines(fmt::format("run: {}{}", to_string(run.status),
+                                run.reason.empty() ? "" : ", " + printable(run.reason)),
+                    style.text, 2) +
+      verdict_text(report, run, style);
+  if (!run.metrics || !run.details) {
+    return out;
+  }
+  out += "\n" + metrics_of(run, all_metrics).plain(style) + reasons_of(run, style.text) + "\n";
+  if (all_metrics) {
+    out += windows_of(*run.details).plain(style) + "\n";
+  }
+  out += sentences_of(*run.details, all_metrics, style.text);
+  for (const Finding& finding : report.findings) {
+    out += wrapped("Found: " + printable(finding.sentence, longest_sentence) + ".", style.text);
+  }
+  out += cost_text(report, style.text);
+  return all_metrics
+             ? out
+             : out + "\n" +
+                   wrapped(
+                       fmt::format(
+                           "--all prints all {} metrics; --json FILE writes the run for scripts.",
+                           metric_list().size()),
+                       style.text);
 }
 
 }  // namespace tautline::bench

@@ -7,11 +7,12 @@
 
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
+#include "bench/report/report.hpp"
 
 namespace tautline::bench {
 namespace {
 
-std::string text_of(std::string_view text) { return printable(text, longest_sentence); }
+std::string shown_text(std::string_view text) { return printable(text, longest_sentence); }
 
 std::string megabytes(double bytes) { return fmt::format("{:.0f} MB", bytes / 1e6); }
 
@@ -169,16 +170,17 @@ std::string stopped_sentence(const Report& report) {
 std::vector<Fact> context_facts(const Report& report) {
   const Context& context = report.context;
   std::vector<Fact> facts = {
-      {"command", text_of(context.command), true},
+      {"command", shown_text(context.command), true},
       {"started",
-       fmt::format("{}, took {:.1f} s; {} of {} kept from before", text_of(context.started),
+       fmt::format("{}, took {:.1f} s; {} of {} kept from before", shown_text(context.started),
                    context.elapsed, context.kept_runs, counted(report.planned_runs, "run"))},
-      {"tautline", fmt::format("{}, commit {}", text_of(report.version),
-                               context.commit.empty() ? "unknown" : text_of(context.commit))},
-      {"built by", fmt::format("{}, {}", text_of(context.compiler), text_of(context.build_type))},
-      {"flags", text_of(context.flags), true},
+      {"tautline", fmt::format("{}, commit {}", shown_text(report.version),
+                               context.commit.empty() ? "unknown" : shown_text(context.commit))},
+      {"built by",
+       fmt::format("{}, {}", shown_text(context.compiler), shown_text(context.build_type))},
+      {"flags", shown_text(context.flags), true},
       {"machine",
-       fmt::format("{}, {}", text_of(context.processor), counted(context.cores, "core"))},
+       fmt::format("{}, {}", shown_text(context.processor), counted(context.cores, "core"))},
       {"memory", fmt::format("at most {} in the program and {} in a worker",
                              megabytes(context.program_memory), megabytes(context.worker_memory))},
   };
@@ -189,8 +191,8 @@ std::vector<Fact> context_facts(const Report& report) {
                                            context.shards.front().of)});
   }
   if (report.limits) {
-    facts.push_back({"limits", fmt::format("{}, version {}", text_of(report.limits->file),
-                                           text_of(report.limits->version))});
+    facts.push_back({"limits", fmt::format("{}, version {}", shown_text(report.limits->file),
+                                           shown_text(report.limits->version))});
   }
   std::erase_if(facts, [](const Fact& fact) { return fact.text.empty(); });
   return facts;
@@ -208,6 +210,16 @@ bool is_nondimensional(const Report& report) {
 
 std::string counted(std::size_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+const char* to_string(Status status) {
+  constexpr std::array names = {"finished", "stopped", "diverged", "failed"};
+  return names.at(static_cast<std::size_t>(status));
+}
+
+const char* to_string(Word word) {
+  constexpr std::array names = {"pass", "known deviation", "breaks a limit", "not judged"};
+  return names.at(static_cast<std::size_t>(word));
 }
 
 }  // namespace tautline::bench

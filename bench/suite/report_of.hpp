@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/measure/reference.hpp"
-#include "bench/report/replay.hpp"
+#include "bench/replay/replay.hpp"
 #include "bench/report/report.hpp"
 #include "bench/store/plan.hpp"
 #include "bench/suite/suite.hpp"

@@ -9,7 +9,7 @@
 #include "bench/cases/title.hpp"
 #include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/impact_match.hpp"
-#include "bench/report/motion.hpp"
+#include "bench/replay/motion.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {

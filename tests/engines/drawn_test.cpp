@@ -6,8 +6,8 @@
 #include <random>
 
 #include "bench/measure/reference.hpp"
-#include "bench/report/motion.hpp"
-#include "bench/report/motion/drawn_path.hpp"
+#include "bench/replay/motion.hpp"
+#include "bench/replay/path.hpp"
 #include "engines/engine_support.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"

@@ -33,7 +33,7 @@ function largePage(report) {
   return page.replace(/(<table id="cases-table"[\s\S]*?<tbody>)/, (whole) => whole + many);
 }
 
-/// The impacts that a page has of one of so many runs: thinning.cpp.
+/// The impacts that a page has of one of so many runs: replay.cpp.
 const impactsOf = (runs) => Math.max(3, Math.floor(800000 / runs / 70));
 
 /// A number with the digits that a report has of a cause or a cost.

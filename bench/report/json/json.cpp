@@ -3,15 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
+#include <vector>
 
+#include "bench/base/input_file.hpp"
 #include "bench/base/text.hpp"
+#include "bench/data/describer.hpp"
 #include "bench/data/reader.hpp"
 #include "bench/data/writer.hpp"
+#include "bench/replay/replay.hpp"
 #include "bench/report/json/fields.hpp"
-#include "bench/report/motion.hpp"
-#include "bench/report/thinning.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -58,12 +66,24 @@ std::optional<Eigen::Vector3d> start_of(const Path& path) {
              : std::optional<Eigen::Vector3d>({path.x.start, path.y.start, path.angle.start});
 }
 
+/// A longer file is no report: 10,000 runs are some 60 MB [bytes].
+constexpr std::size_t longest_report = std::size_t{1} << 30U;
+
+template <class Row>
+std::set<std::string> names(const std::vector<Row>& rows) {
+  std::set<std::string> result;
+  for (const Row& row : rows) {
+    result.insert(row.name);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string report_json(const Report& report, const Replay& replay) {
   Json json = {{"schema", report_schema},
                {"program", {{"name", "tautline"}, {"version", report.version}}}};
-  Json rows = object_of(report, drawable(replay, report));
+  Json rows = object_of(report, drawable(replay, report.cases.size(), report.runs.size()));
   for (auto& [key, value] : rows.items()) {
     if (key == "engines") {  // before it, with the options: what the numbers below mean
       json["metrics"] = metrics_json();
@@ -149,6 +169,71 @@ std::optional<RunRecord> record_from(std::string_view text, const std::string& f
   } catch (const Json::exception&) {
     return std::nullopt;
   }
+}
+
+std::string contradiction(const Report& report) {
+  const std::set<std::string> engines = names(report.engines);
+  const std::set<std::string> cases = names(report.cases);
+  const bool whole = std::all_of(report.cases.begin(), report.cases.end(), [](const CaseRow& row) {
+    return std::isfinite(row.horizon + row.duration + row.start_energy);
+  });
+  if (!whole || !std::isfinite(report.options.count_speed)) {
+    return "lacks a number that every case or its options must have";
+  }
+  std::set<RunKey> seen;
+  for (const RunRow& run : report.runs) {
+    const RunKey& key = run.key;
+    if (!(std::isfinite(key.step) && key.step > 0.0)) {
+      return "has a run whose step is no number above 0";
+    }
+    if (!engines.contains(key.engine) || !cases.contains(key.the_case)) {
+      return "has a run whose engine or case it does not list";
+    }
+    if (!seen.insert(key).second) {
+      return fmt::format("has two rows of {} on {} {} with the step {:g}, must have one",
+                         printable(key.the_case), printable(key.engine), printable(key.model),
+                         key.step);
+    }
+  }
+  return "";
+}
+
+ReportReading read_report(const std::filesystem::path& path) {
+  const std::string name = path.empty() ? "\"\"" : printable(path.native(), 1024);
+  // room for what the file has, not for the longest: that would be a gigabyte of zeros
+  std::error_code no_size;
+  const std::uintmax_t size = std::filesystem::file_size(path, no_size);
+  const InputFile file = read_input_file(
+      path, no_size ? longest_report : std::min<std::uintmax_t>(size, longest_report));
+  if (file.problem) {
+    return {std::nullopt, {name + ": " + *file.problem}};
+  }
+  ReportReading reading = report_from(file.content, name);
+  const std::string wrong = reading.report ? contradiction(*reading.report) : "";
+  return wrong.empty() ? reading : ReportReading{std::nullopt, {name + ": " + wrong}};
+}
+
+std::string report_schema_json() {
+  Describer program;
+  program.add_member("name", {{"const", "tautline"}});
+  program("version", std::string());
+  Describer metric;
+  metric("name", std::string());
+  metric("unit", std::string(), "1 for a ratio or a count");
+  metric("meaning", std::string());
+
+  Describer members;
+  members.add_member("schema", {{"const", report_schema}});
+  members.add_member("program", std::move(program).schema());
+  members.add_member("metrics", list_of(std::move(metric).schema()),
+                     "what a run is measured by; the smaller, the better");
+  Report report;
+  Replay replay;
+  fields(members, report, replay);
+  return text_of(headed("Report of `tautline bench`",
+                        "Two runs of one suite on one program give the same text but for the last "
+                        "key, context.",
+                        std::move(members).schema()));
 }
 
 }  // namespace tautline::bench

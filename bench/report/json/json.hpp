@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/replay/replay.hpp"
 #include "bench/report/record.hpp"
-#include "bench/report/replay.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {

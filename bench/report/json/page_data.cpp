@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <map>
 
+#include "bench/replay/replay.hpp"
 #include "bench/report/json/fields.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/motion.hpp"
-#include "bench/report/thinning.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -180,7 +179,7 @@ std::map<RunKey, std::vector<double>> costs_of(const Report& report) {
 }
 
 PageData page_data(const Report& report, const Replay& replay) {
-  PageData page = {report, drawable(replay, report), {}, {}, {}};
+  PageData page = {report, drawable(replay, report.cases.size(), report.runs.size()), {}, {}, {}};
   for (const EngineRow& engine : report.engines) {
     ShownEngine& shown = page.engines.emplace_back(ShownEngine{engine.name, {}});
     for (const Model& model : engine.info ? engine.info->models : std::vector<Model>()) {
@@ -250,7 +249,7 @@ std::string page_json(const Report& report, const Replay& replay) {
     round_for_charts(json.at(key));
   }
   json["metrics"] = metrics_json();
-  json["impact_columns"] = columns_of({}).names;
+  json["impact_columns"] = columns_of(ImpactColumns()).names;
   return on_one_line(json);
 }
 

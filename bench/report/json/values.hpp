@@ -12,7 +12,7 @@
 #include "bench/data/describer.hpp"
 #include "bench/data/reader.hpp"
 #include "bench/data/writer.hpp"
-#include "bench/report/replay.hpp"
+#include "bench/replay/replay.hpp"
 #include "bench/report/report.hpp"
 
 // The values of a report that are neither numbers nor rows: as JSON, from it, and in its schema.

@@ -16,8 +16,8 @@
 #include "bench/gate/changes_fields.hpp"
 #include "bench/gate/changes_output.hpp"
 #include "bench/page/document.hpp"
-#include "bench/report/scorecard/scorecards_table.hpp"
-#include "bench/report/tables/columns.hpp"
+#include "bench/report/columns.hpp"
+#include "bench/report/scorecard.hpp"
 #include "bench/report/words.hpp"
 
 namespace tautline::bench {

@@ -9,7 +9,7 @@
 #include "bench/gate/broken.hpp"
 #include "bench/gate/gate_text.hpp"
 #include "bench/gate/verdict.hpp"
-#include "bench/report/tables/tables.hpp"
+#include "bench/report/tables.hpp"
 #include "bench/report/words.hpp"
 #include "tests/bench/gate/made_report.hpp"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "bench/base/html.hpp"
+#include "bench/replay/replay.hpp"
 #include "bench/report/json/json.hpp"
-#include "bench/report/scorecard/scorecard.hpp"
-#include "bench/report/thinning.hpp"
+#include "bench/report/scorecard.hpp"
 #include "tests/bench/program.hpp"
 
 namespace tautline::test {

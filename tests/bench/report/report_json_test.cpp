@@ -7,8 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "bench/report/motion.hpp"
-#include "bench/report/thinning.hpp"
+#include "bench/replay/motion.hpp"
+#include "bench/replay/replay.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
@@ -61,7 +61,7 @@ TEST(ReportJson, AReportOfVeryManyRunsHasFewerImpactsInEach) {
   const std::size_t runs = 4320;  // all cases on the engines of Debian at three steps
   report.runs.resize(runs);
   replay.runs.assign(runs, replay_of(run_with(200)));
-  const ImpactColumns thinned = drawable(replay, report).runs.back().impacts.value();
+  const ImpactColumns thinned = drawable(replay, 0, runs).runs.back().impacts.value();
   EXPECT_EQ(thinned.time.size(), 3U);
   EXPECT_EQ(thinned.left_out, 197U);
   // the motions are beside it, and what is left of 10 MB is for the page itself and the tables

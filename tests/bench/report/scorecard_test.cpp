@@ -1,4 +1,4 @@
-#include "bench/report/scorecard/scorecard.hpp"
+#include "bench/report/scorecard.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "bench/report/html/picture.hpp"
-#include "bench/report/html/stills_svg.hpp"
 #include "bench/report/output.hpp"
-#include "bench/report/scorecard/pull_request.hpp"
-#include "bench/report/scorecard/scorecards_table.hpp"
+#include "bench/report/picture.hpp"
 #include "tests/bench/gate/made_report.hpp"
 
 namespace tautline::bench::test {

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "bench/replay/path.hpp"
+#include "bench/replay/replay.hpp"
+#include "bench/report/report.hpp"
+
+namespace tautline::bench {
+
+/// Where a body is.
+struct Pose {
+  Vec2 centre = Vec2::Zero();  // [m]
+  double angle = 0.0;          // [rad]
+};
+
+[[nodiscard]] Pose pose_at(const DrawnPath& path, double time);
+
+/// The gap of a cable at a pose [m].
+[[nodiscard]] double gap_of(const CableRow& cable, const Pose& pose);
+
+/// One still of three: the body at its instant, the way it came from the first, and its cables, of
+/// which `struck` stands out. All stills of a motion have one scale.
+[[nodiscard]] std::string still_svg(const CaseRow& the_case, const DrawnPath& path,
+                                    const std::array<double, 3>& times, std::size_t still,
+                                    std::size_t struck);
+
+// The picture at the top of the page: one impact of a real run, before, at, and after.
+
+/// Three instants of a run around one impact, and its numbers.
+struct ImpactStills {
+  const CaseRow* the_case;
+  const RunRow* run;
+  const ImpactColumns* impacts;  // of the run
+  DrawnPath path;                // of the run
+  std::size_t cable;             // that becomes taut
+  std::size_t impact;            // its place in the run's columns
+  std::array<double, 3> times;   // [s]: slack, taut, rebound
+};
+
+/// The impact to show: of the exact motion if the report has it, or else of the first run that
+/// fits; of its impacts the one around which all cables are slackest. None where that is not seen.
+[[nodiscard]] std::optional<ImpactStills> impact_stills(const Report& report, const Replay& replay);
+
+/// The stills as a figure with their numbers; "" without any.
+[[nodiscard]] std::string picture_html(const Report& report, const Replay& replay);
+
+}  // namespace tautline::bench

@@ -1,0 +1,254 @@
+#include "bench/report/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "bench/base/text.hpp"
+#include "bench/report/columns.hpp"
+#include "bench/report/words.hpp"
+
+namespace tautline::bench {
+namespace {
+
+constexpr Digits as_energy = fixed(8);
+constexpr Digits as_angle = fixed(5);
+constexpr Digits as_restitution = fixed(4);
+
+bool is_shown(const Metric& metric) { return metric.shown != Shown::nowhere; }
+
+std::vector<Column> columns_of(const Report& report, bool with_case) {
+  std::vector<Column> columns = setup_columns();
+  if (with_case) {
+    columns.insert(columns.begin(), {word_column("case", "case"), word_column("title", "title")});
+  }
+  if (report.limits) {
+    columns.push_back(word_column("verdict, limits", "verdict"));
+  }
+  for (const Metric& metric : metric_list()) {
+    if (is_shown(metric)) {
+      columns.push_back(number_column(std::string(metric.heading), shown_unit(metric),
+                                      std::string(metric.group), column_key(metric)));
+    }
+  }
+  const std::string impacts = "impacts to the horizon";
+  const std::string last = last_impact_heading(report);
+  const std::string energy = "swing energy";
+  const std::string amplitude = "swing amplitude";
+  const std::string restitution = "restitution e";
+  const std::vector<Column> others = {
+      number_column("matched", "", impacts, "matched"),
+      number_column("exact", "", impacts, "exact"),
+      number_column("found", "", impacts, "found"),
+      number_column("exact", "s", last, "last-impact-exact"),
+      number_column("found", "s", last, "last-impact-found"),
+      number_column("exact", "J", energy, "swing-energy-exact"),
+      number_column("found", "J", energy, "swing-energy-found"),
+      number_column("exact", "rad", amplitude, "swing-amplitude-exact"),
+      number_column("found", "rad", amplitude, "swing-amplitude-found"),
+      number_column("asked", "", restitution, "restitution-asked"),
+      number_column("mean", "", restitution, "restitution-mean"),
+      number_column("smallest", "", restitution, "restitution-smallest"),
+      number_column("largest", "", restitution, "restitution-largest"),
+      number_column("cost", "flights", "", "cost"),
+      word_column("how it ended", "status")};
+  columns.insert(columns.end(), others.begin(), others.end());
+  return columns;
+}
+
+/// "early position error 2.5e-01 m", or the name alone of what has no number.
+std::string check_text(const Check& check) {
+  const auto place = place_of(check.metric);
+  const auto number = [&](const std::optional<double>& value) {
+    if (!value) {
+      return std::string(dash);
+    }
+    const std::string unit = place ? shown_unit(metric_list()[*place]) : "";
+    return number_text(*value, as_error) + (unit.empty() ? "" : " " + unit);
+  };
+  std::string text = printable(in_words(check.metric));
+  if (check.value || check.limit) {
+    text += fmt::format(" {}, limit {}", number(check.value), number(check.limit));
+  }
+  text += check.known ? " (known)" : "";
+  return text +
+         (check.holds != Holds::no || check.reason.empty() ? "" : ": " + printable(check.reason));
+}
+
+/// "could not be measured: restitution error", or "".
+std::string unmeasured_text(const Verdict& verdict) {
+  std::vector<std::string> names;
+  for (const Check& check : verdict.checks) {
+    if (check.holds == Holds::not_measured) {
+      names.push_back(printable(in_words(check.metric)));
+    }
+  }
+  return names.empty() ? "" : "could not be measured: " + joined(names, "and");
+}
+
+/// The word, and below it the limits that matter.
+Cell verdict_cell(const std::optional<Verdict>& verdict) {
+  if (!verdict) {
+    return dash;
+  }
+  Cell cell = to_string(verdict->word);
+  cell.kind = verdict_kind(verdict->word);
+  if (!verdict->reason.empty()) {
+    cell.notes.push_back(printable(verdict->reason, longest_sentence));
+  }
+  for (const Check* check : telling_checks(*verdict)) {
+    cell.notes.push_back(check_text(*check));
+  }
+  if (const std::string text = unmeasured_text(*verdict); !text.empty()) {
+    cell.notes.push_back(text);
+  }
+  return cell;
+}
+
+/// "finished", or the word and why.
+Cell ending_cell(const RunRow& run) {
+  return sentence_cell(to_string(run.status) + (run.reason.empty() ? "" : ": " + run.reason));
+}
+
+void add_pair(std::vector<Cell>& cells, const std::optional<ExactAndFound>& pair, Digits digits) {
+  cells.push_back(number_cell(pair ? std::optional(pair->exact) : std::nullopt, digits));
+  cells.push_back(number_cell(pair ? std::optional(pair->found) : std::nullopt, digits));
+}
+
+void add_last_impact(std::vector<Cell>& cells, const RunDetails& details) {
+  const LastImpactMatch last =
+      details.last_impacts.empty() ? LastImpactMatch() : details.last_impacts.front();
+  cells.push_back(number_cell(last.exact, as_instant));
+  cells.push_back(number_cell(last.found, as_instant));
+}
+
+void add_restitution(std::vector<Cell>& cells, const std::optional<MeasuredRestitution>& measured) {
+  for (const auto number : {&MeasuredRestitution::mean, &MeasuredRestitution::smallest,
+                            &MeasuredRestitution::largest}) {
+    cells.push_back(
+        number_cell(measured ? std::optional((*measured).*number) : std::nullopt, as_restitution));
+  }
+}
+
+/// The restitution that all cables of a case have; none where they differ or it depends on speed.
+std::optional<double> asked_restitution(const CaseRow& the_case) {
+  const auto& cables = the_case.geometry;
+  const bool same = std::all_of(cables.begin(), cables.end(), [&](const CableRow& cable) {
+    return cable.restitution == cables.front().restitution;
+  });
+  return same && !cables.empty() ? cables.front().restitution : std::nullopt;
+}
+
+/// What the rows of runs take from elsewhere in the report.
+struct Lookup {
+  std::map<std::string, std::optional<double>> restitution;  // by case
+  std::map<std::string, std::string> title;                  // by case
+  std::map<RunKey, double> cost;
+
+  explicit Lookup(const Report& report) {
+    for (const CaseRow& the_case : report.cases) {
+      restitution.emplace(the_case.name, asked_restitution(the_case));
+      title.emplace(the_case.name, the_case.title);
+    }
+    for (const TimingRow& timing : report.context.timing) {
+      cost.emplace(timing.key, timing.cost_ratio);
+    }
+  }
+  [[nodiscard]] std::optional<double> restitution_of(const RunKey& run) const {
+    const auto found = restitution.find(run.the_case);
+    return found != restitution.end() ? found->second : std::nullopt;
+  }
+  [[nodiscard]] std::string title_of(const RunKey& run) const {
+    const auto found = title.find(run.the_case);
+    return found != title.end() ? found->second : "";
+  }
+  [[nodiscard]] std::optional<double> cost_of(const RunKey& run) const {
+    const auto found = cost.find(run);
+    return found != cost.end() ? std::optional(found->second) : std::nullopt;
+  }
+};
+
+void add_numbers(std::vector<Cell>& cells, const RunRow& run, const Lookup& lookup) {
+  for (std::size_t place = 0; place < metric_list().size(); ++place) {
+    if (is_shown(metric_list()[place])) {
+      cells.push_back(number_cell(run.metric(place), metric_list()[place].digits));
+    }
+  }
+  const RunDetails& details = *run.details;
+  const RunDetails::OfWindow& horizon = details.in(Window::horizon);
+  for (const std::size_t count : {horizon.matched, horizon.exact, horizon.found}) {
+    cells.push_back(count_cell(count));
+  }
+  add_last_impact(cells, details);
+  const auto& swing = details.swing;
+  add_pair(cells, swing ? std::optional(swing->energy) : std::nullopt, as_energy);
+  add_pair(cells, swing ? std::optional(swing->amplitude) : std::nullopt, as_angle);
+  cells.push_back(number_cell(lookup.restitution_of(run.key), as_count));
+  add_restitution(cells, details.restitution);
+  cells.push_back(number_cell(lookup.cost_of(run.key), fixed(1)));
+}
+
+Row row_of(const Report& report, const RunRow& run, const Lookup& lookup, bool with_case) {
+  Row row = {setup_cells(setup_of(run.key)), "", body_of(run.key.engine)};
+  row.kind = run.status == Status::finished ? "" : to_string(run.status);
+  if (with_case) {
+    row.cells.insert(row.cells.begin(),
+                     {word_cell(run.key.the_case), word_cell(lookup.title_of(run.key))});
+  }
+  if (report.limits) {
+    row.cells.push_back(verdict_cell(run.verdict));
+  }
+  Cell ending = ending_cell(run);
+  if (run.metrics) {
+    add_numbers(row.cells, run, lookup);
+  } else {
+    ending.kind = "reason";
+  }
+  row.cells.push_back(std::move(ending));
+  return row;
+}
+
+/// Of one case; of all without one.
+Table table_of(const Report& report, const std::string* the_case) {
+  const Lookup lookup(report);
+  std::vector<Row> rows;
+  for (const RunRow& run : report.runs) {
+    if (the_case == nullptr || run.key.the_case == *the_case) {
+      rows.push_back(row_of(report, run, lookup, the_case == nullptr));
+    }
+  }
+  Table table(columns_of(report, the_case == nullptr));
+  add_rows(table, std::move(rows), ControlPlace::after);
+  return table;
+}
+
+}  // namespace
+
+Table runs_table(const Report& report) { return table_of(report, nullptr); }
+
+Table runs_table(const Report& report, const std::string& the_case) {
+  return table_of(report, &the_case);
+}
+
+std::vector<const Check*> telling_checks(const Verdict& verdict) {
+  std::vector<const Check*> broken;
+  const Check* tightest = nullptr;
+  double highest = -1.0;  // value over limit
+  for (const Check& check : verdict.checks) {
+    if (check.holds == Holds::no) {
+      broken.push_back(&check);
+    } else if (check.value && check.limit && *check.limit > 0.0 &&
+               *check.value / *check.limit > highest) {
+      highest = *check.value / *check.limit;
+      tightest = &check;
+    }
+  }
+  if (broken.empty() && tightest != nullptr) {
+    return {tightest};
+  }
+  return broken;
+}
+
+}  // namespace tautline::bench

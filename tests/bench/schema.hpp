@@ -32,14 +32,14 @@ namespace tautline::test {
 }
 
 /// The same of what `command` wrote, by the schema that it prints.
-[[nodiscard]] inline std::string broken_rules(const nlohmann::json& written,
-                                              const std::string& command) {
+[[nodiscard]] inline std::string broken_rules_of(const nlohmann::json& written,
+                                                 const std::string& command) {
   return broken_rules(written, nlohmann::json::parse(program({command, "--schema"}).output));
 }
 
 [[nodiscard]] inline bool keeps_the_schema(const nlohmann::json& written,
                                            const std::string& command) {
-  return broken_rules(written, command).empty();
+  return broken_rules_of(written, command).empty();
 }
 
 }  // namespace tautline::test

@@ -86,7 +86,7 @@ TEST_F(CalibrateTunable, FindsTheParameterThatGivesTheRestitution) {
   EXPECT_NEAR(0.9 - knob / 10.0, 0.37, 1e-3);
   EXPECT_LE(found.at("worst").get<double>(), 1e-3);
   EXPECT_TRUE(found.at("reached").get<bool>());
-  EXPECT_EQ(broken_rules(found, "calibrate"), "");
+  EXPECT_EQ(broken_rules_of(found, "calibrate"), "");
   EXPECT_NEAR(std::stod(found.at("code").get<std::string>().substr(std::strlen("cable.knob = "))),
               knob, 1e-12);
 }
@@ -122,7 +122,7 @@ TEST_F(CalibrateTunable, SeesAnEngineThatForgetsTheSpin) {
   EXPECT_GT(found.at("worst").get<double>(), 0.1);
   EXPECT_EQ(sentences(found),
             "no one setting suits all closing speeds, arms, inertias and spins\n");
-  EXPECT_EQ(broken_rules(found, "calibrate"), "");
+  EXPECT_EQ(broken_rules_of(found, "calibrate"), "");
 }
 
 TEST_F(CalibrateTunable, JudgesASettingWithoutASearch) {
@@ -131,7 +131,7 @@ TEST_F(CalibrateTunable, JudgesASettingWithoutASearch) {
   const json found = json::parse(outcome.output);
   EXPECT_EQ(found.at("evaluations").get<int>(), 1);
   EXPECT_NEAR(found.at("worst").get<double>(), 0.1, 1e-9);
-  EXPECT_EQ(broken_rules(found, "calibrate"), "");
+  EXPECT_EQ(broken_rules_of(found, "calibrate"), "");
 }
 
 TEST_F(CalibrateTunable, GivesTheBestSoFarWhereItIsInterrupted) {
@@ -141,7 +141,7 @@ TEST_F(CalibrateTunable, GivesTheBestSoFarWhereItIsInterrupted) {
   EXPECT_TRUE(found.at("interrupted").get<bool>());
   EXPECT_LT(found.at("evaluations").get<int>(), 40);
   EXPECT_EQ(sentences(found), "") << "half a search knows no reach";
-  EXPECT_EQ(broken_rules(found, "calibrate"), "");
+  EXPECT_EQ(broken_rules_of(found, "calibrate"), "");
 }
 
 TEST_F(CalibrateTunable, RefusesWhatItCannotDo) {

@@ -28,7 +28,7 @@ inline constexpr Digits as_count = {Digits::Kind::shortest, 0};
 /// `value` with `digits`: "1.2e-05", "0.9000", "3"; exactly zero is "0".
 [[nodiscard]] std::string number_text(double value, Digits digits);
 
-/// What stands for a number that is not there.
+/// Shown in place of a missing number.
 inline constexpr const char* dash = "–";
 
 /// The rank of a column that stands on a page alone: no terminal shows it.

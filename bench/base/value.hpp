@@ -10,7 +10,7 @@
 
 namespace tautline::bench {
 
-/// The table the text stands for; none, and a finding, where it is not TOML.
+/// The table that the text holds; none, and a finding, where it is not TOML.
 [[nodiscard]] std::optional<toml::table> parse_toml(std::string_view text, FileProblems& wrong);
 
 /// The line of a node, from 1; 0 for null.

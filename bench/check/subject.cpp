@@ -23,7 +23,7 @@ std::string fault_of(const State& state) {
   return "";
 }
 
-/// What an engine reports, held against the case before anyone reads it.
+/// What an engine reports, compared with the case before anyone reads it.
 class CheckedSimulation final : public Simulation {
  public:
   CheckedSimulation(std::unique_ptr<Simulation> inner, std::size_t cables)

@@ -57,7 +57,7 @@ inline void read(const Json& json, CableSet& value) {
   }
 }
 
-/// From the word that stands for an enumerator.
+/// The enumerator of a word.
 template <Enumeration Enum>
 void read(const Json& json, Enum& value) {
   const std::string word = json.get<std::string>();

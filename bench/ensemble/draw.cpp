@@ -44,7 +44,7 @@ SobolPoints& sobol_points(std::size_t dimensions) {
   return *kept;
 }
 
-/// What a number in (0, 1) stands for.
+/// What a number in (0, 1) means.
 double value_at(const Distribution& distribution, double centre, double part) {
   const std::vector<double>& numbers = distribution.numbers;
   switch (distribution.kind) {

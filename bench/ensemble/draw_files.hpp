@@ -12,7 +12,7 @@
 namespace tautline::bench {
 
 /// A number that differs where the same draw of `setup` may have other values: another case,
-/// another distribution, another program or plug-in, which `program` stands for. The count has no
+/// another distribution, another program or plug-in, which `program` identifies. The count has no
 /// part in it.
 [[nodiscard]] std::uint64_t draws_fingerprint(const EnsembleSpec& spec, const EnsembleSetup& setup,
                                               std::uint64_t program);

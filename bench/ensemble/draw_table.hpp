@@ -33,7 +33,7 @@ class ValueCounts {
   std::size_t without_ = 0;
 };
 
-/// Of this many draws, the first ones, every value is held: tests on them see a D of 0.004.
+/// Every value of this many draws, the first ones, is held: tests on them see a D of 0.004.
 inline constexpr std::size_t most_held = std::size_t{1} << 19U;
 
 /// What became of the draws of one setup, statistic by statistic. The first ones are held as they
@@ -53,7 +53,7 @@ class DrawTable {
   /// That of the first draw with one, or empty.
   [[nodiscard]] const std::string& first_problem() const { return first_problem_; }
 
-  /// Whether the draw, one that is held, has ended without a problem.
+  /// True if the draw, one that is held, has ended without a problem.
   [[nodiscard]] bool solved(std::size_t draw) const { return solved_[draw]; }
   /// None where the motion has none of it, or the draw is not solved.
   [[nodiscard]] std::optional<double> value(std::size_t draw, std::size_t statistic) const;

@@ -62,7 +62,7 @@ const CableQuantity* cable_quantity(std::string_view name) {
   return nullptr;
 }
 
-/// Calls `visit` with the numbers that a name stands for: one, or one of each cable.
+/// Calls `visit` with the numbers that a name means: one, or one of each cable.
 template <class Visit>
 void visit_numbers(const Case& the_case, std::string_view name, const Visit& visit) {
   for (const CaseQuantity& one : case_quantities) {

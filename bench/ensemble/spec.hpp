@@ -31,7 +31,7 @@ struct Varied {
   Distribution distribution;
 };
 
-/// A further exact motion of every draw, which the first one is held against.
+/// A further exact motion of every draw, which the first one is compared with.
 struct ExactVariant {
   std::string name;
   ImpactLaw law = ImpactLaw::simultaneous;

@@ -77,7 +77,7 @@ std::string from_folder_of(const std::filesystem::path& source, const std::strin
   return path.find('/') == std::string::npos ? "./" + path : path;
 }
 
-/// The case that a spec means: a file beside it, or a shipped one.
+/// The case that a spec means: a file next to it, or a shipped one.
 std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source,
                               const std::optional<std::string>& other_case, FileProblems& wrong,
                               std::vector<std::string>& notes) {
@@ -244,7 +244,7 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
                          std::vector<std::string>& notes) {
   StrictTable root(&file, "", wrong);
   EnsembleSpec spec;
-  Case any_case;  // stands for one that cannot be read: with every cable that is asked for
+  Case any_case;  // in place of one that cannot be read: with every cable that is asked for
   any_case.cables.resize(max_cables);
   spec.the_case = read_case(root, source, other_case, wrong, notes).value_or(any_case);
   spec.the_case.duration =

@@ -19,11 +19,11 @@ struct SpecReading {
 };
 
 /// Reads the file of `tautline ensemble` (docs/ensembles.md), as strictly as a case file. A path in
-/// it counts from the folder that it is in. `other_case` stands for the case that it names.
+/// it counts from the folder that it is in. `other_case` replaces the case that it names.
 [[nodiscard]] SpecReading read_spec_file(const std::filesystem::path& path,
                                          const std::optional<std::string>& other_case = {});
 
-/// Reads its text; `source` stands for the file in the sentences, and for its folder.
+/// Reads its text; `source` names the file in the sentences, and its folder.
 [[nodiscard]] SpecReading read_spec_text(std::string_view text, const std::filesystem::path& source,
                                          const std::optional<std::string>& other_case = {});
 

@@ -68,7 +68,7 @@ void add_runs(const Report& report, std::vector<BrokenRow>& rows) {
 struct Evidence {
   const RunKey* run = nullptr;  // the last one that it is about; or null
   bool limited = false;         // one of them has a limit on its metric, or needs none
-  bool measured = false;        // and could be held against it
+  bool measured = false;        // and could be compared with it
   bool still = false;           // and breaks it
 };
 
@@ -116,7 +116,7 @@ void add_passing(const Report& report, const Limits& limits, const Precisions& p
   }
 }
 
-/// How often a limit could be held against the runs that it counts for.
+/// How often a limit could be compared with the runs that it counts for.
 struct Measured {
   std::size_t runs = 0;
   std::size_t of_them = 0;

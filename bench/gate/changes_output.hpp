@@ -16,7 +16,7 @@ namespace tautline::bench {
 [[nodiscard]] std::string changes_text(const Changes& changes,
                                        const TerminalStyle& style = unlimited);
 
-/// Of these what fails anew, and the runs that are gone; "" without any.
+/// The runs that newly fail, and those that are gone; "" without any.
 [[nodiscard]] std::string missing_text(const Changes& changes, const TerminalStyle& style);
 
 /// Its last line: how many changes.

@@ -22,7 +22,7 @@ namespace {
 /// A longer manifest is refused before it is read [bytes].
 constexpr std::size_t longest_limits_file = std::size_t{1} << 20U;
 
-/// More entries of one kind than this are a mistake: every run is held against each of them.
+/// More entries of one kind than this are a mistake: every run is compared with each of them.
 constexpr std::size_t most_entries = 10'000;
 
 /// What a limit is made of: finite, too, times a step or over one.

@@ -12,7 +12,7 @@ namespace {
 constexpr double same_step = 1e-9;
 
 bool matches_one(const std::string& pattern, const std::string& name) {
-  std::string escaped;  // what else is special for fnmatch stands for itself
+  std::string escaped;  // what else is special for fnmatch, escaped
   for (const char letter : pattern) {
     if (letter == '[' || letter == ']' || letter == '\\') {
       escaped += '\\';

@@ -17,7 +17,7 @@ namespace tautline::bench {
 /// How the runs of one engine, model and step over the cases come to one number.
 enum class Aggregate {
   none,     // they do not
-  typical,  // median, and the worst beside it, of the runs that did their work
+  typical,  // median, and the worst next to it, of the runs that did their work
   extreme,  // the worst of all runs that have the metric
 };
 

@@ -11,7 +11,7 @@
 
 namespace tautline::bench {
 
-/// A case with everything that a run of it is held against.
+/// A case with everything that a run of it is compared with.
 struct ReferenceCase {
   Case the_case;
   Solution solution;

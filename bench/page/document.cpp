@@ -15,7 +15,7 @@ constexpr std::string_view policy =
     "blob:; base-uri 'none'; form-action 'none'";
 
 std::string head(const PageContent& page, std::string_view style) {
-  // a page on disk may load a file beside it as `file:`, one from a server as `'self'`
+  // a page on disk may load a file next to it as `file:`, one from a server as `'self'`
   const std::string allowed = fmt::format(policy, page.files_beside ? " 'self' file:" : "");
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

@@ -16,7 +16,7 @@ struct PageContent {
   std::string data;           // that its scripts read: JSON in which no script can end
   std::string_view scripts;   //
   std::string motions = {};   // and that a replay reads, likewise; empty: it has none of its own
-  bool files_beside = false;  // whether it may load scripts that lie beside it
+  bool files_beside = false;  // whether it may load scripts that lie next to it
 };
 
 /// A whole page: the style, the content, the data and the scripts in one file that needs no other

@@ -83,7 +83,7 @@ class Gatherer {
   }
 
  private:
-  /// What follows the arcs, where those of one period stand for all.
+  /// What follows the arcs, where those of one period represent all.
   void add_repeated(double end) {
     const double known = solution_.arcs().back().end;
     const auto& repetition = solution_.repetition();

@@ -76,7 +76,7 @@ inline constexpr double panel_left = 64.0;
 /// The largest of 1, 2 or 5 times a power of ten that is at most `length` > 0.
 [[nodiscard]] double round_below(double length);
 
-/// Whether this build can make PNG pictures: it has librsvg.
+/// True if this build can make PNG pictures: it has librsvg.
 [[nodiscard]] bool makes_png();
 
 /// The picture `svg` as a PNG file, two pixels for each of its own. Throws std::runtime_error where

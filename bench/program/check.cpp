@@ -1,4 +1,4 @@
-// `tautline check`: every model of one plug-in, each in a worker process of its own, held against
+// `tautline check`: every model of one plug-in, each in a worker process of its own, compared with
 // what every sound engine keeps.
 
 #include <fmt/format.h>
@@ -139,7 +139,7 @@ std::vector<std::string> usage_problems(const CheckCommand& command, const Engin
   return broken;
 }
 
-/// What is known of an engine that has answered, from the file beside it.
+/// What is known of an engine that has answered, from the file next to it.
 Contract contract_of(const RegisteredEngine& engine) {
   const std::vector<std::string> models = listed(engine.info->models, &Model::name);
   return contract_beside(engine.plugin, engine.info->name, models);

@@ -19,7 +19,7 @@ namespace tautline::bench {
 namespace {
 
 /// A word for a shell to offer, and what it means. The words ":files", with a pattern, and
-/// ":folders" stand for those that the shell finds there.
+/// ":folders" ask the shell for those it finds there.
 using Offers = std::vector<std::pair<std::string, std::string>>;
 
 Offers names_of(const std::vector<Argument>& options) {

@@ -22,7 +22,7 @@ struct EnginesCommand {
 void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
   if (!engine.info) {
     const std::string why =
-        engine.missing.empty() ? engine.failure : "not installed: " + engine.missing;
+        engine.missing.empty() ? engine.failure : "not available: " + engine.missing;
     const std::string package =
         engine.missing.empty() || engine.package.empty() ? "" : " (package " + engine.package + ")";
     fmt::print("{}\n", wrapped_lines(engine.name + "  " + printable(why) + package, style.text, 2));

@@ -24,7 +24,7 @@ using Rows = std::vector<std::pair<std::string, std::string>>;
 /// A longer name has a line of its own before its meaning [columns].
 constexpr std::size_t longest_name = 24;
 
-/// Names with their meanings beside them, which begin in one column.
+/// Names with their meanings next to them, which begin in one column.
 std::string beside(const Rows& rows, std::size_t width) {
   std::size_t longest = 0;
   for (const auto& [name, meaning] : rows) {

@@ -17,7 +17,7 @@ namespace tautline::bench {
 /// An option, or a word that is known by its place.
 struct Argument {
   std::vector<std::string> names;    // "-h", "--help"; one without dashes is known by its place
-  std::string value;                 // what stands for its value, as "FILE"; "" of a flag
+  std::string value;                 // name of its value, as "FILE"; "" of a flag
   std::string meaning;               //
   std::string otherwise;             // its value where none is given, or ""
   std::vector<std::string> choices;  // all values that it may have; empty: any

@@ -117,7 +117,7 @@ LimitNames limit_names(const std::vector<RegisteredEngine>& given, const std::ve
   std::vector<RegisteredEngine> engines = given;
   for (RegisteredEngine& engine : registered_engines(Asked::plugins)) {
     const bool is_given = std::any_of(given.begin(), given.end(), [&](const auto& one) {
-      return one.name == engine.name;  // one of the user's own may stand for it
+      return one.name == engine.name;  // one of the user's own may replace it
     });
     if (!is_given) {
       engines.push_back(std::move(engine));

@@ -27,7 +27,7 @@ struct RunSuite {
 /// what was typed. From here on an interruption ends the runs, not the program.
 [[nodiscard]] RunSuite run_request(const Request& request, const std::string& command_line);
 
-/// Where a report goes, and what it is held against.
+/// Where a report goes, and what it is compared with.
 struct ResultsTarget {
   std::filesystem::path out;        // the result tree
   std::string json;                 // a file as well, or "-" for standard output; empty: neither

@@ -16,13 +16,13 @@ struct OutputFile {
   bool takes_all;      // one file may hold all cases
 };
 
-/// What "{case}" in the name of a file stands for: the name of the case.
+/// What "{case}" in the name of a file means: the name of the case.
 inline constexpr const char* case_mark = "{case}";
 
-/// Whether the name of `file` has it.
+/// True if the name of `file` has it.
 [[nodiscard]] bool names_case(const std::string& file);
 
-/// The file of one case. Its name stands for "{case}", with "-" for "/".
+/// The file of one case. Its name means "{case}", with "-" for "/".
 [[nodiscard]] std::string file_for(const std::string& file, const Case& the_case);
 
 /// What is wrong with `files` for `cases`: several cases would write one file, or two options the
@@ -30,7 +30,7 @@ inline constexpr const char* case_mark = "{case}";
 [[nodiscard]] std::vector<std::string> file_problems(const std::vector<OutputFile>& files,
                                                      const std::vector<Case>& cases);
 
-/// Whether `file` is to be a PNG picture, by its name; else it is SVG.
+/// True if `file` is to be a PNG picture, by its name; else it is SVG.
 [[nodiscard]] bool is_png(const std::string& file);
 
 /// A picture that --plot asks for.

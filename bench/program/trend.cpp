@@ -59,7 +59,7 @@ void run_version(const TrendCommand& command, const std::string& engine, const f
   runs.engines = {copy.string()};
   runs.out /= fs::path(engine) / version.version;
   runs.json.clear();
-  runs.draws = 0;  // versions are held against each other run by run
+  runs.draws = 0;  // versions are compared with each other run by run
   const Request request = read_request(runs);
   // first why it does not start: an engine that does not has no models to ask for either
   const auto& asked = request.options.engines;
@@ -198,7 +198,7 @@ void add_trend(CLI::App& app, int& code, const std::string& command_line) {
   const auto asked = std::make_shared<TrendCommand>();
   asked->runs.command_line = command_line;
   asked->runs.out = "trend";
-  asked->runs.certify = false;  // versions are held against each other
+  asked->runs.certify = false;  // versions are compared with each other
   command
       ->add_option("ENGINES", asked->engines,
                    "engines that npm installs, by name or engine.toml, each with its versions: "

@@ -1,5 +1,5 @@
 // From each knot the curve goes on as far as one cubic can follow: it is fitted to what was
-// recorded between its two ends, rounded as it will be read, and held against all of it.
+// recorded between its two ends, rounded as it will be read, and compared with all of it.
 
 #include "bench/replay/curve.hpp"
 

@@ -326,7 +326,7 @@ std::string trust_section(const Report& report) {
 
 std::string answer_paragraph(const Report& report) {
   std::string out =
-      fmt::format("<p class=\"answer\">{}, each held against the exact motion of its case. {}",
+      fmt::format("<p class=\"answer\">{}, each compared with the exact motion of its case. {}",
                   scope(report), endings_sentence(report));
   if (!report.complete) {
     out += fmt::format(

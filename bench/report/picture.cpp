@@ -141,9 +141,10 @@ std::string legend_html(const ImpactStills& stills) {
   const double before = -impacts.rate_before[stills.impact];
   const double after = impacts.rate_after[stills.impact];
   return fmt::format(
-      "<figcaption>A cable pulls only when it is taut, and then at once. Case <code>{}</code> in "
-      "<code>{} {}</code>, impact at {}: cable {} closes at {} and opens at {}. Restitution asked: "
-      "<b>{:.4g}</b>; got: <b>{:.4g}</b>. Engines are held against this.</figcaption>\n",
+      "<figcaption>A cable does nothing until it is taut, and then acts in an instant. Case "
+      "<code>{}</code> in <code>{} {}</code>, impact at {}: cable {} closes at {} and opens at {}. "
+      "Restitution asked: <b>{:.4g}</b>; got: <b>{:.4g}</b>. Engines are compared with "
+      "this.</figcaption>\n",
       html_text(key.the_case), html_text(key.engine), html_text(key.model), instant_text(stills, 1),
       stills.cable, speed_text(*stills.the_case, before), speed_text(*stills.the_case, after),
       impacts.requested[stills.impact], after / before);

@@ -21,7 +21,7 @@ namespace tautline::bench {
 // the gate and the comparison of two reports are drawn from it alone.
 
 /// The page of a report of so many cases has the motions of all runs in it; of more cases, they lie
-/// in a file for each case beside it.
+/// in a file for each case next to it.
 inline constexpr std::size_t most_cases_in_page = 1;
 
 /// The number of the report's form: its key `schema`.
@@ -97,7 +97,7 @@ inline constexpr std::array all_words = {Word::pass, Word::known_deviation, Word
 /// What became of a limit on a run.
 enum class Holds { yes, no, not_measured };
 
-/// One limit held against one run.
+/// One limit compared with one run.
 struct Check {
   std::string metric;           // of the list, or "failure"
   std::optional<double> value;  // in the unit of the metric

@@ -315,8 +315,7 @@ std::string scope_line(const Report& report, std::size_t engines) {
   const std::vector<std::string> steps =
       listed(report.options.steps, [](double step) { return number_text(step, as_count); });
   return fmt::format(
-      "\n{} on {}, at steps {} s, each run held against the exact motion by "
-      "tautline {}{}.\n\n",
+      "\n{} on {}, at steps {} s, each run compared with the exact motion by tautline {}{}.\n\n",
       counted(report.cases.size(), "case"), counted(engines, "engine"), joined(steps, "and"),
       markdown_text(printable(report.version)), report.complete ? "" : " (INCOMPLETE)");
 }
@@ -390,17 +389,13 @@ Table scorecards_table(const Report& report) {
 
 std::string how_to_read_scorecards() {
   return fmt::format(
-      "Engines stand by name, which favours none. *Cable*: whose it is. **As shipped** is a joint, "
-      "a "
+      "Engines are in alphabetical order. *Cable*: whose it is. **As shipped** is a joint, a "
       "limit, a contact or a solver that the engine has; **made by hand** is built with the "
-      "engine's "
-      "parts; with **tautline's driver** the engine flies and solves, and tautline finds the "
-      "instants. *Use*: of the models that rebound rightly and of which no run fails, at the "
-      "largest "
-      "step whose error is up to {:g} %, the most accurate. *Off*: its position error over the "
-      "first "
-      "impacts, of the shortest cable's length, median over the cases. *Cost*: processor time of a "
-      "simulated second. *Verdict*: the worst of all runs, and how many have it.",
+      "engine's parts; with **tautline's driver** the engine flies and solves, and tautline finds "
+      "the instants. *Use*: the most accurate model at the largest step whose error is up to {:g} "
+      "%, among those that rebound rightly and have no failed run. *Off*: its position error over "
+      "the first impacts, of the shortest cable's length, median over the cases. *Cost*: processor "
+      "time of a simulated second. *Verdict*: the worst of all runs, and how many have it.",
       100.0 * good_enough);
 }
 

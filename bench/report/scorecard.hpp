@@ -90,7 +90,7 @@ struct Scorecard {
 /// A share as a percentage: "0.61 %".
 [[nodiscard]] std::string percent_text(double share);
 
-// What fits a comment on a pull request, and a card to put beside it.
+// What fits a comment on a pull request, and a card to put next to it.
 
 /// The most rows of the summary's table; GitHub folds a comment that is much longer.
 inline constexpr std::size_t most_summary_rows = 20;

@@ -28,7 +28,7 @@ std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n";
 
 std::string note(const std::string& html) { return "<p class=\"note\">" + html + "</p>\n"; }
 
-/// A name beside what it stands for.
+/// A name and what it means.
 std::string entry(const std::string& name, const std::string& html) {
   return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, html);
 }
@@ -124,10 +124,9 @@ std::string answers_section(const Report& report) {
   const std::string stopped = stopped_sentence(report);
   return section(
       "answers", "Every number over the cases",
-      table_html(
-          report, answers_table(report), "answers-table",
-          "Over all cases, by engine, model and step; the verdict is that of the worst. "
-          "The exact motion as a control below. Cost: of one step, in closed-form flights.") +
+      table_html(report, answers_table(report), "answers-table",
+                 "Over all cases, by engine, model and step; the verdict is the worst. The exact "
+                 "motion is below, as a control. Cost: of one step, in closed-form flights.") +
           (stopped.empty() ? "" : note(html_text(stopped, longest_list))));
 }
 

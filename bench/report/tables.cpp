@@ -28,7 +28,7 @@ std::string afterwards(const Lock& lock) {
   if (lock.rests) {
     return "rests";
   }
-  return lock.permanent ? "swings for good" : "moves on";
+  return lock.permanent ? "swings on" : "moves on";
 }
 
 std::vector<Column> cases_columns(const Report& report) {

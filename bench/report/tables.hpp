@@ -42,7 +42,7 @@ inline constexpr const char* how_to_read_distributions =
 /// What the exact solutions say of every case.
 [[nodiscard]] Table cases_table(const Report& report);
 
-/// Until when digits of the exact solutions are right; empty where none was held against many.
+/// Until when digits of the exact solutions are right; empty where none was compared with many.
 [[nodiscard]] Table certified_table(const Report& report);
 
 /// How fast errors shrink with the step.

@@ -8,7 +8,7 @@
 
 namespace tautline::bench {
 
-/// The words from the worst to the best: which of several stands for all.
+/// The words from the worst to the best: which of several represents all.
 inline constexpr std::array worst_first = {Word::breaks_limit, Word::known_deviation,
                                            Word::not_judged, Word::pass};
 

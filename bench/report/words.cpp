@@ -32,11 +32,11 @@ constexpr const char* about_settling =
     "**Settling** has three definitions. *Last impact > v* is the instant of the last impact that "
     "closes faster than v. There is none where the exact motion does not lock before its horizon: "
     "beyond it one motion is a draw of many. A run has none if it stopped before. The *lock* is "
-    "the instant at which the final set of cables becomes taut "
-    "in the exact motion; *later impacts* are those of the run after it. The *swing* is the motion "
-    "that is left. Its energy counts from the equilibrium; that of a run is a mean over the last "
-    "period. Its amplitude is half the range of the angle; that of a run is read from its samples. "
-    "A run without a whole period after the lock has no swing.";
+    "the instant at which the final set of cables becomes taut in the exact motion; *later "
+    "impacts* are those of the run after it. The *swing* is the motion that is left. Its energy "
+    "counts from the equilibrium; a run has a mean over the last period. Its amplitude is half the "
+    "range of the angle; a run has it from its samples. A run without a whole period after the "
+    "lock has no swing.";
 
 constexpr const char* about_restitution =
     "**Restitution** is the rebound rate of a cable over its closing rate. It is measured at each "
@@ -65,7 +65,7 @@ constexpr const char* about_stops =
     "of the exact motion.";
 
 constexpr const char* about_verdicts =
-    "A **verdict** holds one run against a file of limits. The limit that decides it stands beside "
+    "A **verdict** compares one run with a file of limits. The limit that decides it is next to "
     "the value. Over all cases the worst verdict is shown, and how many runs have it. No engine is "
     "ranked: an error depends on the model, on the step and on what it is for.";
 

@@ -57,7 +57,7 @@ class ImpactDetector {
   std::size_t slow_impacts_ = 0;
 };
 
-/// Whether an instant that an engine names is one of the run's, but for rounding.
+/// True if an instant that an engine names is one of the run's, but for rounding.
 bool within_run(const Case& the_case, double time) {
   constexpr double rounding = 1e-9;  // [-]
   return time >= 0.0 && time <= the_case.duration * (1.0 + rounding);

@@ -100,7 +100,7 @@ RegisteredEngine from_engine_file(const fs::path& path) {
 /// True for an engine with an engine.toml.
 bool is_outside(const RegisteredEngine& engine) { return is_engine_file(engine.plugin); }
 
-/// The folder that holds the engine's: its name stands for all engines in it.
+/// The folder that holds the engine's: its name means all engines in it.
 std::string group_of(const RegisteredEngine& engine) {
   return is_outside(engine) ? engine.plugin.parent_path().parent_path().filename().string() : "";
 }

@@ -42,7 +42,7 @@ struct EngineChoice {
 };
 
 /// `wanted` are names, or paths of plug-ins (with a '/', or ending in .so or .toml); empty means
-/// all that run in the program's own workers. The name of a folder stands for all engines with an
+/// all that run in the program's own workers. The name of a folder means all engines with an
 /// engine.toml in it. Names of which none can run are a problem.
 [[nodiscard]] EngineChoice choose_engines(const std::vector<std::string>& wanted);
 

@@ -176,7 +176,7 @@ const Answer* answer_as(const std::optional<WorkerAnswer>& answer) {
 }
 
 /// Repeats the run of `determinism` in another process, for what is seeded once in each: the claim
-/// that holds within the first process is settled anew if the digests differ. False if the program
+/// that holds within the first process is settled again if the digests differ. False if the program
 /// was told to stop.
 bool settle_determinism(const WorkerRequest& check, const WorkerLimits& limits,
                         const std::string& digest, std::vector<SettledClaim>& claims) {

@@ -54,7 +54,7 @@ struct EventMatch {
   std::optional<EventMark> in_digits;  // the same of the solution with more digits
 };
 
-/// A solution in double held against the same motion with more digits.
+/// A solution in double compared with the same motion with more digits.
 struct Certificate {
   int digits = default_digits;    // decimal, of the other solution's numbers
   double completion_error = 0.0;  // [-], CompletionLimits::error of that solution

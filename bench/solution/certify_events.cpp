@@ -5,7 +5,7 @@
 namespace tautline::bench {
 namespace {
 
-/// The bounces that completing an accumulation stands for may last this many times as long as was
+/// The bounces that a completed accumulation replaces may last this many times as long as was
 /// estimated when it was completed [-].
 constexpr double lasting_margin = 2.0;
 

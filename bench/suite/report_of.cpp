@@ -101,7 +101,7 @@ std::string motion_file(const std::string& case_name) {
 void write_motions(const std::filesystem::path& out, const Report& report, const Replay& replay) {
   for (const CaseRow& row : report.cases) {
     if (row.motions) {
-      // the file's name stands for the case: it needs no quoting
+      // the file's name names the case: it needs no quoting
       write_file(out / *row.motions,
                  fmt::format("tautline.motionsCame(\"{}\", {});\n", *row.motions,
                              motions_json(report, replay, row.name)));

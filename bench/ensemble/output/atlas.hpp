@@ -14,7 +14,7 @@ namespace tautline::bench {
 struct AtlasMap {
   std::size_t statistic;  // of `statistics_of`
   /// Of each cell, the first axis fastest: the mean over its draws, or what most of them have where
-  /// the numbers stand for names; none: no draw there has the number.
+  /// the numbers encode names; none: no draw there has the number.
   std::vector<std::optional<double>> cells;
   std::vector<std::string> names;  // of the numbers 0, 1, ...; empty: they are amounts
 };
@@ -30,7 +30,7 @@ struct Atlas {
 /// None without two grids.
 [[nodiscard]] std::optional<Atlas> atlas_of(const EnsembleReport& report);
 
-/// Of more cells than this none has a picture.
+/// The most cells that have pictures.
 inline constexpr std::size_t most_pictures = 625;
 
 /// Where the picture of the motion of a cell lies, from the page.

@@ -45,7 +45,7 @@ std::optional<double> median_change(const Summary& first, const Summary& second)
   return one && other ? std::optional(*other - *one) : std::nullopt;
 }
 
-/// Both samples are made anew for each test: together they would take as much as all draws.
+/// Both samples are made again for each test: together they would take as much as all draws.
 void test(Comparison& found, const EnsembleResult& result, std::uint64_t seed, std::size_t tests) {
   const EnsembleSample first = sample_of(result.draws.front(), found.statistic);
   const EnsembleSample second = sample_of(result.draws[found.setup], found.statistic);

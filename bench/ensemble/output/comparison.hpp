@@ -24,7 +24,7 @@ struct Test {
   double adjusted = 1.0;     // the same for all tests together, by Holm
 };
 
-/// A statistic of a setup held against that of the first one, both of the draws that are held.
+/// A statistic of a setup compared with that of the first one, both of the draws that are held.
 struct Comparison {
   std::size_t setup = 0;                // index into the setups, from 1
   std::size_t statistic = 0;            // index into statistics_of

@@ -31,11 +31,11 @@ void write_ensemble(const std::filesystem::path& out, const EnsembleReport& repo
 /// Each statistic of each setup: its median and spread.
 [[nodiscard]] Table summary_table(const EnsembleReport& report);
 
-/// Each statistic of each setup but the first, held against it; empty without another.
+/// Each statistic of each setup but the first, compared with it; empty without another.
 [[nodiscard]] Table comparison_table(const EnsembleReport& report);
 
 /// The distribution functions of one statistic, those of all setups over each other, and, where
-/// another has values too, beside them their quantiles over those of the first setup: where both
+/// another has values too, next to them their quantiles over those of the first setup: where both
 /// are alike, on the diagonal.
 [[nodiscard]] std::string distribution_svg(const EnsembleReport& report, std::size_t statistic);
 

@@ -14,7 +14,7 @@ namespace {
 /// integrator's.
 constexpr double clear_shift = 0.05;
 
-/// A jump of the segment beside the exact impact that it stands for.
+/// A jump of the segment beside the exact impact that it matches.
 struct Partnered {
   const Jump* jump;
   double time;                       // [s], in the run

@@ -23,7 +23,7 @@ namespace tautline::bench {
 //   + flight_bias          the run's own state
 //   + event_lag            put back onto the cable, if a taut stretch follows overstretched
 //
-// Where no impact of the run rebounds, restitution_ignored stands for late_rate and threshold: the
+// Where no impact of the run rebounds, restitution_ignored replaces late_rate and threshold: the
 // rebound is lost before it is corrected.
 
 /// A hypothetical state at the end of a segment, and the cause that it has beyond the one before.

@@ -87,11 +87,11 @@ void fields(Visitor& visit, CaseRow& row, CaseReplay& replay) {
   visit("events", replay.events,
         "of the exact motion, a column each; of thousands the fastest impacts");
   visit("motions", row.motions,
-        "the file beside the report with the motions of the case's runs, a script that calls "
+        "the file next to the report with the motions of the case's runs, a script that calls "
         "tautline.motionsCame(file, [{engine, model, step, path, impacts}, ...]); null where they "
         "are in the page");
   visit("certified", row.certified,
-        "until when the exact solution in double is right, held against the same motion in many "
+        "until when the exact solution in double is right, compared with the same motion in many "
         "digits; null where it was not asked for");
 }
 
@@ -190,7 +190,7 @@ void fields(Visitor& visit, Finding& finding) {
     inside("runs", finding.runs);
     inside("impacts", finding.impacts);
     inside("shown_in", finding.shown_in,
-           "the runs of the model that show it: none of them passes, whatever its limits, but for "
+           "the runs of the model that show it: none of them passes, at any limits, except for "
            "several-steps");
   });
 }
@@ -278,7 +278,7 @@ void fields(Visitor& visit, Distributions& distributions) {
         above(0,
               "standard deviation of each number of the start about the case's own [m], [rad], "
               "[m/s], [rad/s]"));
-  visit("page", distributions.page, "a file beside the report");
+  visit("page", distributions.page, "a file next to the report");
   visit("statistics", distributions.statistics);
   visit("setups", distributions.setups);
 }
@@ -328,7 +328,7 @@ void fields(Visitor& visit, Report& report, Replay& replay) {
   visit("findings", report.findings);
   visit("causes", report.causes);
   visit.drawn("runs", report.runs, replay.runs);
-  visit("limits", report.limits, "what the verdicts hold the runs against; null without verdicts");
+  visit("limits", report.limits, "what the verdicts compare the runs with; null without verdicts");
   visit.unless_missing("distributions", report.distributions,
                        [](auto& inside, Distributions& distributions) {
                          inside("distributions", distributions,

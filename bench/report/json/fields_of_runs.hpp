@@ -139,8 +139,8 @@ void fields(Visitor& visit, MeasuredRestitution& measured) {
 template <class Visitor>
 void fields(Visitor& visit, RunDetails& details) {
   visit.means(
-      "what the comparison with the exact motion says beside the metrics; null exactly where these "
-      "are");
+      "what the comparison with the exact motion says besides the metrics; null exactly where "
+      "these are");
   visit("early", details.of_windows[0]);
   visit("horizon", details.of_windows[1]);
   visit("whole", details.of_windows[2]);

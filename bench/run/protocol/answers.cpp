@@ -65,7 +65,7 @@ class Answer {
     // it may not have read the id
     const bool of_none = error != message_.end() && (its_id == message_.end() || its_id->is_null());
     if (!of_none && (its_id == message_.end() || *its_id != id)) {
-      message.at("id").refuse(fmt::format("{}, that of the request", id));
+      message.at("id").refuse(fmt::format("{}, as in the request", id));
     }
     if (error != message_.end()) {
       refuse_error(*error, method);

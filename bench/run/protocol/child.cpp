@@ -26,7 +26,7 @@ namespace {
 
 constexpr int look_again = 10;  // [ms]: memory is filled at some gigabytes a second
 
-/// Each so many looks the processes are counted anew, which costs more than to look at them.
+/// Each so many looks the processes are counted again, which costs more than to look at them.
 constexpr int looks_per_count = 10;
 
 void report(int life, const KeeperReport& what) {

@@ -102,7 +102,7 @@ class BySteps : public Simulation {
   }
 
   /// A step of another length comes before the last one. What the child has done beyond here cannot
-  /// be undone: it begins anew and comes here again, and from here on it does what is asked alone.
+  /// be undone: it begins again and comes here again, and from here on it does what is asked alone.
   void go_no_further_ahead() {
     usual_left_ = 0;
     if (next_ == ahead_.count()) {
@@ -114,7 +114,7 @@ class BySteps : public Simulation {
     }
     const double* const last = ahead_.values.data() + (ahead_.count() - 1) * ahead_.width;
     if (taken_ > 0 && !same_bits(state_from(last), state_)) {
-      throw ProtocolError("the engine does not come to the same state again by the same steps");
+      throw ProtocolError("the engine does not reach the same state again by the same steps");
     }
     ahead_ = {};
     next_ = 0;

@@ -44,7 +44,7 @@ void read_tables(const toml::table& file, FileProblems& wrong, EngineFile& resul
   result.bring = root.optional_text("bring").value_or("");
   result.versions = root.optional_text("versions").value_or("");
   if (file.contains("shares")) {
-    const std::string right = "must be folders beside this one, such as [\"../common\"]";
+    const std::string right = "must be folders next to this one, such as [\"../common\"]";
     result.shares = root.texts("shares", right);
     if (!std::all_of(result.shares.begin(), result.shares.end(),
                      [](const std::string& path) { return path.starts_with("../"); })) {

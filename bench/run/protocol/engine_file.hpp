@@ -17,7 +17,7 @@ struct EngineFile {
   std::string installed;             // in the folder: without it the engine is not here
   std::string bring;                 // the command that brings it
   std::string versions;              // of `package`, those that the engine is made for: ">=0.15"
-  std::vector<std::string> shares;   // folders beside it that it loads from: "../common"
+  std::vector<std::string> shares;   // folders next to it that it loads from: "../common"
   std::vector<std::string>
       problems;  // of the file, in sentences; the rest is void if there are any
 };

@@ -68,7 +68,7 @@ std::vector<Strike> strikes_at(const CalibrationRequest& request, std::span<cons
 /// Six significant digits, as they are printed.
 double rounded(double value) { return std::stod(fmt::format("{:.6g}", value)); }
 
-/// What a point of the unit box stands for, and what is fixed.
+/// What a point of the unit box means, and what is fixed.
 std::map<std::string, double> parameters_at(const CalibrationRequest& request,
                                             const std::vector<double>& point) {
   std::map<std::string, double> result = request.fixed;
@@ -335,7 +335,7 @@ Calibration calibrate(const CalibrationRequest& request, const std::function<voi
   result.interrupted = search.interrupted;
   if (!search.measured) {
     result.failure = search.interrupted       ? "interrupted before anything was found"
-                     : search.failure.empty() ? "no strike rebounds, whatever the setting"
+                     : search.failure.empty() ? "no strike rebounds, at any setting"
                                               : search.failure;
     return result;
   }

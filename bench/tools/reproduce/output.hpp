@@ -22,7 +22,7 @@ namespace tautline::bench {
 inline constexpr int chapter_schema = 1;
 
 /// The text of chapter.json: {schema, options, tables, figures, corrections}; file names are
-/// relative to the folder `chapter` beside it.
+/// relative to the folder `chapter` next to it.
 [[nodiscard]] std::string chapter_json(const ChapterReport& report);
 
 /// What the script of the page draws, as the content of a script element: {figures}, each with

@@ -31,7 +31,7 @@ constexpr double question_limit = 120.0;  // [s]: a registry that does not answe
 constexpr double install_limit = 600.0;   // [s]: tens of megabytes on a slow line
 
 /// npm writes JSON to its standard output, which goes where this program reads results; the words
-/// beside it are on standard error.
+/// next to it are on standard error.
 constexpr const char* in_folder = "cd \"$1\" && shift && exec \"$@\" >&3";
 
 /// A shell's exit code for a command that is not there.

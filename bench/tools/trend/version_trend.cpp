@@ -59,9 +59,8 @@ namespace {
 
 /// How to read the tables of changes, and those of each model and step.
 constexpr const char* how_to_read_changes =
-    "Since is the version that changed a figure beyond noise and tolerance; newest first, and of "
-    "each what changed most. Before and after are those of the case that changed most, of so many "
-    "runs.";
+    "Since: the first version in which the number changed beyond noise and tolerance. Newest "
+    "first. Before and after are of the case that changed most; runs is how many changed.";
 constexpr const char* how_to_read_setups =
     "Medians over the cases that all versions have. Cost is processor time of a simulated second; "
     "it is noisy and judges nothing.";

@@ -70,7 +70,7 @@ struct TitledTable {
 [[nodiscard]] std::string version_text(const VersionTrend& versions, bool all,
                                        const TerminalStyle& style);
 
-/// All of `trends` as a page in Markdown, each with its chart, a file beside it.
+/// All of `trends` as a page in Markdown, each with its chart, a file next to it.
 [[nodiscard]] std::string version_markdown(const std::vector<VersionTrend>& trends);
 
 /// All of `trends` as a page, charts included, that needs no other file and no script.

@@ -82,7 +82,7 @@ std::string unfit(const EngineFile& engine) {
     return "its engine.toml names no package";
   }
   if (!fs::exists(engine.path.parent_path() / "package.json", error)) {
-    return "npm does not bring its package: there is no package.json beside its engine.toml";
+    return "npm does not install it: there is no package.json next to its engine.toml";
   }
   EngineFile before_install = engine;
   before_install.installed.clear();

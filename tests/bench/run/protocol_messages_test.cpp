@@ -218,7 +218,7 @@ TEST(Answers, ThatAreNoMessageAreQuoted) {
             "the engine wrote on its standard output what is no message: an empty line; what a "
             "library prints must go to standard error");
   EXPECT_EQ(said_of_line(R"({"jsonrpc":"2.0","id":5,"result":{}})"),
-            "the engine's answer to fly: id is 5, must be 4, that of the request");
+            "the engine's answer to fly: id is 5, must be 4, as in the request");
   EXPECT_EQ(said_of_line(R"({"id":4,"result":{}})"), "the engine's answer to fly lacks jsonrpc");
   EXPECT_EQ(said_of_line(R"({"jsonrpc":"2.0","id":4})"), "the engine's answer to fly lacks result");
 }

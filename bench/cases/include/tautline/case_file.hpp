@@ -26,7 +26,7 @@ inline constexpr std::size_t longest_case_file = std::size_t{1} << 20U;
 /// is refused. Cables with `taut = true`, and those of `taut`, start taut (`taut_start`).
 [[nodiscard]] CaseReading read_case(const std::filesystem::path& path, CableSet taut = {});
 
-/// Reads the text of a case file; `source_name` stands for the file in the sentences.
+/// Reads the text of a case file; `source_name` names the file in the sentences.
 [[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name,
                                          CableSet taut = {});
 

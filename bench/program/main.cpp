@@ -69,8 +69,7 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
 }
 
 int run_program(int count, char** arguments) {
-  CLI::App app{
-      "Exact motions of rigid bodies on slack cables, and physics engines compared with them"};
+  CLI::App app{"The exact motion of rigid bodies on slack cables, and engines compared with it"};
   app.formatter_fn(help_of);  // before the commands, which take it over
   app.require_subcommand(0, 1);
   app.set_help_flag("-h,--help", "print this help, and end");

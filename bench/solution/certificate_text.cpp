@@ -54,7 +54,7 @@ std::string certificate_text(const Certificate& certificate, const Case& the_cas
                              const Solution& solution, const TerminalStyle& style) {
   std::string result = fmt::format(
       "Certificate: compared with the same motion in {} digits, from the same doubles.\n"
-      "Correct digits of position and angle, and of velocity while both have the same events:\n",
+      "Digits of position and angle, and of velocity while both have the same events:\n",
       certificate.digits);
   for (const CorrectDigits& correct : certificate.correct) {
     result +=

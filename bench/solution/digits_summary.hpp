@@ -245,9 +245,8 @@ class Summary {
     }
     const Real lost = ledger.impacts + ledger.completions;
     const Real end = abs(ledger.end) <= rounding ? Real(0) : ledger.end;
-    return fmt::format("Impacts take {} of the energy: {} at the start, {} at the end.",
-                       number(lost, Real(errors_.energy + rounding)), start,
-                       number(end, errors_.energy));
+    return fmt::format("Energy: {} at the start, {} at the end; impacts take {}.", start,
+                       number(end, errors_.energy), number(lost, Real(errors_.energy + rounding)));
   }
 
   const BasicCase<Real>& case_;

@@ -67,11 +67,19 @@ class CheckIncludes(unittest.TestCase):
 
     def test_names_a_long_source_and_a_full_folder(self):
         self.write("analytic/planted.cpp", "\n" * 601)
-        for number in range(26):
+        for number in range(41):
             self.write(f"engines/planted/{number}.cpp", "")
         found = self.breaches()
         self.assertIn("analytic/planted.cpp has 601 lines, 600 at most\n", found)
-        self.assertIn("engines/planted/ has 26 files, 25 at most\n", found)
+        self.assertIn("engines/planted/ has 41 files, 40 at most\n", found)
+        self.assertIn("analytic/ has ", found)  # its budget has less than 600 lines to spare
+
+    def test_names_a_small_folder_and_a_short_header_for_one_source(self):
+        self.write("bench/gate/planted/planted.cpp", '#include "bench/gate/planted/planted.hpp"\n')
+        self.write("bench/gate/planted/planted.hpp", "#pragma once\n")
+        found = self.breaches()
+        self.assertIn("bench/gate/planted/ has 2 sources, 3 at least", found)
+        self.assertIn("bench/gate/planted/planted.hpp has 1 lines for bench/gate/planted/planted.cpp alone", found)
 
     def test_names_json_in_a_header_and_in_too_many_files(self):
         for number in range(9):

@@ -1,0 +1,67 @@
+"""scripts/check-english finds what is planted in a copy of the sources, and names it."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+FOLDERS = ["analytic", "bench", "engines"]
+
+
+class CheckEnglish(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.copy = temporary.name
+        for folder in FOLDERS:
+            shutil.copytree(os.path.join(ROOT, folder), os.path.join(self.copy, folder),
+                            ignore=shutil.ignore_patterns("node_modules"))
+
+    def write(self, path, text):
+        with open(os.path.join(self.copy, path), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def says(self, code):
+        """What it says of the copy, which it ends with this exit code for."""
+        done = subprocess.run([os.path.join(ROOT, "scripts", "check-english"), self.copy],
+                              stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stderr
+
+    def test_passes_the_sources_as_they_are(self):
+        self.assertEqual(self.says(0), "check-english: plain\n")
+
+    def test_names_a_word_in_what_is_printed_and_not_in_an_include(self):
+        self.write("bench/planted.cpp", '#include "beside.hpp"\nauto planted = "held against it"; // fine\n')
+        self.assertEqual(self.says(1), 'check-english: bench/planted.cpp:2 prints "held against": compared with\n'
+                                       "check-english: 1 breaches\n")
+
+    def test_counts_comments(self):
+        self.write("bench/planted.cpp", "/// What is here.\nint planted = 0;  // taut for good\n" * 400)
+        found = self.says(1)
+        self.assertIn("comments of bench/ have a word of WORDS", found)
+        self.assertIn("comments of bench/ begin with Of|What|Where|The same|Whether", found)
+
+    def test_takes_a_quoted_word_and_an_address_for_no_comment(self):
+        self.write("bench/planted.cpp", 'auto planted = "https://example.org/of/it";\n' * 400)
+        self.says(0)
+
+
+class Subjects(unittest.TestCase):
+    def test_are_orders_of_one_thought(self):
+        script = os.path.join(ROOT, "scripts", "check-english")
+        names = {"__name__": "check_english", "__file__": script}
+        with open(script, encoding="utf-8") as file:
+            exec(compile(file.read(), script, "exec"), names)  # a script has no suffix to import it by
+        wrong = names["wrong_subject"]
+        for right in ("Name an option's value", "Pass a case by its name", "Embed the page's scripts", "Bring it"):
+            self.assertIsNone(wrong(right), right)
+        for bad in ("The report has a page", "Added a page", "Fixes the page", "Moving the page", "name the page",
+                    "Name it; write it", "Name it.", "Name what " + "is too long " * 5):
+            self.assertIsNotNone(wrong(bad), bad)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)

@@ -111,7 +111,7 @@ void add_passing(const Report& report, const Limits& limits, const Precisions& p
                     unlimited ? "not checked" : "holds", unlimited ? "" : "known not to",
                     (unlimited ? "no limit is on this metric of these runs, so that it cannot be "
                                  "known to break one; there: "
-                               : "has started to hold: take it out of the manifest; there: ") +
+                               : "has started to hold: delete it from the limits file; there: ") +
                         printable(known.reason)});
   }
 }

@@ -173,7 +173,7 @@
     const came = await tautline.motions.runsOf(system).catch(() => null);
     if (system === state.system) {
       state.recorded = came || [];
-      state.problem = came ? '' : `The motions of the runs are not here: ${system.motions} is missing beside this `
+      state.problem = came ? '' : `The motions of the runs are not available: ${system.motions} is missing next to this `
         + 'page. The exact motion and everything else on the page are whole.';
       load();
     }

@@ -118,7 +118,7 @@ std::string closing(const EngineInfo& info, const std::vector<CheckedModel>& mod
   if (unsound.empty()) {
     return fmt::format("{}: every claim holds for {}{}.", info.name,
                        models.size() == 1 ? "this model" : "all of its models",
-                       some_known ? ", except the violations that contract.toml lists" : "");
+                       some_known ? ", except the listed violations" : "");
   }
   return fmt::format("{}: {} of {} models {} every claim; {} {} not.", info.name,
                      models.size() - unsound.size(), models.size(),

@@ -70,7 +70,7 @@ void fields(Visitor& visit, ListedEngine& row) {
   });
   visit("plugin", engine.plugin.string(), "its file; empty if there is none");
   visit("failure", printable(engine.failure), "why it does not answer, or empty");
-  visit("missing", engine.missing, "what is not here: why; or empty");
+  visit("missing", engine.missing, "what is missing, or empty");
   visit("package", engine.package, "what brings it, if known");
 }
 
@@ -108,7 +108,7 @@ template <class Visitor>
 void fields(Visitor& visit, CheckedModel& model) {
   visit("model", model.name);
   visit("holds", broken_claims(model.claims).empty(),
-        "every claim holds for it, but for those that are known not to; these do not");
+        "every claim holds for it, except the listed violations; these do not");
   visit("findings", model.claims,
         Says("in the order of measuring; after a crash or a time-out the rest is missing")
             .not_empty());
@@ -127,7 +127,7 @@ void fields(Visitor& visit, CheckedEngine& row) {
   visit("holds",
         std::all_of(row.models.begin(), row.models.end(),
                     [](const CheckedModel& model) { return broken_claims(model.claims).empty(); }),
-        "every claim holds for every model that was checked, but for those that are known not to");
+        "every claim holds for every model that was checked, except the listed violations");
   visit("models", row.models, Says().not_empty());
 }
 

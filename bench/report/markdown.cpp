@@ -133,7 +133,7 @@ std::string report_markdown(const Report& report) {
   out += failures_section(report) + audit_markdown(report);
   out += "\n## The exact solutions\n\n" + cases_table(report).markdown();
   if (const Table certified = certified_table(report); !certified.empty()) {
-    out += "\nHeld against the same motions in many digits:\n\n" + certified.markdown();
+    out += "\nCompared with the same motions in many digits:\n\n" + certified.markdown();
   }
   out += runs_markdown(report) + models_markdown(report) + reading_markdown(report);
   return out + context_markdown(report);

@@ -209,7 +209,7 @@ std::string models_section(const Report& report) {
     out += fmt::format("<h3 id=\"settings-of-{}\">{}</h3>\n", html_text(engine.name),
                        html_text(engine.name));
     if (engine.problem) {
-      out += note((engine.missing ? "Not here: " : "") + html_text(*engine.problem));
+      out += note((engine.missing ? "Not available: " : "") + html_text(*engine.problem));
     }
     if (!engine.info) {
       continue;

@@ -39,8 +39,8 @@ std::string tie_sentence(EventKind kind, CableSet cables, const std::string& tim
         time, cable_names(cables));
   }
   return fmt::format(
-      "At t = {} {} become taut at the same instant, to all digits. Rounding decides which of them "
-      "is hit first (a tie).",
+      "At t = {} {} become taut at the same instant, as far as the numbers can tell. Rounding "
+      "decides which of them is hit first (a tie).",
       time, cable_names(cables));
 }
 

@@ -62,13 +62,14 @@ std::string certificate_text(const Certificate& certificate, const Case& the_cas
                     correct.until ? fmt::format("until t = {:.9f}", *correct.until) : "to the end");
   }
   const EventMatch& events = certificate.events;
+  const std::string same = fmt::format("{} event{}", events.count, events.count == 1 ? "" : "s");
   if (events.all) {
-    result += fmt::format("  both have the same {} events\n", events.count);
+    result += events.count == 0 ? "  neither has an event\n"
+                                : fmt::format("  both have the same {}\n", same);
   } else {
     result += fmt::format(
-        "  both have the same {} events until t = {:.9f}; then {} in double, {} in {} digits\n",
-        events.count, events.until, mark_text(events.in_double), mark_text(events.in_digits),
-        certificate.digits);
+        "  both have the same {} until t = {:.9f}; then {} in double, {} in {} digits\n", same,
+        events.until, mark_text(events.in_double), mark_text(events.in_digits), certificate.digits);
   }
   if (certificate.ending != solution.ending()) {
     result += fmt::format("  in {} digits the ending is {} at t = {:.9f}\n", certificate.digits,

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/solution/cable_words.hpp"
@@ -183,7 +186,8 @@ class Summary {
                          reason);
     };
     if (lock.rests) {
-      return stay("the body is at rest.");
+      const bool turns = solution_.arcs().back().initial.spin != Real(0);  // exactly
+      return stay(turns ? "the body hangs still and turns." : "the body is at rest.");
     }
     if (lock.permanent && errors_.energy >= Real(0)) {
       return stay(one ? "its tension stays positive over a full period."

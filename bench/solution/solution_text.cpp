@@ -125,7 +125,7 @@ std::string meetings_text(std::span<const Unsure> stretches) {
     result += tie_line(stretch);
     result += fmt::format(
         "Between t = {} and {} the order of impacts is beyond the horizon: this is one of many "
-        "motions, which all end with the same taut cables.\n",
+        "motions, which all have the same cables taut at its end.\n",
         from, until);
   }
   if (stretches.size() > most_in_full) {

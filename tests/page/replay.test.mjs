@@ -300,7 +300,7 @@ test('without those files the page says so and everything else works', async () 
       await settled(page);
       const [{ motions }] = reportOf(benchPage()).cases;
       assert.match(await page.locator('.replay-note').textContent(),
-        new RegExp(`The motions of the runs are not here: ${motions} is missing beside this page`));
+        new RegExp(`The motions of the runs are not available: ${motions} is missing next to this page`));
       const start = await pixels(page);
       await page.focus('.replay-canvas + input');
       await page.keyboard.press('End');

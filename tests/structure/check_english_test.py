@@ -56,7 +56,7 @@ class Subjects(unittest.TestCase):
         with open(script, encoding="utf-8") as file:
             exec(compile(file.read(), script, "exec"), names)  # a script has no suffix to import it by
         wrong = names["wrong_subject"]
-        for right in ("Name an option's value", "Pass a case by its name", "Embed the page's scripts", "Bring it"):
+        for right in ("Name an option's value", "Pass a case by its name", "Embed the page's scripts", "Bring it", "Exceed the limit", "Cross it"):
             self.assertIsNone(wrong(right), right)
         for bad in ("The report has a page", "Added a page", "Fixes the page", "Moving the page", "name the page",
                     "Name it; write it", "Name it.", "Name what " + "is too long " * 5):

@@ -43,7 +43,7 @@ std::string comparisons(const EnsembleReport& report) {
   const Table table = comparison_table(report);
   return table.empty()
              ? ""
-             : "<section id=\"comparisons\">\n<h2>Held against exact</h2>\n" +
+             : "<section id=\"comparisons\">\n<h2>Compared with exact</h2>\n" +
                    html_table(table, "comparison-table", "") +
                    fmt::format("<p class=\"note\">{}</p>\n</section>\n", how_to_read_comparisons);
 }

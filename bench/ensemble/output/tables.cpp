@@ -122,8 +122,8 @@ std::string ensemble_markdown(const EnsembleReport& report) {
   }
   const Table comparisons = comparison_table(report);
   if (!comparisons.empty()) {
-    out += "\n## Held against exact\n\n" + comparisons.markdown() + "\n" + how_to_read_comparisons +
-           "\n";
+    out += "\n## Compared with exact\n\n" + comparisons.markdown() + "\n" +
+           how_to_read_comparisons + "\n";
   }
   return out + "\n## Distributions\n\n" + summary_table(report).markdown() + "\n" +
          how_to_read_summaries + "\n";

@@ -140,7 +140,7 @@ constexpr std::string_view of_restitution =
     "The chapter sees no characteristic difference as e falls from 1 to 0.5.";
 constexpr std::string_view of_elastic =
     "The chapter notes that the rotation passes pi/2, its limit, as no energy is lost; its time "
-    "scale is not the one of the next three figures.";
+    "scale differs from the next three figures.";
 constexpr std::string_view of_point =
     "The chapter shows the same trajectory twice, once by the formulas of the point mass and once "
     "by those of the rigid body without dimensions.";

@@ -211,7 +211,7 @@ std::string corrections_section(const ChapterReport& report, bool holds) {
 
 std::string case_number_section() {
   std::string out = fmt::format(
-      "\n## Case numbers\n\nA case number spells its case, digit by digit. That of the standard "
+      "\n## Case numbers\n\nA case number spells its case, digit by digit. For the standard "
       "case:\n\n{}\n",
       case_number_table().markdown());
   for (const std::string& rule : case_number_rules()) {

@@ -120,8 +120,8 @@ std::string case_number_text() {
   std::string source(source_chapter);
   source.erase(std::remove(source.begin(), source.end(), '*'), source.end());
   std::string text = fmt::format(
-      "breakwater/NUMBER are the cases of Table 5.1 of\n{}.\n"
-      "A number spells its case, digit by digit. That of the standard case:\n\n{}\n",
+      "breakwater/NUMBER are the cases of Table 5.1 of\n{}.\nA number spells its case, digit by "
+      "digit. For the standard case:\n\n{}\n",
       source, case_number_table().plain());
   for (const std::string& rule : case_number_rules()) {
     text += rule + "\n";

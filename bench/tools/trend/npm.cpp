@@ -19,7 +19,7 @@
 #include "bench/base/input_file.hpp"
 #include "bench/base/process.hpp"
 #include "bench/base/text.hpp"
-#include "bench/run/protocol/json.hpp"
+#include "bench/data/writer.hpp"
 
 namespace tautline::bench {
 

@@ -291,7 +291,7 @@ TEST(Solve, SaysWhatIsWrongWithItsFilesBeforeItSolves) {
   refused({"bouncing-ball", "--every", "1e-12"}, "samples are too many; at most 1000000 fit");
   refused({"bouncing-ball", "--every", "0"}, "--every 0: must be a time between samples");
   refused({"bouncing-ball", "--at", "0:x:3"}, "a range is FROM:STEP:TO");
-  refused({"breakwater/19*", "--every", "1", "--csv", "a.csv"}, "{case} in its name stands for");
+  refused({"breakwater/19*", "--every", "1", "--csv", "a.csv"}, "use {case} in its name for");
   refused({"bouncing-ball", "--every", "1", "--csv", "-", "--plot", "motion"},
           "--plot - and --csv -: standard output takes one of them");
   refused({"bouncing-ball", "no-such-case", "x.toml"}, "unknown case \"no-such-case\"");

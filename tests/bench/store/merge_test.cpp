@@ -300,7 +300,7 @@ TEST(Bench, CertifiesTheDigitsOfItsCases) {
   EXPECT_EQ(correct.at(0).at("digits"), 9);
   EXPECT_GT(correct.at(0).at("until"), 7.0);
   EXPECT_NE(content_of(out / "index.html").find("id=\"certified-table\""), std::string::npos);
-  EXPECT_NE(content_of(out / "report.md").find("Held against the same motions in many digits"),
+  EXPECT_NE(content_of(out / "report.md").find("Compared with the same motions in many digits"),
             std::string::npos);
 }
 

@@ -130,8 +130,11 @@ std::vector<Bounded> bounded(const State& state, const std::optional<State>& err
   for (const auto& one : coordinates(state)) {
     result.push_back({one.value, -1.0});
   }
-  for (std::size_t k = 0; errors && k < result.size(); ++k) {
-    result[k].error = coordinates(*errors)[k].value;
+  if (errors) {
+    auto number = result.begin();
+    for (const auto& one : coordinates(*errors)) {
+      (number++)->error = one.value;
+    }
   }
   return result;
 }

@@ -1,52 +1,29 @@
 """scripts/check-english finds what is planted in a copy of the sources, and names it."""
 import os
-import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-FOLDERS = ["analytic", "bench", "engines"]
+from planted import ROOT, Planted
 
 
-class CheckEnglish(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.copy = temporary.name
-        for folder in FOLDERS:
-            shutil.copytree(os.path.join(ROOT, folder), os.path.join(self.copy, folder),
-                            ignore=shutil.ignore_patterns("node_modules"))
-
-    def write(self, path, text):
-        with open(os.path.join(self.copy, path), "w", encoding="utf-8") as file:
-            file.write(text)
-
-    def says(self, code):
-        """What it says of the copy, which it ends with this exit code for."""
-        done = subprocess.run([os.path.join(ROOT, "scripts", "check-english"), self.copy],
-                              stderr=subprocess.PIPE, text=True, check=False)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done.stderr
-
+class CheckEnglish(Planted):
     def test_passes_the_sources_as_they_are(self):
-        self.assertEqual(self.says(0), "check-english: plain\n")
+        self.assertEqual(self.says("check-english", 0), "check-english: plain\n")
 
     def test_names_a_word_in_what_is_printed_and_not_in_an_include(self):
         self.write("bench/planted.cpp", '#include "beside.hpp"\nauto planted = "held against it"; // fine\n')
-        self.assertEqual(self.says(1), 'check-english: bench/planted.cpp:2 prints "held against": compared with\n'
+        self.assertEqual(self.says("check-english", 1), 'check-english: bench/planted.cpp:2 prints "held against": compared with\n'
                                        "check-english: 1 breaches\n")
 
     def test_counts_comments(self):
         self.write("bench/planted.cpp", "/// What is here.\nint planted = 0;  // taut for good\n" * 400)
-        found = self.says(1)
+        found = self.says("check-english", 1)
         self.assertIn("comments of bench/ have a word of WORDS", found)
         self.assertIn("comments of bench/ begin with Of|What|Where|The same|Whether", found)
 
     def test_takes_a_quoted_word_and_an_address_for_no_comment(self):
         self.write("bench/planted.cpp", 'auto planted = "https://example.org/of/it";\n' * 400)
-        self.says(0)
+        self.says("check-english", 0)
 
 
 class Subjects(unittest.TestCase):

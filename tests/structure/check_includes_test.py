@@ -1,36 +1,13 @@
 """scripts/check-includes finds what is planted in a copy of the sources, and names it."""
-import os
-import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-FOLDERS = ["analytic", "bench", "engines"]
+from planted import Planted
 
 
-class CheckIncludes(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.copy = temporary.name
-        for folder in FOLDERS:
-            shutil.copytree(os.path.join(ROOT, folder), os.path.join(self.copy, folder),
-                            ignore=shutil.ignore_patterns("node_modules"))
-
-    def write(self, path, text):
-        path = os.path.join(self.copy, path)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-
+class CheckIncludes(Planted):
     def breaches(self):
-        """What it says of the copy, and that it fails for it."""
-        done = subprocess.run([os.path.join(ROOT, "scripts", "check-includes"), self.copy],
-                              stderr=subprocess.PIPE, text=True, check=False)
-        self.assertEqual(done.returncode, 1, done.stderr)
-        return done.stderr
+        return self.says("check-includes", 1)
 
     def test_names_a_circle_that_passes_through_a_source(self):
         self.write("bench/base/planted.hpp", '#include "bench/base/planted_too.hpp"\n')

@@ -301,7 +301,7 @@ std::string chapter_page_data(const ChapterReport& report) {
   const Json data = {{"figures", json_of(listed(report.figures, [](const ChapterFigure& figure) {
                         return FigurePlot{&figure};
                       }))}};
-  return html_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return html_json(on_one_line(data));
 }
 
 }  // namespace tautline::bench

@@ -1,6 +1,7 @@
 #include "tautline/detail/sensitivity.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <iterator>
 #include <span>
@@ -84,13 +85,14 @@ BasicStateMatrix<Real> BasicSensitivity<Real>::Piece::flow(const Real& dt) const
 }
 
 template <class Real>
-BasicStateMatrix<Real> BasicSensitivity<Real>::Piece::after(const Real& dt) const {
+BasicStateMatrix<Real> BasicSensitivity<Real>::Piece::carried(
+    const Real& dt, const BasicStateMatrix<Real>& matrix) const {
   if (!period || dt < *period) {
-    return flow(dt) * initial;
+    return flow(dt) * matrix;
   }
   // the whole periods by repeated squaring
   auto periods = static_cast<unsigned long long>(Real(dt / *period));
-  BasicStateMatrix<Real> result = flow(dt - *period * static_cast<double>(periods)) * initial;
+  BasicStateMatrix<Real> result = flow(dt - *period * static_cast<double>(periods)) * matrix;
   for (BasicStateMatrix<Real> power = flow(*period); periods > 0; periods /= 2) {
     result = periods % 2 == 1 ? (power * result).eval() : result;
     power = (power * power).eval();
@@ -121,6 +123,7 @@ BasicSensitivity<Real>::BasicSensitivity(const BasicCase<Real>& the_case,
                                          state_rate(arc, Real(0), solution.gravity())};
         const BasicJump<Real> jump = saltation(instant, taut);
         saltations_.push_back({arc.start, jump.matrix});
+        jump_ = (jump.matrix * jump_).eval();
         taut = jump.taut;
         now_ = jump.matrix.allFinite() && now_.allFinite() ? (jump.matrix * now_).eval()
                                                            : no_derivative<Real>();
@@ -137,7 +140,8 @@ template <class Real>
 void BasicSensitivity<Real>::append(const Real& start, const Real& end,
                                     std::vector<Eigen::Matrix<Real, 3, 6>> series,
                                     std::optional<Real> period) {
-  pieces_.push_back({start, now_, std::move(series), std::move(period)});
+  pieces_.push_back({start, now_, std::move(series), std::move(period), jump_});
+  jump_.setIdentity();
   if (now_.allFinite()) {
     now_ = pieces_.back().after(end - start);
   }
@@ -179,7 +183,7 @@ void BasicSensitivity<Real>::follow(const BasicCase<Real>& the_case,
 }
 
 template <class Real>
-BasicStateMatrix<Real> BasicSensitivity<Real>::at(const Real& time) const {
+std::size_t BasicSensitivity<Real>::piece_at(const Real& time) const {
   if (!(time >= 0 && time <= end_)) {
     throw std::out_of_range("time " + std::to_string(static_cast<double>(time)) +
                             " is outside the solution, which ends at " +
@@ -188,8 +192,40 @@ BasicStateMatrix<Real> BasicSensitivity<Real>::at(const Real& time) const {
   const auto next =
       std::upper_bound(pieces_.begin(), pieces_.end(), time,
                        [](const Real& t, const Piece& piece) { return t < piece.start; });
-  const Piece& piece = *std::prev(next);
+  return static_cast<std::size_t>(std::prev(next) - pieces_.begin());
+}
+
+template <class Real>
+BasicStateMatrix<Real> BasicSensitivity<Real>::at(const Real& time) const {
+  const Piece& piece = pieces_[piece_at(time)];
   return piece.initial.allFinite() ? piece.after(time - piece.start) : piece.initial;
+}
+
+template <class Real>
+BasicStateMatrix<Real> BasicSensitivity<Real>::between(const Real& from, const Real& to) const {
+  std::size_t place = piece_at(from);
+  const std::size_t last = piece_at(to);
+  if (!(from <= to)) {
+    throw std::out_of_range("no derivative goes back in time");
+  }
+  if (!pieces_[last].initial.allFinite()) {
+    return no_derivative<Real>();
+  }
+  // along a piece nothing is lost: its flow has an inverse
+  BasicStateMatrix<Real> result =
+      from > pieces_[place].start
+          ? BasicStateMatrix<Real>(pieces_[place]
+                                       .carried(from - pieces_[place].start,
+                                                BasicStateMatrix<Real>::Identity())
+                                       .partialPivLu()
+                                       .inverse())
+          : BasicStateMatrix<Real>::Identity();
+  for (; place < last; ++place) {
+    const Piece& next = pieces_[place + 1];
+    result =
+        (next.jump * pieces_[place].carried(next.start - pieces_[place].start, result)).eval();
+  }
+  return pieces_[last].carried(to - pieces_[last].start, result);
 }
 
 template <class Real>

@@ -113,4 +113,19 @@ std::optional<double> as_number(const toml::node& node) {
   return std::nullopt;
 }
 
+std::string toml_string(const std::string& text) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      result += "\\u00";
+      result += {digits[byte >> 4U], digits[byte & 0xFU]};
+    } else {
+      result += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    }
+  }
+  return result + "\"";
+}
+
 }  // namespace tautline::bench

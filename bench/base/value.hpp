@@ -22,6 +22,9 @@ namespace tautline::bench {
 /// " = 1.2" or " = [0, 1, 2]"; "" for what is too long to quote.
 [[nodiscard]] std::string quoted_value(const toml::node& node);
 
+/// `text` as a string of a TOML file, in its quotes.
+[[nodiscard]] std::string toml_string(const std::string& text);
+
 /// The value of a number, with or without a decimal point; none for other types.
 [[nodiscard]] std::optional<double> as_number(const toml::node& node);
 

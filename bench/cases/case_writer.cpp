@@ -1,5 +1,6 @@
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
+#include "bench/base/value.hpp"
 #include "tautline/case_file.hpp"
 
 namespace tautline::bench {
@@ -23,23 +24,8 @@ std::string pairs(const std::vector<RestitutionPoint>& table) {
   return result + "]";
 }
 
-std::string quoted(const std::string& text) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      result += "\\u00";
-      result += {digits[byte >> 4U], digits[byte & 0xFU]};
-    } else {
-      result += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-    }
-  }
-  return result + "\"";
-}
-
 std::string case_text(const Case& the_case) {
-  std::string text = "name = " + quoted(the_case.name) + "\n";
+  std::string text = "name = " + toml_string(the_case.name) + "\n";
   const auto line = [&text](const std::string& key, const std::string& value) {
     text += key + " = " + value + "\n";
   };

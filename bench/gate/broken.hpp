@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/gate/limits.hpp"
+#include "bench/gate/listed_problems.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
@@ -14,16 +14,14 @@ struct BrokenRow {
   std::string model;
   std::string the_case;  // or empty: all
   std::string step;      // [s], or empty: all
-  std::string metric;
-  std::string value;  // with its unit; "failed" and the like without a number
-  std::string limit;
-  std::string reason;
+  std::string kind;      // of problem
+  std::string what;      // in a sentence
 };
 
-/// What breaks the gate, for a report with verdicts: limits that do not hold and are not known to,
-/// findings that are not known, runs and engines that failed, known deviations of which no run of
-/// the report shows any or which no limit is on, limits that could be measured on no run; and a
-/// gate that judges no run at all.
-[[nodiscard]] std::vector<BrokenRow> broken_rows(const Report& report, const Limits& limits);
+/// What breaks the gate, for a report with verdicts: problems that are not listed, engines that
+/// failed, listed problems that runs of the report could show and none does, and a report none of
+/// whose runs could be judged.
+[[nodiscard]] std::vector<BrokenRow> broken_rows(const Report& report,
+                                                 const ListedProblems& listed);
 
 }  // namespace tautline::bench

@@ -7,7 +7,6 @@
 
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
-#include "bench/gate/verdict.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -16,11 +15,10 @@ namespace {
 constexpr std::size_t most_broken = 100;
 
 std::string table_of(const std::vector<BrokenRow>& rows) {
-  Table table({"engine", "model", "case", "step", "metric", "value", "limit", "reason"}, 5, 1);
+  Table table({"engine", "model", "case", "step", "kind", "what"}, 5, 1);
   for (std::size_t index = 0; index < std::min(most_broken, rows.size()); ++index) {
     const BrokenRow& row = rows[index];
-    table.add({row.engine, row.model, row.the_case, row.step, row.metric, row.value, row.limit,
-               row.reason});
+    table.add({row.engine, row.model, row.the_case, row.step, row.kind, row.what});
   }
   const std::string rest =
       rows.size() > most_broken
@@ -29,7 +27,7 @@ std::string table_of(const std::vector<BrokenRow>& rows) {
   return table.plain() + "\n" + rest;
 }
 
-/// "3 pass, 1 known deviation"
+/// "3 sound, 1 listed problem"
 std::string counts(const Report& report) {
   std::string result;
   for (const Word word : all_words) {
@@ -48,74 +46,40 @@ constexpr std::size_t most_named = 5;
 
 constexpr std::size_t line_length = 80;  // [columns]
 
-/// "bullet64 contact restitution_error"
-std::string name_of(const KnownDeviation& known) {
-  const RunPattern& runs = known.runs;
-  return printable(fmt::format("{} {} {}{}{}", runs.engine, runs.model, known.metric,
+/// "bullet64 contact restitution"
+std::string name_of(const ListedProblem& problem) {
+  const RunPattern& runs = problem.runs;
+  return printable(fmt::format("{} {} {}{}{}", runs.engine, runs.model, problem.kind,
                                runs.the_case == "*" ? "" : " on " + runs.the_case,
                                runs.step ? fmt::format(" at {:g} s", *runs.step) : ""));
 }
 
-/// "2 of 9 [[known]] entries are about no run here: ...", or "".
-std::string sentence(const std::vector<std::string>& names, std::size_t all, const char* what) {
+/// Says which listed problems are about no run of the report: subsets are run too.
+std::string unused_entries(const Report& report, const ListedProblems& listed) {
+  std::vector<std::string> names;
+  for (const ListedProblem& problem : listed.problems) {
+    if (std::none_of(report.runs.begin(), report.runs.end(),
+                     [&](const RunRow& run) { return problem.runs.holds(run.key); })) {
+      names.push_back(name_of(problem));
+    }
+  }
   if (names.empty()) {
     return "";
   }
-  std::string list;
-  for (std::size_t index = 0; index < std::min(most_named, names.size()); ++index) {
-    list += (index == 0 ? "" : "; ") + names[index];
-  }
-  if (names.size() > most_named) {
-    list += fmt::format("; and {} more", names.size() - most_named);
-  }
-  return wrapped(fmt::format("{} of {} [[known]] entries {}: {}.", names.size(), all, what, list),
+  const std::size_t all = names.size();
+  names.resize(std::min(most_named, all));
+  const std::string rest = all > most_named ? fmt::format("; and {} more", all - most_named) : "";
+  return wrapped(fmt::format("{} of {} listed problems are about no run of this report: {}{}.", all,
+                             listed.problems.size(), fmt::join(names, "; "), rest),
                  line_length);
-}
-
-/// Says which entries of a limits file are about no run of the report, and which known deviations
-/// no run of it shows, though that breaks nothing: subsets are run too.
-std::string unused_entries(const Report& report, const Limits& limits) {
-  const Precisions precisions(report);
-  const auto meant = [&](const RunPattern& runs, const RunRow& run) {
-    return runs.holds(run.key, precisions.of(run.key));
-  };
-  std::vector<std::string> without_runs;
-  std::vector<std::string> not_shown;
-  for (const KnownDeviation& known : limits.known) {
-    bool any = false;
-    bool shown = false;
-    for (const RunRow& run : report.runs) {
-      if (!meant(known.runs, run)) {
-        continue;
-      }
-      any = true;
-      const auto& checks = run.verdict.value().checks;
-      shown = shown || std::any_of(checks.begin(), checks.end(), [&](const Check& check) {
-                return is_about(known, check.metric) && check.holds != Holds::yes;
-              });
-    }
-    if (!shown) {
-      (any ? not_shown : without_runs).push_back(name_of(known));
-    }
-  }
-  const auto idle =
-      std::count_if(limits.limits.begin(), limits.limits.end(), [&](const Limit& one) {
-        return std::none_of(report.runs.begin(), report.runs.end(),
-                            [&](const RunRow& run) { return meant(one.runs, run); });
-      });
-  return sentence(without_runs, limits.known.size(), "are about no run of this report") +
-         sentence(not_shown, limits.known.size(), "are shown by no run of this report") +
-         (idle > 0 ? fmt::format("{} of {} limits are about no run of this report.\n", idle,
-                                 limits.limits.size())
-                   : "");
 }
 
 }  // namespace
 
-std::string gate_text(const Report& report, const Limits& limits,
+std::string gate_text(const Report& report, const ListedProblems& listed,
                       const std::vector<BrokenRow>& rows) {
-  const std::string source = printable(limits.file) + ", version " + printable(limits.version);
-  const std::string unused = unused_entries(report, limits);
+  const std::string source = printable(listed.file) + ", version " + printable(listed.version);
+  const std::string unused = unused_entries(report, listed);
   if (rows.empty()) {
     return unused + fmt::format("The gate holds ({}): {}.\n", source, counts(report));
   }

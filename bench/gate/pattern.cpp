@@ -42,9 +42,9 @@ bool matches(const std::string& pattern, const std::string& name) {
                      [&](const std::string& one) { return matches_one(one, name); });
 }
 
-bool RunPattern::holds(const RunKey& run, const std::string& precision_of_run) const {
+bool RunPattern::holds(const RunKey& run) const {
   return matches(engine, run.engine) && matches(model, run.model) &&
-         matches(the_case, run.the_case) && matches(precision, precision_of_run) &&
+         matches(the_case, run.the_case) &&
          (!step || std::abs(*step - run.step) <= same_step * run.step);
 }
 

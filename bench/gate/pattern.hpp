@@ -15,16 +15,15 @@ namespace tautline::bench {
 /// The patterns between which `pattern` has a |.
 [[nodiscard]] std::vector<std::string> alternatives(const std::string& pattern);
 
-/// Which runs an entry of a limits file is about. Names are patterns as for files: * and ?.
+/// Which runs an entry of a problems file is about. Names are patterns as for files: * and ?.
 struct RunPattern {
   std::string engine = "*";
   std::string model = "*";
   std::string the_case = "*";
-  std::string precision = "*";  // of the engine: float64 or float32
-  std::optional<double> step;   // [s]; any without one
+  std::optional<double> step;  // [s]; any without one
 
-  /// True where `run`, on an engine of `precision_of_run`, is one of these.
-  [[nodiscard]] bool holds(const RunKey& run, const std::string& precision_of_run) const;
+  /// True where `run` is one of these.
+  [[nodiscard]] bool holds(const RunKey& run) const;
 };
 
 }  // namespace tautline::bench

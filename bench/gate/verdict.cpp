@@ -1,67 +1,87 @@
-// Holds the runs of a report against the limits of a file.
+// What is wrong with each run of a report, from its judgement, and what of it is listed.
 
 #include "bench/gate/verdict.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstddef>
-#include <optional>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "bench/gate/limits_on_run.hpp"
-#include "bench/measure/metric_list.hpp"
+#include "bench/judge/models.hpp"
 
 namespace tautline::bench {
 namespace {
 
-Holds holds_if(bool it_does) { return it_does ? Holds::yes : Holds::no; }
+using Problems = std::vector<Problem>;
 
-/// A run that failed or diverged; one that is known to and did not says so as well.
-std::optional<Check> failure_check(const RunRow& run, const LimitsOnRun& limits) {
-  const bool worked = did_its_work(run.status);
-  const KnownDeviation* known = limits.known(failure);
-  if (worked && known == nullptr) {
-    return std::nullopt;
+void add(Problems& problems, std::string_view kind, std::string sentence,
+         std::optional<double> value = std::nullopt) {
+  problems.push_back({std::string(kind), std::move(sentence), value, false, ""});
+}
+
+/// How far the run is from the exact motion.
+void add_position(const Following& following, Problems& problems) {
+  if (following.ratio && *following.ratio > problem_ratio) {
+    add(problems, "position",
+        fmt::format("off by {:.2g} m at {:.3g} s, {:.2g} times what a plain scheme of this step "
+                    "may be",
+                    following.error, following.time, *following.ratio),
+        following.ratio);
   }
-  return Check{std::string(failure), std::nullopt,
-               std::nullopt,         holds_if(worked),
-               known != nullptr,     known != nullptr ? known->reason : run.reason};
 }
 
-/// The limit on the metric at this place of the list, if there is one.
-std::optional<Check> metric_check(const RunRow& run, const LimitsOnRun& limits, std::size_t place) {
-  const std::string_view metric = metric_list()[place].name;
-  const Limit* limit = limits.limit(metric);
-  if (limit == nullptr) {
-    return std::nullopt;
+/// A run that locates its impacts is exact but for rounding, and where cables are taut far better
+/// than a step allows.
+void add_events(const Following& following, Problems& problems) {
+  if (following.located && following.rounding.value_or(0.0) > most_rounding) {
+    add(problems, "events",
+        fmt::format("locates its impacts, and is off by {:.2g} times what rounding explains",
+                    *following.rounding),
+        following.rounding);
+  } else if (following.located && following.ratio.value_or(0.0) > exact_ratio) {
+    add(problems, "events",
+        fmt::format("locates its impacts, and is off by {:.2g} m at {:.3g} s, {:.2g} times what a "
+                    "plain scheme of this step may be",
+                    following.error, following.time, *following.ratio),
+        following.ratio);
   }
-  const double most = limit->at(run.key.step);
-  const std::optional<double> value = run.metric(place);
-  const KnownDeviation* known = limits.known(metric);
-  return Check{std::string(metric),
-               value,
-               most,
-               value ? holds_if(*value <= most) : Holds::not_measured,
-               known != nullptr,
-               known != nullptr ? known->reason : limit->reason};
 }
 
-/// What was found in the run, whatever its numbers are.
-Check finding_check(const Finding& finding, const LimitsOnRun& limits) {
-  const KnownDeviation* known = limits.known(finding.kind);
-  return Check{finding.kind, std::nullopt,     std::nullopt,
-               Holds::no,    known != nullptr, known != nullptr ? known->reason : finding.sentence};
+/// Problems of what was measured on a run.
+void add_judged(const Judgement& judgement, Problems& problems) {
+  if (judgement.rebounds.wrong()) {
+    add(problems, "restitution", words_of(judgement.rebounds), judgement.rebounds.deviation);
+  }
+  add_position(judgement.following, problems);
+  add_events(judgement.following, problems);
+  if (judgement.impacts.missed > 0) {
+    add(problems, "missed-impacts",
+        fmt::format("misses {} of {} impacts that this step cannot miss", judgement.impacts.missed,
+                    judgement.impacts.due),
+        static_cast<double>(judgement.impacts.missed));
+  }
+  if (judgement.overstretch > most_overstretch) {
+    add(problems, "overstretch",
+        fmt::format("a cable is overstretched by {:.2g} times what a step explains",
+                    judgement.overstretch),
+        judgement.overstretch);
+  }
+  if (judgement.energy > most_energy) {
+    add(problems, "energy",
+        fmt::format("gains energy in flight, {:.2g} times what a step explains", judgement.energy),
+        judgement.energy);
+  }
 }
 
-/// The findings by the runs that they are about, of those kinds that contradict a pass.
+/// The findings by the runs that they are about, of those that no judgement has.
 using FindingsOnRuns = std::map<RunKey, std::vector<const Finding*>>;
 
 FindingsOnRuns findings_on_runs(const std::vector<Finding>& findings) {
   FindingsOnRuns result;
   for (const Finding& finding : findings) {
-    for (const RunOfModel& run : finding.shown_in) {
-      if (contradicts_a_pass(finding.kind)) {
+    if (is_problem(finding.kind)) {
+      for (const RunOfModel& run : finding.shown_in) {
         result[{run.the_case, finding.engine, finding.model, run.step}].push_back(&finding);
       }
     }
@@ -69,53 +89,16 @@ FindingsOnRuns findings_on_runs(const std::vector<Finding>& findings) {
   return result;
 }
 
-std::vector<Check> checks_of(const RunRow& run, const std::vector<const Finding*>& findings,
-                             const LimitsOnRun& limits) {
-  std::vector<Check> checks;
-  const auto add = [&](std::optional<Check> check) {
-    if (check) {
-      checks.push_back(std::move(*check));
-    }
-  };
-  add(failure_check(run, limits));
-  for (const Finding* finding : findings) {
-    add(finding_check(*finding, limits));
+Word word_on(const RunRow& run, const Problems& problems) {
+  if (!problems.empty()) {
+    return std::all_of(problems.begin(), problems.end(),
+                       [](const Problem& problem) { return problem.listed; })
+               ? Word::listed_problem
+               : Word::problem;
   }
-  // a run without metrics has failed, which its check says
-  for (std::size_t place = 0; run.metrics && place < metric_list().size(); ++place) {
-    add(metric_check(run, limits, place));
-  }
-  return checks;
-}
-
-bool held(const Check& check) { return check.holds == Holds::yes; }
-bool broken(const Check& check) { return check.holds == Holds::no; }
-bool unknown(const Check& check) { return broken(check) && !check.known; }
-bool failed(const Check& check) { return broken(check) && check.metric == failure; }
-bool limited(const Check& check) { return check.limit.has_value(); }
-
-/// Failing is judged of every run, and limits of those that the file judges.
-Verdict verdict_on(const RunRow& run, std::vector<Check> checks, const Unjudged* unjudged) {
-  const auto any = [&](bool (*what)(const Check&)) {
-    return std::any_of(checks.begin(), checks.end(), what);
-  };
-  const auto with = [&](Word word, std::string reason = "") {
-    return Verdict{word, std::move(reason), std::move(checks)};
-  };
-  if (unjudged != nullptr && !any(failed)) {
-    return with(Word::not_judged, unjudged->reason);
-  }
-  if (!any(limited) && !any(failed)) {  // there is no pass that a finding could contradict
-    return with(Word::not_judged, "no limit is on it");
-  }
-  if (any(broken)) {
-    return with(any(unknown) ? Word::breaks_limit : Word::known_deviation);
-  }
-  if (run.status == Status::stopped) {
-    return with(Word::not_judged, "the model goes no further: " + run.reason);
-  }
-  return any(held) ? with(Word::pass)
-                   : with(Word::not_judged, "nothing that has a limit could be measured");
+  const bool told = run.judgement && run.judgement->rebounds.word == Rebound::kept &&
+                    run.judgement->following.ratio && *run.judgement->following.ratio <= as_good_ratio;
+  return told ? Word::sound : Word::too_few;
 }
 
 }  // namespace
@@ -131,14 +114,46 @@ std::string Precisions::of(const RunKey& run) const {
   return found != by_name_.end() ? found->second : "";
 }
 
-void add_verdicts(Report& report, const Limits& limits) {
-  const Precisions precisions(report);
+void add_verdicts(Report& report, const ListedProblems& listed) {
   FindingsOnRuns findings = findings_on_runs(report.findings);
   for (RunRow& run : report.runs) {
-    const LimitsOnRun on_run(limits, run.key, precisions.of(run.key));
-    run.verdict = verdict_on(run, checks_of(run, findings[run.key], on_run), on_run.unjudged());
+    Problems problems;
+    if (!did_its_work(run.status)) {
+      add(problems, "failure", std::string(to_string(run.status)) + ": " + run.reason);
+    }
+    for (const Finding* finding : findings[run.key]) {
+      add(problems, finding->kind, finding->sentence, finding->value);
+    }
+    if (run.judgement) {
+      add_judged(*run.judgement, problems);
+    }
+    for (Problem& problem : problems) {
+      const auto found = std::find_if(
+          listed.problems.begin(), listed.problems.end(), [&](const ListedProblem& one) {
+            return one.kind == problem.kind && one.runs.holds(run.key);
+          });
+      problem.listed = found != listed.problems.end();
+      problem.reason = problem.listed ? found->reason : "";
+    }
+    const Word word = word_on(run, problems);
+    run.verdict = Verdict{word, std::move(problems)};
   }
-  report.limits = LimitsSource{limits.file, limits.version};
+  report.listed = ProblemsSource{listed.file, listed.version};
+}
+
+bool could_show(const RunRow& run, const std::string& kind) {
+  if (kind == "failure") {
+    return true;
+  }
+  if (!run.judgement) {
+    return false;
+  }
+  const Judgement& judgement = *run.judgement;
+  return kind == "restitution"      ? judgement.rebounds.word != Rebound::too_few
+         : kind == "events"         ? judgement.following.located
+         : kind == "position"       ? judgement.following.ratio.has_value()
+         : kind == "missed-impacts" ? judgement.impacts.due > 0
+                                    : true;
 }
 
 }  // namespace tautline::bench

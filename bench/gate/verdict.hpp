@@ -3,12 +3,12 @@
 #include <map>
 #include <string>
 
-#include "bench/gate/limits.hpp"
+#include "bench/gate/listed_problems.hpp"
 #include "bench/report/report.hpp"
 
 namespace tautline::bench {
 
-/// The precision of the engine of a run, as the patterns of a limits file ask for it.
+/// The precision of the engines of a report.
 class Precisions {
  public:
   explicit Precisions(const Report& report);
@@ -19,8 +19,11 @@ class Precisions {
   std::map<std::string, std::string> by_name_;
 };
 
-/// Holds every run of `report` against `limits`: each gets a verdict, the report their source. A
-/// run that shows a finding of the audit never passes: at best the finding is known.
-void add_verdicts(Report& report, const Limits& limits);
+/// Gives every run of `report` its verdict: the problems that its judgement and the findings of the
+/// audit are, and which of them are `listed`.
+void add_verdicts(Report& report, const ListedProblems& listed);
+
+/// True where the run could show a problem of this kind: it was measured.
+[[nodiscard]] bool could_show(const RunRow& run, const std::string& kind);
 
 }  // namespace tautline::bench

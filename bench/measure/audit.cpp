@@ -35,9 +35,8 @@ std::vector<AuditedModel> audited_models(const std::vector<AuditedRun>& runs) {
 
 RunAudit audit(const ReferenceCase& reference, const Trajectory& run, double count_speed) {
   RunAudit result;
-  result.impacts = audited_impacts(reference, run, count_speed);
+  result.impacts = audited_impacts(reference, run);
   result.ladder = ladder_of(reference, run, count_speed);
-  result.scatter = scatter_of(result.impacts);
   result.freeze = freeze_of(reference, run);
   return result;
 }
@@ -45,7 +44,7 @@ RunAudit audit(const ReferenceCase& reference, const Trajectory& run, double cou
 std::vector<Finding> findings(const std::vector<AuditedRun>& runs) {
   std::vector<Finding> all;
   for (const AuditedModel& model : audited_models(runs)) {
-    for (const auto& look : {restitution_findings, impulse_findings, sleep_findings}) {
+    for (const auto& look : {impulse_findings, sleep_findings}) {
       std::vector<Finding> found = look(model);
       std::move(found.begin(), found.end(), std::back_inserter(all));
     }

@@ -14,10 +14,10 @@ namespace tautline::bench {
 /// What the restitution audit reads from one run, from all its samples and impacts.
 struct RunAudit {
   std::optional<Ladder> ladder;
-  std::optional<Scatter> scatter;
   std::vector<AuditedImpact> impacts;
   std::optional<Freeze> freeze;
 };
+/// `count_speed` [m/s] is of the ladder.
 [[nodiscard]] RunAudit audit(const ReferenceCase& reference, const Trajectory& run,
                              double count_speed);
 
@@ -30,7 +30,7 @@ struct AuditedRun {
   double step = 0.0;  // [s]
 };
 
-/// What the models do to impacts, in the order of their first runs.
+/// What the models do to impacts beside their rebounds, in the order of their first runs.
 [[nodiscard]] std::vector<Finding> findings(const std::vector<AuditedRun>& runs);
 
 }  // namespace tautline::bench

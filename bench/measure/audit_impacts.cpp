@@ -6,53 +6,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/measure/audit_lost.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
-/// An impact counts where what a step does to its rates is at most this part of them [-].
-constexpr double readable = 0.1;
-
 /// No more bounces of a ladder are told: nobody climbs them.
 constexpr std::size_t longest_ladder = 300;
 
-double kinetic_energy(const Body& body, const State& state) {
-  return 0.5 * (body.mass * state.velocity.squaredNorm() + body.inertia * state.spin * state.spin);
-}
-
-/// The size of accelerations in the exact motion [m/s^2]: gravity and turning on a cable. A rate
-/// that is read a step early or late is off by a step of it.
-double acceleration(const ReferenceCase& reference) {
-  const Case& the_case = reference.the_case;
-  double largest = 0.0;  // [J], of kinetic energy
-  for (const Point& point : samples(reference)) {
-    largest = std::max(largest, kinetic_energy(the_case.body, point.state));
-  }
-  return the_case.gravity.norm() + 2.0 * largest / the_case.body.mass / shortest_cable(the_case);
-}
-
-/// By how much a step may change what is read of `impact` itself [m/s]: the rate before it is one
-/// of a flight that goes on for up to a step, and the rate after it is of a velocity that has flown
-/// on and of the pose before. A body that spins fast turns the cable's pull more than gravity does.
-double change_in_a_step(const Case& the_case, const RecordedImpact& impact, double step) {
-  const Cable& cable = the_case.cables[impact.cable];
-  const double before = std::abs(free_gap_acceleration(the_case, impact.cable, impact.before));
-  const Eigen::Vector3d gone(impact.after.velocity.x(), impact.after.velocity.y(),
-                             impact.after.spin);
-  const double turned = std::abs(gap_gradient_rate(cable, impact.before).dot(gone));
-  const double fallen =
-      std::abs(gap_gradient(cable, impact.before).head<2>().dot(the_case.gravity));
-  return step * (restitution(cable, impact.rate_before) * before + turned + fallen);
+/// By how much the restitution of `cable` changes within `change` of `speed`, both [m/s]: next to a
+/// capture speed by all of it.
+double change_of_restitution(const Cable& cable, double speed, double change) {
+  const double here = restitution(cable, speed);
+  return depends_on_speed(cable)
+             ? std::max(std::abs(restitution(cable, std::max(0.0, speed - change)) - here),
+                        std::abs(restitution(cable, speed + change) - here))
+             : 0.0;
 }
 
 /// True where no other cable pulled in the impact's steps, and no other impact of the run is at the
 /// same time: those share one velocity jump.
-bool alone(const std::vector<const RecordedImpact*>& impacts, std::size_t index) {
-  const double time = impacts[index]->time;
-  return !impacts[index]->shared && (index == 0 || impacts[index - 1]->time != time) &&
-         (index + 1 == impacts.size() || impacts[index + 1]->time != time);
+bool alone(const std::vector<RecordedImpact>& impacts, std::size_t index) {
+  const double time = impacts[index].time;
+  return !impacts[index].shared && (index == 0 || impacts[index - 1].time != time) &&
+         (index + 1 == impacts.size() || impacts[index + 1].time != time);
 }
 
 /// `momentum` less what a step explains, as a part of `impulse`.
@@ -73,7 +52,7 @@ AuditedImpact audited(const Case& the_case, const RecordedImpact& impact, double
   const auto& [mass, inertia] = the_case.body;
   const double inverse = 1.0 / mass + (inertia > 0.0 ? pull[2] * pull[2] / inertia : 0.0);
   const double impulse = result.speed * (1.0 + std::abs(result.effective)) / inverse;
-  const double explained = mass * floor * std::max(1.0, static_cast<double>(impact.steps));
+  const double explained = mass * floor;
   const double across = perpendicular(Vec2(pull.head<2>())).dot(Vec2(impact.stray.head<2>()));
   const double gyration = std::sqrt(inertia / mass);  // [m]
   result.across = excess(across, explained, impulse);
@@ -102,24 +81,53 @@ bool bounces_straight(const ReferenceCase& reference) {
   });
 }
 
+/// True where a step stops the body and the steps that follow hold it: nothing came back, whatever
+/// its many steps do to the reading. A soft contact takes several steps to stop it, and two phases of
+/// one impact two.
+bool sticks(const Case& the_case, const RecordedImpact& impact) {
+  constexpr std::size_t least_steps = 4;
+  constexpr double still_closing = 0.1;  // [-], of the speed
+  const double speed = -impact.rate_before;
+  const double e = restitution(the_case.cables[impact.cable], impact.rate_before);
+  return e >= asking && impact.steps >= least_steps &&
+         impact.rate_first > -still_closing * speed &&
+         std::max(impact.rate_first, impact.rate_after) < lost_part * e * speed;
+}
+
 }  // namespace
 
-std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const Trajectory& run,
-                                           double count_speed) {
-  const auto& lock = reference.settling.lock;
-  const double end = lock ? lock->time : reference.solution.end_time();
-  const double floor = acceleration(reference) * run.step;
-  const auto impacts = counted(run, count_speed);
+double change_of_rates(const Case& the_case, std::size_t index, const State& before,
+                       const State& after) {
+  const Cable& cable = the_case.cables[index];
+  const Eigen::Vector3d gone(after.velocity.x(), after.velocity.y(), after.spin);
+  const double flown = std::max(std::abs(free_gap_acceleration(the_case, index, before)),
+                                std::abs(free_gap_acceleration(the_case, index, after)));
+  const double turned = std::abs(gap_gradient_rate(cable, before).dot(gone));
+  const double fallen = std::abs(gap_gradient(cable, before).head<2>().dot(the_case.gravity));
+  return restitution(cable, gap_rate(cable, before)) * flown + turned + fallen;
+}
+
+std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const Trajectory& run) {
+  const Case& the_case = reference.the_case;
+  const double end = reference.solution.end_time();
   std::vector<AuditedImpact> result;
-  for (std::size_t index = 0; index < impacts.size(); ++index) {
-    const RecordedImpact& recorded = *impacts[index];
-    if (recorded.time > end || !alone(impacts, index)) {
+  for (std::size_t index = 0; index < run.impacts.size(); ++index) {
+    const RecordedImpact& recorded = run.impacts[index];
+    if (recorded.time > end || !alone(run.impacts, index)) {
       continue;
     }
-    const double changed = change_in_a_step(reference.the_case, recorded, run.step);
-    const AuditedImpact impact = audited(reference.the_case, recorded, std::max(floor, changed));
+    State after = recorded.before;
+    after.velocity = recorded.after.velocity;
+    after.spin = recorded.after.spin;
+    const double steps =
+        sticks(the_case, recorded) ? 1.0 : std::max(1.0, static_cast<double>(recorded.steps));
+    const double floor = steps * run.step *
+                         change_of_rates(the_case, recorded.cable, recorded.before, after);
+    AuditedImpact impact = audited(the_case, recorded, floor);
+    impact.rate_floor += impact.speed * change_of_restitution(the_case.cables[recorded.cable],
+                                                              impact.speed, floor);
     if (std::isfinite(impact.effective * impact.requested) &&
-        impact.rate_floor <= readable * impact.speed) {
+        impact.rate_floor <= readable_part * impact.speed) {
       result.push_back(impact);
     }
   }
@@ -147,46 +155,6 @@ std::optional<Ladder> ladder_of(const ReferenceCase& reference, const Trajectory
     ladder.exact.push_back(ratio);
   }
   return ladder;
-}
-
-std::optional<Scatter> scatter_of(const std::vector<AuditedImpact>& impacts) {
-  if (impacts.empty()) {
-    return std::nullopt;
-  }
-  Scatter result;
-  result.count = impacts.size();
-  result.smallest = result.largest = impacts.front().deviation();
-  const auto count = static_cast<double>(impacts.size());
-  double sum = 0.0;
-  for (const AuditedImpact& impact : impacts) {
-    sum += impact.deviation();
-    result.smallest = std::min(result.smallest, impact.deviation());
-    result.largest = std::max(result.largest, impact.deviation());
-  }
-  result.mean = sum / count;
-  double squares = 0.0;
-  for (const AuditedImpact& impact : impacts) {
-    squares += (impact.deviation() - result.mean) * (impact.deviation() - result.mean);
-  }
-  result.standard_deviation = std::sqrt(squares / count);
-  return result;
-}
-
-Scatter pooled(const Scatter& one, const Scatter& other) {
-  const auto n = static_cast<double>(one.count);
-  const auto m = static_cast<double>(other.count);
-  const auto square = [](const Scatter& scatter) {
-    return scatter.mean * scatter.mean + scatter.standard_deviation * scatter.standard_deviation;
-  };
-  Scatter result;
-  result.count = one.count + other.count;
-  result.mean = (n * one.mean + m * other.mean) / (n + m);
-  const double variance =
-      (n * square(one) + m * square(other)) / (n + m) - result.mean * result.mean;
-  result.standard_deviation = std::sqrt(std::max(0.0, variance));
-  result.smallest = std::min(one.smallest, other.smallest);
-  result.largest = std::max(one.largest, other.largest);
-  return result;
 }
 
 }  // namespace tautline::bench

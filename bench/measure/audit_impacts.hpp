@@ -17,19 +17,26 @@ struct AuditedImpact {
   double arm = 0.0;        // [m]
   double across = 0.0;     // [-], unexplained momentum across the cable, as part of the impulse
   double turning = 0.0;  // [-], unexplained spin, as part of the impulse at the radius of gyration
-  double rate_floor = 0.0;  // [m/s], what a step does to rates: less says nothing
+  double rate_floor = 0.0;  // [m/s], what its steps do to its rates at most
   std::size_t steps = 0;    // with an impulse; 0 if located
 
   /// Effective less requested restitution.
   [[nodiscard]] double deviation() const { return effective - requested; }
-  /// The same as a rate, in units of what a step does.
-  [[nodiscard]] double floors() const { return deviation() * speed / rate_floor; }
 };
 
-/// The impacts of `run` that say something of restitution: those of one cable alone, counted, up to
-/// the lock of the exact motion, and fast enough for the run's step.
+/// An impact can be read where what its steps do to its rates is at most this part of them [-].
+inline constexpr double readable_part = 0.1;
+
+/// By how much a step may change what is read of an impact of cable `index`, per second of it
+/// [m/s^2]: the rate before is one of a flight that goes on for up to a step, the rate after one of
+/// a flight that has gone on and of the pose before. `before` and `after` are at one pose.
+[[nodiscard]] double change_of_rates(const Case& the_case, std::size_t index, const State& before,
+                                     const State& after);
+
+/// The impacts of `run` that say something of restitution: those of one cable alone that can be
+/// read, up to the end of the exact motion.
 [[nodiscard]] std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference,
-                                                         const Trajectory& run, double count_speed);
+                                                         const Trajectory& run);
 
 /// Heights of consecutive bounces on one cable through the centre of mass, as parts of the first
 /// fall.
@@ -43,19 +50,6 @@ struct Ladder {
 /// The ladder of `run`; none where its bounces do not stay on one line.
 [[nodiscard]] std::optional<Ladder> ladder_of(const ReferenceCase& reference, const Trajectory& run,
                                               double count_speed);
-
-/// Effective less requested restitution over impacts.
-struct Scatter {
-  std::size_t count = 0;
-  double mean = 0.0;
-  double standard_deviation = 0.0;
-  double smallest = 0.0;
-  double largest = 0.0;
-};
-[[nodiscard]] std::optional<Scatter> scatter_of(const std::vector<AuditedImpact>& impacts);
-
-/// The scatter of both together.
-[[nodiscard]] Scatter pooled(const Scatter& one, const Scatter& other);
 
 /// A run that freezes: the body stops in one go where the exact motion swings on.
 struct Freeze {

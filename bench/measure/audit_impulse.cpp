@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "bench/base/statistics.hpp"
+#include "bench/measure/audit_lost.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -37,6 +38,34 @@ std::optional<Finding> unexplained(const AuditedModel& model, const std::string&
   return finding;
 }
 
+/// Rebounds that take several steps.
+std::optional<Finding> several_steps(const AuditedModel& model) {
+  std::vector<double> steps;  // of impacts that ask for a rebound and get one
+  std::size_t bounces = 0;
+  for (const AuditedImpact& impact : model.impacts) {
+    const bool bounced = impact.effective >= lost_part * impact.requested;
+    if (impact.requested >= asking && bounced) {
+      ++bounces;
+      if (impact.steps > 1) {
+        steps.push_back(static_cast<double>(impact.steps));
+      }
+    }
+  }
+  if (bounces < least_impacts || 2 * steps.size() < bounces) {
+    return std::nullopt;
+  }
+  const double middle = quantile(steps, 0.5);
+  Finding finding = finding_of(model, "several-steps");
+  finding.sentence = fmt::format("an impact takes {:.0f} steps in the median and {:.0f} at most",
+                                 middle, quantile(steps, 1.0));
+  finding.value = middle;
+  finding.unit = "steps";
+  finding.impacts = bounces;
+  finding.shown_in =
+      runs_with(model, [](const AuditedImpact& impact) { return impact.steps > 1; });
+  return finding;
+}
+
 }  // namespace
 
 std::vector<Finding> impulse_findings(const AuditedModel& model) {
@@ -52,6 +81,9 @@ std::vector<Finding> impulse_findings(const AuditedModel& model) {
                       "the radius of gyration the difference is",
                       [](const AuditedImpact& impact) { return impact.turning; })) {
     findings.push_back(std::move(*turning));
+  }
+  if (auto steps = several_steps(model)) {
+    findings.push_back(std::move(*steps));
   }
   return findings;
 }

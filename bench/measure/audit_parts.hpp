@@ -9,10 +9,8 @@ namespace tautline::bench {
 
 // What the audit of a model is made of.
 
-/// Restitution that is ignored, cut off, spread, too large or too small; impacts of several steps.
-[[nodiscard]] std::vector<Finding> restitution_findings(const AuditedModel& model);
-
-/// Impulses that do not point along the cable, or turn the body by other than their arm.
+/// Impulses that do not point along the cable, or turn the body by other than their arm; impacts of
+/// several steps.
 [[nodiscard]] std::vector<Finding> impulse_findings(const AuditedModel& model);
 
 /// Bodies put to sleep.

@@ -36,12 +36,12 @@ struct FindingKind {
   std::string_view name;
   Aspect about;
 };
-inline constexpr std::array finding_kinds = {FindingKind{"threshold", Aspect::rebound},
+inline constexpr std::array finding_kinds = {FindingKind{"none", Aspect::rebound},
+                                             FindingKind{"lost-below", Aspect::rebound},
+                                             FindingKind{"loses-some", Aspect::rebound},
+                                             FindingKind{"scatters", Aspect::rebound},
+                                             FindingKind{"off", Aspect::rebound},
                                              FindingKind{"sleeping", Aspect::rebound},
-                                             FindingKind{"restitution-ignored", Aspect::rebound},
-                                             FindingKind{"scatter", Aspect::rebound},
-                                             FindingKind{"gain", Aspect::rebound},
-                                             FindingKind{"offset", Aspect::rebound},
                                              FindingKind{"tangential-impulse", Aspect::impulse},
                                              FindingKind{"angular-impulse", Aspect::impulse},
                                              FindingKind{"several-steps", Aspect::duration}};
@@ -54,13 +54,6 @@ inline constexpr std::array finding_kinds = {FindingKind{"threshold", Aspect::re
     }
   }
   return nullptr;
-}
-
-/// True if a run that shows a finding of this kind cannot pass: what a limit on numbers misses must
-/// not be called right. How long an impact takes is no fault of what becomes of it.
-[[nodiscard]] constexpr bool contradicts_a_pass(std::string_view name) {
-  const FindingKind* const kind = finding_kind(name);
-  return kind != nullptr && kind->about != Aspect::duration;
 }
 
 }  // namespace tautline::bench

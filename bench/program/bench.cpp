@@ -35,7 +35,8 @@ int bench_command(const BenchCommand& command) {
     return exit_usage;
   }
   auto [tree, manifest, result, report, replay] = run_request(request, command.command_line);
-  const ResultsTarget target = {command.out, command.json, command.gate, request.limits};
+  const ResultsTarget target = {command.out, command.json, command.gate, request.listed,
+                                command.all};
   write_results(target, report, replay);
   print_results(target, report, what_was_done(request, result, report.context));
   if (result.interrupted) {
@@ -48,6 +49,9 @@ int bench_command(const BenchCommand& command) {
   }
   manifest.shard.elapsed = report.context.elapsed;
   write_manifest(command.out, manifest);
+  if (!command.list_problems.empty()) {
+    write_output(command.list_problems, problems_file_of(report, request.listed));
+  }
   return judged(target, report);
 }
 

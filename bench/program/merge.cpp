@@ -63,12 +63,13 @@ int merge_command(const MergeCommand& command) {
   append(problems, missing_folder("--json", command.json, command.out));
   const SuiteOptions options =
       set.problems.empty() ? whole_suite(set.trees, command.out) : SuiteOptions();
-  ResultsTarget target = {command.out, command.json, command.gate, {}};
-  target.limits = limits_of(command.gate, options, problems);
+  ResultsTarget target = {command.out, command.json, command.gate, {}, false};
+  target.listed = listed_by(command.gate, options, problems);
   if (complain(problems)) {
     return exit_usage;
   }
   const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
+  const Expectations expectations = expectations_of(references);
   const Descriptor tree = open_tree(options.out, true);
   const Gathering gathering = gather(set.trees, options.out);
   Context context = made_by(set.trees);
@@ -78,10 +79,10 @@ int merge_command(const MergeCommand& command) {
   manifest.shard.elapsed = context.elapsed;
   write_manifest(options.out, manifest);
   Report report =
-      report_of(options, references, Certification(references, options.certify).digits(),
+      report_of(options, expectations, Certification(references, options.certify).digits(),
                 gathering.result, std::move(context));
-  add_verdicts(report, target.limits);
-  write_results(target, report, replay_of(references, gathering.result));
+  add_verdicts(report, target.listed);
+  write_results(target, report, replay_of(expectations, gathering.result));
   print_results(
       target, report,
       fmt::format("{} of {} runs from {} result tree{}", report.runs.size(), report.planned_runs,
@@ -106,7 +107,7 @@ void add_merge(CLI::App& app, int& code, const std::string& command_line) {
   command->add_option("--out", asked->out, "folder for the merged report and the runs' files")
       ->option_text("FOLDER")
       ->required();
-  command->add_option("--gate", asked->gate, gate_help)->option_text("LIMITS");
+  command->add_option("--gate", asked->gate, gate_help)->option_text("FILE");
   add_target(*command, "--json", asked->json, "also write the report as JSON");
   command->callback([asked, &code] { code = merge_command(*asked); });
 }

@@ -103,17 +103,17 @@ std::size_t draws_of(const BenchCommand& command, const Request& request,
   return static_cast<std::size_t>(std::clamp(draws, 0LL, most));
 }
 
-LimitNames::Engine names_of(const RegisteredEngine& engine) {
-  LimitNames::Engine names{engine.name, std::nullopt};
+ProblemNames::Engine names_of(const RegisteredEngine& engine) {
+  ProblemNames::Engine names{engine.name, std::nullopt};
   if (engine.info) {
     names.models = listed(engine.info->models, &Model::name);
   }
   return names;
 }
 
-/// The names that a limits file may have: of all engines that the program knows or was given, their
+/// The names that a problems file may have: of all engines that the program knows or was given, their
 /// models, the shipped cases and `cases`.
-LimitNames limit_names(const std::vector<RegisteredEngine>& given, const std::vector<Case>& cases) {
+ProblemNames problem_names(const std::vector<RegisteredEngine>& given, const std::vector<Case>& cases) {
   std::vector<RegisteredEngine> engines = given;
   for (RegisteredEngine& engine : registered_engines(Asked::plugins)) {
     const bool is_given = std::any_of(given.begin(), given.end(), [&](const auto& one) {
@@ -123,7 +123,7 @@ LimitNames limit_names(const std::vector<RegisteredEngine>& given, const std::ve
       engines.push_back(std::move(engine));
     }
   }
-  LimitNames names;
+  ProblemNames names;
   names.engines = listed(engines, names_of);
   for (const std::vector<Case>& some : {shipped_cases(), cases}) {
     for (const Case& the_case : some) {
@@ -135,14 +135,18 @@ LimitNames limit_names(const std::vector<RegisteredEngine>& given, const std::ve
 
 }  // namespace
 
-Limits limits_of(const std::optional<std::string>& gate, const SuiteOptions& options,
-                 std::vector<std::string>& problems) {
-  if (!gate) {
-    return shipped_limits();
+ListedProblems listed_by(const std::optional<std::string>& gate, const SuiteOptions& options,
+                         std::vector<std::string>& problems) {
+  if (!gate || *gate == "shipped") {
+    return shipped_problems();
   }
-  LimitsReading reading = read_limits_file(*gate, limit_names(options.engines, options.cases));
+  if (*gate == "none") {
+    return {"none listed", "0", {}};
+  }
+  ProblemsReading reading =
+      read_problems_file(*gate, problem_names(options.engines, options.cases));
   append(problems, reading.problems);
-  return std::move(reading.limits).value_or(Limits());
+  return std::move(reading.listed).value_or(ListedProblems());
 }
 
 Request read_runs(const BenchCommand& command) {
@@ -166,6 +170,8 @@ Request read_runs(const BenchCommand& command) {
   options.limits.time = command.time_limit;
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   append(request.problems, missing_folder("--json", command.json, command.out));
+  append(request.problems,
+         missing_folder("--list-problems", command.list_problems, command.out));
   if (command.out.empty()) {
     request.problems.emplace_back("--out: is empty; give a folder to write the results to");
   }
@@ -180,7 +186,7 @@ Request read_request(const BenchCommand& command) {
   append(request.problems, unknown_models(choice.engines, command.models));
   options.engines = std::move(choice.engines);
   append(request.problems, suite_problems(options));
-  request.limits = limits_of(command.gate, options, request.problems);
+  request.listed = listed_by(command.gate, options, request.problems);
   return request;
 }
 
@@ -236,7 +242,11 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
       ->capture_default_str();
   add_target(command, "--json", asked.json, "also write the report as JSON");
   add_schema(command, report_schema_json);
-  command.add_option("--gate", asked.gate, gate_help)->option_text("LIMITS");
+  command.add_option("--gate", asked.gate, gate_help)->option_text("FILE");
+  add_target(command, "--list-problems", asked.list_problems,
+             "write the problems that the runs show to a file for --gate, and keep what it lists; "
+             "say in it why each may stay");
+  command.add_flag("--all", asked.all, "print every number over the cases, too");
   command.footer("Suites, and what their cases show:\n" + suites_text());
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/gate/limits.hpp"
+#include "bench/gate/listed_problems.hpp"
 #include "bench/store/plan.hpp"
 #include "bench/suite/suites.hpp"
 
@@ -31,7 +31,9 @@ struct BenchCommand {
   std::optional<long long> draws;   // those of the suite, or 0, if not given
   std::optional<bool> certify;      // yes of a suite, no of cases, if not given
   double time_limit = 60.0;         // [s]
-  std::optional<std::string> gate;  // limits file; breaking it makes the exit code 1
+  std::optional<std::string> gate;  // whose problems are listed; others make the exit code 1
+  std::string list_problems;        // a file to write the problems to; empty: none
+  bool all = false;                 // print every number, not sentences alone
   std::string json;
   std::string command_line;  // as it was typed, for the report
 };
@@ -43,22 +45,24 @@ void add_bench_options(CLI::App& command, BenchCommand& asked);
 struct Request {
   const Suite* suite = nullptr;  // null where cases are named
   SuiteOptions options;
-  Limits limits;  // of --gate, or those that ship
+  ListedProblems listed;  // of --gate, or those that ship
   std::vector<std::string> problems;
 };
 [[nodiscard]] Request read_request(const BenchCommand& command);
 
-/// The same but for the engines, their models and the limits, which it leaves out.
+/// The same but for the engines, their models and the listed problems, which it leaves out.
 [[nodiscard]] Request read_runs(const BenchCommand& command);
 
-/// The limits of the file that --gate names, or those that ship. The file's mistakes are appended
-/// to `problems`, and names in it that are neither of `options`, nor shipped, nor of a plug-in
-/// here.
-[[nodiscard]] Limits limits_of(const std::optional<std::string>& gate, const SuiteOptions& options,
-                               std::vector<std::string>& problems);
+/// The problems of the file that --gate names, none, or those that ship. The file's mistakes are
+/// appended to `problems`, and names in it that are neither of `options`, nor shipped, nor of a
+/// plug-in here.
+[[nodiscard]] ListedProblems listed_by(const std::optional<std::string>& gate,
+                                       const SuiteOptions& options,
+                                       std::vector<std::string>& problems);
 
 /// What --gate is for.
 inline constexpr const char* gate_help =
-    "a limits file (TOML): print the runs that break a limit, and end with exit code 1";
+    "print the problems that are not listed, and end with exit code 1 if there are some; listed are "
+    "those of a FILE that --list-problems has written, those that are `shipped`, or `none`";
 
 }  // namespace tautline::bench

@@ -37,14 +37,14 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// Runs the suite and shows how far it is.
-SuiteResult run_visibly(const SuiteOptions& options, const std::vector<ReferenceCase>& references) {
+SuiteResult run_visibly(const SuiteOptions& options, const Expectations& expectations) {
   const std::vector<PlannedRun> runs = plan(options);
   const std::vector<std::size_t> due = places_in_shard(options);
   const double work = std::accumulate(
       due.begin(), due.end(), 0.0,
       [&](double sum, std::size_t place) { return sum + expected_cost(options, runs[place]); });
   Progress progress(work, due.size(), "runs");
-  SuiteResult result = run_suite(options, references, [&](const PlannedRun& run, bool kept) {
+  SuiteResult result = run_suite(options, expectations, [&](const PlannedRun& run, bool kept) {
     progress.ended(expected_cost(options, run), kept);
   });
   progress.finish();
@@ -74,13 +74,14 @@ RunSuite run_request(const Request& request, const std::string& command_line) {
   context.started = now_utc();
   const auto start = Clock::now();
   const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
+  const Expectations expectations = expectations_of(references);
   catch_interruption();  // up to here nothing has been touched
   Descriptor tree = open_tree(options.out, !options.resume);
   Manifest manifest = manifest_of(options, context.command, context.started);
   write_manifest(options.out, manifest);  // before the first run: a tree that is cut off has it
   // of a suite in parts that is for the merge of them
   Certification certification(references, options.certify && options.shard.of == 1);
-  SuiteResult result = run_visibly(options, references);
+  SuiteResult result = run_visibly(options, expectations);
   const auto digits = certification.digits();
   std::optional<Distributions> distributions;
   if (options.draws > 0 && !result.interrupted) {
@@ -89,10 +90,10 @@ RunSuite run_request(const Request& request, const std::string& command_line) {
   }
   context.elapsed = seconds_since(start);
   context.program_memory = peak_memory();
-  Report report = report_of(options, references, digits, result, std::move(context));
+  Report report = report_of(options, expectations, digits, result, std::move(context));
   report.distributions = std::move(distributions);
-  add_verdicts(report, request.limits);
-  Replay replay = replay_of(references, result);
+  add_verdicts(report, request.listed);
+  Replay replay = replay_of(expectations, result);
   return {std::move(tree), std::move(manifest), std::move(result), std::move(report),
           std::move(replay)};
 }
@@ -115,7 +116,7 @@ void write_results(const ResultsTarget& target, const Report& report, const Repl
 void print_results(const ResultsTarget& target, const Report& report, const std::string& last) {
   if (target.json != "-") {
     fmt::print("{}\n{}; report: {}, with report.md and report.json next to it\n",
-               report_summary(report, output_style()), last, (target.out / "index.html").string());
+               report_summary(report, target.all, output_style()), last, (target.out / "index.html").string());
   }
 }
 
@@ -124,9 +125,9 @@ int judged(const ResultsTarget& target, const Report& report) {
     return any_failure(report) ? exit_failed : exit_done;
   }
   // a known failure does not break it
-  const std::vector<BrokenRow> broken = broken_rows(report, target.limits);
+  const std::vector<BrokenRow> broken = broken_rows(report, target.listed);
   fmt::print(target.json == "-" ? stderr : stdout, "\n{}",
-             gate_text(report, target.limits, broken));
+             gate_text(report, target.listed, broken));
   return broken.empty() ? exit_done : exit_failed;
 }
 

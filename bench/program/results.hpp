@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bench/base/descriptor.hpp"
-#include "bench/gate/limits.hpp"
+#include "bench/gate/listed_problems.hpp"
 #include "bench/program/request.hpp"
 #include "bench/replay/replay.hpp"
 #include "bench/report/report.hpp"
@@ -31,8 +31,9 @@ struct RunSuite {
 struct ResultsTarget {
   std::filesystem::path out;        // the result tree
   std::string json;                 // a file as well, or "-" for standard output; empty: neither
-  std::optional<std::string> gate;  // a limits file that may be broken
-  Limits limits;                    // of it, or those that ship
+  std::optional<std::string> gate;  // a list of problems, to which others are new
+  ListedProblems listed;            // of it, or those that ship
+  bool all = false;                 // print every number, not sentences alone
 };
 
 /// Writes `report`, which has its verdicts, and its `replay`: report.json, report.md, index.html

@@ -6,7 +6,7 @@
 #include "bench/base/process.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
-#include "bench/gate/limits.hpp"
+#include "bench/gate/listed_problems.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
@@ -59,14 +59,15 @@ int run_command(const RunCommand& command) {
   // the runs of other engines and models stay
   const Descriptor tree = options.out.empty() ? Descriptor() : open_tree(options.out, false);
   const auto references = solve_cases(options.cases, options.law);
+  const Expectations expectations = expectations_of(references);
   catch_interruption();
-  const SuiteResult result = run_suite(options, references, [](const PlannedRun&, bool) {});
+  const SuiteResult result = run_suite(options, expectations, [](const PlannedRun&, bool) {});
   if (result.runs.empty()) {
     complain({"interrupted"});
     return exit_failed;
   }
-  Report report = report_of(options, references, {std::nullopt}, result, Context());
-  add_verdicts(report, shipped_limits());
+  Report report = report_of(options, expectations, {std::nullopt}, result, Context());
+  add_verdicts(report, shipped_problems());
   const RunRow& row = report.runs.front();
   if (command.json.empty()) {
     fmt::print("{}", run_card(report, command.all, output_style()));

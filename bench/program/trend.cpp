@@ -70,7 +70,7 @@ void run_version(const TrendCommand& command, const std::string& engine, const f
     return;
   }
   RunSuite done = run_request(request, command.runs.command_line);
-  write_results({runs.out, "", std::nullopt, request.limits}, done.report, done.replay);
+  write_results({runs.out, "", std::nullopt, request.listed, false}, done.report, done.replay);
   if (done.result.interrupted) {
     version.problem = fmt::format("interrupted: {} of {} runs are finished",
                                   done.result.runs.size(), done.result.due);

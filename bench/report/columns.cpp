@@ -24,13 +24,13 @@ const std::map<std::string, std::string> per_unit_of_time = {{"ms/s", "ms per un
 
 Colour colour_of(Word word) {
   switch (word) {
-    case Word::breaks_limit:
+    case Word::problem:
       return Colour::red;
-    case Word::known_deviation:
+    case Word::listed_problem:
       return Colour::yellow;
-    case Word::pass:
+    case Word::sound:
       return Colour::green;
-    case Word::not_judged:
+    case Word::too_few:
       break;
   }
   return Colour::grey;

@@ -40,13 +40,13 @@ inline constexpr Digits as_instant = fixed(4);
 /// The colour of a verdict on a terminal.
 [[nodiscard]] Colour colour_of(Word word);
 
-/// A word as the name of a look: "known-deviation".
+/// A word as the name of a look: "listed-problem".
 [[nodiscard]] std::string word_look(Word word);
 
 /// The worst verdict of some runs and how many have it, or a dash of none.
 [[nodiscard]] Cell tally_cell(const Tally& tally);
 
-/// The look of a verdict's cell: "verdict known-deviation".
+/// The look of a verdict's cell: "verdict listed-problem".
 [[nodiscard]] std::string verdict_kind(Word word);
 
 /// Engine, model and step.

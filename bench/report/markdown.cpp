@@ -17,9 +17,14 @@ std::string sentence_text(const std::string& sentence) {
 }
 
 std::string engines_markdown(const Report& report) {
-  const Table table = scorecards_table(report);
-  return "## Engines\n\n" + (table.empty() ? "No engine has a run.\n" : table.markdown()) + "\n" +
-         how_to_read_scorecards() + "\n\n";
+  const Table table = models_table(report);
+  std::string sentences;
+  for (const Scorecard& card : worst_first_scorecards(report)) {
+    sentences += fmt::format("- **{}**: {}\n", name_text(card.engine),
+                             sentence_text(sentence_of(card)));
+  }
+  return "## Engines\n\n" + sentences + "\n" + (table.empty() ? "No engine has a run.\n" : table.markdown()) + "\n" +
+         how_to_read_models() + "\n\n";
 }
 
 std::string answers_markdown(const Report& report) {
@@ -70,13 +75,10 @@ std::string audit_markdown(const Report& report) {
                     sentence_text(finding.sentence), evidence_text(finding));
   }
   if (list.empty()) {
-    list = "No model does anything else to an impact than its cable asks for.\n";
+    list = "Nothing was found.\n";
   }
   return "\n## Restitution audit\n\nWhat the models do to impacts, found from their runs.\n\n" +
-         list +
-         "\nEffective less requested restitution, of the impacts of one cable alone that are fast "
-         "enough for the step:\n\n" +
-         scatter_table(report).markdown();
+         list;
 }
 
 std::string runs_markdown(const Report& report) {

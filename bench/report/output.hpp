@@ -20,12 +20,14 @@ namespace tautline::bench {
 [[nodiscard]] std::string report_html(const Report& report, const Replay& replay,
                                       const PageAssets& assets);
 
-/// The answers for a terminal: the table over all cases with as many columns as fit, what its words
-/// mean, and the failures. Drawn from `report` alone.
-[[nodiscard]] std::string report_summary(const Report& report, const TerminalStyle& style);
+/// The answers for a terminal: a sentence for each engine, the worst first; with `all` the table over
+/// all cases with as many columns as fit, and what its words mean; the failures. Drawn from `report`
+/// alone.
+[[nodiscard]] std::string report_summary(const Report& report, bool all,
+                                         const TerminalStyle& style);
 
-/// The one run of `report` for a terminal: what ran, its verdict, the metrics that matter with
-/// value, limit and unit, or all of them, and what was found.
+/// The one run of `report` for a terminal: what ran, its verdict and what it is judged by, the
+/// metrics that matter, or all of them, and what was found.
 [[nodiscard]] std::string run_card(const Report& report, bool all_metrics,
                                    const TerminalStyle& style);
 

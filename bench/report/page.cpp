@@ -281,23 +281,23 @@ std::string folded(const std::string& summary, const std::string& html) {
 }
 
 std::string verdict_paragraph(const Report& report) {
-  Tally all;
-  for (const Scorecard& card : scorecards(report)) {
-    all.add(card.verdicts);
+  std::string out;
+  for (const Scorecard& card : worst_first_scorecards(report)) {
+    out += fmt::format("<li data-engine=\"{0}\"><b class=\"{1}\"><span>{0}</span></b> {2}</li>\n",
+                       html_text(card.engine), verdict_kind(card.verdicts.worst()),
+                       html_text(sentence_of(card), 500));
   }
-  return fmt::format("<p class=\"answer\"><b class=\"{}\"><span>{}</span></b>: {}</p>\n",
-                     verdict_kind(all.worst()), to_string(all.worst()),
-                     html_text(sentence_of(all), 500));
+  return "<ul class=\"answer engines\">\n" + out + "</ul>\n";
 }
 
 std::string scorecards_section(const Report& report) {
-  const Table table = in_units_of(report, scorecards_table(report));
+  const Table table = in_units_of(report, models_table(report));
   std::string out = "<section id=\"engines\">\n<h2>Engines</h2>\n";
   out += table.empty() ? "<p>No engine has a run.</p>\n"
                        : html_table(table, "scorecards-table",
-                                    "By name, which favours none: whose cable, and what it is "
-                                    "worth.");
-  return out + folded("How to read it", "<p>" + html_prose(how_to_read_scorecards()) + "</p>\n") +
+                                    "Every model, by engine: its restitution and its position in "
+                                    "words, at the smallest step.");
+  return out + folded("How to read it", "<p>" + html_prose(how_to_read_models()) + "</p>\n") +
          "</section>\n";
 }
 

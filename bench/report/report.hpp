@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/measure/attribution/attribution.hpp"
+#include "bench/judge/models.hpp"
 #include "bench/measure/audit.hpp"
 #include "bench/measure/metric_list.hpp"
 #include "bench/solution/certificate.hpp"
@@ -25,7 +27,7 @@ namespace tautline::bench {
 inline constexpr std::size_t most_cases_in_page = 1;
 
 /// The number of the report's form: its key `schema`.
-inline constexpr int report_schema = 5;
+inline constexpr int report_schema = 6;
 
 /// One run among those of a report.
 struct RunKey {
@@ -89,28 +91,34 @@ struct RunDetails {
 };
 
 /// What a verdict comes to: the words that everything says. Their meanings: words.hpp.
-enum class Word { pass, known_deviation, breaks_limit, not_judged };
-inline constexpr std::array all_words = {Word::pass, Word::known_deviation, Word::breaks_limit,
-                                         Word::not_judged};
-[[nodiscard]] const char* to_string(Word word);  // "pass", "known deviation", ...
+enum class Word { sound, listed_problem, problem, too_few };
+inline constexpr std::array all_words = {Word::sound, Word::listed_problem, Word::problem,
+                                         Word::too_few};
+[[nodiscard]] const char* to_string(Word word);  // "sound", "listed problem", ...
 
-/// What became of a limit on a run.
-enum class Holds { yes, no, not_measured };
+/// The kinds of problems that a run can have.
+inline constexpr std::array<std::string_view, 10> problem_kinds = {
+    "failure",     "restitution", "position", "events",   "missed-impacts",
+    "overstretch", "energy",      "sleeping", "tangential-impulse", "angular-impulse"};
 
-/// One limit compared with one run.
-struct Check {
-  std::string metric;           // of the list, or "failure"
-  std::optional<double> value;  // in the unit of the metric
-  std::optional<double> limit;  //
-  Holds holds = Holds::not_measured;
-  bool known = false;  // not to hold
-  std::string reason;  // where the limit comes from, or why it is known not to hold
+/// True where a finding of the audit of this kind is a problem of its own; that of rebounds is the
+/// judgement's, and how long an impact takes is none.
+[[nodiscard]] constexpr bool is_problem(std::string_view finding) {
+  return finding == "sleeping" || finding == "tangential-impulse" || finding == "angular-impulse";
+}
+
+/// Something that is wrong with a run.
+struct Problem {
+  std::string kind;             // of `problem_kinds`
+  std::string sentence;         // what, with its numbers
+  std::optional<double> value;  // of the kind: a ratio, a deviation, a count
+  bool listed = false;          // among the problems that a person has listed
+  std::string reason;           // why it is there; of one that is not listed ""
 };
 
 struct Verdict {
-  Word word = Word::not_judged;
-  std::string reason;  // why the run is not judged; of another word ""
-  std::vector<Check> checks;
+  Word word = Word::too_few;
+  std::vector<Problem> problems;
 };
 
 /// One run.
@@ -122,7 +130,7 @@ struct RunRow {
   std::optional<MetricValues> metrics;     // none where there is nothing to compare
   std::optional<RunDetails> details;       // set exactly where `metrics` is
   std::optional<Ladder> ladder;
-  std::optional<Scatter> scatter;
+  std::optional<Judgement> judgement;      // set exactly where `metrics` is
   std::optional<Attribution> attribution;
   std::optional<Verdict> verdict;
 
@@ -138,6 +146,15 @@ struct CableRow {
   Vec2 attachment = Vec2::Zero();
   double length = 0.0;                // [m]
   std::optional<double> restitution;  // none where it depends on the speed
+};
+
+/// Up to when a step-by-step model can follow a case, and what it tells of restitution: from the
+/// exact motion alone.
+struct Predictable {
+  double step = 0.0;         // [s]
+  double until = 0.0;        // [s]
+  Barrier barrier = Barrier::end;  // why not for longer
+  std::size_t readable = 0;  // impacts of the exact motion that a run of this step can be read by
 };
 
 /// What the exact solution says of a case, and what a page needs to draw it at rest.
@@ -160,6 +177,7 @@ struct CaseRow {
   std::optional<Eigen::Vector3d> start;  // x, y [m] and angle [rad]; in JSON that of its path
   std::optional<std::string> motions;    // file beside the page with those of its runs; none: in it
   std::optional<CertifiedDigits> certified;  // none where it was not asked for
+  std::vector<Predictable> predictable;      // for each step of the suite
 };
 
 /// An engine, or why there are no runs of it.
@@ -290,8 +308,8 @@ struct Distributions {
   std::vector<DistributionsRow> setups;
 };
 
-/// What the verdicts hold the runs against.
-struct LimitsSource {
+/// Where the listed problems come from.
+struct ProblemsSource {
   std::string file;
   std::string version;
 };
@@ -335,10 +353,11 @@ struct Report {
   std::vector<CaseRow> cases;
   std::vector<SummaryRow> summary;
   std::vector<ConvergenceRow> convergence;
+  std::vector<ModelJudgement> models;
   std::vector<Finding> findings;
   std::vector<CausesRow> causes;
   std::vector<RunRow> runs;
-  std::optional<LimitsSource> limits;          // none without verdicts
+  std::optional<ProblemsSource> listed;        // none without verdicts
   std::optional<Distributions> distributions;  // none where no draws were asked for
   Context context;
 };

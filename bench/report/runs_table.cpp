@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/base/text.hpp"
+#include "bench/judge/models.hpp"
 #include "bench/report/columns.hpp"
 #include "bench/report/words.hpp"
 
@@ -24,8 +25,8 @@ std::vector<Column> columns_of(const Report& report, bool with_case) {
   if (with_case) {
     columns.insert(columns.begin(), {word_column("case", "case"), word_column("title", "title")});
   }
-  if (report.limits) {
-    columns.push_back(word_column("verdict, limits", "verdict"));
+  if (report.listed) {
+    columns.push_back(word_column("verdict", "verdict"));
   }
   for (const Metric& metric : metric_list()) {
     if (is_shown(metric)) {
@@ -58,51 +59,26 @@ std::vector<Column> columns_of(const Report& report, bool with_case) {
   return columns;
 }
 
-/// "early position error 2.5e-01 m", or the name alone of what has no number.
-std::string check_text(const Check& check) {
-  const auto place = place_of(check.metric);
-  const auto number = [&](const std::optional<double>& value) {
-    if (!value) {
-      return std::string(dash);
-    }
-    const std::string unit = place ? shown_unit(metric_list()[*place]) : "";
-    return number_text(*value, as_error) + (unit.empty() ? "" : " " + unit);
-  };
-  std::string text = printable(in_words(check.metric));
-  if (check.value || check.limit) {
-    text += fmt::format(" {}, limit {}", number(check.value), number(check.limit));
-  }
-  text += check.known ? " (known)" : "";
-  return text +
-         (check.holds != Holds::no || check.reason.empty() ? "" : ": " + printable(check.reason));
+/// "position: off by ... (listed: why)".
+std::string problem_text(const Problem& problem) {
+  return printable(in_words(problem.kind), longest_sentence) + ": " +
+         printable(problem.sentence, longest_sentence) +
+         (problem.listed ? " (listed: " + printable(problem.reason, longest_sentence) + ")" : "");
 }
 
-/// "could not be measured: restitution error", or "".
-std::string unmeasured_text(const Verdict& verdict) {
-  std::vector<std::string> names;
-  for (const Check& check : verdict.checks) {
-    if (check.holds == Holds::not_measured) {
-      names.push_back(printable(in_words(check.metric)));
-    }
-  }
-  return names.empty() ? "" : "could not be measured: " + joined(names, "and");
-}
-
-/// The word, and below it the limits that matter.
-Cell verdict_cell(const std::optional<Verdict>& verdict) {
-  if (!verdict) {
+/// The word, and below it what is wrong, or what could be read.
+Cell verdict_cell(const RunRow& run) {
+  if (!run.verdict) {
     return dash;
   }
-  Cell cell = to_string(verdict->word);
-  cell.kind = verdict_kind(verdict->word);
-  if (!verdict->reason.empty()) {
-    cell.notes.push_back(printable(verdict->reason, longest_sentence));
+  Cell cell = to_string(run.verdict->word);
+  cell.kind = verdict_kind(run.verdict->word);
+  for (const Problem& problem : run.verdict->problems) {
+    cell.notes.push_back(problem_text(problem));
   }
-  for (const Check* check : telling_checks(*verdict)) {
-    cell.notes.push_back(check_text(*check));
-  }
-  if (const std::string text = unmeasured_text(*verdict); !text.empty()) {
-    cell.notes.push_back(text);
+  if (run.verdict->problems.empty() && run.judgement) {
+    cell.notes.push_back("restitution " + words_of(run.judgement->rebounds));
+    cell.notes.push_back(followed_text(run.judgement->following));
   }
   return cell;
 }
@@ -197,8 +173,8 @@ Row row_of(const Report& report, const RunRow& run, const Lookup& lookup, bool w
     row.cells.insert(row.cells.begin(),
                      {word_cell(run.key.the_case), word_cell(lookup.title_of(run.key))});
   }
-  if (report.limits) {
-    row.cells.push_back(verdict_cell(run.verdict));
+  if (report.listed) {
+    row.cells.push_back(verdict_cell(run));
   }
   Cell ending = ending_cell(run);
   if (run.metrics) {
@@ -230,25 +206,6 @@ Table runs_table(const Report& report) { return table_of(report, nullptr); }
 
 Table runs_table(const Report& report, const std::string& the_case) {
   return table_of(report, &the_case);
-}
-
-std::vector<const Check*> telling_checks(const Verdict& verdict) {
-  std::vector<const Check*> broken;
-  const Check* tightest = nullptr;
-  double highest = -1.0;  // value over limit
-  for (const Check& check : verdict.checks) {
-    if (check.holds == Holds::no) {
-      broken.push_back(&check);
-    } else if (check.value && check.limit && *check.limit > 0.0 &&
-               *check.value / *check.limit > highest) {
-      highest = *check.value / *check.limit;
-      tightest = &check;
-    }
-  }
-  if (broken.empty() && tightest != nullptr) {
-    return {tightest};
-  }
-  return broken;
 }
 
 }  // namespace tautline::bench

@@ -15,6 +15,7 @@
 #include "bench/base/statistics.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/catalogue.hpp"
+#include "bench/judge/models.hpp"
 #include "bench/plot/svg.hpp"
 #include "bench/report/columns.hpp"
 #include "bench/report/words.hpp"
@@ -23,11 +24,6 @@ namespace tautline::bench {
 namespace {
 
 constexpr std::array makers_in_order = {Maker::engine, Maker::by_hand, Maker::tautline};
-
-bool is_about_rebounds(const Finding& finding) {
-  const FindingKind* const kind = finding_kind(finding.kind);
-  return kind != nullptr && kind->about == Aspect::rebound;
-}
 
 /// The shortest cable of each case [m].
 std::map<std::string, double> shortest_cables(const Report& report) {
@@ -58,63 +54,88 @@ std::optional<double> median_off(const Runs& runs, const std::map<std::string, d
 }
 
 std::optional<CostRow> cost_of(const Report& report, const SetupKey& key) {
-  const auto& costs = report.context.costs;
-  const CostRow* const found = find_by(costs, &CostRow::key, key);
+  const CostRow* const found = find_by(report.context.costs, &CostRow::key, key);
   return found != nullptr ? std::optional(*found) : std::nullopt;
 }
 
-/// The size of e got less e asked over all the impacts that were audited in `runs`.
-void audit(ModelCard& card, const Runs& runs) {
-  double squares = 0.0;
-  for (const RunRow* run : runs) {
-    if (run->scatter) {
-      const Scatter& found = *run->scatter;
-      const auto count = static_cast<double>(found.count);
-      card.impacts += found.count;
-      squares +=
-          count * (found.mean * found.mean + found.standard_deviation * found.standard_deviation);
+bool has_problem(const RunRow* run) { return run->verdict && !run->verdict->problems.empty(); }
+
+/// What is wrong with a model, the gravest first: runs that fail, its rebounds, its course, what its
+/// impacts do beside, impacts that it misses, cables and energy.
+std::vector<std::string> wrongs(const Report& report, const ModelCard& card, std::size_t failed) {
+  std::vector<std::string> out;
+  if (failed > 0) {
+    out.push_back(fmt::format("{} fail", counted(failed, "run")));
+  }
+  if (!card.judged) {
+    return out;
+  }
+  const ModelJudgement& judged = *card.judged;
+  if (judged.rebounds.wrong()) {
+    out.push_back("restitution " + words_of(judged.rebounds));
+  }
+  if (judged.ratio && *judged.ratio > as_good_ratio && judged.course != Course::as_good) {
+    out.push_back(words_of(judged.course, judged.ratio));
+  }
+  for (const Finding& finding : report.findings) {
+    if (finding.engine == card.engine && finding.model == card.model && is_problem(finding.kind)) {
+      out.push_back(finding.sentence);
     }
   }
-  if (card.impacts > 0) {
-    card.rebound_off = std::sqrt(squares / static_cast<double>(card.impacts));
+  if (judged.impacts.missed > 0) {
+    out.push_back(fmt::format("misses {} of {}", judged.impacts.missed,
+                              counted(judged.impacts.due, "impact")));
   }
+  if (judged.overstretch > most_overstretch) {
+    out.push_back(fmt::format("overstretches by {:.2g} times what a step explains",
+                              judged.overstretch));
+  }
+  if (judged.energy > most_energy) {
+    out.push_back(
+        fmt::format("gains energy in flight, {:.2g} times what a step explains", judged.energy));
+  }
+  return out;
 }
 
 ModelCard model_card(const Report& report, const std::string& engine, const Model& model,
                      const std::map<std::string, double>& cables) {
   ModelCard card;
+  card.engine = engine;
   card.model = model.name;
   card.maker = model.maker;
   std::map<double, Runs, std::greater<>> by_step;
+  std::size_t failed = 0;
   for (const RunRow& run : report.runs) {
     if (run.key.engine == engine && run.key.model == model.name) {
       by_step[run.key.step].push_back(&run);
       card.verdicts.add(run);
+      failed += did_its_work(run.status) ? 0U : 1U;
     }
   }
   for (const auto& [step, runs] : by_step) {
     card.setups.push_back(
-        {model.name, step, median_off(runs, cables), cost_of(report, {engine, model.name, step})});
+        {model.name, step, median_off(runs, cables), cost_of(report, {engine, model.name, step}),
+         static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), has_problem))});
   }
-  if (!by_step.empty()) {
-    audit(card, by_step.rbegin()->second);
-  }
-  for (const Finding& finding : report.findings) {
-    if (finding.engine == engine && finding.model == model.name && is_about_rebounds(finding)) {
-      card.wrong.push_back(finding.kind);
+  for (const ModelJudgement& judged : report.models) {
+    if (judged.engine == engine && judged.model == model.name) {
+      card.judged = judged;
     }
   }
+  card.wrong = wrongs(report, card, failed);
   return card;
 }
 
-bool any_failed(const Report& report, const std::string& engine, const std::string& model) {
-  return std::any_of(report.runs.begin(), report.runs.end(), [&](const RunRow& run) {
-    return run.key.engine == engine && run.key.model == model && !did_its_work(run.status);
-  });
-}
-
-/// The setup to use of `setups`, all of which have an error.
-std::optional<Setup> chosen(std::vector<Setup> setups) {
+/// The setup to use, of those of `models`.
+std::optional<Setup> chosen(const std::vector<ModelCard>& models) {
+  std::vector<Setup> setups;
+  for (const ModelCard& model : models) {
+    for (const Setup& setup : model.setups) {
+      if (model.may_be_used() && setup.off && setup.problems == 0) {
+        setups.push_back(setup);
+      }
+    }
+  }
   const auto less = [](const Setup& one, const Setup& two) {
     const bool fits = *one.off <= good_enough;
     if (fits != (*two.off <= good_enough)) {
@@ -129,198 +150,163 @@ std::optional<Setup> chosen(std::vector<Setup> setups) {
   return best != setups.end() ? std::optional(*best) : std::nullopt;
 }
 
-MakerCard maker_card(const Report& report, const std::string& engine, Maker maker,
-                     std::vector<ModelCard> models) {
-  MakerCard card;
-  card.maker = maker;
-  std::vector<Setup> right;
-  std::vector<Setup> all;
-  for (const ModelCard& model : models) {
-    card.verdicts.add(model.verdicts);
-    const bool usable = model.rebounds_rightly() && !any_failed(report, engine, model.model);
-    for (const Setup& setup : model.setups) {
-      if (setup.off) {
-        all.push_back(setup);
-        if (usable) {
-          right.push_back(setup);
-        }
-      }
-    }
+/// How grave it is: what is not listed before what is, and of these what is further off.
+std::tuple<std::size_t, std::size_t, std::size_t, double> gravity_of(const ModelCard& card) {
+  const double ratio = card.judged ? card.judged->ratio.value_or(0.0) : 0.0;
+  return {card.verdicts.of(Word::problem), card.verdicts.of(Word::listed_problem),
+          card.wrong.size(), ratio};
+}
+
+bool graver(const ModelCard& one, const ModelCard& two) {
+  return gravity_of(one) > gravity_of(two);
+}
+
+/// "Use row at 0.001 s: 0.61 % of a cable off, 0.4 ms of processor time a second."
+std::string use_sentence(const Scorecard& card) {
+  if (!card.use) {
+    const bool kept = std::any_of(card.models.begin(), card.models.end(),
+                                  [](const ModelCard& model) { return model.may_be_used(); });
+    return kept ? "No model is without a problem at these steps."
+                : "None of its models can be recommended from these runs.";
   }
-  card.use_is_right = !right.empty();
-  card.use = chosen(right.empty() ? std::move(all) : std::move(right));
-  card.models = std::move(models);
-  return card;
+  std::string out = fmt::format("Use {} at {:g} s", printable(card.use->model), card.use->step);
+  out += fmt::format(": {} of a cable off", percent_text(*card.use->off));
+  return out + (card.use->cost
+                    ? fmt::format(", {:.2g} ms a second.", 1e3 * card.use->cost->second_cost)
+                    : ".");
 }
 
 std::vector<Column> columns_of() {
   return {word_column("engine", "engine"),
-          word_column("version", ""),
+          word_column("model", "model"),
           word_column("cable", "maker"),
-          word_column("restitution at impacts", "restitution"),
+          word_column("restitution", "restitution"),
+          word_column("position, against a plain correct scheme", "position"),
           word_column("verdict", "verdict"),
-          word_column("use", "use"),
           number_column("step", "s", "", "step"),
           number_column("off", "%", "", "off"),
-          number_column("cost", "ms/s", "", "cost"),
-          word_column("found", "")};
+          number_column("cost", "ms/s", "", "cost")};
 }
 
-std::optional<double> percent(const std::optional<Setup>& use) {
-  return use && use->off ? std::optional(100.0 * *use->off) : std::nullopt;
+std::optional<double> percent(const std::optional<double>& share) {
+  return share ? std::optional(100.0 * *share) : std::nullopt;
 }
 
 /// Processor time of a simulated second [ms/s].
-std::optional<double> cost_of(const std::optional<Setup>& use) {
-  return use && use->cost ? std::optional(1e3 * use->cost->second_cost) : std::nullopt;
+std::optional<double> cost_of(const Setup& setup) {
+  return setup.cost ? std::optional(1e3 * setup.cost->second_cost) : std::nullopt;
 }
 
-/// The model to use; where none rebounds rightly, that, and which is nearest.
-Cell use_cell(const MakerCard& of) {
-  if (!of.use) {
-    return "none";
-  }
-  return word_cell((of.use_is_right ? "" : "none; nearest: ") + of.use->model);
+/// A cell with a look: of what is wrong, of what is well, or of what cannot be told.
+Cell told_cell(std::string text, bool wrong, bool well) {
+  Cell cell = sentence_cell(text);
+  const Word word = wrong ? Word::problem : well ? Word::sound : Word::too_few;
+  cell.kind = "told " + word_look(word);
+  cell.colour = colour_of(word);
+  return cell;
 }
 
-Row row_of(const Scorecard& card, const MakerCard& of) {
-  Cell found = sentence_cell(fmt::format("{}", fmt::join(findings_texts(card, of), "; ")));
-  if (found.text.empty()) {
-    found.text = "nothing";
+Cell restitution_cell(const ModelCard& card) {
+  if (!card.judged) {
+    return dash;
   }
-  return {{word_cell(card.engine), word_cell(card.version + ", " + card.precision),
-           words_of(of.maker), sentence_cell(rebounds_text(of)), tally_cell(of.verdicts),
-           use_cell(of), number_cell(of.use ? std::optional(of.use->step) : std::nullopt, as_count),
-           brief_cell(percent(of.use)), brief_cell(cost_of(of.use)), std::move(found)},
+  const Rebounds& rebounds = card.judged->rebounds;
+  return told_cell(words_of(rebounds), rebounds.wrong(), rebounds.word == Rebound::kept);
+}
+
+Cell position_cell(const ModelCard& card) {
+  if (!card.judged) {
+    return dash;
+  }
+  const Course course = card.judged->course;
+  const bool well = course == Course::exact || course == Course::as_good;
+  Cell cell = told_cell(words_of(course, card.judged->ratio), !well && course != Course::untold,
+                        well);
+  if (card.judged->ratio) {
+    cell.notes.push_back(
+        fmt::format("{:.2g} times at worst, {:.2g} m at {:.3g} s in {}; told in {} of {}",
+                    *card.judged->ratio, card.judged->error, card.judged->time,
+                    printable(card.judged->worst_case), card.judged->told,
+                    counted(card.judged->cases, "case")));
+  }
+  return cell;
+}
+
+Row row_of(const ModelCard& card) {
+  const Setup& finest = card.setups.back();
+  return {{word_cell(card.engine), word_cell(card.model), words_of(card.maker),
+           restitution_cell(card), position_cell(card), tally_cell(card.verdicts),
+           number_cell(finest.step, as_count), brief_cell(percent(finest.off)),
+           brief_cell(cost_of(finest))},
           "",
           ""};
 }
 
-// Both schemes in one file: what shows it decides. The colours are the page's.
-constexpr const char* card_style =
-    "<style>.b{fill:#fdfcf9;stroke:#d6d1c7}.i{fill:#1c1b19}.m{fill:#66625b}.pass{fill:#2c6144}"
-    ".breaks-a-limit{fill:#9c3a14}.known-deviation{fill:#7a5200}.not-judged{fill:#66625b}"
-    "text{font-family:'Helvetica Neue',Arial,'Liberation Sans',sans-serif}"
-    "@media (prefers-color-scheme:dark){.b{fill:#17181a;stroke:#3d3e41}.i{fill:#e4e1da}"
-    ".m{fill:#a09b91}.pass{fill:#86c5a0}.breaks-a-limit{fill:#eb9468}"
-    ".known-deviation{fill:#e0b643}.not-judged{fill:#a09b91}}</style>\n";
-
-/// Names longer than this leave the card [bytes].
-constexpr std::size_t longest_name = 24;
-constexpr std::size_t longest_model = 21;
-
-std::string name_of(const std::string& text) { return xml_text(printable(text, longest_name)); }
-
-std::string line(int y, int size, const char* look, const std::string& xml, int x = 16) {
-  return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" class=\"{}\">{}</text>\n", x, y,
-                     size, look, xml);
-}
-
-/// A number with its meaning in two lines below, in one of three columns.
-std::string number(int column, const std::string& value, const std::string& meaning,
-                   const std::string& more) {
-  const int x = 16 + 128 * column;
-  return line(112, 20, "i", value, x) + line(132, 11, "m", meaning, x) +
-         line(147, 11, "m", more, x);
-}
-
-/// What the card speaks of: what is shipped, or else what comes first.
-const MakerCard* spoken_of(const Scorecard& card) {
-  return card.makers.empty() ? nullptr : &card.makers.front();
-}
-
-std::string numbers(const Report& report, const MakerCard& card) {
-  const auto right = std::count_if(card.models.begin(), card.models.end(),
-                                   [](const ModelCard& model) { return model.rebounds_rightly(); });
-  std::string out = number(0, fmt::format("{} of {}", right, card.models.size()), "models rebound",
-                           std::string("rightly, ") + words_of(card.maker));
-  const std::string unit = is_nondimensional(report) ? "unit of time" : "simulated s";
-  if (!card.use || !card.use->off) {
-    return out + number(1, dash, "no error", "was measured");
-  }
-  const Setup& use = *card.use;
-  out += number(1, percent_text(*use.off), "of a cable’s length off,",
-                fmt::format("step {:g}", use.step));
-  return out + number(2, use.cost ? fmt::format("{:.2g} ms", 1e3 * use.cost->second_cost) : dash,
-                      "a " + unit + ", with", xml_text(printable(use.model, longest_model)));
-}
-
-/// A model and the engine it is of.
-struct ModelRow {
-  std::string engine;
-  ModelCard card;
-};
-
-/// Those that break a limit first, then known deviations; within these what was found first.
-std::vector<ModelRow> models_of(const std::vector<Scorecard>& cards) {
-  std::vector<ModelRow> rows;
-  for (const Scorecard& card : cards) {
-    for (const MakerCard& maker : card.makers) {
-      for (const ModelCard& model : maker.models) {
-        rows.push_back({card.engine, model});
-      }
-    }
-  }
-  const auto urgency = [](const ModelRow& row) {
-    const Tally& tally = row.card.verdicts;
-    return std::tuple(tally.of(Word::breaks_limit), tally.of(Word::known_deviation),
-                      row.card.wrong.size(), tally.of(Word::not_judged));
-  };
-  std::stable_sort(rows.begin(), rows.end(), [&](const ModelRow& one, const ModelRow& two) {
-    return urgency(one) > urgency(two);
-  });
-  return rows;
-}
-
-std::string rebound_text(const ModelCard& card) {
-  if (!card.wrong.empty()) {
-    return fmt::format("wrong: {}", fmt::join(listed(card.wrong, kind_in_words), ", "));
-  }
-  return card.impacts == 0 ? "not measured" : "right";
-}
-
-/// At the smallest step, where the model is at its best.
-Row row_of(const ModelRow& row) {
-  const Setup& setup = row.card.setups.back();
-  const auto cost = setup.cost ? std::optional(1e3 * setup.cost->second_cost) : std::nullopt;
-  return {
-      {word_cell(row.engine), word_cell(row.card.model), words_of(row.card.maker),
-       tally_text(row.card.verdicts), sentence_cell(rebound_text(row.card)),
-       number_cell(setup.step, as_count),
-       brief_cell(setup.off ? std::optional(100.0 * *setup.off) : std::nullopt), brief_cell(cost)},
-      "",
-      ""};
-}
-
-Table table_of(const std::vector<ModelRow>& rows) {
-  Table table({word_column("engine", ""), word_column("model", ""), word_column("cable", ""),
-               word_column("verdict", ""), word_column("restitution", ""),
-               number_column("step", "s", "", ""), number_column("off", "%", "", ""),
-               number_column("cost", "ms/s", "", "")});
-  for (std::size_t index = 0; index < std::min(rows.size(), most_summary_rows); ++index) {
-    table.add(row_of(rows[index]));
+Table table_of(const std::vector<ModelCard>& models) {
+  Table table(columns_of());
+  for (const ModelCard& model : models) {
+    table.add(row_of(model));
   }
   return table;
 }
 
-std::string verdict_line(const std::vector<Scorecard>& cards) {
-  Tally all;
+/// The models of all engines, those of an engine one after the other.
+std::vector<ModelCard> models_of_all(const std::vector<Scorecard>& cards) {
+  std::vector<ModelCard> models;
   for (const Scorecard& card : cards) {
-    all.add(card.verdicts);
+    models.insert(models.end(), card.models.begin(), card.models.end());
   }
-  return fmt::format("**{}**: {}\n", to_string(all.worst()), sentence_of(all));
+  return models;
+}
+
+// Both schemes in one file: what shows it decides. The colours are the page's.
+constexpr const char* card_style =
+    "<style>.b{fill:#fdfcf9;stroke:#d6d1c7}.i{fill:#1c1b19}.m{fill:#66625b}.sound{fill:#2c6144}"
+    ".problem{fill:#9c3a14}.listed-problem{fill:#7a5200}.too-few-to-tell{fill:#66625b}"
+    "text{font-family:'Helvetica Neue',Arial,'Liberation Sans',sans-serif}"
+    "@media (prefers-color-scheme:dark){.b{fill:#17181a;stroke:#3d3e41}.i{fill:#e4e1da}"
+    ".m{fill:#a09b91}.sound{fill:#86c5a0}.problem{fill:#eb9468}"
+    ".listed-problem{fill:#e0b643}.too-few-to-tell{fill:#a09b91}}</style>\n";
+
+constexpr std::size_t longest_name = 24;  // longer ones leave the card [bytes]
+constexpr std::size_t card_line = 58;     // the same of a line of sentences
+constexpr std::size_t card_lines = 5;
+
+std::string name_of(const std::string& text) { return xml_text(printable(text, longest_name)); }
+
+std::string line(int y, int size, const std::string& look, const std::string& xml) {
+  return fmt::format("<text x=\"16\" y=\"{}\" font-size=\"{}\" class=\"{}\">{}</text>\n", y, size,
+                     look, xml);
+}
+
+/// The word on an engine: that of the models that it ships, as its maintainer asks for them first;
+/// of another, of all.
+Word word_of(const Scorecard& card) {
+  Tally shipped;
+  for (const ModelCard& model : card.models) {
+    if (model.maker == Maker::engine) {
+      shipped.add(model.verdicts);
+    }
+  }
+  return (shipped.runs() > 0 ? shipped : card.verdicts).worst();
 }
 
 std::string scope_line(const Report& report, std::size_t engines) {
   const std::vector<std::string> steps =
       listed(report.options.steps, [](double step) { return number_text(step, as_count); });
   return fmt::format(
-      "\n{} on {}, at steps {} s, each run compared with the exact motion by tautline {}{}.\n\n",
+      "{} on {}, at steps {} s, each run judged from the exact motion of its case by tautline "
+      "{}{}.\n\n",
       counted(report.cases.size(), "case"), counted(engines, "engine"), joined(steps, "and"),
       markdown_text(printable(report.version)), report.complete ? "" : " (INCOMPLETE)");
 }
 
 }  // namespace
+
+bool ModelCard::may_be_used() const {
+  return wrong.empty() && judged && judged->rebounds.word == Rebound::kept &&
+         (judged->course == Course::exact || judged->course == Course::as_good);
+}
 
 Scorecard scorecard(const Report& report, const std::string& engine) {
   Scorecard card;
@@ -333,21 +319,18 @@ Scorecard scorecard(const Report& report, const std::string& engine) {
   card.precision = row->info->precision;
   const std::map<std::string, double> cables = shortest_cables(report);
   for (const Maker maker : makers_in_order) {
-    std::vector<ModelCard> models;
     for (const Model& model : row->info->models) {
       if (model.maker == maker) {
-        models.push_back(model_card(report, engine, model, cables));
+        card.models.push_back(model_card(report, engine, model, cables));
       }
     }
-    // --models may have left some out
-    std::erase_if(models, [](const ModelCard& model) { return model.setups.empty(); });
-    if (!models.empty()) {
-      card.makers.push_back(maker_card(report, engine, maker, std::move(models)));
-      card.verdicts.add(card.makers.back().verdicts);
-    }
   }
-  std::copy_if(report.findings.begin(), report.findings.end(), std::back_inserter(card.findings),
-               [&](const Finding& finding) { return finding.engine == engine; });
+  // --models may have left some out
+  std::erase_if(card.models, [](const ModelCard& model) { return model.setups.empty(); });
+  for (const ModelCard& model : card.models) {
+    card.verdicts.add(model.verdicts);
+  }
+  card.use = chosen(card.models);
   return card;
 }
 
@@ -361,14 +344,47 @@ std::vector<Scorecard> scorecards(const Report& report) {
   return listed(names, [&](const std::string& name) { return scorecard(report, name); });
 }
 
+std::vector<Scorecard> worst_first_scorecards(const Report& report) {
+  std::vector<Scorecard> cards = scorecards(report);
+  const auto worst_of = [](const Scorecard& card) {
+    const auto worst = std::min_element(card.models.begin(), card.models.end(), graver);
+    return worst != card.models.end() ? gravity_of(*worst) : decltype(gravity_of(*worst))();
+  };
+  std::stable_sort(cards.begin(), cards.end(), [&](const Scorecard& one, const Scorecard& two) {
+    return worst_of(one) > worst_of(two);
+  });
+  return cards;
+}
+
+std::string sentence_of(const Scorecard& card) {
+  std::vector<ModelCard> wrong;
+  std::size_t kept = 0;
+  for (const ModelCard& model : card.models) {
+    kept += model.may_be_used() ? 1U : 0U;
+    if (!model.wrong.empty()) {
+      wrong.push_back(model);
+    }
+  }
+  std::stable_sort(wrong.begin(), wrong.end(), graver);
+  std::string out;
+  if (!wrong.empty()) {
+    out = fmt::format("{}: {}", printable(wrong.front().model),
+                      printable(wrong.front().wrong.front(), longest_sentence));
+    out += wrong.size() > 1
+               ? fmt::format("; {} of {} models have a problem. ", wrong.size(), card.models.size())
+               : ". ";
+  } else if (kept == card.models.size()) {
+    out = fmt::format("No problem found in {}. ", counted(kept, "model"));
+  } else {
+    out = fmt::format("Too few impacts to tell of {} of {}. ", card.models.size() - kept,
+                      counted(card.models.size(), "model"));
+  }
+  return out + use_sentence(card);
+}
+
 const char* words_of(Maker maker) {
   constexpr std::array words = {"as shipped", "made by hand", "tautline’s driver"};
   return words.at(static_cast<std::size_t>(maker));
-}
-
-std::string kind_in_words(std::string kind) {
-  std::replace(kind.begin(), kind.end(), '-', ' ');
-  return kind;
 }
 
 Cell brief_cell(const std::optional<double>& value) {
@@ -377,78 +393,43 @@ Cell brief_cell(const std::optional<double>& value) {
   return cell;
 }
 
-Table scorecards_table(const Report& report) {
-  Table table(columns_of());
-  for (const Scorecard& card : scorecards(report)) {
-    for (const MakerCard& of : card.makers) {
-      table.add(row_of(card, of));
-    }
-  }
-  return table;
-}
+Table models_table(const Report& report) { return table_of(models_of_all(scorecards(report))); }
 
-std::string how_to_read_scorecards() {
+std::string how_to_read_models() {
   return fmt::format(
-      "Engines are in alphabetical order. *Cable*: whose it is. **As shipped** is a joint, a "
-      "limit, a contact or a solver that the engine has; **made by hand** is built with the "
-      "engine's parts; with **tautline's driver** the engine flies and solves, and tautline finds "
-      "the instants. *Use*: the most accurate model at the largest step whose error is up to {:g} "
-      "%, among those that rebound rightly and have no failed run. *Off*: its position error over "
-      "the first impacts, of the shortest cable's length, median over the cases. *Cost*: processor "
-      "time of a simulated second. *Verdict*: the worst of all runs, and how many have it.",
+      "*Cable*: whose it is. **As shipped** is a joint, a limit, a contact or a solver that the "
+      "engine has; **made by hand** is built with the engine's parts; with **tautline's driver** "
+      "the engine flies and solves, and tautline finds the instants. *Restitution*: over the "
+      "impacts whose speed leaves it to be read at this step, and from which speed on that is. "
+      "*Position*: the error against what a plain correct scheme of the same step may be off by, up "
+      "to the instant until which it can be told; its course as the step falls. *Verdict*: the "
+      "worst of all runs, and how many have it. *Off*: the position error over the first impacts, "
+      "of the shortest cable's length, median over the cases; good enough is {:g} %. *Cost*: "
+      "processor time of a simulated second. Words and numbers are those of the smallest step.",
       100.0 * good_enough);
-}
-
-std::string rebounds_text(const MakerCard& card) {
-  std::vector<std::string> right;
-  std::vector<std::string> wrong;
-  for (const ModelCard& model : card.models) {
-    if (!model.wrong.empty()) {
-      wrong.push_back(model.model);
-    } else if (model.impacts > 0) {
-      right.push_back(model.model);
-    }
-  }
-  if (right.empty()) {
-    return wrong.empty() ? "not measured" : "wrong";
-  }
-  return wrong.empty()
-             ? "right"
-             : fmt::format("right in {}; wrong in {}", joined(right, "and"), joined(wrong, "and"));
-}
-
-std::vector<std::string> findings_texts(const Scorecard& card, const MakerCard& of) {
-  std::vector<std::string> texts;
-  for (const ModelCard& model : of.models) {
-    std::vector<std::string> kinds;
-    for (const Finding& finding : card.findings) {
-      if (finding.model == model.model) {
-        kinds.push_back(kind_in_words(finding.kind));
-      }
-    }
-    if (!kinds.empty()) {
-      texts.push_back(fmt::format("{}: {}", model.model, fmt::join(kinds, ", ")));
-    }
-  }
-  return texts;
 }
 
 std::string percent_text(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
 
 std::string card_svg(const Report& report, const std::string& engine) {
   const Scorecard card = scorecard(report, engine);
-  const std::string verdict = tally_text(card.verdicts);
+  const Word word = word_of(card);
+  const std::string sentence = sentence_of(card);
   std::string out = svg_start(
-      400, 176, fmt::format(" aria-label=\"{}: {}\"", name_of(engine), xml_text(verdict)));
+      400, 176, fmt::format(" aria-label=\"{}: {}\"", name_of(engine), xml_text(sentence)));
   out += card_style;
   out += "<rect class=\"b\" x=\"0.5\" y=\"0.5\" width=\"399\" height=\"175\" rx=\"4\"/>\n";
-  out += line(34, 22, "i", name_of(engine));
-  out += line(52, 12, "m", name_of(card.version) + ", " + name_of(card.precision));
-  const bool all = card.verdicts.of(card.verdicts.worst()) == card.verdicts.runs();
-  out += line(76, 15, word_look(card.verdicts.worst()).c_str(),
-              xml_text(verdict) + (all ? "" : " runs"));
-  if (const MakerCard* const of = spoken_of(card)) {
-    out += numbers(report, *of);
+  out += line(32, 20, "i", name_of(engine));
+  out += line(49, 12, "m", name_of(card.version) + ", " + name_of(card.precision));
+  int y = 72;
+  std::size_t lines = 0;
+  const std::string folded = wrapped(sentence, card_line);
+  for (std::size_t start = 0; start < folded.size() && lines < card_lines; ++lines) {
+    const std::size_t end = std::min(folded.find('\n', start), folded.size());
+    out += line(y, 13, lines == 0 ? word_look(word) : "i",
+                xml_text(folded.substr(start, end - start)));
+    y += 17;
+    start = end + 1;
   }
   out += line(167, 10, "m",
               fmt::format("slack cables, {}, against the exact motion by tautline {}",
@@ -463,22 +444,26 @@ std::string card_name(const std::string& engine) {
 }
 
 std::string summary_markdown(const Report& report) {
-  const std::vector<Scorecard> cards = scorecards(report);
-  const std::vector<ModelRow> rows = models_of(cards);
-  std::string out = verdict_line(cards) + scope_line(report, cards.size());
-  if (rows.empty()) {
+  const std::vector<Scorecard> cards = worst_first_scorecards(report);
+  std::string out;
+  for (const Scorecard& card : cards) {
+    out += fmt::format("- **{}**: {}\n", markdown_text(printable(card.engine)),
+                       markdown_text(sentence_of(card)));
+  }
+  out += (out.empty() ? "" : "\n") + scope_line(report, cards.size());
+  std::vector<ModelCard> models = models_of_all(cards);
+  if (models.empty()) {
     return out + "No engine has a run.\n";
   }
-  out += table_of(rows).markdown();
-  if (rows.size() > most_summary_rows) {
+  std::stable_sort(models.begin(), models.end(), graver);
+  const std::size_t all = models.size();
+  models.resize(std::min(all, most_summary_rows));
+  out += table_of(models).markdown();
+  if (all > most_summary_rows) {
     out += fmt::format("\nand {}, in report.md and index.html.\n",
-                       counted(rows.size() - most_summary_rows, "further model"));
+                       counted(all - most_summary_rows, "further model"));
   }
-  out +=
-      "\n*off*: position error over the first impacts, of the shortest cable's length, median "
-      "over the cases; *cost*: processor time of a simulated second; both at the smallest "
-      "step.\n";
-  return out;
+  return out + "\n" + how_to_read_models() + "\n";
 }
 
 }  // namespace tautline::bench

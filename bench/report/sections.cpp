@@ -160,7 +160,7 @@ std::string audit_section(const Report& report) {
   }
   const std::string found =
       list.empty()
-          ? paragraph("No threshold, sleeping or lost restitution was found in these runs.")
+          ? paragraph("Nothing was found in the impacts of these runs.")
           : paragraph("Found in the impacts of these runs, by program:") +
                 "<ul class=\"findings\">\n" + list + "</ul>\n";
   return section("audit", "Restitution, impact by impact",

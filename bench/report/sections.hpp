@@ -8,10 +8,10 @@ namespace tautline::bench {
 
 // What the page answers first.
 
-/// "2,226 runs: 1 breaks a limit, ...": the verdict of all engines, in a line.
+/// A sentence for each engine, the worst first.
 [[nodiscard]] std::string verdict_paragraph(const Report& report);
 
-/// A row for each engine and maker: restitution, which model and step, cost, findings, verdict.
+/// A row for each model: restitution and position in words, verdict, error and cost.
 [[nodiscard]] std::string scorecards_section(const Report& report);
 
 /// Why the reference can be believed, and what the comparison itself costs.

@@ -81,25 +81,6 @@ std::vector<Cell> cells_of(const CaseRow& row) {
   return cells;
 }
 
-/// The scatter over the runs of each engine, model and step, in the order of their first runs.
-std::vector<std::pair<SetupKey, Scatter>> scatters(const Report& report) {
-  std::vector<std::pair<SetupKey, Scatter>> result;
-  std::map<SetupKey, std::size_t> places;
-  for (const RunRow& run : report.runs) {
-    if (!run.scatter) {
-      continue;
-    }
-    const auto [place, added] = places.emplace(setup_of(run.key), result.size());
-    if (added) {
-      result.emplace_back(setup_of(run.key), *run.scatter);
-    } else {
-      Scatter& all = result[place->second].second;
-      all = pooled(all, *run.scatter);
-    }
-  }
-  return result;
-}
-
 constexpr Digits as_distance = fixed(2);
 
 /// The statistic that says when a motion has settled: the first of all.
@@ -141,8 +122,8 @@ Cell verdict_cell(const DistributionsRow& row, std::size_t differing) {
     return "too few draws";
   }
   Cell cell = differing > 0 ? "differs" : "not told apart";
-  cell.kind = differing > 0 ? "verdict differs" : "verdict pass";
-  cell.colour = differing > 0 ? Colour::red : Colour::green;
+  cell.kind = differing > 0 ? "verdict differs" : "verdict too-few-to-tell";
+  cell.colour = differing > 0 ? Colour::red : Colour::grey;
   return cell;
 }
 
@@ -219,7 +200,7 @@ void add_cells(std::vector<Cell>& cells, const Metric& metric,
 
 std::vector<Column> columns_of(const Report& report) {
   std::vector<Column> columns = setup_columns();
-  if (report.limits) {
+  if (report.listed) {
     columns.push_back(word_column("verdict", "verdict"));
   }
   for (const Metric& metric : metric_list()) {
@@ -230,7 +211,7 @@ std::vector<Column> columns_of(const Report& report) {
   const std::string impacts = "impacts to the horizon";
   const std::string last = last_impact_heading(report);
   // without verdicts a terminal has no other word of failures
-  const int failures = report.limits ? beside_the_median : 0;
+  const int failures = report.listed ? beside_the_median : 0;
   for (Column& column : std::vector<Column>{
            number_column("matched", "", impacts, "matched", "match", seldom_missed),
            number_column("exact", "", impacts, "exact", "of", seldom_missed),
@@ -364,29 +345,6 @@ Table causes_table(const Report& report) {
   return table;
 }
 
-Table scatter_table(const Report& report) {
-  std::vector<Column> columns = setup_columns();
-  const std::string group = "e off by";
-  for (const Column& column :
-       {number_column("impacts", "", "", "impacts"), number_column("mean", "", group, "mean"),
-        number_column("standard deviation", "", group, "deviation"),
-        number_column("smallest", "", group, "smallest"),
-        number_column("largest", "", group, "largest")}) {
-    columns.push_back(column);
-  }
-  Table table(std::move(columns));
-  for (const auto& [key, scatter] : scatters(report)) {
-    std::vector<Cell> cells = setup_cells(key);
-    cells.push_back(count_cell(scatter.count));
-    for (const double number :
-         {scatter.mean, scatter.standard_deviation, scatter.smallest, scatter.largest}) {
-      cells.push_back(number_cell(number, fixed(4)));
-    }
-    table.add(std::move(cells));
-  }
-  return table;
-}
-
 Table failures_table(const Report& report) {
   Table table({word_column("engine", "engine"), word_column("model", "model"),
                word_column("case", "case"), number_column("step", "s", "", "step"),
@@ -450,7 +408,7 @@ Table answers_table(const Report& report) {
   std::vector<Row> rows;
   for (const SummaryRow& summary : report.summary) {
     const auto cost = costs.find(summary.key);
-    rows.push_back(answers_row(summary, report.limits ? &verdicts[summary.key] : nullptr,
+    rows.push_back(answers_row(summary, report.listed ? &verdicts[summary.key] : nullptr,
                                cost != costs.end() ? std::optional(cost->second) : std::nullopt));
   }
   Table table(columns_of(report));

@@ -21,10 +21,6 @@ namespace tautline::bench {
 /// The same of one case.
 [[nodiscard]] Table runs_table(const Report& report, const std::string& the_case);
 
-/// The checks of a verdict that matter: those that do not hold, or else the one that is nearest to
-/// not holding. They are `verdict`'s own.
-[[nodiscard]] std::vector<const Check*> telling_checks(const Verdict& verdict);
-
 /// How far the distributions of every engine, model and step are from those of the exact motion;
 /// empty in a report without draws.
 [[nodiscard]] Table distributions_table(const Report& report);
@@ -50,9 +46,6 @@ inline constexpr const char* how_to_read_distributions =
 
 /// The shares of the causes of deviations, where they are known.
 [[nodiscard]] Table causes_table(const Report& report);
-
-/// Effective less requested restitution over all cases, by engine, model and step.
-[[nodiscard]] Table scatter_table(const Report& report);
 
 /// Engines that failed, and runs that failed or diverged. Engines that are not here are in the
 /// table of the answers.

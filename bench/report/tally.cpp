@@ -13,7 +13,7 @@
 namespace tautline::bench {
 namespace {
 
-/// "breaks a limit" of one run, "break a limit" of several.
+/// "is sound" of one run, "are sound" of several.
 struct Predicate {
   const char* one;
   const char* several;
@@ -21,24 +21,24 @@ struct Predicate {
 
 Predicate predicate_of(Word word) {
   switch (word) {
-    case Word::pass:
-      return {"passes", "pass"};
-    case Word::known_deviation:
-      return {"deviates as is known", "deviate as is known"};
-    case Word::breaks_limit:
-      return {"breaks a limit", "break a limit"};
-    case Word::not_judged:
+    case Word::sound:
+      return {"is sound", "are sound"};
+    case Word::listed_problem:
+      return {"has a listed problem", "have a listed problem"};
+    case Word::problem:
+      return {"has a problem", "have a problem"};
+    case Word::too_few:
       break;
   }
-  return {"is not judged", "are not judged"};
+  return {"tells too little", "tell too little"};
 }
 
 }  // namespace
 
 void Tally::add(const RunRow& run) {
   const Word word = run.verdict                ? run.verdict->word
-                    : did_its_work(run.status) ? Word::not_judged
-                                               : Word::breaks_limit;
+                    : did_its_work(run.status) ? Word::too_few
+                                               : Word::problem;
   ++counts_.at(static_cast<std::size_t>(word));
 }
 
@@ -54,7 +54,7 @@ std::size_t Tally::runs() const {
 Word Tally::worst() const {
   const auto found = std::find_if(worst_first.begin(), worst_first.end(),
                                   [this](Word word) { return of(word) > 0; });
-  return found != worst_first.end() ? *found : Word::pass;
+  return found != worst_first.end() ? *found : Word::too_few;
 }
 
 std::string tally_text(const Tally& tally) {

@@ -9,14 +9,14 @@
 namespace tautline::bench {
 
 /// The words from the worst to the best: which of several represents all.
-inline constexpr std::array worst_first = {Word::breaks_limit, Word::known_deviation,
-                                           Word::not_judged, Word::pass};
+inline constexpr std::array worst_first = {Word::problem, Word::listed_problem,
+                                           Word::too_few, Word::sound};
 
 /// How many runs came to which verdict.
 class Tally {
  public:
-  /// One more. A run of a report without limits is not judged, or breaks the limit that it must
-  /// run.
+  /// One more. A run of a report without verdicts tells too little, or has the problem that it
+  /// failed.
   void add(const RunRow& run);
   void add(const Tally& other);
 
@@ -24,7 +24,7 @@ class Tally {
     return counts_.at(static_cast<std::size_t>(word));
   }
   [[nodiscard]] std::size_t runs() const;
-  [[nodiscard]] Word worst() const;  // of no run: pass
+  [[nodiscard]] Word worst() const;  // of no run: too few
 
   auto operator<=>(const Tally&) const = default;  // NOLINT(modernize-use-nullptr): it has none
 
@@ -32,10 +32,10 @@ class Tally {
   std::array<std::size_t, all_words.size()> counts_{};  // by Word
 };
 
-/// "pass", or "breaks a limit in 3 of 21".
+/// "sound", or "problem in 3 of 21".
 [[nodiscard]] std::string tally_text(const Tally& tally);
 
-/// "of 60 runs, 3 break a limit, 2 deviate as is known and 55 pass."
+/// "of 60 runs, 3 have a problem, 2 have a listed problem and 55 are sound."
 [[nodiscard]] std::string sentence_of(const Tally& tally);
 
 }  // namespace tautline::bench

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "bench/base/listed.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
+#include "bench/judge/models.hpp"
 #include "bench/report/columns.hpp"
+#include "bench/report/scorecard.hpp"
 #include "bench/report/tables.hpp"
 #include "bench/report/words.hpp"
 
@@ -27,10 +30,7 @@ std::string legend(const Report& report, std::size_t width) {
       "match, of: Impacts of the run that have an exact match, of the exact ones, up to "
       "the horizon.",
       width);
-  if (report.limits) {
-    out += wrapped(fmt::format("verdict: By {}, version {}, the worst of all cases.",
-                               printable(report.limits->file), printable(report.limits->version)),
-                   width);
+  if (report.listed) {
     for (const Word word : all_words) {
       out += wrapped(fmt::format("{}: {}.", to_string(word), meaning_of(word)), width);
     }
@@ -42,55 +42,34 @@ std::string number_and_unit(double value, const Digits& digits, const std::strin
   return number_text(value, digits) + (unit.empty() ? "" : " " + unit);
 }
 
-const Check* check_of(const RunRow& run, std::string_view metric) {
-  if (!run.verdict) {
-    return nullptr;
-  }
-  return find_by(run.verdict->checks, &Check::metric, metric);
-}
-
-/// What became of a limit, in words.
-Cell check_cell(const Check* check) {
-  if (check == nullptr) {
-    return "";
-  }
-  Cell cell = check->holds == Holds::yes            ? "holds"
-              : check->holds == Holds::not_measured ? "could not be measured"
-              : check->known                        ? "known not to hold"
-                                                    : "does not hold";
-  cell.colour = check->holds != Holds::no ? Colour::plain
-                : check->known            ? Colour::yellow
-                                          : Colour::red;
-  return cell;
-}
-
-/// Metrics with value, limit and unit: those that matter and those that are judged, or all.
+/// Metrics with value and unit: those that matter, or all.
 Table metrics_of(const RunRow& run, bool all) {
   Table table({word_column("against the exact motion", ""), number_column("value", "", "", ""),
-               number_column("limit", "", "", ""), word_column("unit", ""), word_column("", "")});
+               word_column("unit", "")});
   for (std::size_t place = 0; place < metric_list().size(); ++place) {
     const Metric& metric = metric_list()[place];
-    const Check* check = check_of(run, metric.name);
-    if (!all && !is_asked_first(metric) && check == nullptr) {
-      continue;
+    if (all || is_asked_first(metric)) {
+      table.add({in_words(metric.name), number_cell(run.metric(place), metric.digits),
+                 shown_unit(metric)});
     }
-    table.add({in_words(metric.name), number_cell(run.metric(place), metric.digits),
-               check != nullptr ? number_cell(check->limit, as_error) : Cell(""),
-               shown_unit(metric), check_cell(check)});
   }
   return table;
 }
 
-/// Why a limit that does not hold is there, or is known not to hold; a sentence each.
-std::string reasons_of(const RunRow& run, std::size_t width) {
+/// What the run is judged by, a sentence each, and what is wrong with it.
+std::string judgement_text(const RunRow& run, const TerminalStyle& style) {
   std::string out;
-  for (const Check& check : run.verdict ? run.verdict->checks : std::vector<Check>()) {
-    if (check.holds == Holds::no && !check.reason.empty()) {
-      out +=
-          wrapped(in_words(check.metric) + ": " + printable(check.reason, longest_sentence), width);
-    }
+  if (run.judgement) {
+    out += wrapped("Restitution: " + words_of(run.judgement->rebounds) + ".", style.text);
+    out += wrapped("Followed: " + followed_text(run.judgement->following) + ".", style.text);
   }
-  return out.empty() ? "" : "\n" + out;
+  for (const Problem& problem : run.verdict ? run.verdict->problems : std::vector<Problem>()) {
+    out += wrapped(fmt::format("Problem, {}: {}.{}", in_words(problem.kind),
+                               printable(problem.sentence, longest_sentence),
+                               problem.listed ? " Listed: " + printable(problem.reason) + "." : ""),
+                   style.text);
+  }
+  return out;
 }
 
 /// The impacts of each window and how far the run was compared.
@@ -192,20 +171,13 @@ std::string setup_text(const Report& report, const RunKey& key) {
          fmt::format(", model {}, step {:g} s", printable(key.model), key.step);
 }
 
-/// What the run comes to: a word of the verdicts, what it is judged by, and why it is not.
-std::string verdict_text(const Report& report, const RunRow& run, const TerminalStyle& style) {
-  if (!run.verdict) {
-    return "";
-  }
-  const std::string by = report.limits
-                             ? fmt::format(" (by {}, version {})", printable(report.limits->file),
-                                           printable(report.limits->version))
-                             : "";
-  const Word word = run.verdict->word;
-  const std::string& reason = run.verdict->reason;
-  return "verdict: " + coloured(to_string(word), colour_of(word), style) + by + "\n" +
-         (reason.empty() ? ""
-                         : wrapped("because: " + printable(reason, longest_sentence), style.text));
+/// What the run comes to, in a word.
+std::string verdict_text(const RunRow& run, const TerminalStyle& style) {
+  return run.verdict ? "verdict: " +
+                           coloured(to_string(run.verdict->word), colour_of(run.verdict->word),
+                                    style) +
+                           "\n"
+                     : "";
 }
 
 /// Processor time, where the run was timed.
@@ -222,15 +194,26 @@ std::string cost_text(const Report& report, std::size_t width) {
 
 }  // namespace
 
-std::string report_summary(const Report& report, const TerminalStyle& style) {
-  std::string out = answers_table(report).plain(style) + "\n" + legend(report, style.text);
-  if (const std::string stopped = stopped_sentence(report); !stopped.empty()) {
-    out += wrapped(stopped, style.text);
+std::string report_summary(const Report& report, bool all, const TerminalStyle& style) {
+  const std::vector<Scorecard> cards = worst_first_scorecards(report);
+  std::size_t widest = 0;
+  for (const Scorecard& card : cards) {
+    widest = std::max(widest, printable(card.engine).size());
   }
-  if (report.distributions) {
-    out += "\n" + distributions_table(report).plain(style) + "\n" +
-           wrapped(distributions_paragraph(report), style.text) +
-           wrapped(how_to_read_distributions, style.text);
+  std::string out;
+  for (const Scorecard& card : cards) {
+    out += fmt::format("{:<{}}  {}\n", printable(card.engine), widest, sentence_of(card));
+  }
+  if (all) {
+    out += "\n" + answers_table(report).plain(style) + "\n" + legend(report, style.text);
+    if (const std::string stopped = stopped_sentence(report); !stopped.empty()) {
+      out += wrapped(stopped, style.text);
+    }
+    if (report.distributions) {
+      out += "\n" + distributions_table(report).plain(style) + "\n" +
+             wrapped(distributions_paragraph(report), style.text) +
+             wrapped(how_to_read_distributions, style.text);
+    }
   }
   const Table failures = failures_table(report);
   return failures.empty() ? out : out + "\n" + failures.plain(style);
@@ -243,11 +226,11 @@ std::string run_card(const Report& report, bool all_metrics, const TerminalStyle
       wrapped_lines(fmt::format("run: {}{}", to_string(run.status),
                                 run.reason.empty() ? "" : ", " + printable(run.reason)),
                     style.text, 2) +
-      verdict_text(report, run, style);
+      verdict_text(run, style) + judgement_text(run, style);
   if (!run.metrics || !run.details) {
     return out;
   }
-  out += "\n" + metrics_of(run, all_metrics).plain(style) + reasons_of(run, style.text) + "\n";
+  out += "\n" + metrics_of(run, all_metrics).plain(style) + "\n";
   if (all_metrics) {
     out += windows_of(*run.details).plain(style) + "\n";
   }

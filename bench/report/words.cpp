@@ -65,9 +65,9 @@ constexpr const char* about_stops =
     "of the exact motion.";
 
 constexpr const char* about_verdicts =
-    "A **verdict** compares one run with a file of limits. The limit that decides it is next to "
-    "the value. Over all cases the worst verdict is shown, and how many runs have it. No engine is "
-    "ranked: an error depends on the model, on the step and on what it is for.";
+    "A **verdict** says what is wrong with one run, from the exact motion of its own case: no table "
+    "of limits by case, engine or model has a part in it. Over all cases the worst verdict is "
+    "shown, and how many runs have it.";
 
 }  // namespace
 
@@ -101,13 +101,12 @@ std::vector<std::string> how_to_read(const Report& report) {
 
 std::string_view meaning_of(Word word) {
   constexpr std::array meanings = {
-      "every limit on the run that could be measured holds, and the audit found nothing in it",
-      "the run breaks only limits that the file says it is known to break, or shows findings that "
-      "it is known to show",
-      "the run breaks a limit, shows a finding of the audit, fails or diverges, and is not known "
-      "to",
-      "the file does not judge the run, its model goes no further, or nothing that has a limit "
-      "could be measured"};
+      "three impacts or more could be read and all keep the restitution, the position is as good as "
+      "the step allows, and nothing else is wrong",
+      "something is wrong, and a person has listed it with the reason",
+      "something is wrong, and it is not listed",
+      "nothing is wrong, but too few impacts could be read, or the position could not be judged, to "
+      "say more"};
   return meanings.at(static_cast<std::size_t>(word));
 }
 
@@ -119,8 +118,12 @@ std::string verdict_words() {
   return out;
 }
 
-std::string verdict_text(const Verdict& verdict) {
-  return to_string(verdict.word) + (verdict.reason.empty() ? "" : ": " + printable(verdict.reason));
+std::string followed_text(const Following& following) {
+  return following.ratio
+             ? fmt::format("position up to {:.3g} s: {:.2g} m off at worst, {:.2g} times what a plain "
+                           "scheme of this step may be",
+                           following.until, following.error, *following.ratio)
+             : "position: cannot be told at this step";
 }
 
 std::string how_to_read_causes() {
@@ -190,9 +193,9 @@ std::vector<Fact> context_facts(const Report& report) {
                                            counted(context.shards.size(), "shard"),
                                            context.shards.front().of)});
   }
-  if (report.limits) {
-    facts.push_back({"limits", fmt::format("{}, version {}", shown_text(report.limits->file),
-                                           shown_text(report.limits->version))});
+  if (report.listed) {
+    facts.push_back({"listed problems", fmt::format("{}, version {}", shown_text(report.listed->file),
+                                                    shown_text(report.listed->version))});
   }
   std::erase_if(facts, [](const Fact& fact) { return fact.text.empty(); });
   return facts;
@@ -218,7 +221,7 @@ const char* to_string(Status status) {
 }
 
 const char* to_string(Word word) {
-  constexpr std::array names = {"pass", "known deviation", "breaks a limit", "not judged"};
+  constexpr std::array names = {"sound", "listed problem", "problem", "too few to tell"};
   return names.at(static_cast<std::size_t>(word));
 }
 

@@ -27,8 +27,9 @@ inline constexpr std::size_t longest_sentence = 1000;
 /// The words of verdicts and what they mean, in a sentence each.
 [[nodiscard]] std::string verdict_words();
 
-/// "not judged: its model goes no further" or the word alone.
-[[nodiscard]] std::string verdict_text(const Verdict& verdict);
+/// How well a run follows the exact motion, in a phrase: "0.99 times what a plain scheme may be off
+/// by, up to 2.3 s".
+[[nodiscard]] std::string followed_text(const Following& following);
 
 /// How to read the table of causes, in a paragraph.
 [[nodiscard]] std::string how_to_read_causes();

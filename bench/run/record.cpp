@@ -162,6 +162,9 @@ void ImpactDetector::extend(std::size_t index, double start, double dt, const St
   burst->after.velocity = after.velocity;
   burst->after.spin = after.spin;
   burst->rate_after = gap_rate(cable, burst->after);
+  if (burst->steps == 0) {
+    burst->rate_first = burst->rate_after;
+  }
   if (burst->steps == 0 || !turned_[index]) {
     burst->snap += impulse;
     // an engine may give a part of gravity's impulse after the cable has stopped the body

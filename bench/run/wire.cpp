@@ -173,6 +173,7 @@ void pass_impact(auto& numbers, auto& impact) {
   }
   numbers(impact.shared);
   numbers(impact.snap);
+  numbers(impact.rate_first);
 }
 
 void pass_run(auto& numbers, auto& run) {

@@ -20,16 +20,22 @@
 namespace tautline::bench {
 namespace {
 
-/// What is found in the audits of all runs.
-std::vector<Finding> findings_in(const std::vector<RunRecord>& runs) {
+/// What is said of the models, and what is found in the audits of all runs.
+void judge_models(const std::vector<RunRecord>& runs, Report& report) {
+  std::vector<JudgedRun> judged;
   std::vector<AuditedRun> audited;
   for (const RunRecord& run : runs) {
-    if (run.audit) {
+    if (run.audit && run.row.judgement) {
       const RunKey& key = run.row.key;
       audited.push_back({key.the_case, key.engine, key.model, &*run.audit, key.step});
+      judged.push_back(
+          {key.the_case, key.engine, key.model, key.step, &*run.audit, &*run.row.judgement});
     }
   }
-  return findings(audited);
+  report.models = models_of(judged);
+  report.findings = rebound_findings(report.models, judged);
+  std::vector<Finding> others = findings(audited);
+  std::move(others.begin(), others.end(), std::back_inserter(report.findings));
 }
 
 Context filled(Context context, const SuiteResult& result) {
@@ -55,7 +61,7 @@ Context filled(Context context, const SuiteResult& result) {
 
 }  // namespace
 
-Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& references,
+Report report_of(const SuiteOptions& options, const Expectations& expectations,
                  const std::vector<std::optional<CertifiedDigits>>& certified,
                  const SuiteResult& result, Context context) {
   Report report;
@@ -64,11 +70,11 @@ Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& 
   report.planned_runs = result.planned;
   report.options = report_options(options);
   report.engines = engine_rows(options.engines);
-  for (std::size_t place = 0; place < references.size(); ++place) {
-    const ReferenceCase& reference = references[place];
-    CaseRow& row = report.cases.emplace_back(case_row(reference, options.compare));
-    if (references.size() > most_cases_in_page) {
-      row.motions = motion_file(reference.the_case.name);
+  for (std::size_t place = 0; place < expectations.size(); ++place) {
+    const Expectation& expectation = expectations[place];
+    CaseRow& row = report.cases.emplace_back(case_row(expectation, options.compare, options.steps));
+    if (expectations.size() > most_cases_in_page) {
+      row.motions = motion_file(row.name);
     }
     row.certified = certified.at(place);
   }
@@ -78,15 +84,15 @@ Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& 
   report.summary = summary(report.runs);
   report.convergence = convergence(report.runs);
   report.causes = causes_of(report.runs);
-  report.findings = findings_in(result.runs);
+  judge_models(result.runs, report);
   report.context = filled(std::move(context), result);
   return report;
 }
 
-Replay replay_of(const std::vector<ReferenceCase>& references, const SuiteResult& result) {
+Replay replay_of(const Expectations& expectations, const SuiteResult& result) {
   Replay replay;
-  for (const ReferenceCase& reference : references) {
-    replay.cases.push_back(exact_replay(reference));
+  for (const Expectation& expectation : expectations) {
+    replay.cases.push_back(exact_replay(expectation.reference()));
   }
   for (const RunRecord& run : result.runs) {
     replay.runs.push_back(run.replay);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/measure/reference.hpp"
+#include "bench/judge/allowance.hpp"
 #include "bench/replay/replay.hpp"
 #include "bench/report/report.hpp"
 #include "bench/store/plan.hpp"
@@ -13,16 +13,16 @@
 
 namespace tautline::bench {
 
-/// The report of a suite, without verdicts. `certified` has an entry for each of `references`. Of
+/// The report of a suite, without verdicts. `certified` has an entry for each of `expectations`. Of
 /// `context`, the command, the times and the memory are the caller's to tell; what the suite and
 /// this build know is filled in.
 [[nodiscard]] Report report_of(const SuiteOptions& options,
-                               const std::vector<ReferenceCase>& references,
+                               const Expectations& expectations,
                                const std::vector<std::optional<CertifiedDigits>>& certified,
                                const SuiteResult& result, Context context);
 
 /// What is drawn of that report.
-[[nodiscard]] Replay replay_of(const std::vector<ReferenceCase>& references,
+[[nodiscard]] Replay replay_of(const Expectations& expectations,
                                const SuiteResult& result);
 
 /// The file with the motions of all runs of a case, seen from the page: motions/<case>.js.

@@ -7,6 +7,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/cases/title.hpp"
+#include "bench/judge/judgement.hpp"
 #include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "bench/replay/motion.hpp"
@@ -66,8 +67,9 @@ RunDetails details_of(const Metrics& metrics, const Trajectory& run) {
 }
 
 /// Puts into `record` all that is measured on `run`.
-void measure(const ReferenceCase& reference, const EngineInfo& engine, const Trajectory& run,
+void measure(const Expectation& expectation, const EngineInfo& engine, const Trajectory& run,
              const CompareOptions& options, RunRecord& record) {
+  const ReferenceCase& reference = expectation.reference();
   const double count_speed = options.count_speed;
   const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
                                   reference.horizon, run, options);
@@ -80,7 +82,7 @@ void measure(const ReferenceCase& reference, const EngineInfo& engine, const Tra
                               {reference.law, noise_of(engine.precision), count_speed});
   record.audit = audit(reference, run, count_speed);
   row.ladder = record.audit->ladder;
-  row.scatter = record.audit->scatter;
+  row.judgement = judge(expectation, run, record.audit->impacts, engine.precision);
 }
 
 TimingRow timing_row(const RunKey& key, const Cost& cost) {
@@ -98,13 +100,13 @@ TimingRow timing_row(const RunKey& key, const Cost& cost) {
 
 }  // namespace
 
-RunRecord run_record(const ReferenceCase& reference, const EngineInfo& engine, const RunKey& key,
+RunRecord run_record(const Expectation& expectation, const EngineInfo& engine, const RunKey& key,
                      const RunReply& reply, const CompareOptions& options) {
   RunRecord record;
   record.row.key = key;
-  std::tie(record.row.status, record.row.reason) = status(reference, reply);
+  std::tie(record.row.status, record.row.reason) = status(expectation.reference(), reply);
   if (reply.trajectory) {
-    measure(reference, engine, *reply.trajectory, options, record);
+    measure(expectation, engine, *reply.trajectory, options, record);
     record.timing = timing_row(key, reply.cost);
   } else if (!reply.output_tail.empty()) {
     const std::size_t size = std::min(reply.output_tail.size(), quotable_length);
@@ -114,7 +116,9 @@ RunRecord run_record(const ReferenceCase& reference, const EngineInfo& engine, c
   return record;
 }
 
-CaseRow case_row(const ReferenceCase& reference, const CompareOptions& options) {
+CaseRow case_row(const Expectation& expectation, const CompareOptions& options,
+                 const std::vector<double>& steps) {
+  const ReferenceCase& reference = expectation.reference();
   const Solution& solution = reference.solution;
   const Case& the_case = reference.the_case;
   CaseRow row;
@@ -139,6 +143,11 @@ CaseRow case_row(const ReferenceCase& reference, const CompareOptions& options) 
   row.extent = drawn_extent(reference);
   const State& start = the_case.initial;
   row.start = Eigen::Vector3d(start.position.x(), start.position.y(), start.angle);
+  for (const double step : steps) {
+    const Allowance& allowance = expectation.allowance(step);
+    row.predictable.push_back(
+        {step, allowance.until, allowance.barrier, readable_impacts(reference, step)});
+  }
   return row;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bench/judge/allowance.hpp"
 #include "bench/measure/compare.hpp"
 #include "bench/measure/reference.hpp"
 #include "bench/report/record.hpp"
@@ -8,12 +9,14 @@
 
 namespace tautline::bench {
 
-/// What a run left: how it ended, and measures, audit and attribution if there is a trajectory.
-[[nodiscard]] RunRecord run_record(const ReferenceCase& reference, const EngineInfo& engine,
+/// What a run left: how it ended, and measures, audit, judgement and attribution if there is a
+/// trajectory.
+[[nodiscard]] RunRecord run_record(const Expectation& expectation, const EngineInfo& engine,
                                    const RunKey& key, const RunReply& reply,
                                    const CompareOptions& options);
 
-/// What the exact solution says of a case.
-[[nodiscard]] CaseRow case_row(const ReferenceCase& reference, const CompareOptions& options);
+/// What the exact solution says of a case, and of runs of `steps` [s] of it.
+[[nodiscard]] CaseRow case_row(const Expectation& expectation, const CompareOptions& options,
+                               const std::vector<double>& steps);
 
 }  // namespace tautline::bench

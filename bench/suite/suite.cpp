@@ -26,17 +26,17 @@ std::optional<RunRecord> earlier_run(const SuiteOptions& options, const PlannedR
 }
 
 /// One run in a worker, compared and written. None if the program was interrupted.
-std::optional<RunRecord> do_run(const SuiteOptions& options, const ReferenceCase& reference,
+std::optional<RunRecord> do_run(const SuiteOptions& options, const Expectation& expectation,
                                 const PlannedRun& run, Workplace& workplace) {
   const RegisteredEngine& engine = options.engines[run.engine];
   const RunKey key = key_of(options, run);
   const RunReply reply = run_in_worker(
-      {engine.plugin, reference.the_case, run.model.name, {run.step, options.law}, options.limits},
+      {engine.plugin, expectation.reference().the_case, run.model.name, {run.step, options.law}, options.limits},
       workplace);
   if (reply.interrupted) {
     return std::nullopt;
   }
-  RunRecord record = run_record(reference, *engine.info, key, reply, options.compare);
+  RunRecord record = run_record(expectation, *engine.info, key, reply, options.compare);
   if (!options.out.empty()) {
     write_run(run_folder(options.out, key), options, run, reply, record);
   }
@@ -45,7 +45,7 @@ std::optional<RunRecord> do_run(const SuiteOptions& options, const ReferenceCase
 
 }  // namespace
 
-SuiteResult run_suite(const SuiteOptions& options, const std::vector<ReferenceCase>& references,
+SuiteResult run_suite(const SuiteOptions& options, const Expectations& expectations,
                       const SuiteProgress& progress) {
   const std::vector<PlannedRun> runs = plan(options);
   const std::vector<std::size_t> due = places_in_shard(options);
@@ -63,7 +63,7 @@ SuiteResult run_suite(const SuiteOptions& options, const std::vector<ReferenceCa
         results[index] = earlier_run(options, run);
         earlier = results[index].has_value();
         if (!earlier) {
-          results[index] = do_run(options, references[run.the_case], run, workplace);
+          results[index] = do_run(options, expectations[run.the_case], run, workplace);
         }
       } catch (...) {
         const std::scoped_lock lock(guard);

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "bench/measure/reference.hpp"
+#include "bench/judge/allowance.hpp"
 #include "bench/store/plan.hpp"
 
 namespace tautline::bench {
@@ -15,7 +15,7 @@ using SuiteProgress = std::function<void(const PlannedRun& run, bool kept)>;
 /// result cannot be written: runs that ended before are whole on disk, and `resume` goes on from
 /// them.
 [[nodiscard]] SuiteResult run_suite(const SuiteOptions& options,
-                                    const std::vector<ReferenceCase>& references,
+                                    const Expectations& expectations,
                                     const SuiteProgress& progress);
 
 }  // namespace tautline::bench

@@ -11,6 +11,7 @@
 
 #include "tautline/clock.hpp"
 #include "tautline/model_table.hpp"
+#include "tautline/plain_scheme.hpp"
 #include "tautline/plugin.hpp"
 #include "tautline/solve.hpp"
 
@@ -114,6 +115,31 @@ class ExactSimulation final : public Simulation, public TensionImpulses {
   std::optional<Stop> stop_;
 };
 
+/// The yardstick as a model: what a correct scheme that knows nothing of cables but their rows makes
+/// of a case.
+class PlainSimulation final : public SteppedSimulation {
+ public:
+  PlainSimulation(const Case& the_case, const RunSettings& /*run*/)
+      : scheme_(the_case, PlainScheme::Acts::late) {}
+
+  [[nodiscard]] State state() const override { return scheme_.state(); }
+  void step(double dt) override { scheme_.step(dt); }
+  [[nodiscard]] std::span<const double> impulses() const override { return scheme_.impulses(); }
+
+ private:
+  PlainScheme scheme_;
+};
+
+ModelEntry plain() {
+  return {.model = {.name = "plain",
+                    .sentence = "A plain correct scheme of fixed steps, velocity first: the "
+                                "yardstick that every model with fixed steps is judged by.",
+                    .settings = {},
+                    .maker = Maker::tautline},
+          .start = makes<PlainSimulation>(),
+          .follows_speed = true};
+}
+
 ModelEntry entry(std::string name, std::string sentence, Report report) {
   return {.model = {.name = std::move(name),
                     .sentence = std::move(sentence),
@@ -133,7 +159,8 @@ EngineTable table() {
                               "The same states with the impulses of each step but not its events: "
                               "what is wrong with its impacts is what detecting them from such "
                               "steps costs any engine.",
-                              Report::impulses_only)}}};
+                              Report::impulses_only),
+                        plain()}}};
 }
 
 }  // namespace

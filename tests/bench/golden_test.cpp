@@ -79,7 +79,7 @@ TEST(Golden, Report) {
   replay.runs.resize(report.runs.size());
   expect_golden("report.json", bench::report_json(report, replay));
   expect_golden("report.md", bench::report_markdown(report));
-  expect_golden("report.txt", bench::report_summary(report, narrow));
+  expect_golden("report.txt", bench::report_summary(report, true, narrow));
 }
 
 TEST(Golden, Compare) {

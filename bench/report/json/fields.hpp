@@ -64,6 +64,18 @@ void fields(Visitor& visit, CertifiedDigits& certified) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, Predictable& predictable) {
+  visit.means("up to when a step-by-step model can follow the case, from its exact motion alone");
+  visit("step", predictable.step, "[s]");
+  visit("until", predictable.until, "[s]");
+  visit("barrier", predictable.barrier,
+        "why not for longer: the exact motion or its horizon ends; what a step may be off by has "
+        "grown to a tenth of the shortest cable; or sound models may part");
+  visit("readable", predictable.readable,
+        "impacts of the exact motion whose restitution a run of this step can be read by");
+}
+
+template <class Visitor>
 void fields(Visitor& visit, CaseRow& row, CaseReplay& replay) {
   visit("name", row.name);
   visit("title", row.title, "what tells the case from others, in words");
@@ -93,6 +105,7 @@ void fields(Visitor& visit, CaseRow& row, CaseReplay& replay) {
   visit("certified", row.certified,
         "until when the exact solution in double is right, compared with the same motion in many "
         "digits; null where it was not asked for");
+  visit("predictable", row.predictable);
 }
 
 template <class Visitor>
@@ -181,8 +194,8 @@ void fields(Visitor& visit, Finding& finding) {
   visit("engine", finding.engine);
   visit("model", finding.model);
   visit("kind", finding.kind,
-        one_of({"threshold", "sleeping", "restitution-ignored", "scatter", "gain", "offset",
-                "several-steps", "tangential-impulse", "angular-impulse"}));
+        one_of({"none", "lost-below", "loses-some", "scatters", "off", "sleeping", "several-steps",
+                "tangential-impulse", "angular-impulse"}));
   visit("sentence", finding.sentence);
   visit("value", finding.value);
   visit("unit", finding.unit);
@@ -193,6 +206,25 @@ void fields(Visitor& visit, Finding& finding) {
            "the runs of the model that show it: none of them passes, at any limits, except for "
            "several-steps");
   });
+}
+
+template <class Visitor>
+void fields(Visitor& visit, ModelJudgement& model) {
+  visit.means("what is said of a model over all cases, at the finest step that it was run with");
+  visit("engine", model.engine);
+  visit("model", model.model);
+  visit("step", model.step, "[s]");
+  visit("cases", model.cases);
+  visit("restitution", model.rebounds);
+  visit("course", model.course, "how its error changes with the step, in the worst case");
+  visit("told", model.told, "cases in which the position tells something");
+  visit("ratio", model.ratio, "as that of a run, at worst; null where nothing can be told");
+  visit("worst_case", model.worst_case, "that of the ratio");
+  visit("error", model.error, "of the position there [m]");
+  visit("time", model.time, "then [s]");
+  visit("impacts", model.impacts);
+  visit("overstretch", model.overstretch, "as that of a run, at worst");
+  visit("energy", model.energy, "as that of a run, at worst");
 }
 
 template <class Visitor>
@@ -231,9 +263,9 @@ void fields(Visitor& visit, ReportOptions& options) {
 }
 
 template <class Visitor>
-void fields(Visitor& visit, LimitsSource& limits) {
-  visit("file", limits.file);
-  visit("version", limits.version);
+void fields(Visitor& visit, ProblemsSource& listed) {
+  visit("file", listed.file);
+  visit("version", listed.version);
 }
 
 template <class Visitor>
@@ -325,10 +357,11 @@ void fields(Visitor& visit, Report& report, Replay& replay) {
   visit.drawn("cases", report.cases, replay.cases);
   visit("summary", report.summary);
   visit("convergence", report.convergence);
+  visit("models", report.models);
   visit("findings", report.findings);
   visit("causes", report.causes);
   visit.drawn("runs", report.runs, replay.runs);
-  visit("limits", report.limits, "what the verdicts compare the runs with; null without verdicts");
+  visit("listed", report.listed, "where listed problems come from; null without verdicts");
   visit.unless_missing("distributions", report.distributions,
                        [](auto& inside, Distributions& distributions) {
                          inside("distributions", distributions,

@@ -172,12 +172,48 @@ void fields(Visitor& visit, Ladder& ladder) {
 }
 
 template <class Visitor>
-void fields(Visitor& visit, Scatter& scatter) {
-  visit("count", scatter.count);
-  visit("mean", scatter.mean);
-  visit("standard_deviation", scatter.standard_deviation);
-  visit("smallest", scatter.smallest);
-  visit("largest", scatter.largest);
+void fields(Visitor& visit, Rebounds& rebounds) {
+  visit("word", rebounds.word);
+  visit("readable", rebounds.readable, "impacts whose restitution the steps leave to be read");
+  visit("off", rebounds.off, "of them, by more than their steps explain");
+  visit("asked", rebounds.asked, "the restitution; null where it is not the same for all");
+  visit("slowest", rebounds.slowest, "of the readable ones [m/s]");
+  visit("deviation", rebounds.deviation, "median of the restitution got less that asked for [-]");
+  visit("speed", rebounds.speed,
+        "up to it rebounds are lost; or of the impact after which a cable stays taut [m/s]");
+  visit("stays_taut", rebounds.stays_taut);
+  visit("steps", rebounds.steps, "that an impact takes, median");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Following& following) {
+  visit("ratio", following.ratio,
+        "largest error of the position over what a scheme of this step may be off by; null where "
+        "nothing can be told");
+  visit("time", following.time, "of that [s]");
+  visit("error", following.error, "the error then [m]");
+  visit("until", following.until, "of what is judged [s]");
+  visit("located", following.located, "the run names the instants of all of its impacts itself");
+  visit("rounding", following.rounding,
+        "error over what rounding explains up to the first taut cable, of a run that locates its "
+        "impacts; null of others");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Expected& impacts) {
+  visit("due", impacts.due, "impacts of the exact motion that a run of this step cannot miss");
+  visit("missed", impacts.missed, "of them");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Judgement& judgement) {
+  visit.means("what is said of the run from the exact motion of its case alone");
+  visit("restitution", judgement.rebounds);
+  visit("position", judgement.following);
+  visit("impacts", judgement.impacts);
+  visit("overstretch", judgement.overstretch, "the largest, in units of what a step explains");
+  visit("energy", judgement.energy,
+        "the largest rise outside contacts, in units of mass acceleration speed step");
 }
 
 template <class Visitor>
@@ -199,21 +235,20 @@ void fields(Visitor& visit, Attribution& attribution) {
 }
 
 template <class Visitor>
-void fields(Visitor& visit, Check& check) {
-  visit("metric", check.metric, "of the list, \"failure\", or the kind of a finding of the audit");
-  visit("value", check.value, "null for a failure, or where it could not be measured");
-  visit("limit", check.limit, "in the metric's unit, at this step");
-  visit("holds", check.holds, "null: the metric could not be measured");
-  visit("known", check.known, "the limits say that it does not hold");
-  visit("reason", check.reason);
+void fields(Visitor& visit, Problem& problem) {
+  visit("kind", problem.kind, "restitution, position, events, missed-impacts, overstretch, energy, failure, "
+        "or the kind of a finding of the audit");
+  visit("sentence", problem.sentence);
+  visit("value", problem.value, "of the kind: a ratio, a deviation or a count");
+  visit("listed", problem.listed, "among those that a person has listed");
+  visit("reason", problem.reason, "why it is there; \"\" where it is not");
 }
 
 template <class Visitor>
 void fields(Visitor& visit, Verdict& verdict) {
-  visit.means("what the limits say of the run; null without limits");
+  visit.means("what is wrong with the run; null without verdicts");
   visit("word", verdict.word);
-  visit("reason", verdict.reason, "why the run is not judged; of another word \"\"");
-  visit("checks", verdict.checks);
+  visit("problems", verdict.problems);
 }
 
 template <class Visitor>
@@ -233,11 +268,8 @@ void fields(Visitor& visit, RunRow& row, RunReplay& replay) {
     inside("ladder", row.ladder,
            "heights of consecutive bounces on one cable through the centre of mass, as parts of "
            "the first fall; null where the run has none");
-    inside("scatter", row.scatter,
-           "effective less requested restitution over the counted impacts of one cable alone, up "
-           "to the exact lock, that are fast enough for the step; also over those that are left "
-           "out of the columns of a large report; null without one");
   });
+  visit("judgement", row.judgement);
   visit("attribution", row.attribution);
   visit("verdict", row.verdict);
 }
@@ -286,7 +318,6 @@ void fields(Visitor& visit, Freeze& freeze) {
 template <class Visitor>
 void fields(Visitor& visit, RunAudit& audit) {
   visit("ladder", audit.ladder);
-  visit("scatter", audit.scatter);
   visit("impacts", audit.impacts);
   visit("freeze", audit.freeze);
 }

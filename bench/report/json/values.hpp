@@ -40,6 +40,21 @@ struct Words<Status> {
                                      Status::failed};
 };
 template <>
+struct Words<Rebound> {
+  static constexpr std::array all = {Rebound::kept,       Rebound::off,      Rebound::lost_below,
+                                     Rebound::loses_some, Rebound::scatters, Rebound::none,
+                                     Rebound::too_few};
+};
+template <>
+struct Words<Course> {
+  static constexpr std::array all = {Course::exact, Course::as_good, Course::converges,
+                                     Course::does_not_converge, Course::off, Course::untold};
+};
+template <>
+struct Words<Barrier> {
+  static constexpr std::array all = {Barrier::end, Barrier::growth, Barrier::fork};
+};
+template <>
 struct Words<Maker> {
   static constexpr std::array all = {Maker::engine, Maker::by_hand, Maker::tautline};
 };
@@ -47,14 +62,6 @@ template <>
 struct Words<Word> {
   static constexpr const auto& all = all_words;
 };
-
-inline Json json_of(Holds value) {
-  return value == Holds::not_measured ? Json(nullptr) : Json(value == Holds::yes);
-}
-inline void read(const Json& json, Holds& value) {
-  value = json.is_null() ? Holds::not_measured : json.get<bool>() ? Holds::yes : Holds::no;
-}
-inline Json schema_of(const Holds& /*value*/) { return or_nothing(schema_of(bool())); }
 
 /// The members of the parts of an error by its causes.
 template <class Visitor>

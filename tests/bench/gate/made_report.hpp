@@ -36,14 +36,28 @@ inline void add_engine(Report& report, const std::string& name,
   report.engines.push_back(row);
 }
 
-/// Adds a finished run of the ball, whose metrics are all `value`; its exact motion has
-/// `exact_impacts` up to the horizon.
+/// A judgement in which all is well.
+[[nodiscard]] inline Judgement sound_judgement() {
+  Judgement judgement;
+  judgement.rebounds.word = Rebound::kept;
+  judgement.rebounds.readable = 4;
+  judgement.rebounds.slowest = 0.25;
+  judgement.rebounds.deviation = 0.0;
+  judgement.following.ratio = 0.5;
+  judgement.following.until = 5.0;
+  judgement.impacts = {3, 0};
+  return judgement;
+}
+
+/// Adds a finished run of the ball, whose metrics are all `value` and whose judgement is sound; its
+/// exact motion has `exact_impacts` up to the horizon.
 inline RunRow& add_run(Report& report, const std::string& engine, double value, double step = 1e-3,
                        std::size_t exact_impacts = 10) {
   RunRow row;
   row.key = {"ball", engine, "row", step};
   row.metrics = MetricValues(metric_list().size(), value);
   row.details = RunDetails();
+  row.judgement = sound_judgement();
   row.details->of_windows[static_cast<std::size_t>(Window::horizon)].exact = exact_impacts;
   report.runs.push_back(row);
   return report.runs.back();
@@ -57,6 +71,7 @@ inline RunRow& add_bad_run(Report& report, const std::string& engine, Status sta
   row.reason = reason;
   row.metrics.reset();
   row.details.reset();
+  row.judgement.reset();
   return row;
 }
 

@@ -126,8 +126,9 @@ TEST(Terminal, ARunIsACardWithItsVerdictAndTheMetricsThatMatter) {
   const Outcome card = program(words);
   EXPECT_EQ(card.code, 0) << card.errors;
   for (const char* part : {"breakwater/1910121100 on exact ", "model event, step 0.001 s\n",
-                           "verdict: pass (by limits.toml", "early position error", "overstretch",
-                           "energy gain", " limit", " m ", " J ", "holds", "--all prints all"}) {
+                           "verdict: sound\n", "Restitution: kept (", "Followed: position up to",
+                           "early position error", "overstretch", "energy gain", " m", " J",
+                           "--all prints all"}) {
     EXPECT_NE(card.output.find(part), std::string::npos) << part << "\nis not in\n" << card.output;
   }
   EXPECT_EQ(card.output.find('_'), std::string::npos) << "keys of files are no words";
@@ -137,35 +138,24 @@ TEST(Terminal, ARunIsACardWithItsVerdictAndTheMetricsThatMatter) {
   EXPECT_NE(program(all).output.find("whole velocity error"), std::string::npos);
   std::vector<std::string> in_json = words;
   in_json.insert(in_json.end(), {"--json", "-"});
-  EXPECT_EQ(nlohmann::json::parse(program(in_json).output).at("verdict").at("word"), "pass");
+  EXPECT_EQ(nlohmann::json::parse(program(in_json).output).at("verdict").at("word"), "sound");
 }
 
-TEST(Terminal, ARunThatBreaksALimitSaysWhichAndWhy) {
+TEST(Terminal, ARunWithProblemsSaysWhichAndWhy) {
   using namespace bench;
   Report report = bench::test::made_report();
   bench::test::add_engine(report, "e");
   RunRow& run = bench::test::add_run(report, "e", 0.5);
   run.verdict = Verdict();
-  run.verdict->checks = {{"overstretch", 0.5, 0.25, Holds::no, false, "a step of fall"},
-                         {"energy_gain", 0.5, 0.3, Holds::no, true, "its spring"}};
+  run.verdict->problems = {{"overstretch", "too long", 2.5, false, ""},
+                           {"energy", "too fast", 3.5, true, "its spring"}};
   const std::string card = run_card(report, false, {80, false});
   for (const char* part :
        {"ball on e 1 (float64), model row, step 0.001 s\n",
-        "5.0e-01  2.5e-01  m     does not hold\n", "5.0e-01  3.0e-01  J     known not to hold\n",
-        "overstretch: a step of fall\n", "energy gain: its spring\n"}) {
+        "Problem, overstretch: too long.\n",
+        "Problem, energy: too fast. Listed: its spring.\n"}) {
     EXPECT_NE(card.find(part), std::string::npos) << part << "\nis not in\n" << card;
   }
-}
-
-TEST(Terminal, ARunThatIsNotJudgedSaysWhy) {
-  using namespace bench;
-  Report report = bench::test::made_report();
-  bench::test::add_engine(report, "e");
-  RunRow& run = bench::test::add_run(report, "e", 0.5);
-  run.verdict = Verdict{Word::not_judged, "its limit is a spring", {}};
-  const std::string card = run_card(report, false, {80, false});
-  EXPECT_NE(card.find("verdict: not judged\nbecause: its limit is a spring\n"), std::string::npos)
-      << card;
 }
 
 TEST(Terminal, CompareOfOneReportAsksForAnother) {

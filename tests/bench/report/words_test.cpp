@@ -31,12 +31,12 @@ std::string plainly(const std::string& text) {
 /// A report whose engine "e" has a run with each of the words.
 Report report_of_all_words() {
   Report report = made_report();
-  report.limits = LimitsSource{"made.toml", "1"};
+  report.listed = ProblemsSource{"made.toml", "1"};
   add_engine(report, "e");
   for (const Word word : all_words) {
     RunRow& run = add_run(report, "e", 0.5);
     run.key.the_case = "ball" + std::to_string(report.runs.size());
-    run.verdict = Verdict{word, word == Word::not_judged ? "a reason" : "", {}};
+    run.verdict = Verdict{word, {}};
     CaseRow the_case = report.cases.front();
     the_case.name = run.key.the_case;
     report.cases.push_back(the_case);
@@ -50,7 +50,7 @@ TEST(VerdictWords, AreExplainedAlikeOnThePageInMarkdownOnATerminalAndInTheDocs) 
   const std::filesystem::path docs = std::filesystem::path(TAUTLINE_README).parent_path() / "docs";
   const std::string page = plainly(report_html(report, {}, page_assets()));
   const std::string markdown = plainly(report_markdown(report));
-  const std::string terminal = plainly(report_summary(report, unlimited));
+  const std::string terminal = plainly(report_summary(report, true, unlimited));
   const std::string recipe = plainly(content_of(docs / "ci-recipe.md"));
   for (const Word word : all_words) {
     const std::string said = std::string(to_string(word)) + ": " + std::string(meaning_of(word));
@@ -63,21 +63,21 @@ TEST(VerdictWords, AreExplainedAlikeOnThePageInMarkdownOnATerminalAndInTheDocs) 
 
 TEST(VerdictWords, TheWorstOfAllCasesStandsInTheAnswersOfEveryRenderingWithItsCount) {
   Report report = report_of_all_words();
-  for (const Word word : {Word::breaks_limit, Word::known_deviation, Word::not_judged}) {
+  for (const Word word : {Word::problem, Word::listed_problem, Word::too_few}) {
     const std::string said =
         std::string(to_string(word)) + " in 1 of " + std::to_string(report.runs.size());
     EXPECT_NE(report_html(report, {}, page_assets()).find(said), std::string::npos) << said;
     EXPECT_NE(report_markdown(report).find(said), std::string::npos) << said;
-    EXPECT_NE(report_summary(report, unlimited).find(said), std::string::npos) << said;
+    EXPECT_NE(report_summary(report, true, unlimited).find(said), std::string::npos) << said;
     std::erase_if(report.runs, [&](const RunRow& run) { return run.verdict->word == word; });
     report.summary = summary(report.runs);
   }
-  EXPECT_NE(report_summary(report, unlimited).find("pass"), std::string::npos);
+  EXPECT_NE(report_summary(report, true, unlimited).find("sound"), std::string::npos);
 }
 
 TEST(VerdictWords, EachHasALookOfItsOwnOnThePage) {
   const std::string page = report_html(report_of_all_words(), {}, page_assets());
-  for (const char* look : {"pass", "known-deviation", "breaks-a-limit", "not-judged"}) {
+  for (const char* look : {"sound", "listed-problem", "problem", "too-few-to-tell"}) {
     EXPECT_NE(page.find(std::string("class=\"verdict ") + look + "\""), std::string::npos) << look;
     EXPECT_NE(page.find(std::string(".verdict.") + look), std::string::npos) << look;
   }

@@ -38,6 +38,12 @@ class BasicSensitivity {
   /// Throws std::out_of_range outside [0, end of the solution].
   [[nodiscard]] BasicStateMatrix<Real> at(const Real& time) const;
 
+  /// d state(to) / d state(from), both after the events of their instants; the identity where they
+  /// are one instant. Unlike `at(to)` times the inverse of `at(from)` it exists where an impact
+  /// without rebound has taken a freedom away. Infinite where no derivative exists.
+  /// Throws std::out_of_range unless 0 <= from <= to <= the end of the solution.
+  [[nodiscard]] BasicStateMatrix<Real> between(const Real& from, const Real& to) const;
+
   /// The factor [-] by which a small difference of states has grown at most at `time`: the largest
   /// singular value of `at` in the metric of Eq. 45. Infinity where no derivative exists.
   [[nodiscard]] Real growth(const Real& time) const;
@@ -57,8 +63,12 @@ class BasicSensitivity {
     /// Taylor coefficients of d pose / d state at `start`; empty in free flight.
     std::vector<Eigen::Matrix<Real, 3, 6>> series;
     std::optional<Real> period = {};  // [s]: at rest, the same series serves one after the other
+    BasicStateMatrix<Real> jump = BasicStateMatrix<Real>::Identity();  // of the events before it
 
-    [[nodiscard]] BasicStateMatrix<Real> after(const Real& dt) const;
+    [[nodiscard]] BasicStateMatrix<Real> after(const Real& dt) const { return carried(dt, initial); }
+    /// `matrix` at the start of the piece, `dt` [s] later.
+    [[nodiscard]] BasicStateMatrix<Real> carried(const Real& dt,
+                                                 const BasicStateMatrix<Real>& matrix) const;
     [[nodiscard]] BasicStateMatrix<Real> flow(const Real& dt) const;
   };
 
@@ -67,10 +77,14 @@ class BasicSensitivity {
   void follow(const BasicCase<Real>& the_case, const BasicArc<BasicCase<Real>>& arc,
               const BasicVec2<Real>& gravity);
   [[nodiscard]] Real size(const BasicStateMatrix<Real>& matrix) const;
+  /// The place of the piece that `time` [s] lies in; of several that start then, the last.
+  /// Throws std::out_of_range outside of the solution.
+  [[nodiscard]] std::size_t piece_at(const Real& time) const;
 
   Real radius_;  // [m], of gyration; 0 where the turn has no part in the motion
   Real end_;     // [s]
   BasicStateMatrix<Real> now_ = BasicStateMatrix<Real>::Identity();
+  BasicStateMatrix<Real> jump_ = BasicStateMatrix<Real>::Identity();  // since the last piece
   std::vector<Piece> pieces_;
   std::vector<BasicSaltation<Real>> saltations_;
 };

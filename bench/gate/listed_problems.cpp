@@ -1,0 +1,209 @@
+// Reads and writes a problems file, as strictly as a case file: all that is wrong with it is said at
+// once.
+
+#include "bench/gate/listed_problems.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "bench/base/input_file.hpp"
+#include "bench/base/listed.hpp"
+#include "bench/base/problems.hpp"
+#include "bench/base/strict_table.hpp"
+#include "bench/base/text.hpp"
+#include "bench/base/value.hpp"
+#include "shipped_problems.inc"
+
+namespace tautline::bench {
+namespace {
+
+/// A longer file is refused before it is read [bytes].
+constexpr std::size_t longest_problems_file = std::size_t{1} << 20U;
+
+/// More entries than this are a mistake: every run is compared with each of them.
+constexpr std::size_t most_entries = 10'000;
+
+const Range right_schema = {"2, the form that this program reads: a list of problems, no limits",
+                            [](double x) { return x == problems_schema; }, problems_schema};
+
+/// Holds the patterns of a file against the names that there are.
+class Names {
+ public:
+  explicit Names(const ProblemNames& names) : names_(names) {
+    for (const ProblemNames::Engine& engine : names.engines) {
+      engines_.push_back(engine.name);
+    }
+  }
+
+  void check(const RunPattern& runs, StrictTable& table) const {
+    for (const std::string& engine : alternatives(runs.engine)) {
+      check_slip("engine", engine, engines_, table);
+    }
+    for (const std::string& model : alternatives(runs.model)) {
+      check_model(runs.engine, model, table);
+    }
+    for (const std::string& the_case : alternatives(runs.the_case)) {
+      check_case(the_case, table);
+    }
+  }
+
+ private:
+  static bool any_matches(const std::string& pattern, const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return matches(pattern, name); });
+  }
+
+  /// A name that is none of `names`, and nearly one.
+  static void check_slip(const char* key, const std::string& pattern,
+                         const std::vector<std::string>& names, StrictTable& table) {
+    const std::string near = suggestion(pattern, names);
+    if (!near.empty() && !any_matches(pattern, names)) {
+      table.refuse_value(key, std::string("there is no such ") + key + near);
+    }
+  }
+
+  /// A model that none of the engines has, all of them being here.
+  void check_model(const std::string& engine_pattern, const std::string& model,
+                   StrictTable& table) const {
+    std::vector<std::string> models;
+    bool all_here = true;
+    for (const ProblemNames::Engine& engine : names_.engines) {
+      if (matches(engine_pattern, engine.name)) {
+        all_here = all_here && engine.models;
+        const auto& own = engine.models ? *engine.models : std::vector<std::string>();
+        models.insert(models.end(), own.begin(), own.end());
+      }
+    }
+    if (!models.empty() && all_here && !any_matches(model, models)) {
+      std::sort(models.begin(), models.end());
+      models.erase(std::unique(models.begin(), models.end()), models.end());
+      const std::string near = suggestion(model, models);
+      table.refuse_value("model", "no engine that this means has such a model" +
+                                      (near.empty() ? ", must be " + joined(models, "or") : near));
+    }
+  }
+
+  /// A case that its series does not have.
+  void check_case(const std::string& pattern, StrictTable& table) const {
+    const std::string series = pattern.substr(0, pattern.find('/') + 1);
+    const bool known = !series.empty() && any_matches(series + "*", names_.cases);
+    if (known && !any_matches(pattern, names_.cases)) {
+      table.refuse_value("case", "there is no such case" + suggestion(pattern, names_.cases));
+    } else {
+      check_slip("case", pattern, names_.cases, table);
+    }
+  }
+
+  const ProblemNames& names_;
+  std::vector<std::string> engines_;
+};
+
+ListedProblem read_problem(StrictTable& table, const Names& names) {
+  ListedProblem problem;
+  problem.runs.engine = table.text("engine");
+  problem.runs.model = table.text("model");
+  problem.runs.the_case = table.optional_text("case").value_or("*");
+  problem.runs.step = table.optional_number("step", above_zero, "[s]");
+  names.check(problem.runs, table);
+  problem.kind = table.one_of(
+      "kind", listed<std::string>(problem_kinds, [](std::string_view kind) { return kind; }));
+  problem.finding = table.optional_text("finding").value_or("");
+  problem.reason = table.text("reason");
+  problem.in_some = table.flag("in_some");
+  table.refuse_unknown_keys();
+  return problem;
+}
+
+ListedProblems read_tables(const toml::table& file, const Names& names, FileProblems& findings) {
+  StrictTable root(&file, "", findings);
+  ListedProblems result;
+  static_cast<void>(root.number("schema", right_schema, ""));
+  result.version = root.text("version");
+  for (StrictTable& table : root.optional_tables(
+           "problem", most_entries,
+           "must be tables [[problem]], each with engine, model, kind and reason")) {
+    for (StrictTable& entry : table.each(most_entries)) {
+      result.problems.push_back(read_problem(entry, names));
+    }
+  }
+  for (const char* old : {"limits", "known", "not_judged"}) {
+    root.refuse_value(old,
+                      "is no longer asked for: runs are judged from the exact motion; list what "
+                      "may stay as [[problem]], with engine, model, kind and reason");
+  }
+  root.refuse_unknown_keys();
+  return result;
+}
+
+}  // namespace
+
+ProblemsReading read_problems_text(std::string_view text, const std::string& source_name,
+                                   const ProblemNames& names) {
+  FileProblems findings(source_name);
+  const std::optional<toml::table> file = parse_toml(text, findings);
+  if (!file) {
+    return {std::nullopt, findings.sentences()};
+  }
+  ListedProblems result = read_tables(*file, Names(names), findings);
+  if (!findings.empty()) {
+    return {std::nullopt, findings.sentences()};
+  }
+  result.file = source_name;
+  return {std::move(result), {}};
+}
+
+ProblemsReading read_problems_file(const std::filesystem::path& path, const ProblemNames& names) {
+  const InputFile file = read_input_file(path, longest_problems_file);
+  if (file.problem) {
+    FileProblems findings(path.native());
+    findings.add(0, *file.problem);
+    return {std::nullopt, findings.sentences()};
+  }
+  return read_problems_text(file.content, path.native(), names);
+}
+
+ListedProblems shipped_problems() {
+  // the tests read it: what ships is sound
+  return read_problems_text(shipped_problems_text, "problems.toml, built in").listed.value();
+}
+
+std::string problems_file_of(const Report& report, const ListedProblems& known) {
+  struct Entry {
+    std::string finding;
+    std::size_t runs = 0;
+  };
+  std::map<std::tuple<std::string, std::string, std::string>, Entry> entries;
+  std::map<std::pair<std::string, std::string>, std::size_t> runs;
+  for (const RunRow& run : report.runs) {
+    ++runs[{run.key.engine, run.key.model}];
+    for (const Problem& problem : run.verdict.value().problems) {
+      Entry& entry = entries[{run.key.engine, run.key.model, problem.kind}];
+      entry.finding = entry.finding.empty() ? problem.sentence : entry.finding;
+      ++entry.runs;
+    }
+  }
+  std::string out = fmt::format(
+      "# Problems that runs of these models are known to have. Say in each reason why it may stay;\n"
+      "# `tautline bench --gate` holds reports against them, both ways.\n"
+      "schema = {}\nversion = \"1\"\n",
+      problems_schema);
+  for (const auto& [key, entry] : entries) {
+    const auto& [engine, model, kind] = key;
+    const auto has = std::find_if(known.problems.begin(), known.problems.end(), [&](const auto& one) {
+      return one.kind == kind && matches(one.runs.engine, engine) && matches(one.runs.model, model);
+    });
+    out += fmt::format(
+        "\n[[problem]]\nengine = {}\nmodel = {}\nkind = \"{}\"\nfinding = {}\nreason = {}\n{}",
+        toml_string(engine), toml_string(model), kind, toml_string(entry.finding),
+        toml_string(has != known.problems.end() ? has->reason : "not looked into yet"),
+        entry.runs < runs[{engine, model}] ? "in_some = true\n" : "");
+  }
+  return out;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/gate/pattern.hpp"
+#include "bench/report/report.hpp"
+
+namespace tautline::bench {
+
+/// A problem that runs are known to have, which only a person can say: why it is so, and that it may
+/// stay.
+struct ListedProblem {
+  RunPattern runs;
+  std::string kind;      // of `problem_kinds`
+  std::string finding;   // what was found when it was listed; may be ""
+  std::string reason;    // why it is so
+  bool in_some = false;  // of these runs: that none shows it in a report says nothing
+};
+
+/// What a problems file says.
+struct ListedProblems {
+  std::string file;
+  std::string version;
+  std::vector<ListedProblem> problems;
+};
+
+/// The problems of a file, or all that is wrong with it.
+struct ProblemsReading {
+  std::optional<ListedProblems> listed;  // present exactly when `problems` is empty
+  std::vector<std::string> problems;     // sentences with file, line, key, value and what is right
+};
+
+/// The number of the file's form: its key `schema`.
+inline constexpr int problems_schema = 2;
+
+/// The names that there are, against which those of a problems file are held.
+struct ProblemNames {
+  struct Engine {
+    std::string name;
+    std::optional<std::vector<std::string>> models;  // none where it is not here to be asked
+  };
+  std::vector<Engine> engines;
+  std::vector<std::string> cases;
+};
+
+/// A model that an engine of `names` does not have, a case that a series of `names` does not have,
+/// and any name that is nearly one of `names` is a mistake. Other names are not: an engine or a
+/// case of the user's own need not be there each time.
+[[nodiscard]] ProblemsReading read_problems_file(const std::filesystem::path& path,
+                                                 const ProblemNames& names = {});
+[[nodiscard]] ProblemsReading read_problems_text(std::string_view text,
+                                                 const std::string& source_name,
+                                                 const ProblemNames& names = {});
+
+/// bench/gate/problems.toml as it was when the program was built.
+[[nodiscard]] ListedProblems shipped_problems();
+
+/// A problems file with every problem that the runs of `report`, which has verdicts, show: an entry
+/// for each engine, model and kind. What `listed` says of one is kept.
+[[nodiscard]] std::string problems_file_of(const Report& report, const ListedProblems& listed);
+
+}  // namespace tautline::bench

@@ -1,0 +1,394 @@
+#include "bench/judge/allowance.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "tautline/detail/flight.hpp"
+#include "tautline/detail/sensitivity.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/plain_scheme.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Parts of the exact motion at which numbers along it are kept, beside its events.
+constexpr std::size_t parts = 1000;
+
+/// Impacts slower than this part of the fastest move nobody [-].
+constexpr double slow = 1e-4;
+
+/// An allowance of this part of the shortest cable says nothing any more [-]. Between 0.02 and 0.5
+/// the worst correct run keeps the same distance from what is allowed.
+constexpr double too_much = 0.1;
+
+/// Schemes may part where two outcomes are closer than this part of the allowance [-].
+constexpr double guard_of_forks = 0.25;
+
+/// Near misses are looked for at so many instants.
+constexpr int looks = 4000;
+
+/// A gap below this part of the cable is an impact's or a taut cable's [-].
+constexpr double no_gap = 1e-7;
+
+/// Shifts of the first step, of either way to act; in very many steps fewer.
+constexpr int shifts = 16;
+constexpr int few_shifts = 6;
+constexpr double many_steps = 30000.0;
+
+using StateVector = Eigen::Matrix<double, 6, 1>;
+
+StateVector vector_of(const State& state) {
+  StateVector result;
+  result << state.position, state.angle, state.velocity, state.spin;
+  return result;
+}
+
+double closing_speed(const Case& the_case, const Event& event) {
+  double fastest = 0.0;
+  for (const std::size_t index : event.cables) {
+    fastest = std::max(fastest, -gap_rate(the_case.cables[index], event.before));
+  }
+  return fastest;
+}
+
+/// The derivative of the state after an impact by a delay of it: what `before` flies on by is
+/// resolved later, and `after` has flown less.
+StateVector by_delay(const ReferenceCase& reference, const Event& event) {
+  const Case& the_case = reference.the_case;
+  const double moment = 1e-6 * std::min(1.0, reference.solution.end_time());  // [s]
+  StateVector sum = StateVector::Zero();
+  for (const double dt : {moment, -moment}) {
+    const State late = resolve_impact(reference.law, the_case,
+                                      fly(event.before, the_case.gravity, dt), event.cables)
+                           .after;
+    sum += (vector_of(late) - vector_of(fly(event.after, the_case.gravity, dt))) / (2.0 * dt);
+  }
+  return sum;
+}
+
+/// By what a scheme of first order is off per unit of time and step, `dt` [s] after the start of
+/// `arc`: half of the acceleration as a rate of the pose, and, on taut cables, half of its rate as a
+/// rate of the velocity. `moment` [s] is short against the arc.
+StateVector defect(const Arc& arc, double dt, double moment, const Vec2& gravity) {
+  StateVector result = StateVector::Zero();
+  if (arc.taut.empty()) {
+    result.head<2>() = 0.5 * gravity;
+    return result;
+  }
+  const StateVector before = vector_of(arc.after(dt - moment, gravity));
+  const StateVector here = vector_of(arc.after(dt, gravity));
+  const StateVector after = vector_of(arc.after(dt + moment, gravity));
+  result.head<3>() = (after - before).tail<3>() / (4.0 * moment);
+  result.tail<3>() = (after - 2.0 * here + before).tail<3>() / (2.0 * moment * moment);
+  return result;
+}
+
+/// Instants evenly spread over a motion, and its events.
+std::vector<double> instants(const Solution& solution, double end) {
+  std::vector<double> times;
+  for (std::size_t part = 0; part <= parts; ++part) {
+    times.push_back(part == parts ? end
+                                  : end * static_cast<double>(part) / static_cast<double>(parts));
+  }
+  for (const Event& event : solution.events()) {
+    if (event.time > 0.0 && event.time < end) {
+      times.push_back(event.time);
+    }
+  }
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// An impact of one cable.
+struct Hit {
+  double time;        // [s]
+  std::size_t cable;  //
+  double speed;       // [m/s]
+};
+
+std::vector<Hit> hits_of(const ReferenceCase& reference, double end) {
+  std::vector<Hit> hits;
+  for (const Event& event : reference.solution.events()) {
+    if (event.kind == EventKind::impact && event.time <= end) {
+      for (const std::size_t index : event.cables) {
+        hits.push_back(
+            {event.time, index, -gap_rate(reference.the_case.cables[index], event.before)});
+      }
+    }
+  }
+  return hits;
+}
+
+/// The first near miss before `end` [s]: a gap that is least at an instant and no more than a part
+/// of what a run may be off by then, or what it closes by in a step.
+std::optional<double> near_miss(const ReferenceCase& reference, const Allowance& allowance,
+                                double end) {
+  std::vector<double> times;
+  for (int look = 0; look <= looks; ++look) {
+    times.push_back(end * look / looks);
+  }
+  for (const Event& event : reference.solution.events()) {
+    if (event.time < end) {
+      times.push_back(event.time);
+    }
+  }
+  std::sort(times.begin(), times.end());
+  std::vector<State> states;
+  states.reserve(times.size());
+  for (const double time : times) {
+    states.push_back(reference.solution.at(time));
+  }
+  std::optional<double> first;
+  for (const Cable& cable : reference.the_case.cables) {
+    double earlier = 0.0;  // [m], the gap a look before
+    double speed = 0.0;    // [m/s], at which it closed until then
+    for (std::size_t place = 0; place < times.size(); ++place) {
+      const double now = gap(cable, states[place]);
+      // a scheme that looks a step ahead takes a cable for taut that closes by the gap in it
+      const double near = guard_of_forks * allowance.at(times[place]) + allowance.step * speed;
+      if (speed > 0.0 && earlier <= now && earlier > no_gap * cable.length && earlier < near) {
+        first = std::min(first.value_or(end), times[place - 1]);
+        break;
+      }
+      if (place > 0 && times[place] > times[place - 1]) {
+        speed = (earlier - now) / (times[place] - times[place - 1]);
+      }
+      earlier = now;
+    }
+  }
+  return first;
+}
+
+/// The first instant before `end` [s] at which impacts of two cables may swap. Cables that are struck
+/// in one instant are struck together, which only the law that does so by itself is sure of.
+std::optional<double> swap_of_impacts(const ReferenceCase& reference, const Allowance& allowance,
+                                      double end) {
+  const bool together = reference.law == ImpactLaw::simultaneous;
+  const std::vector<Hit> hits = hits_of(reference, end);
+  for (std::size_t place = 1; place < hits.size(); ++place) {
+    const Hit& one = hits[place - 1];
+    const Hit& two = hits[place];
+    if (one.cable == two.cable || (together && two.time == one.time)) {
+      continue;
+    }
+    const double unsure = allowance.at(one.time) / one.speed + allowance.at(two.time) / two.speed;
+    if (two.time == one.time || two.time - one.time < guard_of_forks * unsure) {
+      return one.time;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The plain scheme with one shift of its first step.
+struct ShiftedRun {
+  PlainScheme scheme;
+  double first;       // [s], its first step
+  double time = 0.0;  // [s]
+  double worst = 0.0; // [m]
+};
+
+}  // namespace
+
+double AlongMotion::at(double time) const {
+  const auto found = std::lower_bound(times.begin(), times.end(), time);
+  return found == times.end() ? values.back()
+                              : values[static_cast<std::size_t>(found - times.begin())];
+}
+
+Yardstick yardstick(const ReferenceCase& reference, double step, const std::vector<double>& times,
+                    double enough) {
+  const Solution& solution = reference.solution;
+  const double end = solution.end_time();
+  const int count = times.back() / step > many_steps ? few_shifts : shifts;
+  std::vector<ShiftedRun> runs;
+  for (const auto acts : {PlainScheme::Acts::late, PlainScheme::Acts::early}) {
+    for (int shift = 0; shift < count; ++shift) {
+      runs.push_back({PlainScheme(reference.the_case, acts), step * (shift + 0.5) / count});
+    }
+  }
+  Yardstick result;
+  for (const double until : times) {
+    double worst = 0.0;
+    double sum = 0.0;
+    for (ShiftedRun& run : runs) {
+      while (run.time < until) {
+        const double dt = run.time == 0.0 ? run.first : step;
+        run.scheme.step(dt);
+        run.time += dt;
+        if (run.time <= end) {
+          run.worst = std::max(
+              run.worst,
+              (run.scheme.state().position - solution.at(run.time).position).norm());
+        }
+      }
+      worst = std::max(worst, run.worst);
+      sum += run.worst;
+    }
+    result.worst.push_back(worst);
+    result.mean.push_back(sum / static_cast<double>(runs.size()));
+    if (!(worst < enough)) {
+      break;
+    }
+  }
+  return result;
+}
+
+Expectation::Expectation(const ReferenceCase& reference)
+    : reference_(reference),
+      end_(std::min(reference.solution.end_time(), reference.horizon)) {
+  follow();
+}
+
+/// Carries what a step and what rounding is off by along the motion.
+void Expectation::follow() {
+  const Case& the_case = reference_.the_case;
+  const Solution& solution = reference_.solution;
+  const std::vector<double> times = instants(solution, end_);
+  double fastest = 0.0;  // [m/s], of a cable
+  double spin = 0.0;     // [rad/s], the largest
+  double angle = 1.0;    // [rad]
+  for (const Event& event : solution.events()) {
+    fastest = std::max(fastest, closing_speed(the_case, event));
+  }
+  speed_ = fastest;
+  acceleration_ = the_case.gravity.norm();
+  for (const double time : times) {
+    const State state = solution.at(time);
+    speed_ = std::max(speed_, state.velocity.norm());
+    extent_ = std::max(extent_, state.position.norm());
+    spin = std::max(spin, std::abs(state.spin));
+    angle = std::max(angle, std::abs(state.angle));
+  }
+  StateVector rounding;
+  rounding << extent_, extent_, angle, speed_, speed_, spin;
+  const StateMatrix squares = rounding.cwiseAbs2().asDiagonal();
+  const Sensitivity sensitivity(the_case, solution, reference_.law);
+  const std::vector<Arc> arcs = solution.arcs_until(end_);
+  std::vector<StateVector> parts_of_error;  // of impacts and arcs
+  StateMatrix of_steps = StateMatrix::Zero();
+  StateMatrix of_events = squares;
+  double largest = 0.0;
+  double largest_of_steps = 0.0;
+  double largest_of_events = 0.0;
+  const auto note = [&](double time) {
+    double sum = 0.0;
+    for (const StateVector& part : parts_of_error) {
+      sum += part.head<2>().norm();
+    }
+    largest = std::max(largest, sum);
+    largest_of_steps = std::max(largest_of_steps, of_steps.topLeftCorner<2, 2>().trace());
+    largest_of_events = std::max(largest_of_events, of_events.topLeftCorner<2, 2>().trace());
+    for (auto* along : {&tangent_, &by_steps_, &by_events_}) {
+      along->times.push_back(time);
+    }
+    tangent_.values.push_back(largest);
+    by_steps_.values.push_back(largest_of_steps);
+    by_events_.values.push_back(largest_of_events);
+  };
+  note(0.0);
+  std::size_t arc = 0;
+  std::size_t event = 0;
+  const auto& events = solution.events();
+  bool fresh = true;  // no part for the arc yet
+  for (std::size_t place = 1; place < times.size(); ++place) {
+    const double start = times[place - 1];
+    const double length = times[place] - start;
+    while (arc + 1 < arcs.size() && arcs[arc].end <= start) {
+      ++arc;
+      fresh = true;
+    }
+    if (fresh) {
+      parts_of_error.emplace_back(StateVector::Zero());
+      fresh = false;
+    }
+    const Arc& here = arcs[arc];
+    const double middle = start - here.start + 0.5 * length;
+    parts_of_error.back() += length * defect(here, middle, 0.25 * length, the_case.gravity);
+    if (!here.taut.empty()) {
+      const Vec2 change = here.after(middle + 0.25 * length, the_case.gravity).velocity -
+                          here.after(middle - 0.25 * length, the_case.gravity).velocity;
+      acceleration_ = std::max(acceleration_, change.norm() / (0.5 * length));
+    }
+    of_steps += length * squares;
+    const StateMatrix flow = sensitivity.between(start, times[place]);
+    if (!flow.allFinite()) {
+      break;  // no derivative exists: the yardstick alone says what is allowed
+    }
+    for (StateVector& part : parts_of_error) {
+      part = (flow * part).eval();
+    }
+    of_steps = (flow * of_steps * flow.transpose()).eval();
+    of_events = (flow * of_events * flow.transpose()).eval();
+    bool struck = false;
+    for (; event < events.size() && events[event].time <= times[place]; ++event) {
+      if (events[event].kind == EventKind::impact &&
+          closing_speed(the_case, events[event]) >= slow * fastest) {
+        const StateVector delayed = by_delay(reference_, events[event]);
+        parts_of_error.insert(parts_of_error.end() - 1, delayed);
+        struck = true;
+      }
+    }
+    if (struck) {
+      of_events += squares;
+    }
+    note(times[place]);
+  }
+}
+
+double Expectation::rounding_at(double time, double step) const {
+  return std::sqrt(by_steps_.at(time) / step + by_events_.at(time));
+}
+
+Allowance Expectation::made(double step) const {
+  const double enough = too_much * shortest_cable(reference_.the_case);
+  Allowance result;
+  result.step = step;
+  std::vector<double> times = instants(reference_.solution, end_);
+  Yardstick plain = yardstick(reference_, step, times, enough);
+  times.resize(plain.worst.size());
+  result.position = {times, std::move(plain.worst)};
+  for (std::size_t place = 0; place < times.size() && place < tangent_.times.size(); ++place) {
+    double& value = result.position.values[place];
+    value = std::max(value, step * tangent_.values[place]);
+  }
+  for (std::size_t place = 1; place < times.size(); ++place) {
+    double& value = result.position.values[place];
+    value = std::max(value, result.position.values[place - 1]);
+  }
+  const auto& values = result.position.values;
+  const auto grown = std::find_if(values.begin(), values.end(),
+                                  [enough](double value) { return value >= enough; });
+  result.barrier = grown != values.end() ? Barrier::growth : Barrier::end;
+  result.until =
+      grown != values.end() ? times[static_cast<std::size_t>(grown - values.begin())] : end_;
+  for (const auto& fork : {near_miss(reference_, result, result.until),
+                           swap_of_impacts(reference_, result, result.until)}) {
+    if (fork && *fork - 2.0 * step < result.until) {
+      result.until = std::max(0.0, *fork - 2.0 * step);
+      result.barrier = Barrier::fork;
+    }
+  }
+  return result;
+}
+
+Expectations expectations_of(const std::vector<ReferenceCase>& references) {
+  Expectations result;
+  for (const ReferenceCase& reference : references) {
+    result.emplace_back(reference);
+  }
+  return result;
+}
+
+const Allowance& Expectation::allowance(double step) const {
+  const std::scoped_lock lock(guard_);
+  const auto found = allowances_.find(step);
+  return found != allowances_.end() ? found->second
+                                    : allowances_.emplace(step, made(step)).first->second;
+}
+
+}  // namespace tautline::bench

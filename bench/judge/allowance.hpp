@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include "bench/measure/reference.hpp"
+
+namespace tautline::bench {
+
+// What any correct scheme with fixed steps may be off by in a case, from the exact motion of that
+// case alone: no table of cases, engines or models has a part in it.
+//
+// A scheme that comes to an impact late by a step, or flies with the first order of its step, is off
+// by
+//
+//     A(t; h) = h (sum over impacts |P S(t, t_i) d_i| + sum over arcs |integral P S(t, s) b(s) ds|)
+//
+// to first order, where d_i is the derivative of the state by a delay of impact i, b the defect of a
+// first-order scheme per unit of time, S the derivative of the motion and P its position rows. And a
+// plain correct scheme (PlainScheme) is off by Y(t; h) at most, over many shifts of its first step. A
+// misses impacts that swap and is infinite where no derivative exists; Y is blind where no shift
+// happens on the worst. They fail in different places: the larger of the two is allowed.
+
+/// Some numbers along a motion, of which the largest so far counts.
+struct AlongMotion {
+  std::vector<double> times;   // [s], rising, the first is 0
+  std::vector<double> values;  // one for each, never falling
+
+  /// At the first of the times that is not before `time`; after the last, the last.
+  [[nodiscard]] double at(double time) const;
+};
+
+/// Why no run is judged by its position after some instant.
+enum class Barrier {
+  end,        // nothing ends it before the exact motion does, or its horizon
+  growth,     // what a step may be off by has grown to a tenth of the shortest cable
+  fork,       // correct schemes may part: a near miss, or impacts of two cables that may swap
+};
+
+/// What a run with steps of `step` may be off by.
+struct Allowance {
+  double step = 0.0;       // [s]
+  AlongMotion position;    // [m]
+  double until = 0.0;      // [s]: a step-by-step model can follow the motion up to here
+  Barrier barrier = Barrier::end;  // why not for longer
+
+  /// At `time` [s]: as two steps later, as a scheme may be late by that.
+  [[nodiscard]] double at(double time) const { return position.at(time + 2.0 * step); }
+};
+
+/// The error of the plain scheme at some instants, over shifts of its first step.
+struct Yardstick {
+  std::vector<double> worst;  // [m], the largest of all shifts up to each instant
+  std::vector<double> mean;   // [m], of the largest of each
+};
+
+/// The error of the plain scheme on `reference` in steps of `step` [s], up to each of `times` [s],
+/// which rise; of the first ones alone once it has reached `enough` [m].
+[[nodiscard]] Yardstick yardstick(const ReferenceCase& reference, double step,
+                                  const std::vector<double>& times, double enough);
+
+/// What the exact motion of a case says of all runs of it. Any thread may ask.
+class Expectation {
+ public:
+  /// `reference` must outlive this.
+  explicit Expectation(const ReferenceCase& reference);
+
+  [[nodiscard]] const ReferenceCase& reference() const { return reference_; }
+
+  /// For runs with steps of `step` [s]: worked out when it is first asked for.
+  [[nodiscard]] const Allowance& allowance(double step) const;
+
+  /// How much rounding has grown to [m] at an instant: of numbers with a relative error of one, once
+  /// in each second and once at each event. Random roundings add up by their squares.
+  [[nodiscard]] double rounding_at(double time, double step) const;
+
+  /// The fastest that the body moves or a cable closes in the exact motion [m/s], and the largest
+  /// acceleration of the body [m/s^2].
+  [[nodiscard]] double speed() const { return speed_; }
+  [[nodiscard]] double acceleration() const { return acceleration_; }
+  /// The farthest that the body is from the origin [m].
+  [[nodiscard]] double extent() const { return extent_; }
+
+ private:
+  void follow();
+  [[nodiscard]] Allowance made(double step) const;
+
+  const ReferenceCase& reference_;
+  double end_;                    // [s], of what is judged
+  double speed_ = 0.0;            //
+  double acceleration_ = 0.0;     //
+  double extent_ = 0.0;           //
+  AlongMotion tangent_;           // [m / s], A for a step of one second
+  AlongMotion by_steps_;          // [m^2], of roundings in each second
+  AlongMotion by_events_;         // [m^2], of roundings at events
+  mutable std::map<double, Allowance> allowances_;
+  mutable std::mutex guard_;
+};
+
+/// Of each of `references`, which must outlive them.
+using Expectations = std::deque<Expectation>;
+[[nodiscard]] Expectations expectations_of(const std::vector<ReferenceCase>& references);
+
+}  // namespace tautline::bench

@@ -1,0 +1,247 @@
+#include "bench/judge/judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tautline/geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Roundings of floats and of doubles, relative to the largest number [-].
+constexpr double float_rounding = 6e-8;
+constexpr double double_rounding = 1.2e-16;
+
+/// Beside every allowance: of the shortest cable [-].
+constexpr double least_part = 1e-7;
+
+bool in_floats(std::string_view precision) { return precision == "float32"; }
+
+/// An impact of one cable in the exact motion, no other cable's at the same instant.
+struct ExactHit {
+  double time;         // [s]
+  std::size_t cable;   //
+  double speed;        // [m/s]
+  double rebound;      // [m/s]
+  double restitution;  // [-]
+  double change;       // [m/s^2], of the rate next to it
+  bool alone;          // no other cable is struck at the same instant
+};
+
+std::vector<ExactHit> exact_hits(const ReferenceCase& reference, double until) {
+  std::vector<ExactHit> hits;
+  const Case& the_case = reference.the_case;
+  for (const Event& event : reference.solution.events()) {
+    if (event.kind != EventKind::impact || event.time > until) {
+      continue;
+    }
+    for (const std::size_t index : event.cables) {
+      const Cable& cable = the_case.cables[index];
+      const double rate = gap_rate(cable, event.before);
+      hits.push_back({event.time, index, -rate, gap_rate(cable, event.after),
+                      restitution(cable, rate),
+                      change_of_rates(the_case, index, event.before, event.after),
+                      event.cables.size() == 1});
+    }
+  }
+  return hits;
+}
+
+/// Within what time of an exact impact a run has it [s], if it has it.
+double reach(const Allowance& allowance, const ExactHit& hit) {
+  return 2.5 * allowance.step + 1.5 * allowance.at(hit.time) / hit.speed;
+}
+
+const RecordedImpact* nearest(const Trajectory& run, const ExactHit& hit, double within) {
+  const RecordedImpact* found = nullptr;
+  for (const RecordedImpact& impact : run.impacts) {
+    const double distance = std::abs(impact.time - hit.time);
+    if (impact.cable == hit.cable && distance <= within &&
+        (found == nullptr || distance < std::abs(found->time - hit.time))) {
+      found = &impact;
+    }
+  }
+  return found;
+}
+
+/// Steps that a flight must last before a run that is taut for half of it says something.
+constexpr double least_flight = 8.0;
+
+/// The first exact impact with a rebound that lasts, after which the run stays taut.
+std::optional<StaysTaut> stays_taut(const Expectation& expectation, const Allowance& allowance,
+                                    const Trajectory& run) {
+  const double end = expectation.reference().solution.end_time();
+  const std::vector<ExactHit> hits = exact_hits(expectation.reference(), end);
+  for (std::size_t place = 0; place < hits.size(); ++place) {
+    const ExactHit& hit = hits[place];
+    if (hit.time > allowance.until) {
+      break;
+    }
+    double landing = end;
+    bool disturbed = !hit.alone;
+    for (std::size_t other = 0; other < hits.size(); ++other) {
+      if (other > place && hits[other].cable == hit.cable) {
+        landing = std::min(landing, hits[other].time);
+      }
+    }
+    for (const ExactHit& other : hits) {
+      disturbed = disturbed || (other.cable != hit.cable &&
+                                other.time > hit.time - 3.0 * run.step && other.time < landing);
+    }
+    const double flight = landing - hit.time;
+    if (disturbed || hit.rebound < 3.0 * hit.change * run.step ||
+        flight < least_flight * run.step || hit.restitution < 0.1) {
+      continue;
+    }
+    const RecordedImpact* const found = nearest(run, hit, reach(allowance, hit));
+    if (found == nullptr) {
+      break;
+    }
+    if (static_cast<double>(found->steps) * run.step >= 0.5 * flight) {
+      return StaysTaut{hit.speed};
+    }
+  }
+  return std::nullopt;
+}
+
+/// True where the run names the instants of all of its impacts itself.
+bool locates(const Trajectory& run) {
+  return !run.impacts.empty() &&
+         std::all_of(run.impacts.begin(), run.impacts.end(),
+                     [](const RecordedImpact& impact) { return impact.steps == 0; });
+}
+
+double first_taut_cable(const Solution& solution) {
+  for (const Event& event : solution.events()) {
+    if (event.kind == EventKind::taut) {
+      return event.time;
+    }
+  }
+  return solution.arcs().front().taut.empty() ? solution.end_time() : 0.0;
+}
+
+Following following(const Expectation& expectation, const Allowance& allowance,
+                    const Trajectory& run, std::string_view precision) {
+  const ReferenceCase& reference = expectation.reference();
+  const double shortest = shortest_cable(reference.the_case);
+  const double rounding = in_floats(precision) ? float_rounding : double_rounding;
+  const double taut = first_taut_cable(reference.solution);
+  Following result;
+  result.located = locates(run);
+  double worst = 0.0;
+  for (const Point& point : run.points) {
+    if (point.time > allowance.until) {
+      break;
+    }
+    result.until = point.time;
+    if (point.time <= 0.0) {
+      continue;
+    }
+    worst = std::max(
+        worst,
+        (point.state.position - reference.solution.at(point.time).position).norm());
+    const double grown = rounding * expectation.rounding_at(point.time, run.step);
+    const double allowed =
+        allowance.at(point.time) + least_part * shortest +
+        (in_floats(precision) ? float_rounding * expectation.extent() * point.time / run.step
+                              : 0.0);
+    if (!result.ratio || worst > *result.ratio * allowed) {
+      result.ratio = worst / allowed;
+      result.time = point.time;
+      result.error = worst;
+    }
+    if (result.located && point.time < taut) {
+      result.rounding = std::max(result.rounding.value_or(0.0), worst / grown);
+    }
+  }
+  return result;
+}
+
+Expected expected(const Expectation& expectation, const Allowance& allowance,
+                  const Trajectory& run) {
+  const double last = run.stop ? run.stop->time : run.points.back().time;
+  const double until = std::min(allowance.until, last - 5.0 * run.step);
+  // one more than is judged: what follows the last too closely makes it unsure
+  const std::vector<ExactHit> hits =
+      exact_hits(expectation.reference(), expectation.reference().solution.end_time());
+  Expected result;
+  for (std::size_t place = 0; place < hits.size() && hits[place].time <= until; ++place) {
+    const ExactHit& hit = hits[place];
+    double room = std::numeric_limits<double>::infinity();  // [s], to the nearest other impact
+    if (place > 0) {
+      room = hit.time - hits[place - 1].time;
+    }
+    if (place + 1 < hits.size()) {
+      room = std::min(room, hits[place + 1].time - hit.time);
+    }
+    const double within = reach(allowance, hit);
+    if (!hit.alone || room < 4.0 * run.step || within > 0.5 * room ||
+        hit.speed < 5.0 * run.step * hit.change) {
+      continue;
+    }
+    ++result.due;
+    result.missed += nearest(run, hit, within) == nullptr ? 1U : 0U;
+  }
+  return result;
+}
+
+/// The largest rise of the energy outside of contacts [J].
+double largest_rise(const Case& the_case, const Trajectory& run) {
+  constexpr double margin = 1.01;  // steps around a contact
+  double least = energy(the_case, run.points.front().state);
+  double rise = 0.0;
+  double busy = -std::numeric_limits<double>::infinity();  // [s], until a contact has ended
+  auto contact = run.impacts.begin();
+  for (const Point& point : run.points) {
+    for (; contact != run.impacts.end() && contact->time - margin * run.step < point.time;
+         ++contact) {
+      const double steps = static_cast<double>(std::max<std::size_t>(1, contact->steps));
+      busy = std::max(busy, contact->time + (steps + margin) * run.step);
+    }
+    if (point.time < busy) {
+      continue;
+    }
+    const double now = energy(the_case, point.state);
+    least = std::min(least, now);
+    rise = std::max(rise, now - least);
+  }
+  return rise;
+}
+
+}  // namespace
+
+Judgement judge(const Expectation& expectation, const Trajectory& run,
+                const std::vector<AuditedImpact>& impacts, std::string_view precision) {
+  const Case& the_case = expectation.reference().the_case;
+  const Allowance& allowance = expectation.allowance(run.step);
+  Judgement result;
+  result.rebounds = rebounds_of(impacts, stays_taut(expectation, allowance, run));
+  result.following = following(expectation, allowance, run, precision);
+  result.impacts = expected(expectation, allowance, run);
+  const double speed = expectation.speed() + expectation.acceleration() * run.step;
+  const double steps = run.points.back().time / run.step;
+  const double floats = in_floats(precision) ? float_rounding : 0.0;
+  result.overstretch =
+      run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
+                         floats * expectation.extent() * std::sqrt(steps));
+  const double start = std::abs(energy(the_case, the_case.initial));
+  const double weight =
+      the_case.body.mass * expectation.acceleration() * std::max(1.0, expectation.extent());
+  result.energy =
+      largest_rise(the_case, run) /
+      (the_case.body.mass * expectation.acceleration() * expectation.speed() * run.step +
+       1e-9 * start + 1e-6 * kinetic_energy(the_case.body, the_case.initial) +
+       floats * std::max(start, weight) * std::sqrt(steps));
+  return result;
+}
+
+std::size_t readable_impacts(const ReferenceCase& reference, double step) {
+  const std::vector<ExactHit> hits = exact_hits(reference, reference.solution.end_time());
+  return static_cast<std::size_t>(
+      std::count_if(hits.begin(), hits.end(), [step](const ExactHit& hit) {
+        return hit.alone && step * hit.change <= readable_part * hit.speed;
+      }));
+}
+
+}  // namespace tautline::bench

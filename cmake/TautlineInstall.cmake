@@ -32,13 +32,13 @@ endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 install(FILES THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES CITATION.cff VALIDATION.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/ci-recipe.md docs/program.md docs/recipes.md docs/report.md docs/scaling.md docs/trend.svg
+install(FILES docs/guides/ci-recipe.md docs/reference/program.md docs/guides/recipes.md docs/reference/report.md docs/guides/scaling.md docs/reference/trend.svg
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/recipes DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/tutorials/any-language.md docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
+install(DIRECTORY docs/guides/recipes DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/start/any-language.md docs/start/engine-maintainer.md docs/start/researcher.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials)
-install(FILES docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
-install(FILES docs/tutorials/simulation-author.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials
+install(FILES docs/guides/cables.md docs/guides/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+install(FILES docs/start/simulation-author.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials
   COMPONENT development)
 # the protocol and its kits, for engines in a process of their own
 install(DIRECTORY engines/protocol/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/protocol

@@ -87,10 +87,10 @@ if(NOT PROGRAM)
   return()
 endif()
 
-# the project of docs/api.md reads case files, says all that is wrong with one, and writes one
+# the project of docs/reference/api.md reads case files, says all that is wrong with one, and writes one
 set(mine "${WORK_DIR}/mine")
 foreach(file IN ITEMS CMakeLists.txt main.cpp)
-  block_of(text "${SOURCE_DIR}/docs/api.md" "file: ${file}")
+  block_of(text "${SOURCE_DIR}/docs/reference/api.md" "file: ${file}")
   file(WRITE "${mine}/${file}" "${text}")
 endforeach()
 build_project("${mine}" "${mine}/build")
@@ -100,7 +100,7 @@ foreach(file IN ITEMS ball softer)  # what it has written is read as well
   execute_process(COMMAND "${mine}/build/mine" "${mine}/${file}.toml" "${mine}/softer.toml"
     OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
   if(NOT said STREQUAL "first impact at 1.000000 s\n")
-    message(FATAL_ERROR "the ball of ${file}.toml falls for 1 s, the project of docs/api.md says\n${said}")
+    message(FATAL_ERROR "the ball of ${file}.toml falls for 1 s, the project of docs/reference/api.md says\n${said}")
   endif()
 endforeach()
 file(WRITE "${mine}/wrong.toml" "name = 3\nduration = -1\n")
@@ -133,6 +133,6 @@ if(python)
     "${SOURCE_DIR}/scripts/test-tutorials" "${prefix}")
 endif()
 
-# the workflow that docs/ci-recipe.md gives to the maintainer of an engine
+# the workflow that docs/guides/ci-recipe.md gives to the maintainer of an engine
 run("${CMAKE_COMMAND}" -E env "CXXFLAGS=${FLAGS}" "Eigen3_DIR=${EIGEN_DIR}"
   "${SOURCE_DIR}/scripts/test-recipe" "${prefix}")

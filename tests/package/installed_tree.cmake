@@ -70,18 +70,28 @@ function(block_of result page mark)
 endfunction()
 
 # so do the programs on the page about cables, each in the place of an example's
-if(NOT EXISTS "${prefix}/${EXAMPLE_DIR}/../cables.svg")
-  message(FATAL_ERROR "the picture of cables.md is not installed")
-endif()
+set(documents "${prefix}/${EXAMPLE_DIR}/..")
 foreach(example IN LISTS EXAMPLES)
   string(REPLACE "_crane" "" engine ${example})
-  block_of(program "${prefix}/${EXAMPLE_DIR}/../cables.md" "program of: ${engine}")
+  block_of(program "${documents}/docs/guides/cables.md" "program of: ${engine}")
   file(COPY "${prefix}/${EXAMPLE_DIR}/${example}/" DESTINATION "${WORK_DIR}/page_${engine}")
   file(WRITE "${WORK_DIR}/page_${engine}/main.cpp" "${program}")
   build_project("${WORK_DIR}/page_${engine}" "${WORK_DIR}/page_${engine}/build"
     -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
   run("${WORK_DIR}/page_${engine}/build/${example}")
 endforeach()
+
+# no link of a page or of the site is dead, and what the pages name is there
+find_program(python python3)
+if(python)
+  run("${SOURCE_DIR}/scripts/check-links" "${documents}")
+  foreach(file IN ITEMS README.md VALIDATION.md docs/error.svg docs/results/engines.md docs/results/findings/pull.toml
+      docs/guides/ensembles/engines.toml docs/guides/recipes/floor.toml)
+    if(NOT EXISTS "${documents}/${file}")
+      message(FATAL_ERROR "${file} is not installed")
+    endif()
+  endforeach()
+endif()
 
 if(NOT PROGRAM)
   return()
@@ -127,7 +137,6 @@ run("${prefix}/${PROGRAM}" run bouncing-ball --engine "${WORK_DIR}/build/still.s
   --step 0.01)
 
 # the tutorials: an engine of one's own is built, checked and run on the bench; a crane; a case
-find_program(python python3)
 if(python)
   run("${CMAKE_COMMAND}" -E env "CXXFLAGS=${FLAGS}" "Eigen3_DIR=${EIGEN_DIR}"
     "${SOURCE_DIR}/scripts/test-tutorials" "${prefix}")

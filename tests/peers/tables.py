@@ -127,8 +127,8 @@ is to tautline's median. "Longest step" is the limit on the step that each libra
 The table is about {motions} shipped cases on one or two cables with a slack start. It counts their first impacts, at most
 {most} of each case and {impacts} in all, as long as flights last more than 2 ms. The right instants come from the same doubles
 in 40 digits. A library *follows* an impact if it follows all before it, has the right cables and is off by less than 1 ms.
-tautline's time is that of `solve`, with its list of arcs and events. The time of a library is that of the whole run, with its
-set-up for a case.
+tautline's time is the time of `solve`, with its list of arcs and events. The time of a library is the time of the whole run,
+with its set-up for a case.
 
 {cost}
 

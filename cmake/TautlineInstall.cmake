@@ -30,19 +30,28 @@ if(TARGET tautline)
 endif()
 # Debian's packages have a file `copyright` of their own in place of the licence
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
-install(FILES THIRD_PARTY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES CITATION.cff VALIDATION.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/ci-recipe.md docs/program.md docs/recipes.md docs/report.md docs/scaling.md docs/trend.svg
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/recipes DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/tutorials/any-language.md docs/tutorials/engine-maintainer.md docs/tutorials/researcher.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials)
-install(FILES docs/cables.md docs/cables.svg DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
-install(FILES docs/tutorials/simulation-author.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/tutorials
-  COMPONENT development)
-# the protocol and its kits, for engines in a process of their own
+install(FILES THIRD_PARTY.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# the pages, with links that lead to what is installed, and the site that scripts/site makes of them
+find_program(TAUTLINE_PYTHON python3)
+if(TAUTLINE_PYTHON)
+  set(documents "${PROJECT_BINARY_DIR}/documents")
+  add_custom_command(OUTPUT "${documents}/docs/README.md"
+    COMMAND "${CMAKE_COMMAND}" -E rm -rf "${documents}"  # pages of another name
+    COMMAND "${TAUTLINE_PYTHON}" "${PROJECT_SOURCE_DIR}/scripts/site" --installed "${documents}"
+      --depfile "${PROJECT_BINARY_DIR}/generated/documents.d"
+    DEPFILE "${PROJECT_BINARY_DIR}/generated/documents.d"
+    DEPENDS scripts/site scripts/links.py
+    COMMENT "Writing the documents"
+    VERBATIM)
+  add_custom_target(tautline_documents ALL DEPENDS "${documents}/docs/README.md")
+  install(DIRECTORY "${documents}/" DESTINATION ${CMAKE_INSTALL_DOCDIR})
+else()
+  message(STATUS "documents: left out of what is installed (no python3)")
+endif()
+# the protocol and its kits, for engines in a process of their own; its page is among the documents
 install(DIRECTORY engines/protocol/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/protocol
-  PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE PATTERN node_modules EXCLUDE)
+  PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE PATTERN node_modules EXCLUDE
+  REGEX "protocol/README.md$" EXCLUDE)
 # projects of their own, to copy: each finds this tree with find_package(tautline)
 foreach(example IN ITEMS own_engine bullet_crane ode_crane)
   install(DIRECTORY engines/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples

@@ -110,6 +110,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 if(TARGET tautline_cases)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libtomlplusplus-dev")
 endif()
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tautline ${same_version}, cmake, pkg-config, libbullet-dev, libode-dev")
+# the program's package has the guide to the cables
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "tautline ${same_version}")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "cmake, pkg-config, libbullet-dev, libode-dev")
 
 include(CPack)

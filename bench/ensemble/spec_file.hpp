@@ -18,8 +18,8 @@ struct SpecReading {
   std::vector<std::string> notes = {};  // on the case's start, if it was changed to be taut
 };
 
-/// Reads the file of `tautline ensemble` (docs/ensembles.md), as strictly as a case file. A path in
-/// it counts from the folder that it is in. `other_case` replaces the case that it names.
+/// Reads the file of `tautline ensemble` (docs/guides/ensembles.md), as strictly as a case file. A
+/// path in it counts from the folder that it is in. `other_case` replaces the case that it names.
 [[nodiscard]] SpecReading read_spec_file(const std::filesystem::path& path,
                                          const std::optional<std::string>& other_case = {});
 

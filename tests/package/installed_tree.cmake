@@ -70,12 +70,10 @@ function(block_of result page mark)
 endfunction()
 
 # so do the programs on the page about cables, each in the place of an example's
-if(NOT EXISTS "${prefix}/${EXAMPLE_DIR}/../cables.svg")
-  message(FATAL_ERROR "the picture of cables.md is not installed")
-endif()
+set(documents "${prefix}/${EXAMPLE_DIR}/..")
 foreach(example IN LISTS EXAMPLES)
   string(REPLACE "_crane" "" engine ${example})
-  block_of(program "${prefix}/${EXAMPLE_DIR}/../cables.md" "program of: ${engine}")
+  block_of(program "${documents}/docs/guides/cables.md" "program of: ${engine}")
   file(COPY "${prefix}/${EXAMPLE_DIR}/${example}/" DESTINATION "${WORK_DIR}/page_${engine}")
   file(WRITE "${WORK_DIR}/page_${engine}/main.cpp" "${program}")
   build_project("${WORK_DIR}/page_${engine}" "${WORK_DIR}/page_${engine}/build"
@@ -83,14 +81,26 @@ foreach(example IN LISTS EXAMPLES)
   run("${WORK_DIR}/page_${engine}/build/${example}")
 endforeach()
 
+# no link of a page or of the site is dead, and what the pages name is there
+find_program(python python3)
+if(python)
+  run("${SOURCE_DIR}/scripts/check-links" "${documents}")
+  foreach(file IN ITEMS README.md VALIDATION.md docs/error.svg docs/results/engines.md docs/results/findings/pull.toml
+      docs/guides/ensembles/engines.toml docs/guides/recipes/floor.toml)
+    if(NOT EXISTS "${documents}/${file}")
+      message(FATAL_ERROR "${file} is not installed")
+    endif()
+  endforeach()
+endif()
+
 if(NOT PROGRAM)
   return()
 endif()
 
-# the project of docs/api.md reads case files, says all that is wrong with one, and writes one
+# the project of docs/reference/api.md reads case files, says all that is wrong with one, and writes one
 set(mine "${WORK_DIR}/mine")
 foreach(file IN ITEMS CMakeLists.txt main.cpp)
-  block_of(text "${SOURCE_DIR}/docs/api.md" "file: ${file}")
+  block_of(text "${SOURCE_DIR}/docs/reference/api.md" "file: ${file}")
   file(WRITE "${mine}/${file}" "${text}")
 endforeach()
 build_project("${mine}" "${mine}/build")
@@ -100,7 +110,7 @@ foreach(file IN ITEMS ball softer)  # what it has written is read as well
   execute_process(COMMAND "${mine}/build/mine" "${mine}/${file}.toml" "${mine}/softer.toml"
     OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
   if(NOT said STREQUAL "first impact at 1.000000 s\n")
-    message(FATAL_ERROR "the ball of ${file}.toml falls for 1 s, the project of docs/api.md says\n${said}")
+    message(FATAL_ERROR "the ball of ${file}.toml falls for 1 s, the project of docs/reference/api.md says\n${said}")
   endif()
 endforeach()
 file(WRITE "${mine}/wrong.toml" "name = 3\nduration = -1\n")
@@ -127,12 +137,11 @@ run("${prefix}/${PROGRAM}" run bouncing-ball --engine "${WORK_DIR}/build/still.s
   --step 0.01)
 
 # the tutorials: an engine of one's own is built, checked and run on the bench; a crane; a case
-find_program(python python3)
 if(python)
   run("${CMAKE_COMMAND}" -E env "CXXFLAGS=${FLAGS}" "Eigen3_DIR=${EIGEN_DIR}"
     "${SOURCE_DIR}/scripts/test-tutorials" "${prefix}")
 endif()
 
-# the workflow that docs/ci-recipe.md gives to the maintainer of an engine
+# the workflow that docs/guides/ci-recipe.md gives to the maintainer of an engine
 run("${CMAKE_COMMAND}" -E env "CXXFLAGS=${FLAGS}" "Eigen3_DIR=${EIGEN_DIR}"
   "${SOURCE_DIR}/scripts/test-recipe" "${prefix}")

@@ -107,42 +107,47 @@ CHART = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 660 390" font-fa
 </svg>
 """
 
-PAGE = """# Beside libraries that locate events
+PAGE = """# Compared with libraries that locate events
 
-Written by `scripts/bench-peers --arcs {arcs} --rounds {rounds} --write`. Every figure is of one run on one machine
-({machine}); times are processor times as ratios to tautline's in the same round, medians of {rounds} rounds.
+tautline finds every impact in the second table, and the libraries that integrate in steps miss most of the shallow ones. The
+first table compares the error and the cost of an impact. `scripts/bench-peers --arcs {arcs} --rounds {rounds} --write` makes
+this page. Each figure comes from one run on one machine ({machine}). Times are processor times, as ratios to tautline's in
+the same round, and medians of {rounds} rounds.
 
 {versions}
 
-All have the same motion and Newton's law for impacts: detection and integration are compared. CVODE, Odeint and SciPy
-are given the analytic rate of the state; Siconos and Simbody find it from mass and force, as they do for a system of many
-bodies. What an impact does is the same function for CVODE, Odeint and Simbody. What is in C and C++ is compiled by the
-same compiler with the release flags. SciPy's times include those of Python, in which rate, gaps and impact are written;
-its ratio is to tautline's median. "Longest step" is the bound that each library offers for this purpose.
+All libraries have the same motion and Newton's law for impacts, so the tables compare detection and integration. CVODE,
+Odeint and SciPy get the analytic rate of the state. Siconos and Simbody compute it from mass and force, as they do for a
+system of many bodies. CVODE, Odeint and Simbody call the same function for an impact. The same compiler, with the release
+flags, compiles everything in C and C++. SciPy's times include Python, in which rate, gaps and impact are written; its ratio
+is to tautline's median. "Longest step" is the limit on the step that each library offers for this purpose.
 
 ## Error and cost
 
-{motions} shipped cases on one or two cables, their first impacts from a slack start, {most} at most and {impacts} in
-all, as long as flights last more than 2 ms. The right instants are those of the same doubles in 40 digits. An
-impact is followed if all before it are, its cables are right and it is off by less than 1 ms. tautline's time is that of `solve`, with its
-list of arcs and events; a peer's is that of the whole run, its set-up for a case included.
+The table is about {motions} shipped cases on one or two cables with a slack start. It counts their first impacts, at most
+{most} of each case and {impacts} in all, as long as flights last more than 2 ms. The right instants come from the same doubles
+in 40 digits. A library *follows* an impact if it follows all before it, has the right cables and is off by less than 1 ms.
+tautline's time is the time of `solve`, with its list of arcs and events. The time of a library is the time of the whole run,
+with its set-up for a case.
 
 {cost}
 
 ![Error and cost of an impact](peers.svg)
 
 A flight is a polynomial of second degree and a steady turn. A Runge-Kutta method of fifth order integrates it without an
-error, whatever the step, so that errors say little here of what it does on other problems, and a long step is
-cheap. What a long step costs is in the next table.
+error at any step. So the errors say little about other problems, and a long step is cheap. The next table shows the
+price of a long step.
 
 ## Impacts that are missed
 
-{arcs} flights (seed {seed}; Siconos and Simbody fly the first 10000, SciPy 1000) whose one cable is overrun by
-1e-12 to 1e-2 of its length, once, and opens again. Each has an impact: the gap is positive at the start, and at a known
-instant negative, by the depth in the table's head. It is missed if nothing is located nearer to that instant than the time that the gap is below zero. An integrator looks for a change of
-sign between its steps, so it misses what begins and ends within one; a bound on the step moves that limit, at
-its price, and no bound removes it. tautline's search steps by a bound of the gap's third derivative and cannot pass
-a root (`analytic/README.md`, section 3).
+The table counts missed impacts in {arcs} flights (seed {seed}; Siconos and Simbody fly the first 10000, SciPy 1000). In each
+flight the one cable is once too long by 1e-12 to 1e-2 of its length, and then slack again. So each flight has an impact: the
+gap is positive at the start, and negative at a known instant, by the depth in the table's head. An impact is missed if nothing
+is located nearer to that instant than the time that the gap is below zero.
+
+An integrator looks for a change of sign between its steps, so it misses what begins and ends within one step. A limit on the
+step makes this rarer, at its price, but no limit prevents it. tautline's search steps by a bound of the gap's third
+derivative and cannot pass a root ([the mathematics](../../analytic/README.md), section 3).
 
 {missed}
 """

@@ -21,6 +21,13 @@ class CheckEnglish(Planted):
         self.assertIn("comments of bench/ have a word of WORDS", found)
         self.assertIn("comments of bench/ begin with Of|What|Where|The same|Whether", found)
 
+    def test_names_a_word_on_a_page_and_not_in_its_code(self):
+        self.write("docs/page.md", "Any step.\n\n```\nwhatever\n```\n\n`so many`\n")
+        self.says("check-english", 0)
+        self.write("README.md", "# tautline\n\nIt holds at any step, whatever the case.\n")
+        self.assertEqual(self.says("check-english", 1), 'check-english: README.md:3 has "whatever": for any, at every\n'
+                         "check-english: 1 such words in README.md, 0 at most\ncheck-english: 2 breaches\n")
+
     def test_takes_a_quoted_word_and_an_address_for_no_comment(self):
         self.write("bench/planted.cpp", 'auto planted = "https://example.org/of/it";\n' * 400)
         self.says("check-english", 0)

@@ -1,4 +1,4 @@
-// The case files of docs/recipes.md, held to the closed form that the page names for each.
+// The case files of docs/guides/recipes.md, held to the closed form that the page names for each.
 
 #include <gtest/gtest.h>
 

@@ -223,7 +223,7 @@ TEST(EnsembleSpec, ThoseToStartFromAreSound) {
     EXPECT_TRUE(reading.spec) << reading.problems.front();
     ++count;
   }
-  EXPECT_EQ(count, 8U) << "as docs/ensembles.md says";
+  EXPECT_EQ(count, 8U) << "as docs/guides/ensembles.md says";
 }
 
 TEST(EnsembleSpec, PathsCountFromItsFolder) {

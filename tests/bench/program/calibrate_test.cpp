@@ -165,7 +165,7 @@ TEST_F(CalibrateTunable, RefusesWhatItCannotDo) {
   EXPECT_NE(backwards.errors.find("--speeds 2..1 is no range"), std::string::npos);
 }
 
-/// A block of docs/program.md that shows what a command prints.
+/// A block of docs/reference/program.md that shows what a command prints.
 struct Shown {
   std::vector<std::string> arguments;
   std::string output;
@@ -207,7 +207,7 @@ void expect_documented(const std::string& engine, int code) {
       ++blocks;
     }
   }
-  EXPECT_EQ(blocks, 1) << "of " << engine << " in docs/program.md";
+  EXPECT_EQ(blocks, 1) << "of " << engine << " in docs/reference/program.md";
 }
 
 // exit code 0: within the tolerance of the command

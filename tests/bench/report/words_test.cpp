@@ -51,7 +51,7 @@ TEST(VerdictWords, AreExplainedAlikeOnThePageInMarkdownOnATerminalAndInTheDocs) 
   const std::string page = plainly(report_html(report, {}, page_assets()));
   const std::string markdown = plainly(report_markdown(report));
   const std::string terminal = plainly(report_summary(report, true, unlimited));
-  const std::string recipe = plainly(content_of(docs / "ci-recipe.md"));
+  const std::string recipe = plainly(content_of(docs / "guides" / "ci-recipe.md"));
   for (const Word word : all_words) {
     const std::string said = std::string(to_string(word)) + ": " + std::string(meaning_of(word));
     EXPECT_NE(page.find(said), std::string::npos) << said;

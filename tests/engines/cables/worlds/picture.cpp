@@ -1,5 +1,5 @@
-// Draws docs/cables.svg: a load dropped into the slack of a drop-in cable, in fixed steps and by
-// events, over the closed form. Takes the file to write.
+// Draws docs/guides/cables.svg: a load dropped into the slack of a drop-in cable, in fixed steps
+// and by events, over the closed form. Takes the file to write.
 
 #include <fmt/format.h>
 

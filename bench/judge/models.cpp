@@ -118,8 +118,9 @@ std::string part_text(std::size_t part, std::size_t all) {
 
 std::string off_text(const Rebounds& rebounds) {
   const double deviation = rebounds.deviation.value_or(0.0);
-  return fmt::format("{:.2g} too {} ({})", std::abs(deviation), deviation > 0.0 ? "high" : "low",
-                     part_text(rebounds.off, rebounds.readable));
+  return fmt::format("{:.2g} too {} ({}){}", std::abs(deviation), deviation > 0.0 ? "high" : "low",
+                     part_text(rebounds.off, rebounds.readable),
+                     rebounds.speed ? fmt::format("; lost below {:.2g} m/s", *rebounds.speed) : "");
 }
 
 std::string word_text(const Rebounds& rebounds) {

@@ -55,6 +55,21 @@ std::optional<double> asked_by(const Impacts& impacts) {
              : std::optional(impacts.front().requested);
 }
 
+/// The speed up to which most impacts are lost; none where it is not so.
+std::optional<double> lost_up_to(const Impacts& impacts) {
+  double fastest = 0.0;
+  std::size_t lost = 0;
+  for (const AuditedImpact& impact : impacts) {
+    if (is_off(impact) && is_lost(impact)) {
+      fastest = std::max(fastest, impact.speed);
+      ++lost;
+    }
+  }
+  const std::size_t below = count_of(
+      impacts, [fastest](const AuditedImpact& impact) { return impact.speed <= fastest; });
+  return lost > 0 && part(lost, below) >= most ? std::optional(fastest) : std::nullopt;
+}
+
 /// The word where some impacts are off.
 Rebound word_on(const Impacts& impacts, Rebounds& result) {
   const auto off_and = [](const auto& also) {
@@ -66,19 +81,24 @@ Rebound word_on(const Impacts& impacts, Rebounds& result) {
     if (lost == impacts.size()) {
       return Rebound::none;
     }
-    double fastest = 0.0;
-    for (const AuditedImpact& impact : impacts) {
-      fastest = lost_and_off(impact) ? std::max(fastest, impact.speed) : fastest;
-    }
-    const std::size_t below = count_of(
-        impacts, [fastest](const AuditedImpact& impact) { return impact.speed <= fastest; });
-    result.speed = fastest;
-    return part(lost, below) >= most ? Rebound::lost_below : Rebound::loses_some;
+    result.speed = lost_up_to(impacts);
+    return result.speed ? Rebound::lost_below : Rebound::loses_some;
   }
+  // what is lost below a speed says nothing of the others
+  result.speed = lost_up_to(impacts);
+  Impacts others = impacts;
+  std::erase_if(others, [&](const AuditedImpact& impact) {
+    return result.speed && is_off(impact) && is_lost(impact);
+  });
   const auto above = [](const AuditedImpact& impact) { return impact.deviation() > 0.0; };
-  const std::size_t high = count_of(impacts, off_and(above));
-  const bool one_side = part(std::max(high, result.off - high), result.off) >= most;
-  return one_side && part(result.off, impacts.size()) >= half ? Rebound::off : Rebound::scatters;
+  const std::size_t off = count_of(others, is_off);
+  const std::size_t high = count_of(others, off_and(above));
+  const bool one_side = part(std::max(high, off - high), off) >= most;
+  if (!one_side || part(off, others.size()) < half) {
+    return Rebound::scatters;
+  }
+  result.deviation = median(listed(others, &AuditedImpact::deviation));
+  return Rebound::off;
 }
 
 }  // namespace

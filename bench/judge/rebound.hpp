@@ -31,7 +31,7 @@ struct Rebounds {
   std::optional<double> asked;      // [-], the restitution, where it is the same for all
   std::optional<double> slowest;    // [m/s], of the readable ones
   std::optional<double> deviation;  // [-], median of e got less e asked
-  std::optional<double> speed;      // [m/s]: up to it rebounds are lost; with `stays_taut` of that impact
+  std::optional<double> speed;      // [m/s]: up to it they are lost; with `stays_taut` of that impact
   bool stays_taut = false;          // after an impact that ought to have thrown the body back
   double steps = 0.0;               // that an impact takes, median
 

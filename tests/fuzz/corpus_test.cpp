@@ -13,7 +13,7 @@
 
 #include "bench/check/contract.hpp"
 #include "bench/ensemble/spec_file.hpp"
-#include "bench/gate/limits.hpp"
+#include "bench/gate/listed_problems.hpp"
 #include "bench/report/json/json.hpp"
 #include "bench/run/wire.hpp"
 #include "bench/store/manifest.hpp"
@@ -66,7 +66,7 @@ TEST(FuzzSeeds, AreAccepted) {
   const std::filesystem::path files = corpus / "files";
   expect_none(read_case_text(content(files / "case.toml"), "case.toml").problems);
   expect_none(bench::read_spec_text(content(files / "spec.toml"), "spec.toml").problems);
-  expect_none(bench::read_limits_text(content(files / "limits.toml"), "limits.toml").problems);
+  expect_none(bench::read_problems_text(content(files / "problems.toml"), "problems.toml").problems);
   expect_none(bench::read_contract(content(files / "contract.toml"), "contract.toml", {}).problems);
 
   const std::filesystem::path reports = corpus / "reports";

@@ -3,7 +3,7 @@
 #include "bench/cases/literals.hpp"
 #include "bench/check/contract.hpp"
 #include "bench/ensemble/spec_file.hpp"
-#include "bench/gate/limits.hpp"
+#include "bench/gate/listed_problems.hpp"
 #include "fuzz/targets.hpp"
 #include "tautline/case_file.hpp"
 
@@ -34,9 +34,9 @@ void read_as_spec(std::string_view text) {
   }
 }
 
-void read_as_limits(std::string_view text) {
-  const bench::LimitsReading reading = bench::read_limits_text(text, "input.toml");
-  require_sentences(reading.problems, !reading.limits);
+void read_as_problems(std::string_view text) {
+  const bench::ProblemsReading reading = bench::read_problems_text(text, "input.toml");
+  require_sentences(reading.problems, !reading.listed);
 }
 
 void read_as_contract(std::string_view text) {
@@ -50,7 +50,7 @@ void fuzz_files(std::string_view input) {
   if (input.size() <= longest_case_file) {  // a longer file is not read
     read_as_case(input);
     read_as_spec(input);
-    read_as_limits(input);
+    read_as_problems(input);
     read_as_contract(input);
   }
 }

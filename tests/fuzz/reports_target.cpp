@@ -4,7 +4,7 @@
 
 #include "bench/gate/changes.hpp"
 #include "bench/gate/changes_output.hpp"
-#include "bench/gate/limits.hpp"
+#include "bench/gate/listed_problems.hpp"
 #include "bench/gate/trend.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/report/json/json.hpp"
@@ -27,10 +27,10 @@ void use(bench::Report report, const bench::Replay& replay) {
   const bench::Trend trend = bench::trend({report, report}, {"one.json", "two.json"});
   static_cast<void>(bench::trend_text(trend, true, bench::unlimited) + bench::trend_json(trend));
 
-  static const bench::Limits limits = bench::shipped_limits();
-  bench::add_verdicts(report, limits);
+  static const bench::ListedProblems listed = bench::shipped_problems();
+  bench::add_verdicts(report, listed);
   static_cast<void>(bench::report_markdown(report) +
-                    bench::report_summary(report, bench::unlimited));
+                    bench::report_summary(report, true, bench::unlimited));
 }
 
 }  // namespace

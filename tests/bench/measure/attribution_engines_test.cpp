@@ -162,12 +162,12 @@ TEST(AttributionOfEngines, AgreesWithWhatTheAuditFinds) {
   std::size_t thresholds = 0;
   for (const json& finding : report.at("findings")) {
     const auto share = [&](const char* cause) { return mean_share(report, finding, 1e-3, cause); };
-    if (finding.at("kind") == "restitution-ignored") {
+    if (finding.at("kind") == "none") {
       ++ignored;
       EXPECT_GT(share("restitution_ignored"), 0.5) << finding;
       EXPECT_EQ(share("threshold"), 0.0) << finding;
       EXPECT_LT(share("solver_residual"), 0.2) << finding;
-    } else if (finding.at("kind") == "threshold") {
+    } else if (finding.at("kind") == "lost-below") {
       ++thresholds;
       EXPECT_GT(share("threshold"), 0.0) << finding;
       EXPECT_EQ(share("restitution_ignored"), 0.0) << finding;

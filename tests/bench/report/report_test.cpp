@@ -85,7 +85,7 @@ TEST(Report, ARunThatStopsAtItsFirstTautCableIsNoFailure) {
   const TemporaryFolder out;
   const Outcome outcome = program(
       {"bench", "breakwater/1510121100", "--engines", "exact," + bad_engine("no-taut-motion"),
-       "--models", "event,only", "--steps", "1e-2", "--out", (out.path() / "r").string()});
+       "--models", "event,only", "--steps", "1e-2", "--all", "--out", (out.path() / "r").string()});
   const json report = json::parse(content_of(out.path() / "r/report.json"));
   ASSERT_EQ(report.at("runs").size(), 2U);
   EXPECT_EQ(outcome.code, 0) << outcome.errors;

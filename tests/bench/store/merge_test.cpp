@@ -170,16 +170,14 @@ TEST_F(Merge, WithoutARunOfAShardReportsTheOthersAndSaysSo) {
   EXPECT_EQ(report_in(path("torn")).at("runs").size(), small_suite_runs - 1);
 }
 
-TEST_F(Merge, JudgesByTheLimitsOfItsGateAsBenchDoes) {
-  const std::string limits = folder->file("limits.toml", R"(schema = 1
+TEST_F(Merge, JudgesByTheProblemsOfItsGateAsBenchDoes) {
+  const std::string limits = folder->file("problems.toml", R"(schema = 2
 version = "1"
-[[limits]]
+[[problem]]
 engine = "bullet64"
 model = "row"
-metric = "overstretch"
-limit = 1e-9
-unit = "m"
-reason = "nothing with fixed steps can keep it"
+kind = "overstretch"
+reason = "it has none, which breaks the gate"
 )");
   const Outcome whole =
       program(small_suite + Words{"--gate", limits, "--out", path("gated").string()});

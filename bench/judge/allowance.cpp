@@ -37,7 +37,7 @@ constexpr double no_gap = 1e-7;
 /// Shifts of the first step, of either way to act; in very many steps fewer.
 constexpr int shifts = 16;
 constexpr int few_shifts = 6;
-constexpr double many_steps = 30000.0;
+constexpr double many_steps = 20000.0;
 
 using StateVector = Eigen::Matrix<double, 6, 1>;
 

@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
+#include "bench/base/process.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/request.hpp"
@@ -10,6 +12,7 @@
 #include "bench/report/words.hpp"
 #include "bench/store/manifest.hpp"
 #include "bench/store/shard.hpp"
+#include "bench/suite/step_search.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -29,10 +32,32 @@ std::string what_was_done(const Request& request, const SuiteResult& result,
                      (context.program_memory + request.options.jobs * context.worker_memory) / 1e6);
 }
 
+/// Which step each model needs.
+int within_command(const Request& request) {
+  const SuiteOptions& options = request.options;
+  const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
+  catch_interruption();
+  bool first = true;
+  for (const ReferenceCase& reference : references) {
+    const StepNeeded needed = step_needed(reference, *request.within);
+    std::vector<StepFound> found = search_steps(options, reference, needed);
+    if (interruption()) {
+      complain({"interrupted"});
+      return exit_failed;
+    }
+    fmt::print("{}{}", first ? "" : "\n", steps_text(reference, needed, std::move(found)));
+    first = false;
+  }
+  return exit_done;
+}
+
 int bench_command(const BenchCommand& command) {
   const Request request = read_request(command);
   if (complain(request.problems)) {
     return exit_usage;
+  }
+  if (request.within) {
+    return within_command(request);
   }
   auto [tree, manifest, result, report, replay] = run_request(request, command.command_line);
   const ResultsTarget target = {command.out, command.json, command.gate, request.listed,

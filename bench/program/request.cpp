@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -103,6 +105,37 @@ std::size_t draws_of(const BenchCommand& command, const Request& request,
   return static_cast<std::size_t>(std::clamp(draws, 0LL, most));
 }
 
+/// What --within asks for, as a part of the shortest cable: "1%" or "0.01".
+std::optional<double> within_of(const BenchCommand& command, std::vector<std::string>& problems) {
+  if (!command.within) {
+    return std::nullopt;
+  }
+  const std::string& text = *command.within;
+  const bool percent = text.ends_with('%');
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  const bool whole = end != text.c_str() && std::string_view(end) == (percent ? "%" : "");
+  const double part = percent ? number / 100.0 : number;
+  if (!whole || !(part > 0.0 && part < 1.0)) {
+    problems.push_back(
+        fmt::format("--within {}: must be a part of the shortest cable, such as 1% or 0.01",
+                    printable(text)));
+  }
+  for (const auto& [option, given] :
+       {std::pair("--gate", command.gate.has_value()), std::pair("--json", !command.json.empty()),
+        std::pair("--list-problems", !command.list_problems.empty()),
+        std::pair("--shard", command.shard.has_value()), std::pair("--resume", command.resume),
+        std::pair("--steps", !command.steps.empty()), std::pair("--until", command.until.has_value()),
+        std::pair("--draws", command.draws.has_value())}) {
+    if (given) {
+      problems.push_back(fmt::format(
+          "{}: --within searches steps and prints them, without a report; give the one or the other",
+          option));
+    }
+  }
+  return part;
+}
+
 ProblemNames::Engine names_of(const RegisteredEngine& engine) {
   ProblemNames::Engine names{engine.name, std::nullopt};
   if (engine.info) {
@@ -187,6 +220,7 @@ Request read_request(const BenchCommand& command) {
   options.engines = std::move(choice.engines);
   append(request.problems, suite_problems(options));
   request.listed = listed_by(command.gate, options, request.problems);
+  request.within = within_of(command, request.problems);
   return request;
 }
 
@@ -246,6 +280,12 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
   add_target(command, "--list-problems", asked.list_problems,
              "write the problems that the runs show to a file for --gate, and keep what it lists; "
              "say in it why each may stay");
+  command
+      .add_option("--within", asked.within,
+                  "instead of a report: the largest step of each model that stays within this part of "
+                  "the shortest cable, such as 1%, over the first 3 s of each case, confirmed by a "
+                  "run with it")
+      ->option_text("PART");
   command.add_flag("--all", asked.all, "print every number over the cases, too");
   command.footer("Suites, and what their cases show:\n" + suites_text());
 }

@@ -33,6 +33,7 @@ struct BenchCommand {
   double time_limit = 60.0;         // [s]
   std::optional<std::string> gate;  // whose problems are listed; others make the exit code 1
   std::string list_problems;        // a file to write the problems to; empty: none
+  std::optional<std::string> within;  // "1%": search the largest steps that hold it
   bool all = false;                 // print every number, not sentences alone
   std::string json;
   std::string command_line;  // as it was typed, for the report
@@ -46,6 +47,7 @@ struct Request {
   const Suite* suite = nullptr;  // null where cases are named
   SuiteOptions options;
   ListedProblems listed;  // of --gate, or those that ship
+  std::optional<double> within;  // [-], of the shortest cable; none: a suite is run
   std::vector<std::string> problems;
 };
 [[nodiscard]] Request read_request(const BenchCommand& command);

@@ -104,6 +104,26 @@ TEST(Sensitivity, AgreesWithDifferencesOfSolutions) {
   }
 }
 
+TEST(Sensitivity, BetweenTwoInstantsIsWhatCarriesTheOneToTheOther) {
+  for (const Case& the_case : shipped_cases()) {
+    if (the_case.name != "crane-load" && the_case.name != "caught-swing" &&
+        the_case.name != "breakwater/1910121100") {
+      continue;
+    }
+    const Solution solution = solve(the_case);
+    const Sensitivity sensitivity(the_case, solution);
+    const double end = std::min(2.0, solution.end_time());
+    EXPECT_TRUE(sensitivity.between(end, end).isApprox(StateMatrix::Identity(), 1e-12));
+    for (const double from : {0.0, 0.2 * end, 0.7 * end}) {
+      const StateMatrix carried = sensitivity.between(from, end) * sensitivity.at(from);
+      const double size = sensitivity.at(end).cwiseAbs().maxCoeff();
+      EXPECT_LT((carried - sensitivity.at(end)).cwiseAbs().maxCoeff(), 1e-9 * size)
+          << the_case.name << ' ' << from;
+    }
+    EXPECT_THROW(static_cast<void>(sensitivity.between(end, 0.0)), std::out_of_range);
+  }
+}
+
 TEST(Sensitivity, OfABallAtRestIsThatOfAPendulum) {
   const Case ball = bouncing_ball(0.5);  // at rest from t = 3 on, a distance of 2 below its anchor
   const Solution solution = solve(ball);

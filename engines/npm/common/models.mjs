@@ -14,7 +14,7 @@ const model = (name, maker, sentence, settings, start, more = {}) => ({ name, se
 export function rowModels(engine, settings, options = {}) {
   const start = (early) => (theCase, run) => startRow(engine, theCase, { ...options, ...run, early });
   return [
-    model("row", "by_hand", `Impulses by hand before the steps that start overstretched, for the larger of the bounce and 0.2 of the overstretch per step; ${engine.title} flies.`, settings, start(false), { tension: true }),
+    model("row", "by_hand", `Impulses by hand before the steps that start overstretched, for the bounce; 0.2 of the overstretch goes out per step without throwing the body back. ${engine.title} flies.`, settings, start(false), { tension: true }),
     model("early", "by_hand", "The same impulses already before the step that would overstretch the cable.", settings, start(true), { tension: true }),
   ];
 }

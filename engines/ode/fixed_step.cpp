@@ -11,8 +11,17 @@
 namespace tautline::ode {
 namespace {
 
-/// Who takes out the overstretch: ODE, its 0.2 per step, or the rule of the rows of other engines.
-enum class Push { by_ode, by_rule };
+/// Who takes out the overstretch.
+enum class Push {
+  by_ode,         // ODE, 0.2 of it per step
+  by_ode_slowly,  // the same, at most as fast as `most_correction`
+  by_rule,        // the rule of the rows of other engines
+};
+
+/// The most that ODE may correct with in a step, of what gravity gives in it [-]: a load that goes
+/// round a full circle hangs with six times its weight at the lowest point. A slower correction
+/// brakes such a swing, a faster one throws back what should not rebound.
+constexpr double most_correction = 6.0;
 
 /// What the models set otherwise.
 struct Choice {
@@ -28,6 +37,8 @@ constexpr Choice early{Activation::crossing, World::Rotation::finite, 0.0, 0.0, 
 /// ODE ships no bounce_vel; its demos (demo_boxstack) have 0.1.
 constexpr Choice contact{
     Activation::overstretched, World::Rotation::infinitesimal, 0.1, {}, Push::by_ode};
+constexpr Choice tuned{Activation::overstretched, World::Rotation::finite, 0.0, 0.0,
+                       Push::by_ode_slowly};
 
 class FixedStepSimulation final : public SteppedSimulation {
  public:
@@ -35,6 +46,10 @@ class FixedStepSimulation final : public SteppedSimulation {
       : case_(the_case), choice_(choice), run_(run), world_(the_case, choice.rotation) {
     if (choice.cfm) {
       dWorldSetCFM(world_.id(), *choice.cfm);
+    }
+    const double gravity = the_case.gravity.norm();
+    if (choice.push == Push::by_ode_slowly && gravity > 0.0) {
+      dWorldSetContactMaxCorrectingVel(world_.id(), most_correction * gravity * run.step);
     }
   }
 
@@ -53,7 +68,7 @@ class FixedStepSimulation final : public SteppedSimulation {
       }
     }
     world_.advance(dt);
-    if (choice_.push == Push::by_ode) {
+    if (choice_.push != Push::by_rule) {
       return;
     }
     if (const auto moved = out_of_overstretch(case_, world_.state(), correction(), dt)) {
@@ -67,7 +82,7 @@ class FixedStepSimulation final : public SteppedSimulation {
   /// The part of the overstretch of `row_now` that ODE takes out in a step of `dt` [s] [-]; by the
   /// rule at the rate `most` [m/s] at most.
   [[nodiscard]] double erp(const CableRow& row_now, double most, double dt) const {
-    if (choice_.push == Push::by_ode || row_now.gap >= 0.0) {
+    if (choice_.push != Push::by_rule || row_now.gap >= 0.0) {
       return correction_in_step(dt, run_.step);
     }
     return push_rate(row_now, correction(), most) * dt / -row_now.gap;
@@ -88,7 +103,7 @@ class FixedStepSimulation final : public SteppedSimulation {
   World world_;
 };
 
-/// What the surface of the joint is given in all three models.
+/// What the surface of the joint is given in all models.
 std::vector<Setting> surface_settings(const Choice& choice) {
   const bool bounces_always = choice.bounce_vel == 0.0;  // exactly: a constant from above
   return {{"dContactBounce, bounce", "the cable's restitution",
@@ -100,10 +115,10 @@ std::vector<Setting> surface_settings(const Choice& choice) {
                : "ODE ships no default; its demos have 0.1 m/s (demo_boxstack), and slower hits do "
                  "not rebound."},
           {"dContactSoftERP, soft_erp",
-           choice.push == Push::by_ode
+           choice.push != Push::by_rule
                ? "0.2; less in a shorter last step, in proportion"
                : "0.2, or less: as much as gravity and swing undo in the step; the rest is a move",
-           choice.push == Push::by_ode
+           choice.push != Push::by_rule
                ? "0.2 is ODE's own ERP; kept in a tiny last step it would turn a small overstretch "
                  "into a large speed."
                : "After a fast hit 0.2 of the overstretch in one step throws the body back."}};
@@ -125,18 +140,28 @@ std::vector<Setting> exact_row_settings() {
            "The default turns the body to first order only and renormalises."}};
 }
 
+std::vector<Setting> settings_that_suit_a_cable() {
+  return joined(
+      {exact_row_settings(),
+       {{"dWorldSetContactMaxCorrectingVel", "6 times what gravity gives in a step",
+         "ODE's infinity throws a body that should not rebound back with up to 0.2 of its "
+         "speed; less would brake a load that swings round a full circle."}}});
+}
+
+/// A contact of ODE's own, whose surface a run may set.
+ModelEntry contact_entry(std::string name, std::string sentence, const std::vector<Setting>& own,
+                         const Choice& choice) {
+  ModelEntry result = entry(std::move(name), std::move(sentence), own, choice, Maker::engine);
+  result.model.parameters = {{.name = "bounce", .low = 0.0, .high = 1.0},
+                             {.name = "bounce-vel", .low = 0.0, .high = 0.2}};
+  result.model.code =
+      "contact.surface.bounce = {bounce}; contact.surface.bounce_vel = {bounce-vel};";
+  return result;
+}
+
 }  // namespace
 
 std::vector<ModelEntry> fixed_step_models() {
-  ModelEntry as_shipped =
-      entry("contact",
-            "The same joint as `row` with ODE's own CFM and rotation and the bounce_vel of its "
-            "demos: what one tries first.",
-            {}, contact, Maker::engine);
-  as_shipped.model.parameters = {{.name = "bounce", .low = 0.0, .high = 1.0},
-                                 {.name = "bounce-vel", .low = 0.0, .high = 0.2}};
-  as_shipped.model.code =
-      "contact.surface.bounce = {bounce}; contact.surface.bounce_vel = {bounce-vel};";
   return {entry("row",
                 "A contact joint from the step after the cable is overstretched; it asks for the "
                 "bounce, and takes 0.2 of the overstretch out per step without throwing the body "
@@ -146,7 +171,13 @@ std::vector<ModelEntry> fixed_step_models() {
                 "The same joint already in the step that would overstretch the cable: the bounce "
                 "comes up to one step early.",
                 exact_row_settings(), early),
-          std::move(as_shipped)};
+          contact_entry("contact",
+                        "The same joint with ODE's own CFM, rotation and push out of the "
+                        "overstretch, and the bounce_vel of its demos: what one tries first.",
+                        {}, contact),
+          contact_entry("contact-tuned",
+                        "The same contact with the settings that suit a bouncing cable.",
+                        settings_that_suit_a_cable(), tuned)};
 }
 
 }  // namespace tautline::ode

@@ -366,6 +366,11 @@ const char* words_of(Maker maker) {
   return words.at(static_cast<std::size_t>(maker));
 }
 
+const char* words_of(Origin origin) {
+  constexpr std::array words = {"the engine’s default", "its demo’s", "ours"};
+  return words.at(static_cast<std::size_t>(origin));
+}
+
 std::string kind_in_words(std::string kind) {
   std::replace(kind.begin(), kind.end(), '-', ' ');
   return kind;

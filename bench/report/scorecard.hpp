@@ -68,6 +68,8 @@ struct Scorecard {
 
 /// "as shipped", "made by hand", "tautline's driver".
 [[nodiscard]] const char* words_of(Maker maker);
+/// Whose choice a setting is: "its demo’s".
+[[nodiscard]] const char* words_of(Origin origin);
 
 /// The scorecards of a report: a row for each engine and maker of its models.
 [[nodiscard]] Table scorecards_table(const Report& report);

@@ -113,7 +113,8 @@ std::vector<Setting> surface_settings(const Choice& choice) {
                ? "ODE ships no default, only the 0.1 m/s of its demos, which swallows slower "
                  "rebounds."
                : "ODE ships no default; its demos have 0.1 m/s (demo_boxstack), and slower hits do "
-                 "not rebound."},
+                 "not rebound.",
+           bounces_always ? Origin::ours : Origin::engine_demo},
           {"dContactSoftERP, soft_erp",
            choice.push != Push::by_rule
                ? "0.2; less in a shorter last step, in proportion"
@@ -121,7 +122,8 @@ std::vector<Setting> surface_settings(const Choice& choice) {
            choice.push != Push::by_rule
                ? "0.2 is ODE's own ERP; kept in a tiny last step it would turn a small overstretch "
                  "into a large speed."
-               : "After a fast hit 0.2 of the overstretch in one step throws the body back."}};
+               : "After a fast hit 0.2 of the overstretch in one step throws the body back.",
+           choice.push != Push::by_rule ? Origin::engine_default : Origin::ours}};
 }
 
 ModelEntry entry(std::string name, std::string sentence, const std::vector<Setting>& own,

@@ -4,7 +4,8 @@ import { Unsupported } from "../../protocol/javascript/engine.mjs";
 import { startEvent } from "./event.mjs";
 import { startBounce, startLimit, startRow } from "./fixed_step.mjs";
 
-export const setting = (name, value, reason) => ({ name, value: String(value), reason });
+/** `origin` says whose choice the value is: "engine_default", "engine_demo" or "ours". */
+export const setting = (name, value, reason, origin = "ours") => ({ name, value: String(value), reason, origin });
 
 /** A model whose restitution is a table over the speed as well as a number. */
 const model = (name, maker, sentence, settings, start, more = {}) => ({ name, sentence, maker, drive: "steps",

@@ -58,7 +58,7 @@ function world({ gravity, body: { mass, ...rest }, cables }, { limit, rows, earl
 
 const settings = [
   setting("allowSleep", false, "planck freezes a body slower than 0.01 m/s and 2 degrees/s for half a second."),
-  setting("velocityIterations, positionIterations", `${velocityIterations}, ${positionIterations}`, "A step has no defaults; these are what Box2D's manual suggests."),
+  setting("velocityIterations, positionIterations", `${velocityIterations}, ${positionIterations}`, "What a world of planck has; Box2D's manual suggests them.", "engine_default"),
 ];
 const rope = [...settings, setting("RopeJoint.maxLength", "the cable's length", "The joint is made of it.")];
 

@@ -73,7 +73,10 @@ test("says what it is, and of every setting why", () => {
   for (const model of info.models) {
     assert.match(model.name, /^[a-z0-9-]+$/);
     assert.match(model.sentence, /\.$/, model.name);
-    for (const { name: of, value, reason } of model.settings) assert.ok(of && value && /\.$/.test(reason), `${model.name}: ${of}`);
+    for (const { name: of, value, reason, origin } of model.settings) {
+      assert.ok(of && value && /\.$/.test(reason), `${model.name}: ${of}`);
+      assert.match(origin, /^(engine_default|engine_demo|ours)$/, `${model.name}: ${of}`);
+    }
   }
   const steps = info.models.filter(({ drive }) => drive === "steps").map((model) => model.name);
   assert.deepEqual(steps.sort(), Object.keys(expected[name]).sort());

@@ -387,6 +387,11 @@ const char* words_of(Maker maker) {
   return words.at(static_cast<std::size_t>(maker));
 }
 
+const char* words_of(Origin origin) {
+  constexpr std::array words = {"the engine’s default", "its demo’s", "ours"};
+  return words.at(static_cast<std::size_t>(origin));
+}
+
 Cell brief_cell(const std::optional<double>& value) {
   Cell cell = number_cell(value, as_error);
   cell.text = value ? fmt::format("{:.2g}", *value) : cell.text;

@@ -67,6 +67,8 @@ struct Scorecard {
 
 /// "as shipped", "made by hand", "tautline's driver".
 [[nodiscard]] const char* words_of(Maker maker);
+/// Whose choice a setting is: "its demo’s".
+[[nodiscard]] const char* words_of(Origin origin);
 
 /// A row for each model: whose it is, its restitution and its position in words, its verdict, the
 /// step that it is judged at, error and cost there.

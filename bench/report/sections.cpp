@@ -113,8 +113,9 @@ std::string model_html(const Model& model, const std::string& id) {
   return fmt::format("<h4>{}, {}</h4>\n", html_text(model.name), words_of(model.maker)) +
          paragraph(html_text(model.sentence, longest_sentence)) +
          (settings.empty()
-              ? note("Every setting is the engine’s default.")
-              : html_table(settings, id, "Settings that are not the engine’s default."));
+              ? note("Every setting is left alone: the engine’s default.")
+              : html_table(settings, id,
+                           "Settings that are not left alone, and whose choice each is."));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/report/columns.hpp"
+#include "bench/report/scorecard.hpp"
 #include "bench/report/words.hpp"
 #include "bench/solution/cable_words.hpp"
 
@@ -364,9 +365,11 @@ Table failures_table(const Report& report) {
 }
 
 Table settings_table(const Model& model) {
-  Table table({word_column("setting", ""), word_column("value", ""), word_column("reason", "")});
+  Table table({word_column("setting", ""), word_column("value", ""), word_column("whose", ""),
+               word_column("reason", "")});
   for (const Setting& setting : model.settings) {
-    table.add({word_cell(setting.name), word_cell(setting.value), sentence_cell(setting.reason)});
+    table.add({word_cell(setting.name), word_cell(setting.value), words_of(setting.origin),
+               sentence_cell(setting.reason)});
   }
   return table;
 }

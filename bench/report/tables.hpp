@@ -51,7 +51,7 @@ inline constexpr const char* how_to_read_distributions =
 /// table of the answers.
 [[nodiscard]] Table failures_table(const Report& report);
 
-/// The settings of a model that are not the engine's defaults.
+/// The settings of a model that are not left alone, and whose choice each is.
 [[nodiscard]] Table settings_table(const Model& model);
 
 }  // namespace tautline::bench

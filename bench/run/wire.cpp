@@ -32,7 +32,17 @@ constexpr int most_power = 1000;
 
 }  // namespace
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, name, value, reason)
+/// One of the words of an enumeration that ends with `last`.
+template <class Enumeration>
+static void read_word(const nlohmann::json& value, Enumeration& word, Enumeration last) {
+  word = static_cast<Enumeration>(whole_number(value, 0, static_cast<int>(last)));
+}
+
+static void from_json(const nlohmann::json& value, Origin& origin) {
+  read_word(value, origin, Origin::ours);
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, name, value, reason, origin)
 
 static void to_json(nlohmann::json& row, const Parameter& one) {
   row = nlohmann::json::array({one.name, one.low, one.high, one.logarithmic, one.step_power});
@@ -44,7 +54,7 @@ static void from_json(const nlohmann::json& row, Parameter& one) {
 }
 
 static void from_json(const nlohmann::json& value, Maker& maker) {
-  maker = static_cast<Maker>(whole_number(value, 0, static_cast<int>(Maker::tautline)));
+  read_word(value, maker, Maker::tautline);
 }
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings, maker, parameters, code)

@@ -265,7 +265,7 @@ class EventDriven final : public Simulation, public TensionImpulses {
     for (const std::size_t index : cables) {
       impulses_[index] += impulses[row++];
     }
-    taut_ = {};  // what the impact leaves at rest is found out anew
+    taut_ = {};  // what the impact leaves at rest is looked for again
     events_.push_back(
         {time, EventKind::impact, cables, std::move(impulses), before, adapter_->state()});
   }

@@ -23,14 +23,15 @@
 //
 //   RowWorld(the_case, own...)
 //   State state() const
+//   void place(state)            puts the body there
 //   void advance(dt, look)       one step of `dt` [s], which calls look() where it wants to know
 //                                what the rows ask for: with the pose and velocity of then
 //   bool asleep() const          optional: true if the engine has left the body out of the step
 
 namespace tautline {
 
-/// A cable is a row while `activation` says so; it asks for the larger of the bounce and a part of
-/// the overstretch.
+/// A cable is a row while `activation` says so; it asks for the larger of the bounce and what
+/// `push_rate` takes out of the overstretch. `out_of_overstretch` does the rest.
 template <class RowWorld>
 class RowSimulation final : public Simulation, public TensionImpulses {
  public:
@@ -57,6 +58,12 @@ class RowSimulation final : public Simulation, public TensionImpulses {
       tension_impulses_[index] =
           asleep() ? std::numeric_limits<double>::quiet_NaN() : impulses_[index];
     }
+    if (asleep()) {
+      return;
+    }
+    if (const auto moved = out_of_overstretch(case_, world_.state(), correction_, dt)) {
+      world_.place(*moved);
+    }
   }
 
  private:
@@ -74,7 +81,9 @@ class RowSimulation final : public Simulation, public TensionImpulses {
       const Cable& cable = case_.cables[index];
       const CableRow row = cable_row(cable, now);
       if (acts(row, activation_, dt)) {
-        world_.pull(index, row, wanted_rate(row, restitution(cable, row.rate), correction_));
+        world_.pull(index, row,
+                    wanted_rate(row, restitution(cable, row.rate), correction_,
+                                change_in_step(case_, index, now, dt)));
       } else {
         world_.let_go(index);
       }
@@ -102,7 +111,7 @@ template <class RowWorld, class... Own>
 struct RowSentences {
   std::string row =
       "A one-sided constraint row from the step after the cable is overstretched; it asks for the "
-      "larger of the bounce and 0.2 of the overstretch per step.";
+      "bounce, and takes 0.2 of the overstretch out per step without throwing the body back.";
   std::string early =
       "The same row already in the step that would overstretch the cable: the bounce comes up to "
       "one step early.";

@@ -109,7 +109,8 @@ std::vector<Setting> world_settings() {
        "Box2D freezes a body slower than 0.01 m/s and 2 degrees/s for half a second."},
       {"velocityIterations, positionIterations",
        std::to_string(velocity_iterations) + ", " + std::to_string(position_iterations),
-       "Box2D ships no default; its manual suggests these."},
+       "Box2D ships no default; its manual suggests these, and its testbed has them.",
+       Origin::engine_demo},
   };
 }
 

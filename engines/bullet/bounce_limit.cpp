@@ -67,7 +67,7 @@ class BounceLimitSimulation final : public SteppedSimulation {
     }
     world_.advance(dt);
     for (std::size_t index = 0; index < joints_.size(); ++index) {
-      // Bullet's sign is that of the limit; a cable has only the one
+      // Bullet's sign says which limit pulls; a cable has only the one
       impulses_[index] = std::abs(joints_[index]->internalGetAppliedImpulse());
     }
   }

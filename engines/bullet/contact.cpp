@@ -111,7 +111,8 @@ std::vector<Setting> contact_settings(const std::vector<Setting>& own) {
                    "Bullet's contact does not bounce by default."},
                   {"m_erp2", "0.2; less in a shorter last step, in proportion",
                    "0.2 is Bullet's own; kept in a tiny last step it would turn a small "
-                   "overstretch into a large speed."}},
+                   "overstretch into a large speed.",
+                   Origin::engine_default}},
                  own});
 }
 

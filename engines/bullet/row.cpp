@@ -24,6 +24,7 @@ class RowWorld {
   }
 
   [[nodiscard]] State state() const { return world_.state(); }
+  void place(const State& state) { world_.place(state); }
 
   template <class Look>
   void advance(double dt, const Look& look) {

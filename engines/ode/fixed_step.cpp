@@ -1,8 +1,7 @@
 // A cable is a contact joint without friction (ODE manual, "Contact"), made while the cable is
 // overstretched when a step starts (`row`, `contact`), or already when the step would overstretch
-// it
-// (`early`). ODE takes the larger of the bounce and the push out of the overstretch, and the bounce
-// from the velocity before gravity's part of the step.
+// it (`early`). ODE takes the larger of the bounce and the push out of the overstretch, and the
+// bounce from the velocity before gravity's part of the step.
 
 #include <utility>
 
@@ -12,18 +11,34 @@
 namespace tautline::ode {
 namespace {
 
-/// What the three models set otherwise.
+/// Who takes out the overstretch.
+enum class Push {
+  by_ode,         // ODE, 0.2 of it per step
+  by_ode_slowly,  // the same, at most as fast as `most_correction`
+  by_rule,        // the rule of the rows of other engines
+};
+
+/// The most that ODE may correct with in a step, of what gravity gives in it [-]: a load that goes
+/// round a full circle hangs with six times its weight at the lowest point. A slower correction
+/// brakes such a swing, a faster one throws back what should not rebound.
+constexpr double most_correction = 6.0;
+
+/// What the models set otherwise.
 struct Choice {
   Activation activation;
   World::Rotation rotation;
   double bounce_vel;          // [m/s], a slower contact does not bounce
   std::optional<double> cfm;  // none: ODE's own
+  Push push;
 };
 
-constexpr Choice row{Activation::overstretched, World::Rotation::finite, 0.0, 0.0};
-constexpr Choice early{Activation::crossing, World::Rotation::finite, 0.0, 0.0};
-/// 0.1 is our choice, the value of ODE's demos: ODE itself ships no default.
-constexpr Choice contact{Activation::overstretched, World::Rotation::infinitesimal, 0.1, {}};
+constexpr Choice row{Activation::overstretched, World::Rotation::finite, 0.0, 0.0, Push::by_rule};
+constexpr Choice early{Activation::crossing, World::Rotation::finite, 0.0, 0.0, Push::by_rule};
+/// ODE ships no bounce_vel; its demos (demo_boxstack) have 0.1.
+constexpr Choice contact{
+    Activation::overstretched, World::Rotation::infinitesimal, 0.1, {}, Push::by_ode};
+constexpr Choice tuned{Activation::overstretched, World::Rotation::finite, 0.0, 0.0,
+                       Push::by_ode_slowly};
 
 class FixedStepSimulation final : public SteppedSimulation {
  public:
@@ -31,6 +46,10 @@ class FixedStepSimulation final : public SteppedSimulation {
       : case_(the_case), choice_(choice), run_(run), world_(the_case, choice.rotation) {
     if (choice.cfm) {
       dWorldSetCFM(world_.id(), *choice.cfm);
+    }
+    const double gravity = the_case.gravity.norm();
+    if (choice.push == Push::by_ode_slowly && gravity > 0.0) {
+      dWorldSetContactMaxCorrectingVel(world_.id(), most_correction * gravity * run.step);
     }
   }
 
@@ -44,19 +63,37 @@ class FixedStepSimulation final : public SteppedSimulation {
       const CableRow row_now = cable_row(cable, start);
       if (acts(row_now, choice_.activation, dt)) {
         world_.pull(index, row_now,
-                    surface(parameter_of(run_, "bounce", restitution(cable, row_now.rate)), dt));
+                    surface(parameter_of(run_, "bounce", restitution(cable, row_now.rate)),
+                            erp(row_now, change_in_step(case_, index, start, dt), dt)));
       }
     }
     world_.advance(dt);
+    if (choice_.push != Push::by_rule) {
+      return;
+    }
+    if (const auto moved = out_of_overstretch(case_, world_.state(), correction(), dt)) {
+      world_.place(*moved);
+    }
   }
 
  private:
-  [[nodiscard]] dSurfaceParameters surface(double bounce, double dt) const {
+  [[nodiscard]] double correction() const { return usual_correction / run_.step; }  // [1/s]
+
+  /// The part of the overstretch of `row_now` that ODE takes out in a step of `dt` [s] [-]; by the
+  /// rule at the rate `most` [m/s] at most.
+  [[nodiscard]] double erp(const CableRow& row_now, double most, double dt) const {
+    if (choice_.push != Push::by_rule || row_now.gap >= 0.0) {
+      return correction_in_step(dt, run_.step);
+    }
+    return push_rate(row_now, correction(), most) * dt / -row_now.gap;
+  }
+
+  [[nodiscard]] dSurfaceParameters surface(double bounce, double soft_erp) const {
     dSurfaceParameters result{};
     result.mode = dContactBounce | dContactSoftERP;
     result.bounce = bounce;
     result.bounce_vel = parameter_of(run_, "bounce-vel", choice_.bounce_vel);
-    result.soft_erp = correction_in_step(dt, run_.step);
+    result.soft_erp = soft_erp;
     return result;
   }
 
@@ -66,7 +103,7 @@ class FixedStepSimulation final : public SteppedSimulation {
   World world_;
 };
 
-/// What the surface of the joint is given in all three models.
+/// What the surface of the joint is given in all models.
 std::vector<Setting> surface_settings(const Choice& choice) {
   const bool bounces_always = choice.bounce_vel == 0.0;  // exactly: a constant from above
   return {{"dContactBounce, bounce", "the cable's restitution",
@@ -75,11 +112,18 @@ std::vector<Setting> surface_settings(const Choice& choice) {
            bounces_always
                ? "ODE ships no default, only the 0.1 m/s of its demos, which swallows slower "
                  "rebounds."
-               : "Our choice, the value of ODE's demos: ODE itself ships no default, and 0 would "
-                 "bounce at any speed."},
-          {"dContactSoftERP, soft_erp", "0.2; less in a shorter last step, in proportion",
-           "0.2 is ODE's own ERP; kept in a tiny last step it would turn a small overstretch into "
-           "a large speed."}};
+               : "ODE ships no default; its demos have 0.1 m/s (demo_boxstack), and slower hits do "
+                 "not rebound.",
+           bounces_always ? Origin::ours : Origin::engine_demo},
+          {"dContactSoftERP, soft_erp",
+           choice.push != Push::by_rule
+               ? "0.2; less in a shorter last step, in proportion"
+               : "0.2, or less: as much as gravity and swing undo in the step; the rest is a move",
+           choice.push != Push::by_rule
+               ? "0.2 is ODE's own ERP; kept in a tiny last step it would turn a small overstretch "
+                 "into a large speed."
+               : "After a fast hit 0.2 of the overstretch in one step throws the body back.",
+           choice.push != Push::by_rule ? Origin::engine_default : Origin::ours}};
 }
 
 ModelEntry entry(std::string name, std::string sentence, const std::vector<Setting>& own,
@@ -98,27 +142,44 @@ std::vector<Setting> exact_row_settings() {
            "The default turns the body to first order only and renormalises."}};
 }
 
+std::vector<Setting> settings_that_suit_a_cable() {
+  return joined(
+      {exact_row_settings(),
+       {{"dWorldSetContactMaxCorrectingVel", "6 times what gravity gives in a step",
+         "ODE's infinity throws a body that should not rebound back with up to 0.2 of its "
+         "speed; less would brake a load that swings round a full circle."}}});
+}
+
+/// A contact of ODE's own, whose surface a run may set.
+ModelEntry contact_entry(std::string name, std::string sentence, const std::vector<Setting>& own,
+                         const Choice& choice) {
+  ModelEntry result = entry(std::move(name), std::move(sentence), own, choice, Maker::engine);
+  result.model.parameters = {{.name = "bounce", .low = 0.0, .high = 1.0},
+                             {.name = "bounce-vel", .low = 0.0, .high = 0.2}};
+  result.model.code =
+      "contact.surface.bounce = {bounce}; contact.surface.bounce_vel = {bounce-vel};";
+  return result;
+}
+
 }  // namespace
 
 std::vector<ModelEntry> fixed_step_models() {
-  ModelEntry as_shipped =
-      entry("contact",
-            "The same joint as `row` with ODE's own CFM and rotation and the bounce_vel of its "
-            "demos: what one tries first.",
-            {}, contact, Maker::engine);
-  as_shipped.model.parameters = {{.name = "bounce", .low = 0.0, .high = 1.0},
-                                 {.name = "bounce-vel", .low = 0.0, .high = 0.2}};
-  as_shipped.model.code =
-      "contact.surface.bounce = {bounce}; contact.surface.bounce_vel = {bounce-vel};";
   return {entry("row",
                 "A contact joint from the step after the cable is overstretched; it asks for the "
-                "larger of the bounce and 0.2 of the overstretch per step.",
+                "bounce, and takes 0.2 of the overstretch out per step without throwing the body "
+                "back.",
                 exact_row_settings(), row),
           entry("early",
                 "The same joint already in the step that would overstretch the cable: the bounce "
                 "comes up to one step early.",
                 exact_row_settings(), early),
-          std::move(as_shipped)};
+          contact_entry("contact",
+                        "The same joint with ODE's own CFM, rotation and push out of the "
+                        "overstretch, and the bounce_vel of its demos: what one tries first.",
+                        {}, contact),
+          contact_entry("contact-tuned",
+                        "The same contact with the settings that suit a bouncing cable.",
+                        settings_that_suit_a_cable(), tuned)};
 }
 
 }  // namespace tautline::ode

@@ -108,7 +108,8 @@ std::vector<ModelEntry> rope_models() {
                                "stops shrinking there."},
                               {"setImpulseSolver", "PLUSImpulseSolver, summed up",
                                "The default solver; the time-stepper does not tell its "
-                               "impulses."},
+                               "impulses.",
+                               Origin::engine_default},
                               {"std::cout, stdout", "dropped while it steps",
                                "Debian's build prints a page of every step."}},
                  .maker = Maker::engine},

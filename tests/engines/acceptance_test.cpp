@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <utility>
 
 #include "analytic/support.hpp"
+#include "bench/check/cases.hpp"
 #include "engines/engine_support.hpp"
+#include "tautline/cable_row.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solve.hpp"
@@ -255,6 +258,44 @@ TEST(Sampled, IsTheExactSolutionWithoutItsEvents) {
   EXPECT_GT(impacts, 0U) << "nothing was hit, so nothing was tested";
   EXPECT_TRUE(sampled->stopped()) << "the end of the solution was not reached";
 }
+
+/// The models with fixed steps that take out overstretch by the rule of `row`, and those that have
+/// their own; not those whose engine does it.
+std::vector<ModelUnderTest> models_that_hold() {
+  std::vector<ModelUnderTest> result = models_under_test();
+  std::erase_if(result, [](const ModelUnderTest& one) {
+    constexpr std::array names = {"row",       "row-sleeping", "early",        "impulse",
+                                  "two-phase", "cable",        "contact-tuned"};
+    return std::find(names.begin(), names.end(), one.model) == names.end();
+  });
+  return result;
+}
+
+class WithoutRestitution : public testing::TestWithParam<ModelUnderTest> {};
+
+TEST_P(WithoutRestitution, NothingIsThrownBackByItsOverstretch) {
+  const auto plugin = bench::Plugin::open(GetParam().plugin);
+  const Case the_case = bench::shipped_case("caught-swing");
+  for (const double step : {1e-2, 1e-3}) {
+    const auto simulation = plugin.engine().start(the_case, GetParam().model, step);
+    double fastest = 0.0;  // [-], opening of a cable that pulls, of what flight gives in a step
+    int pulled = 0;
+    run(*simulation, step, 0.5, [&](const Moment& moment) {
+      if (simulation->impulses()[0] > 0.0) {
+        const double rate = gap_rate(the_case.cables[0], moment.after);
+        fastest = std::max(fastest, rate / change_in_step(the_case, 0, moment.after, step));
+        ++pulled;
+      }
+    });
+    EXPECT_GT(pulled, 0);
+    // a fifth of the overstretch in a step would be several times as fast at 1e-3 s
+    expect_within("rebound, of gravity and swing in a step, step " + std::to_string(step), fastest,
+                  1.5);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Acceptance, WithoutRestitution, testing::ValuesIn(models_that_hold()),
+                         test_name);
 
 class SameRow : public testing::TestWithParam<std::string> {};
 

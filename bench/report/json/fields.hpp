@@ -113,6 +113,9 @@ void fields(Visitor& visit, Setting& setting) {
   visit("name", setting.name);
   visit("value", setting.value);
   visit("reason", setting.reason);
+  visit("origin", setting.origin,
+        "whose choice the value is: the engine's default, its demo's where it has no default, or "
+        "ours");
 }
 
 template <class Visitor>
@@ -122,7 +125,7 @@ void fields(Visitor& visit, Model& model) {
   visit("maker", model.maker,
         "whose the cable is: as shipped, built by hand with the engine's parts, or tautline's "
         "driver");
-  visit("settings", model.settings, "every setting that is not the engine's default");
+  visit("settings", model.settings, "every setting that is not left alone");
 }
 
 /// An engine that could not be asked has a name alone.

@@ -43,7 +43,7 @@ struct ReportReading {
 /// One run as the report has it, indented.
 [[nodiscard]] std::string run_json(const RunRow& run, RunReplay replay);
 
-/// What a model is run with: its settings that are not the engine's defaults. Indented.
+/// What a model is run with: its settings that are not left alone. Indented.
 [[nodiscard]] std::string settings_json(const EngineInfo& engine, const Model& model, double step);
 
 /// All that a run left, with every digit, for `record_from` alone.

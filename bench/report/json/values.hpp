@@ -59,6 +59,10 @@ struct Words<Maker> {
   static constexpr std::array all = {Maker::engine, Maker::by_hand, Maker::tautline};
 };
 template <>
+struct Words<Origin> {
+  static constexpr std::array all = {Origin::engine_default, Origin::engine_demo, Origin::ours};
+};
+template <>
 struct Words<Word> {
   static constexpr const auto& all = all_words;
 };

@@ -85,12 +85,24 @@ State state_part(const Part& part) {
   return state_from(row.data());
 }
 
+Origin origin_from(const std::string& word) {
+  for (const Origin origin : {Origin::engine_default, Origin::engine_demo}) {
+    if (word == to_string(origin)) {
+      return origin;
+    }
+  }
+  return Origin::ours;
+}
+
 std::vector<Setting> settings_part(const Part& part) {
   std::vector<Setting> result;
   for (std::size_t index = 0; index < part.size(); ++index) {
     const Part row = part[index];
-    row.has_only({"name", "value", "reason"});
+    row.has_only({"name", "value", "reason", "origin"});
     result.push_back({row.at("name").text(), row.at("value").text(), row.at("reason").text()});
+    if (const auto origin = row.find("origin")) {
+      result.back().origin = origin_from(origin->one_of({"engine_default", "engine_demo", "ours"}));
+    }
   }
   return result;
 }

@@ -77,13 +77,17 @@ class RowSimulation final : public SteppedSimulation {
       const Cable& cable = case_.cables[index];
       const CableRow row = cable_row(cable, toy_.now);
       if (acts(row, Activation::overstretched, dt)) {
-        // the larger of the bounce and the correction; their sum would gain energy
-        const double wanted = wanted_rate(row, restitution(cable, row.rate), correction_);
+        // the larger of the bounce and the correction; their sum would gain energy, and a faster
+        // correction would throw a body back that has hit its cable
+        const double wanted = wanted_rate(row, restitution(cable, row.rate), correction_,
+                                          change_in_step(case_, index, toy_.now, dt));
         toy_.rows.push_back({row.towards, row.moment, wanted});
         acting.push_back(index);
       }
     }
     toy_.step(dt);
+    // what the rows leave of the overstretch goes out without a change of velocity
+    toy_.now = out_of_overstretch(case_, toy_.now, correction_, dt).value_or(toy_.now);
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
     for (std::size_t row = 0; row < acting.size(); ++row) {
       impulses_[acting[row]] = toy_.rows[row].impulse;

@@ -111,7 +111,7 @@ function world({ gravity, body: mass, cables }, { limit }) {
 
 const settings = [
   setting("enableSleep", false, "Box2D freezes slow bodies."),
-  setting("subStepCount", substeps, "A step has no default; Box2D's samples give 4."),
+  setting("subStepCount", substeps, "A step has no default; Box2D's samples give 4.", "engine_demo"),
   setting("maximumLinearSpeed", largestSpeed, "As shipped Box2D cuts a velocity to 400 m/s."),
   setting("allowFastRotation", true, "As shipped Box2D cuts a turn to pi/4 in a step."),
 ];

@@ -57,7 +57,7 @@ function world({ gravity, body: { mass, inertia }, cables }, { rows, early, step
   if (rows) {
     w.solver.iterations = iterations;
     w.solver.tolerance = 0;
-    const constraints = cables.map((cable) => solverRow(C, ground, body, cable, rows, early, step, world.state, () => dt));
+    const constraints = cables.map((cable) => solverRow(C, ground, body, gravity, cable, rows, early, step, world.state, () => dt));
     for (const constraint of constraints) w.addConstraint(constraint);
     const equations = constraints.map((constraint) => constraint.equations[0]);
     world.pulls = (h) => equations.map(({ enabled, multiplier }) => (enabled ? Math.max(0, multiplier) * h : 0));
@@ -82,7 +82,7 @@ serve({
   models: [
     atOneSpeed(inSolver("contact", "A contact of cannon's between the body and the circle of the cable's length, in the steps that start overstretched; its restitution counts the velocity of the body's centre alone.", contact, { rows: "contact" }), "a contact of cannon-es has one restitution"),
     ...rowModels(engine, settings),
-    inSolver("solver-row", "An equation of its own, a one-sided row in cannon's solver from the step after the cable is overstretched; it asks for the larger of the bounce and 0.2 of the overstretch per step.", solver, { rows: "row" }),
+    inSolver("solver-row", "An equation of its own, a one-sided row in cannon's solver from the step after the cable is overstretched; it asks for the bounce, and takes 0.2 of the overstretch out per step without throwing the body back.", solver, { rows: "row" }),
     inSolver("solver-early", "The same row already in the step that would overstretch the cable.", solver, { rows: "row", early: true }),
     eventModel(engine, settings),
   ],

@@ -1,7 +1,7 @@
 // A cable as a constraint of its own in cannon's solver: a one-sided row, or a contact at the length.
 
 import { cableRow } from "../../protocol/javascript/cable.mjs";
-import { acts, wantedRate } from "../common/fixed_step.mjs";
+import { acts, changeInStep, wantedRate } from "../common/fixed_step.mjs";
 
 /** An impulse of more than this is cut off by the equation [N s]: none is. */
 const largestImpulse = 1e12;
@@ -10,22 +10,23 @@ const largestImpulse = 1e12;
 const contactStiffness = 1e12, contactRelaxation = 4;
 
 /** `step` [s] is the run's, `dt()` [s] the one that is being made. */
-export function solverRow(C, ground, body, cable, kind, early, step, state, dt) {
+export function solverRow(C, ground, body, gravity, cable, kind, early, step, state, dt) {
   const constraint = new C.Constraint(ground, body);
   const equation = kind === "contact" ? new C.ContactEquation(ground, body) : new C.Equation(ground, body, 0, largestImpulse);
   equation.minForce = 0; // pulls, and does not push
   equation.maxForce = largestImpulse;
   constraint.equations.push(equation);
-  let row;
+  let row, most;
   if (kind === "row") {
     equation.eps = 0; // without a spring
-    equation.computeB = (h) => wantedRate(row, cable, step) - equation.computeGW() - h * equation.computeGiMf();
+    equation.computeB = (h) => wantedRate(row, cable, step, most) - equation.computeGW() - h * equation.computeGiMf();
   } else {
     equation.restitution = cable.restitution;
   }
   constraint.update = () => {
     const now = state();
     row = cableRow(cable, now);
+    most = changeInStep(gravity, cable, row, now, dt());
     const { nx, ny, moment, px, py } = row, { anchor, length } = cable;
     equation.enabled = acts(row, early, dt());
     if (kind === "contact") {

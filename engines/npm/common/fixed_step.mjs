@@ -65,9 +65,10 @@ export function startRow(engine, theCase, { early = false, ...options }) {
   return run(engine, theCase, options, (world, before, dt) => {
     const rows = cables.map((cable) => cableRow(cable, before));
     const acting = [...rows.keys()].filter((i) => acts(rows[i], early, dt));
-    const wanted = rows.map((row, i) => wantedRate(row, cables[i], options.step));
+    const wanted = rows.map((row, i) => wantedRate(row, cables[i], options.step, changeInStep(theCase.gravity, cables[i], row, before, dt)));
     const impulses = pull(world, theCase, rows, acting, wanted, rows.map(({ nx, ny }) => dt * (nx * gx + ny * gy)));
     world.step(dt);
+    moveOutOfOverstretch(world, theCase, options.step, dt);
     return impulses;
   });
 }
@@ -75,9 +76,38 @@ export function startRow(engine, theCase, { early = false, ...options }) {
 /** Whether a row acts in a step of `dt` [s]. Gravity in this step is left out, as engines do. */
 export const acts = ({ gap, rate }, early, dt) => gap <= 0 || (early && gap < -rate * dt);
 
-/** The gap rate that a row asks for [m/s]: its bounce, or the speed that takes out a part of the overstretch. */
-export function wantedRate({ gap, rate }, cable, step) {
-  return Math.max(restitution(cable, rate) * Math.max(0, -rate), (usualCorrection / step) * Math.max(0, -gap));
+/** By how much the gap rate of `row` changes at most in a step in which its cable is not hit [m/s]: by gravity and swing. */
+export function changeInStep([gx, gy], { length }, { nx, ny, px, py, gap }, [x, y, , vx, vy, spin], dt) {
+  const rx = px - x, ry = py - y, distance = length - gap, across = nx * (vy + spin * rx) - ny * (vx - spin * ry);
+  const turned = distance > 0 ? (across * across) / distance + spin * spin * (nx * rx + ny * ry) : 0;
+  return dt * (Math.abs(turned) + Math.abs(nx * gx + ny * gy));
+}
+
+/** The gap rate that a row asks for [m/s]: its bounce, or `most` at most of the speed that takes out a part of the overstretch. */
+export function wantedRate({ gap, rate }, cable, step, most) {
+  return Math.max(restitution(cable, rate) * Math.max(0, -rate), Math.min(most, (usualCorrection / step) * Math.max(0, -gap)));
+}
+
+/**
+ * Moves the body out of what rows leave of the overstretch, without a change of its velocity: that would be a rebound.
+ * A cable that is about to be hit takes no part; one from which the body comes back by itself is left to it.
+ */
+function moveOutOfOverstretch(world, theCase, step, dt) {
+  const state = world.state(), correction = usualCorrection / step;
+  const holding = theCase.cables.flatMap((cable) => {
+    const row = cableRow(cable, state), most = changeInStep(theCase.gravity, cable, row, state, dt);
+    if (row.gap > 0 || row.rate < -most) return [];
+    return [{ row, by: Math.max(0, dt * (-correction * row.gap - Math.max(most, row.rate))) }];
+  });
+  if (!holding.some(({ by }) => by > 0)) return;
+  const { mass, inertia } = theCase.body, moved = [...state];
+  impulsesFor(holding.map(({ row }) => row), theCase.body, holding.map(({ by }) => by)).forEach((push, i) => {
+    const { nx, ny, moment } = holding[i].row;
+    moved[0] += (push * nx) / mass;
+    moved[1] += (push * ny) / mass;
+    moved[2] += inertia > 0 ? (push * moment) / inertia : 0;
+  });
+  world.place(moved);
 }
 
 const undamped = () => [1, 1];
@@ -99,12 +129,17 @@ function impulsesSeen(engine, { body, cables, gravity }, before, after, dt, { pu
   });
 }
 
-/** The engine's own limit. `prepare(world, state, cables)` switches it before each step where a user would. */
+/**
+ * The engine's own limit, or `rows` of its solver that ask for `wantedRate`. `prepare(world, state, cables)` switches it
+ * before each step where a user would.
+ */
 export function startLimit(engine, theCase, { prepare, pullsSlack, left, ...options }) {
   return run(engine, theCase, { ...options, limit: options.limit ?? true }, (world, before, dt) => {
     prepare?.(world, before, theCase.cables);
     world.step(dt);
-    return world.pulls?.(dt) ?? impulsesSeen(engine, theCase, before, world.state(), dt, { pullsSlack, left });
+    const pulls = world.pulls?.(dt);
+    if (options.rows && options.rows !== "contact") moveOutOfOverstretch(world, theCase, options.step, dt);
+    return pulls ?? impulsesSeen(engine, theCase, before, world.state(), dt, { pullsSlack, left });
   });
 }
 

@@ -4,7 +4,8 @@ import { Unsupported } from "../../protocol/javascript/engine.mjs";
 import { startEvent } from "./event.mjs";
 import { startBounce, startLimit, startRow } from "./fixed_step.mjs";
 
-export const setting = (name, value, reason) => ({ name, value: String(value), reason });
+/** `origin` says whose choice the value is: "engine_default", "engine_demo" or "ours". */
+export const setting = (name, value, reason, origin = "ours") => ({ name, value: String(value), reason, origin });
 
 /** A model whose restitution is a table over the speed as well as a number. */
 const model = (name, maker, sentence, settings, start, more = {}) => ({ name, sentence, maker, drive: "steps",
@@ -14,7 +15,7 @@ const model = (name, maker, sentence, settings, start, more = {}) => ({ name, se
 export function rowModels(engine, settings, options = {}) {
   const start = (early) => (theCase, run) => startRow(engine, theCase, { ...options, ...run, early });
   return [
-    model("row", "by_hand", `Impulses by hand before the steps that start overstretched, for the larger of the bounce and 0.2 of the overstretch per step; ${engine.title} flies.`, settings, start(false), { tension: true }),
+    model("row", "by_hand", `Impulses by hand before the steps that start overstretched, for the bounce; 0.2 of the overstretch goes out per step without throwing the body back. ${engine.title} flies.`, settings, start(false), { tension: true }),
     model("early", "by_hand", "The same impulses already before the step that would overstretch the cable.", settings, start(true), { tension: true }),
   ];
 }

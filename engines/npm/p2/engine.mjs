@@ -49,7 +49,7 @@ function world({ gravity, body: { mass, inertia }, cables }, { limit, rows, earl
   } else if (rows) {
     w.solver.iterations = iterations;
     w.solver.tolerance = 0;
-    for (const cable of cables) w.addConstraint(solverRow(C, ground, body, cable, early, step, world.state, () => dt));
+    for (const cable of cables) w.addConstraint(solverRow(C, ground, body, gravity, cable, early, step, world.state, () => dt));
   }
   const equations = w.constraints.map((constraint) => constraint.equations[0]);
   if (equations.length > 0) world.pulls = (h) => equations.map(({ enabled, multiplier }) => (enabled ? Math.abs(multiplier) * h : 0));
@@ -73,7 +73,7 @@ serve({
     limitModel(engine, "distance-defaults", "The same limit on a body that is damped as p2 ships it.", [arrays, limit], { defaults: true }),
     bounceModel(engine, "distance-bounce", "The same limit, undamped, and after a step in which it pulled an impulse up to the cable's restitution.", [...settings, limit]),
     ...rowModels(engine, settings),
-    limitModel(engine, "solver-row", "An equation of its own, a one-sided row in p2's solver from the step after the cable is overstretched; it asks for the larger of the bounce and 0.2 of the overstretch per step.", solver, { limit: false, rows: true }, "by_hand"),
+    limitModel(engine, "solver-row", "An equation of its own, a one-sided row in p2's solver from the step after the cable is overstretched; it asks for the bounce, and takes 0.2 of the overstretch out per step without throwing the body back.", solver, { limit: false, rows: true }, "by_hand"),
     limitModel(engine, "solver-early", "The same row already in the step that would overstretch the cable.", solver, { limit: false, rows: true, early: true }, "by_hand"),
     eventModel(engine, settings),
   ],

@@ -28,7 +28,7 @@ function world({ gravity, body: { mass, ...rest }, cables }, { limit, rows, earl
     joints = cables.map(({ anchor, attachment, length }) => w.createJoint(new K.RopeJoint({ maxLength: length,
       localAnchorA: K.Vec2(...anchor), localAnchorB: K.Vec2(...attachment), bodyA: ground, bodyB: body })));
   } else if (rows) {
-    joints = solverRows(K, ground, body, cables, early, step).map((joint) => w.createJoint(joint));
+    joints = solverRows(K, ground, body, gravity, cables, early, step).map((joint) => w.createJoint(joint));
   }
   let angle = 0; // setTransform takes whole turns away
   return {
@@ -58,7 +58,7 @@ function world({ gravity, body: { mass, ...rest }, cables }, { limit, rows, earl
 
 const settings = [
   setting("allowSleep", false, "planck freezes a body slower than 0.01 m/s and 2 degrees/s for half a second."),
-  setting("velocityIterations, positionIterations", `${velocityIterations}, ${positionIterations}`, "A step has no defaults; these are what Box2D's manual suggests."),
+  setting("velocityIterations, positionIterations", `${velocityIterations}, ${positionIterations}`, "What a world of planck has; Box2D's manual suggests them.", "engine_default"),
 ];
 const rope = [...settings, setting("RopeJoint.maxLength", "the cable's length", "The joint is made of it.")];
 
@@ -70,7 +70,7 @@ serve({
     limitModel(engine, "rope", "planck's RopeJoint, which has no restitution: what one tries first.", rope),
     bounceModel(engine, "rope-bounce", "The same joint, and after a step in which it pulled an impulse that gives the cable's restitution.", rope),
     ...rowModels(engine, settings),
-    limitModel(engine, "solver-row", "A joint class of its own, a one-sided row in planck's solver from the step after the cable is overstretched; it asks for the larger of the bounce and 0.2 of the overstretch per step.", settings, { limit: false, rows: true }, "by_hand"),
+    limitModel(engine, "solver-row", "A joint class of its own, a one-sided row in planck's solver from the step after the cable is overstretched; it asks for the bounce, and takes 0.2 of the overstretch out per step without throwing the body back.", settings, { limit: false, rows: true }, "by_hand"),
     limitModel(engine, "solver-early", "The same row already in the step that would overstretch the cable.", settings, { limit: false, rows: true, early: true }, "by_hand"),
     eventModel(engine, settings),
   ],

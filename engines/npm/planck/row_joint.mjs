@@ -1,10 +1,10 @@
 // A cable as a joint class of its own: a one-sided row that planck's solver iterates with its other joints.
 
 import { cableRow } from "../../protocol/javascript/cable.mjs";
-import { acts, wantedRate } from "../common/fixed_step.mjs";
+import { acts, changeInStep, wantedRate } from "../common/fixed_step.mjs";
 
 /** A row for each of `cables`; `step` [s] is the run's. */
-export function solverRows(K, ground, body, cables, early, step) {
+export function solverRows(K, ground, body, gravity, cables, early, step) {
   class RowJoint extends K.Joint {
     constructor(cable) {
       super({}, ground, body);
@@ -19,10 +19,11 @@ export function solverRows(K, ground, body, cables, early, step) {
     /** `m_linearVelocity` is the velocity before this step's gravity, `c_velocity` the one after it. */
     initVelocityConstraints({ dt }) {
       const { c, a } = body.c_position, v = body.m_linearVelocity;
-      this.row = cableRow(this.cable, [c.x, c.y, a, v.x, v.y, body.m_angularVelocity]);
+      const now = [c.x, c.y, a, v.x, v.y, body.m_angularVelocity];
+      this.row = cableRow(this.cable, now);
       this.impulse = 0;
       this.active = acts(this.row, early, dt);
-      this.wanted = wantedRate(this.row, this.cable, step);
+      this.wanted = wantedRate(this.row, this.cable, step, changeInStep(gravity, this.cable, this.row, now, dt));
     }
 
     solveVelocityConstraints() {

@@ -196,6 +196,11 @@ TEST(Answers, WithAMistakeSayWhereItIsAndWhatWouldBeRight) {
        info_with(R"({"name":"row","sentence":"x","maker":"engine","settings":[{"name":"a"}]})"),
        "the engine's answer to info lacks models[0].settings[0].value"},
       {"info",
+       info_with(R"({"name":"row","sentence":"x","maker":"engine","settings":)"
+                 R"([{"name":"a","value":"1","reason":"x","origin":"mine"}]})"),
+       "the engine's answer to info: models[0].settings[0].origin is \"mine\", must be "
+       "engine_default, engine_demo or ours"},
+      {"info",
        info_with(R"({"name":"row","sentence":"x","maker":"engine","parameters":)"
                  R"([{"name":"a","low":2,"high":1}]})"),
        "the engine's answer to info: models[0].parameters[0].low is 2, must be below high, and "

@@ -120,7 +120,10 @@ TEST(Wire, EveryOtherAnswerComesAsItWasSent) {
   EXPECT_EQ(check.unfinished, "inertia");
   EXPECT_EQ(check.digest, "0123");
   const EngineInfo info = sent(
-      EngineInfo{"mine", "1.0", "float64", {{"row", "A row.", {{"erp", "0.2", "The default."}}}}});
+      EngineInfo{"mine",
+                 "1.0",
+                 "float64",
+                 {{"row", "A row.", {{"erp", "0.2", "The default.", Origin::engine_default}}}}});
   EXPECT_EQ(info.name, "mine");
   EXPECT_EQ(info.version, "1.0");
   EXPECT_EQ(info.precision, "float64");
@@ -128,6 +131,7 @@ TEST(Wire, EveryOtherAnswerComesAsItWasSent) {
   EXPECT_EQ(info.models.front().sentence, "A row.");
   ASSERT_EQ(info.models.front().settings.size(), 1U);
   EXPECT_EQ(info.models.front().settings.front().value, "0.2");
+  EXPECT_EQ(info.models.front().settings.front().origin, Origin::engine_default);
 }
 
 TEST(Wire, AMessageThatIsCutIsNone) {

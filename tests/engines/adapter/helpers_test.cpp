@@ -67,6 +67,64 @@ TEST(WantedRate, IsTheLargerOfBounceAndCorrectionAndNotTheirSum) {
   EXPECT_DOUBLE_EQ(wanted_rate(row_with(-0.0, 3.0), 0.5, 20.0), 0.0);
 }
 
+TEST(WantedRate, CorrectsNoFasterThanItMay) {
+  EXPECT_DOUBLE_EQ(wanted_rate(row_with(-0.1, -2.0), 0.0, 20.0, 0.01), 0.01);
+  EXPECT_DOUBLE_EQ(wanted_rate(row_with(-0.1, -2.0), 0.5, 20.0, 0.01), 1.0);
+  EXPECT_DOUBLE_EQ(wanted_rate(row_with(-1e-4, 0.0), 0.0, 20.0, 0.01), 2e-3);
+}
+
+/// A body on a cable of 1 m straight above it, `gap` [m] from its end.
+Case hanging(double gap) {
+  Case result;
+  result.body = {2.0, 0.1};
+  result.gravity = Vec2(0.0, -10.0);
+  result.cables = {{.anchor = Vec2(0.0, 1.0), .length = 1.0}};
+  result.initial.position = Vec2(0.0, gap);
+  return result;
+}
+
+TEST(ChangeInStep, IsOfGravityAndOfTheSwing) {
+  Case the_case = hanging(0.0);
+  EXPECT_DOUBLE_EQ(change_in_step(the_case, 0, the_case.initial, 0.01), 0.1);
+  the_case.initial.velocity = Vec2(2.0, 0.0);
+  EXPECT_DOUBLE_EQ(change_in_step(the_case, 0, the_case.initial, 0.01), 0.1 + 0.01 * 4.0);
+}
+
+TEST(OutOfOverstretch, MovesABodyThatRestsAndLeavesItsVelocity) {
+  const Case the_case = hanging(-0.1);
+  // 20 / s of 0.1 m are 2 m/s; a row takes the 0.1 m/s that gravity gives in this step, a move the
+  // rest
+  const auto moved = out_of_overstretch(the_case, the_case.initial, 20.0, 0.01);
+  ASSERT_TRUE(moved);
+  EXPECT_NEAR(moved->position.y(), -0.1 + 0.01 * (2.0 - 0.1), 1e-15);
+  EXPECT_EQ(moved->velocity, Vec2::Zero());
+  EXPECT_EQ(moved->spin, 0.0);
+}
+
+TEST(OutOfOverstretch, LeavesABodyThatIsHitOrReboundsToItsVelocity) {
+  Case the_case = hanging(-0.1);
+  for (const double rate : {-0.2, 2.1}) {  // of the gap: upwards it opens
+    the_case.initial.velocity = Vec2(0.0, rate);
+    EXPECT_FALSE(out_of_overstretch(the_case, the_case.initial, 20.0, 0.01)) << rate;
+  }
+  the_case.initial.velocity = Vec2(0.0, 1.0);  // half as fast as it should be
+  const auto moved = out_of_overstretch(the_case, the_case.initial, 20.0, 0.01);
+  ASSERT_TRUE(moved);
+  EXPECT_NEAR(moved->position.y(), -0.1 + 0.01 * (2.0 - 1.0), 1e-15);
+  EXPECT_FALSE(out_of_overstretch(hanging(0.1), hanging(0.1).initial, 20.0, 0.01)) << "slack";
+  EXPECT_FALSE(out_of_overstretch(hanging(-1e-3), hanging(-1e-3).initial, 20.0, 0.01))
+      << "a row alone does it";
+}
+
+TEST(OutOfOverstretch, OfOneCableDoesNotStretchTheOther) {
+  Case the_case = hanging(-0.1);
+  the_case.cables.push_back({.anchor = Vec2(0.0, -1.1), .length = 1.0});  // at its end below
+  const auto moved = out_of_overstretch(the_case, the_case.initial, 20.0, 0.01);
+  if (moved) {
+    EXPECT_NEAR(moved->position.y(), -0.1, 1e-12);
+  }
+}
+
 TEST(Correction, IsNoFasterInAShortLastStep) {
   EXPECT_DOUBLE_EQ(correction_in_step(1e-3, 1e-3), 0.2);
   EXPECT_DOUBLE_EQ(correction_in_step(1e-9, 1e-3) / 1e-9, 0.2 / 1e-3);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@ class PointWorld {
       : mass_(the_case.body.mass), extra_(extra), now_(the_case.initial) {}
 
   [[nodiscard]] State state() const { return now_; }
+  void place(const State& state) { now_ = state; }
 
   template <class Look>
   void advance(double dt, const Look& look) {
@@ -94,6 +96,24 @@ TEST(RowModel, GivesItsWorldWhatIsItsOwn) {
       {.name = "more", .sentence = "", .settings = {}}, Activation::overstretched, 0.25)};
   EXPECT_EQ(impulses_of(models, "more", 4).back(), 2.0 * (1.0 + 0.5 + 0.25));
   EXPECT_TRUE(models.front().follows_speed);
+}
+
+TEST(RowModel, WithoutRestitutionComesToRestAtTheLengthAndIsNotThrownBack) {
+  const auto models = row_and_early<PointWorld>({});
+  Case the_case = flying_from_the_anchor();
+  the_case.cables[0].restitution = 0.0;
+  for (const std::string model : {"row", "early"}) {
+    const auto simulation = start_model(models, model, the_case, 0.3);
+    double overstretch = 0.0;
+    for (int done = 0; done < 60; ++done) {
+      simulation->step(0.3);
+      EXPECT_GE(simulation->state().velocity.x(), 0.0) << model << ": is thrown back";
+      overstretch = std::max(overstretch, simulation->state().position.x() - 1.0);
+    }
+    EXPECT_EQ(simulation->state().velocity.x(), 0.0) << model;
+    EXPECT_LT(simulation->state().position.x() - 1.0, 1e-5) << model;
+    EXPECT_EQ(overstretch > 0.0, model == "row");
+  }
 }
 
 TEST(SolveRows, TellsTheImpulsesInTheOrderOfTheCablesAndLetsGo) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "bench/run/plugin.hpp"
 #include "tautline/plugin.hpp"
@@ -34,6 +35,29 @@ TEST(Plugin, OpensAModuleOfThisVersion) {
   EXPECT_EQ(plugin.engine().info().name, "exact");
   const Plugin moved = std::move(plugin);
   EXPECT_EQ(moved.engine().info().name, "exact");
+}
+
+/// Whose choice each setting called `name` of a model of ODE is.
+std::vector<Origin> origins_of_ode(const std::string& model, const std::string& name) {
+  const std::filesystem::path folder = TAUTLINE_ENGINE_DIR;
+  std::vector<Origin> result;
+  for (const Model& one : Plugin::open(folder / "tautline-engine-ode.so").engine().info().models) {
+    for (const Setting& setting : one.settings) {
+      if (one.name == model && setting.name == name) {
+        result.push_back(setting.origin);
+      }
+    }
+  }
+  return result;
+}
+
+TEST(Plugin, SaysWhoseChoiceASettingIs) {
+  const auto one = [](Origin origin) { return std::vector{origin}; };
+  EXPECT_EQ(origins_of_ode("contact", "bounce_vel"), one(Origin::engine_demo));
+  EXPECT_EQ(origins_of_ode("contact-tuned", "bounce_vel"), one(Origin::ours));
+  const std::string erp = "dContactSoftERP, soft_erp";
+  EXPECT_EQ(origins_of_ode("contact", erp), one(Origin::engine_default));
+  EXPECT_EQ(origins_of_ode("row", erp), one(Origin::ours));
 }
 
 TEST(Plugin, NamesAFileThatDoesNotExist) {
@@ -65,22 +89,22 @@ TEST(Plugin, RefusesAnotherInterfaceBeforeCallingIntoIt) {
 }
 
 constexpr std::string_view here =
-    "tautline-engine 4, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 16";
+    "tautline-engine 5, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 16";
 
 TEST(InterfaceText, TellsWhatToBuildOtherwise) {
   const std::pair<std::string_view, std::string_view> wanted[] = {
       {"tautline-engine 2, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 16",
        "rebuild it against this version's headers"},
-      {"tautline-engine 4, C++ ABI 1013, std::string ABI 1, Eigen 3.4, alignment 16",
+      {"tautline-engine 5, C++ ABI 1013, std::string ABI 1, Eigen 3.4, alignment 16",
        "build it with -fabi-version=17"},
-      {"tautline-engine 4, C++ ABI 1017, std::string ABI 0, Eigen 3.4, alignment 16",
+      {"tautline-engine 5, C++ ABI 1017, std::string ABI 0, Eigen 3.4, alignment 16",
        "build it with -D_GLIBCXX_USE_CXX11_ABI=1"},
-      {"tautline-engine 4, C++ ABI 1002, std::string ABI _GLIBCXX_USE_CXX11_ABI, Eigen 3.4, "
+      {"tautline-engine 5, C++ ABI 1002, std::string ABI _GLIBCXX_USE_CXX11_ABI, Eigen 3.4, "
        "alignment 16",
        "build it with -stdlib=libstdc++"},
-      {"tautline-engine 4, C++ ABI 1017, std::string ABI 1, Eigen 3.3, alignment 16",
+      {"tautline-engine 5, C++ ABI 1017, std::string ABI 1, Eigen 3.3, alignment 16",
        "build it against Eigen 3.4"},
-      {"tautline-engine 4, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 32",
+      {"tautline-engine 5, C++ ABI 1017, std::string ABI 1, Eigen 3.4, alignment 32",
        "add -DEIGEN_MAX_STATIC_ALIGN_BYTES=16"},
       {"what is this", "rebuild it against this version's headers"}};
   for (const auto& [theirs, advice] : wanted) {
@@ -92,7 +116,7 @@ TEST(InterfaceText, TellsWhatToBuildOtherwise) {
 
 TEST(InterfaceText, LetsClangAndGccGoTogether) {
   const std::string clang =
-      "tautline-engine 4, C++ ABI 1002, std::string ABI 1, Eigen 3.4, alignment 16";
+      "tautline-engine 5, C++ ABI 1002, std::string ABI 1, Eigen 3.4, alignment 16";
   EXPECT_EQ(misfit(clang, here), "");
   EXPECT_EQ(misfit(here, clang), "");
   EXPECT_EQ(misfit(here, here), "");

@@ -1,9 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
 
 #include "tautline/case.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/impulses_by_hand.hpp"
 
 namespace tautline {
 
@@ -40,11 +45,28 @@ enum class Activation {
   return restitution * std::max(0.0, -row.rate);
 }
 
-/// The gap rate a model with fixed steps asks for [m/s]: the bounce, or the speed that takes out
-/// `correction` [1/s] of the overstretch, whichever is faster. Their sum would gain energy.
-[[nodiscard]] inline double wanted_rate(const CableRow& row, double restitution,
-                                        double correction) {
-  return std::max(rebound_rate(row, restitution), correction * std::max(0.0, -row.gap));
+/// By how much the gap rate of cable `index` changes at most in a step of `dt` [s] from `state` in
+/// which it is not hit [m/s], >= 0: by gravity, and as cable and body turn.
+[[nodiscard]] inline double change_in_step(const Case& the_case, std::size_t index,
+                                           const State& state, double dt) {
+  const Cable& cable = the_case.cables[index];
+  const Eigen::Vector3d motion(state.velocity.x(), state.velocity.y(), state.spin);
+  const double fallen = gap_gradient(cable, state).head<2>().dot(the_case.gravity);
+  return dt * (std::abs(gap_gradient_rate(cable, state).dot(motion)) + std::abs(fallen));
+}
+
+/// The gap rate that takes out `correction` [1/s] of the overstretch [m/s], at most `most` [m/s].
+/// With the `change_in_step` it keeps a body in its swing, and throws none back that has hit the
+/// cable: what is left of the overstretch then goes out by a move, see `out_of_overstretch`.
+[[nodiscard]] inline double push_rate(const CableRow& row, double correction, double most) {
+  return std::min(most, correction * std::max(0.0, -row.gap));
+}
+
+/// The gap rate a model with fixed steps asks for [m/s]: the bounce, or the speed `push_rate`,
+/// whichever is faster. Their sum would gain energy.
+[[nodiscard]] inline double wanted_rate(const CableRow& row, double restitution, double correction,
+                                        double most = std::numeric_limits<double>::infinity()) {
+  return std::max(rebound_rate(row, restitution), push_rate(row, correction, most));
 }
 
 /// The part of an overstretch that engines take out in one step unless told otherwise [-].
@@ -54,6 +76,34 @@ inline constexpr double usual_correction = 0.2;
 /// step would turn a small overstretch into a large speed [-].
 [[nodiscard]] inline double correction_in_step(double dt, double usual_step) {
   return usual_correction * std::min(1.0, dt / usual_step);
+}
+
+/// `state` after its body has moved out of overstretch by what a step of `dt` [s] with `push_rate`
+/// leaves of `correction` [1/s]: without a change of velocity, for that would be a rebound that
+/// nobody asked for. A cable that is about to be hit takes no part, and one from which the body
+/// comes back fast enough by itself is left to it. None where there is nothing to move.
+[[nodiscard]] inline std::optional<State> out_of_overstretch(const Case& the_case,
+                                                             const State& state, double correction,
+                                                             double dt) {
+  CableSet holding;
+  CableVector lacking(static_cast<Eigen::Index>(the_case.cables.size()));  // [m], <= 0
+  Eigen::Index count = 0;
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    const CableRow row = cable_row(the_case.cables[index], state);
+    const double most = change_in_step(the_case, index, state, dt);
+    if (row.gap <= 0.0 && row.rate >= -most) {
+      const double done = std::max(most, row.rate);
+      lacking[count++] = std::min(0.0, dt * (done + correction * row.gap));
+      holding.insert(index);
+    }
+  }
+  if (!(lacking.head(count).array() < 0.0).any()) {
+    return std::nullopt;
+  }
+  const CableVector pushes =
+      impulses_by_hand(delassus(the_case, state, holding), lacking.head(count), 0.0);
+  const State move = with_impulses(the_case, standing_still(state), holding, pushes);
+  return moved(state, Eigen::Vector3d(move.velocity.x(), move.velocity.y(), move.spin));
 }
 
 }  // namespace tautline

@@ -15,11 +15,31 @@
 
 namespace tautline {
 
-/// A setting of an engine that is not its default, and why.
+/// Whose choice the value of a setting is: whom to blame for what follows from it.
+enum class Origin {
+  engine_default,  // what the engine does if its user says nothing
+  engine_demo,     // the engine ships no default; its demos, samples or manual have this value
+  ours,            // the plug-in's
+};
+/// Its name, as it stands in report.json.
+[[nodiscard]] constexpr const char* to_string(Origin origin) {
+  switch (origin) {
+    case Origin::engine_default:
+      return "engine_default";
+    case Origin::engine_demo:
+      return "engine_demo";
+    case Origin::ours:
+      return "ours";
+  }
+  return "";
+}
+
+/// A setting of an engine that its default does not settle, and why.
 struct Setting {
-  std::string name;    // the engine's own name for it
-  std::string value;   // as it is set
-  std::string reason;  // one sentence
+  std::string name;              // the engine's own name for it
+  std::string value;             // as it is set
+  std::string reason;            // one sentence
+  Origin origin = Origin::ours;  // whose choice the value is
 };
 
 /// Whose the cable of a model is: whom its errors belong to.
@@ -55,7 +75,7 @@ struct Parameter {
 struct Model {
   std::string name;                        // [a-z0-9-]+, such as "row" or "event"
   std::string sentence;                    // what it does, in one sentence
-  std::vector<Setting> settings;           // every one that is not the engine's default
+  std::vector<Setting> settings;           // every one that is not left alone
   Maker maker = Maker::by_hand;            // whose its cable is
   std::vector<Parameter> parameters = {};  // that a run may set; none in most models
   std::string code = {};  // sets them in a user's program, "{name}" where a value stands

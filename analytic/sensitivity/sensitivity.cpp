@@ -214,16 +214,15 @@ BasicStateMatrix<Real> BasicSensitivity<Real>::between(const Real& from, const R
   // along a piece nothing is lost: its flow has an inverse
   BasicStateMatrix<Real> result =
       from > pieces_[place].start
-          ? BasicStateMatrix<Real>(pieces_[place]
-                                       .carried(from - pieces_[place].start,
-                                                BasicStateMatrix<Real>::Identity())
-                                       .partialPivLu()
-                                       .inverse())
+          ? BasicStateMatrix<Real>(
+                pieces_[place]
+                    .carried(from - pieces_[place].start, BasicStateMatrix<Real>::Identity())
+                    .partialPivLu()
+                    .inverse())
           : BasicStateMatrix<Real>::Identity();
   for (; place < last; ++place) {
     const Piece& next = pieces_[place + 1];
-    result =
-        (next.jump * pieces_[place].carried(next.start - pieces_[place].start, result)).eval();
+    result = (next.jump * pieces_[place].carried(next.start - pieces_[place].start, result)).eval();
   }
   return pieces_[last].carried(to - pieces_[last].start, result);
 }

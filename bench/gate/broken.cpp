@@ -45,9 +45,8 @@ void add_gone(const Report& report, const ListedProblems& listed, std::vector<Br
       if (problem.runs.holds(run.key)) {
         const auto& problems = run.verdict.value().problems;
         could = could || could_show(run, problem.kind);
-        shown = shown || std::any_of(problems.begin(), problems.end(), [&](const Problem& one) {
-                  return one.kind == problem.kind;
-                });
+        shown = shown || std::any_of(problems.begin(), problems.end(),
+                                     [&](const Problem& one) { return one.kind == problem.kind; });
       }
     }
     if (could && !shown && !problem.in_some) {

@@ -1,5 +1,5 @@
-// Reads and writes a problems file, as strictly as a case file: all that is wrong with it is said at
-// once.
+// Reads and writes a problems file, as strictly as a case file: all that is wrong with it is said
+// at once.
 
 #include "bench/gate/listed_problems.hpp"
 
@@ -188,15 +188,19 @@ std::string problems_file_of(const Report& report, const ListedProblems& known) 
     }
   }
   std::string out = fmt::format(
-      "# Problems that runs of these models are known to have. Say in each reason why it may stay;\n"
-      "# `tautline bench --gate` holds reports against them, both ways.\n"
+      "# Problems that runs of these models are known to have. Say in each reason why it may "
+      "stay;\n"
+      "# `tautline bench --gate` reads them: other problems break it, and so do listed ones that "
+      "are gone.\n"
       "schema = {}\nversion = \"1\"\n",
       problems_schema);
   for (const auto& [key, entry] : entries) {
     const auto& [engine, model, kind] = key;
-    const auto has = std::find_if(known.problems.begin(), known.problems.end(), [&](const auto& one) {
-      return one.kind == kind && matches(one.runs.engine, engine) && matches(one.runs.model, model);
-    });
+    const auto has =
+        std::find_if(known.problems.begin(), known.problems.end(), [&](const auto& one) {
+          return one.kind == kind && matches(one.runs.engine, engine) &&
+                 matches(one.runs.model, model);
+        });
     out += fmt::format(
         "\n[[problem]]\nengine = {}\nmodel = {}\nkind = \"{}\"\nfinding = {}\nreason = {}\n{}",
         toml_string(engine), toml_string(model), kind, toml_string(entry.finding),

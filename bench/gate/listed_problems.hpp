@@ -11,8 +11,8 @@
 
 namespace tautline::bench {
 
-/// A problem that runs are known to have, which only a person can say: why it is so, and that it may
-/// stay.
+/// A problem that runs are known to have, which only a person can say: why it is so, and that it
+/// may stay.
 struct ListedProblem {
   RunPattern runs;
   std::string kind;      // of `problem_kinds`
@@ -21,7 +21,7 @@ struct ListedProblem {
   bool in_some = false;  // of these runs: that none shows it in a report says nothing
 };
 
-/// What a problems file says.
+/// The content of a problems file.
 struct ListedProblems {
   std::string file;
   std::string version;

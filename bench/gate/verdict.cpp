@@ -1,4 +1,4 @@
-// What is wrong with each run of a report, from its judgement, and what of it is listed.
+// Finds the problems of each run of a report in its judgement, and those that are listed.
 
 #include "bench/gate/verdict.hpp"
 
@@ -97,7 +97,8 @@ Word word_on(const RunRow& run, const Problems& problems) {
                : Word::problem;
   }
   const bool told = run.judgement && run.judgement->rebounds.word == Rebound::kept &&
-                    run.judgement->following.ratio && *run.judgement->following.ratio <= as_good_ratio;
+                    run.judgement->following.ratio &&
+                    *run.judgement->following.ratio <= as_good_ratio;
   return told ? Word::sound : Word::too_few;
 }
 
@@ -128,10 +129,10 @@ void add_verdicts(Report& report, const ListedProblems& listed) {
       add_judged(*run.judgement, problems);
     }
     for (Problem& problem : problems) {
-      const auto found = std::find_if(
-          listed.problems.begin(), listed.problems.end(), [&](const ListedProblem& one) {
-            return one.kind == problem.kind && one.runs.holds(run.key);
-          });
+      const auto found = std::find_if(listed.problems.begin(), listed.problems.end(),
+                                      [&](const ListedProblem& one) {
+                                        return one.kind == problem.kind && one.runs.holds(run.key);
+                                      });
       problem.listed = found != listed.problems.end();
       problem.reason = problem.listed ? found->reason : "";
     }

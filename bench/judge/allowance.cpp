@@ -15,7 +15,7 @@
 namespace tautline::bench {
 namespace {
 
-/// Parts of the exact motion at which numbers along it are kept, beside its events.
+/// Parts of the exact motion at which numbers along it are kept, in addition to its events.
 constexpr std::size_t parts = 1000;
 
 /// Impacts slower than this part of the fastest move nobody [-].
@@ -28,7 +28,7 @@ constexpr double too_much = 0.1;
 /// Schemes may part where two outcomes are closer than this part of the allowance [-].
 constexpr double guard_of_forks = 0.25;
 
-/// Near misses are looked for at so many instants.
+/// Near misses are looked for at this many instants.
 constexpr int looks = 4000;
 
 /// A gap below this part of the cable is an impact's or a taut cable's [-].
@@ -71,8 +71,8 @@ StateVector by_delay(const ReferenceCase& reference, const Event& event) {
 }
 
 /// By what a scheme of first order is off per unit of time and step, `dt` [s] after the start of
-/// `arc`: half of the acceleration as a rate of the pose, and, on taut cables, half of its rate as a
-/// rate of the velocity. `moment` [s] is short against the arc.
+/// `arc`: half of the acceleration as a rate of the pose, and, on taut cables, half of its rate as
+/// a rate of the velocity. `moment` [s] is short against the arc.
 StateVector defect(const Arc& arc, double dt, double moment, const Vec2& gravity) {
   StateVector result = StateVector::Zero();
   if (arc.taut.empty()) {
@@ -164,8 +164,8 @@ std::optional<double> near_miss(const ReferenceCase& reference, const Allowance&
   return first;
 }
 
-/// The first instant before `end` [s] at which impacts of two cables may swap. Cables that are struck
-/// in one instant are struck together, which only the law that does so by itself is sure of.
+/// The first instant before `end` [s] at which impacts of two cables may swap. Cables that are
+/// struck in one instant are struck together, which only the law that does so by itself is sure of.
 std::optional<double> swap_of_impacts(const ReferenceCase& reference, const Allowance& allowance,
                                       double end) {
   const bool together = reference.law == ImpactLaw::simultaneous;
@@ -187,9 +187,9 @@ std::optional<double> swap_of_impacts(const ReferenceCase& reference, const Allo
 /// The plain scheme with one shift of its first step.
 struct ShiftedRun {
   PlainScheme scheme;
-  double first;       // [s], its first step
-  double time = 0.0;  // [s]
-  double worst = 0.0; // [m]
+  double first;        // [s], its first step
+  double time = 0.0;   // [s]
+  double worst = 0.0;  // [m]
 };
 
 }  // namespace
@@ -222,8 +222,7 @@ Yardstick yardstick(const ReferenceCase& reference, double step, const std::vect
         run.time += dt;
         if (run.time <= end) {
           run.worst = std::max(
-              run.worst,
-              (run.scheme.state().position - solution.at(run.time).position).norm());
+              run.worst, (run.scheme.state().position - solution.at(run.time).position).norm());
         }
       }
       worst = std::max(worst, run.worst);
@@ -239,8 +238,7 @@ Yardstick yardstick(const ReferenceCase& reference, double step, const std::vect
 }
 
 Expectation::Expectation(const ReferenceCase& reference)
-    : reference_(reference),
-      end_(std::min(reference.solution.end_time(), reference.horizon)) {
+    : reference_(reference), end_(std::min(reference.solution.end_time(), reference.horizon)) {
   follow();
 }
 

@@ -10,21 +10,21 @@
 
 namespace tautline::bench {
 
-// What any correct scheme with fixed steps may be off by in a case, from the exact motion of that
+// How far any correct scheme with fixed steps may be off in a case, from the exact motion of that
 // case alone: no table of cases, engines or models has a part in it.
 //
-// A scheme that comes to an impact late by a step, or flies with the first order of its step, is off
-// by
+// A scheme that comes to an impact late by a step, or flies with the first order of its step, is
+// off by
 //
 //     A(t; h) = h (sum over impacts |P S(t, t_i) d_i| + sum over arcs |integral P S(t, s) b(s) ds|)
 //
-// to first order, where d_i is the derivative of the state by a delay of impact i, b the defect of a
-// first-order scheme per unit of time, S the derivative of the motion and P its position rows. And a
-// plain correct scheme (PlainScheme) is off by Y(t; h) at most, over many shifts of its first step. A
-// misses impacts that swap and is infinite where no derivative exists; Y is blind where no shift
-// happens on the worst. They fail in different places: the larger of the two is allowed.
+// to first order, where d_i is the derivative of the state by a delay of impact i, b the defect of
+// a first-order scheme per unit of time, S the derivative of the motion and P its position rows.
+// And a plain correct scheme (PlainScheme) is off by Y(t; h) at most, over many shifts of its first
+// step. A misses impacts that swap and is infinite where no derivative exists; Y is blind where no
+// shift happens on the worst. They fail in different places: the larger of the two is allowed.
 
-/// Some numbers along a motion, of which the largest so far counts.
+/// Numbers along a motion; the largest so far counts.
 struct AlongMotion {
   std::vector<double> times;   // [s], rising, the first is 0
   std::vector<double> values;  // one for each, never falling
@@ -35,16 +35,16 @@ struct AlongMotion {
 
 /// Why no run is judged by its position after some instant.
 enum class Barrier {
-  end,        // nothing ends it before the exact motion does, or its horizon
-  growth,     // what a step may be off by has grown to a tenth of the shortest cable
-  fork,       // correct schemes may part: a near miss, or impacts of two cables that may swap
+  end,     // nothing ends it before the exact motion does, or its horizon
+  growth,  // what a step may be off by has grown to a tenth of the shortest cable
+  fork,    // correct schemes may part: a near miss, or impacts of two cables that may swap
 };
 
-/// What a run with steps of `step` may be off by.
+/// How far a run with steps of `step` may be off.
 struct Allowance {
-  double step = 0.0;       // [s]
-  AlongMotion position;    // [m]
-  double until = 0.0;      // [s]: a step-by-step model can follow the motion up to here
+  double step = 0.0;               // [s]
+  AlongMotion position;            // [m]
+  double until = 0.0;              // [s]: a step-by-step model can follow the motion up to here
   Barrier barrier = Barrier::end;  // why not for longer
 
   /// At `time` [s]: as two steps later, as a scheme may be late by that.
@@ -62,7 +62,7 @@ struct Yardstick {
 [[nodiscard]] Yardstick yardstick(const ReferenceCase& reference, double step,
                                   const std::vector<double>& times, double enough);
 
-/// What the exact motion of a case says of all runs of it. Any thread may ask.
+/// Says of all runs of a case how far each may be off, from the exact motion. Any thread may ask.
 class Expectation {
  public:
   /// `reference` must outlive this.
@@ -73,8 +73,8 @@ class Expectation {
   /// For runs with steps of `step` [s]: worked out when it is first asked for.
   [[nodiscard]] const Allowance& allowance(double step) const;
 
-  /// How much rounding has grown to [m] at an instant: of numbers with a relative error of one, once
-  /// in each second and once at each event. Random roundings add up by their squares.
+  /// How much rounding has grown to [m] at an instant: of numbers with a relative error of one,
+  /// once in each second and once at each event. Random roundings add up by their squares.
   [[nodiscard]] double rounding_at(double time, double step) const;
 
   /// The fastest that the body moves or a cable closes in the exact motion [m/s], and the largest
@@ -89,18 +89,18 @@ class Expectation {
   [[nodiscard]] Allowance made(double step) const;
 
   const ReferenceCase& reference_;
-  double end_;                    // [s], of what is judged
-  double speed_ = 0.0;            //
-  double acceleration_ = 0.0;     //
-  double extent_ = 0.0;           //
-  AlongMotion tangent_;           // [m / s], A for a step of one second
-  AlongMotion by_steps_;          // [m^2], of roundings in each second
-  AlongMotion by_events_;         // [m^2], of roundings at events
+  double end_;                 // [s], of what is judged
+  double speed_ = 0.0;         //
+  double acceleration_ = 0.0;  //
+  double extent_ = 0.0;        //
+  AlongMotion tangent_;        // [m / s], A for a step of one second
+  AlongMotion by_steps_;       // [m^2], of roundings in each second
+  AlongMotion by_events_;      // [m^2], of roundings at events
   mutable std::map<double, Allowance> allowances_;
   mutable std::mutex guard_;
 };
 
-/// Of each of `references`, which must outlive them.
+/// For each of `references`, which must outlive them.
 using Expectations = std::deque<Expectation>;
 [[nodiscard]] Expectations expectations_of(const std::vector<ReferenceCase>& references);
 

@@ -39,10 +39,9 @@ std::vector<ExactHit> exact_hits(const ReferenceCase& reference, double until) {
     for (const std::size_t index : event.cables) {
       const Cable& cable = the_case.cables[index];
       const double rate = gap_rate(cable, event.before);
-      hits.push_back({event.time, index, -rate, gap_rate(cable, event.after),
-                      restitution(cable, rate),
-                      change_of_rates(the_case, index, event.before, event.after),
-                      event.cables.size() == 1});
+      hits.push_back(
+          {event.time, index, -rate, gap_rate(cable, event.after), restitution(cable, rate),
+           change_of_rates(the_case, index, event.before, event.after), event.cables.size() == 1});
     }
   }
   return hits;
@@ -138,9 +137,8 @@ Following following(const Expectation& expectation, const Allowance& allowance,
     if (point.time <= 0.0) {
       continue;
     }
-    worst = std::max(
-        worst,
-        (point.state.position - reference.solution.at(point.time).position).norm());
+    worst =
+        std::max(worst, (point.state.position - reference.solution.at(point.time).position).norm());
     const double grown = rounding * expectation.rounding_at(point.time, run.step);
     const double allowed =
         allowance.at(point.time) + least_part * shortest +
@@ -222,9 +220,8 @@ Judgement judge(const Expectation& expectation, const Trajectory& run,
   const double speed = expectation.speed() + expectation.acceleration() * run.step;
   const double steps = run.points.back().time / run.step;
   const double floats = in_floats(precision) ? float_rounding : 0.0;
-  result.overstretch =
-      run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
-                         floats * expectation.extent() * std::sqrt(steps));
+  result.overstretch = run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
+                                          floats * expectation.extent() * std::sqrt(steps));
   const double start = std::abs(energy(the_case, the_case.initial));
   const double weight =
       the_case.body.mass * expectation.acceleration() * std::max(1.0, expectation.extent());

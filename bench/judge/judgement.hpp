@@ -14,11 +14,12 @@ namespace tautline::bench {
 
 /// How far a run is from the exact motion, against what is allowed to any scheme of its step.
 struct Following {
-  std::optional<double> ratio;  // [-], of error to allowance, at worst; none where nothing is judged
-  double time = 0.0;            // [s], of the worst
-  double error = 0.0;           // [m], then
-  double until = 0.0;           // [s], of what is judged
-  bool located = false;         // the run names the instants of all of its impacts itself
+  std::optional<double>
+      ratio;             // [-], of error to allowance, at worst; none where nothing is judged
+  double time = 0.0;     // [s], of the worst
+  double error = 0.0;    // [m], then
+  double until = 0.0;    // [s], of what is judged
+  bool located = false;  // the run names the instants of all of its impacts itself
   /// [-], of the error to what rounding explains up to the first taut cable; of a run that locates
   /// its impacts, in the numbers of its engine. None of others.
   std::optional<double> rounding;
@@ -39,20 +40,20 @@ struct Judgement {
   double energy = 0.0;       // [-], the largest rise outside contacts, in units of m g v step
 };
 
-/// Of `run`, whose `impacts` are audited, of an engine with numbers of `precision`.
+/// Judges `run`, whose `impacts` are audited, of an engine with numbers of `precision`.
 [[nodiscard]] Judgement judge(const Expectation& expectation, const Trajectory& run,
                               const std::vector<AuditedImpact>& impacts,
                               std::string_view precision);
 
-// What counts as a problem. Each number stands well above the worst of some 1,900 runs of 13 sound
-// models, which is given.
+// From here on it is a problem. Each number stands well above the worst of some 1,900 runs of 13
+// sound models, which is given.
 
-inline constexpr double as_good_ratio = 1.5;          // of Following::ratio, for the word; 1.41
-inline constexpr double problem_ratio = 2.0;      // the same, for a problem
-inline constexpr double exact_ratio = 0.2;        // the same, of a run that is exact to its events; 0.11
-inline constexpr double most_rounding = 1000.0; // of Following::rounding; 106
-inline constexpr double most_overstretch = 2.0; // of Judgement::overstretch; 1.24
-inline constexpr double most_energy = 3.0;      // of Judgement::energy; 2.1
+inline constexpr double as_good_ratio = 1.5;  // of Following::ratio, for the word; 1.41
+inline constexpr double problem_ratio = 2.0;  // the same, for a problem
+inline constexpr double exact_ratio = 0.2;  // the same, of a run that is exact to its events; 0.11
+inline constexpr double most_rounding = 1000.0;  // of Following::rounding; 106
+inline constexpr double most_overstretch = 2.0;  // of Judgement::overstretch; 1.24
+inline constexpr double most_energy = 3.0;       // of Judgement::energy; 2.1
 
 /// The impacts of an exact motion that a run of steps of `step` [s] can be read by: from this alone
 /// it is known beforehand which step tells something of a case.

@@ -33,9 +33,9 @@ std::vector<Runs> by_model(const std::vector<JudgedRun>& runs) {
 }
 
 double finest(const Runs& runs) {
-  return (*std::min_element(runs.begin(), runs.end(), [](const auto* one, const auto* two) {
-           return one->step < two->step;
-         }))->step;
+  return (*std::min_element(runs.begin(), runs.end(),
+                            [](const auto* one, const auto* two) { return one->step < two->step; }))
+      ->step;
 }
 
 /// The worst course of all cases; with one exact course in each of them, exact.
@@ -209,8 +209,8 @@ const char* to_string(Rebound word) {
 }
 
 const char* to_string(Course word) {
-  constexpr std::array names = {"exact", "as-good", "converges", "does-not-converge", "off",
-                                "untold"};
+  constexpr std::array names = {"exact", "as-good", "converges", "does-not-converge",
+                                "off",   "untold"};
   return names.at(static_cast<std::size_t>(word));
 }
 
@@ -220,15 +220,15 @@ const char* to_string(Barrier barrier) {
 }
 
 std::string words_of(const Rebounds& rebounds) {
-  const std::string steps =
-      rebounds.readable > 0 && rebounds.steps > 1.0
-          ? fmt::format(", in {:.0f} steps", rebounds.steps)
-          : "";
+  const std::string steps = rebounds.readable > 0 && rebounds.steps > 1.0
+                                ? fmt::format(", in {:.0f} steps", rebounds.steps)
+                                : "";
   return word_text(rebounds) + steps;
 }
 
 std::string words_of(Course course, const std::optional<double>& ratio) {
-  const std::string times = fmt::format("{:.2g} times the error of a plain scheme", ratio.value_or(0.0));
+  const std::string times =
+      fmt::format("{:.2g} times the error of a plain scheme", ratio.value_or(0.0));
   switch (course) {
     case Course::exact:
       return "exact to its events";

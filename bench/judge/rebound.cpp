@@ -28,8 +28,7 @@ constexpr double few = 0.3;
 using Impacts = std::vector<AuditedImpact>;
 
 bool is_off(const AuditedImpact& impact) {
-  return std::abs(impact.deviation()) >
-         beyond * impact.rate_floor / impact.speed + least_deviation;
+  return std::abs(impact.deviation()) > beyond * impact.rate_floor / impact.speed + least_deviation;
 }
 
 bool is_lost(const AuditedImpact& impact) {
@@ -65,8 +64,8 @@ std::optional<double> lost_up_to(const Impacts& impacts) {
       ++lost;
     }
   }
-  const std::size_t below = count_of(
-      impacts, [fastest](const AuditedImpact& impact) { return impact.speed <= fastest; });
+  const std::size_t below =
+      count_of(impacts, [fastest](const AuditedImpact& impact) { return impact.speed <= fastest; });
   return lost > 0 && part(lost, below) >= most ? std::optional(fastest) : std::nullopt;
 }
 
@@ -120,8 +119,8 @@ Rebounds rebounds_of(const std::vector<AuditedImpact>& impacts,
   result.off = count_of(impacts, is_off);
   const std::size_t back =
       count_of(impacts, [](const AuditedImpact& impact) { return !is_lost(impact); });
-  if (stuck && static_cast<double>(back) <
-                   std::max(1.0, few * static_cast<double>(impacts.size()))) {
+  if (stuck &&
+      static_cast<double>(back) < std::max(1.0, few * static_cast<double>(impacts.size()))) {
     result.word = Rebound::none;
     result.speed = stuck->speed;
     result.stays_taut = true;

@@ -10,7 +10,7 @@
 namespace tautline::bench {
 namespace {
 
-/// Steps of which the errors are known, parts of the window.
+/// Steps whose errors are known, as parts of the window.
 constexpr std::array parts_of_window = {1e-2 / usual_window, 1e-3 / usual_window,
                                         1e-4 / usual_window};
 

@@ -19,7 +19,7 @@ struct StepNeeded {
 /// 1e-4 s of its first seconds.
 [[nodiscard]] StepNeeded step_needed(const ReferenceCase& reference, double part);
 
-/// What is asked of a step, unless something else is [s] and [-].
+/// The usual question: this part of the shortest cable [-], over this time [s].
 inline constexpr double usual_window = 3.0;
 inline constexpr double usual_part = 0.01;
 

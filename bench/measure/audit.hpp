@@ -30,7 +30,7 @@ struct AuditedRun {
   double step = 0.0;  // [s]
 };
 
-/// What the models do to impacts beside their rebounds, in the order of their first runs.
+/// What the models do to impacts, apart from their rebounds, in the order of their first runs.
 [[nodiscard]] std::vector<Finding> findings(const std::vector<AuditedRun>& runs);
 
 }  // namespace tautline::bench

@@ -81,16 +81,15 @@ bool bounces_straight(const ReferenceCase& reference) {
   });
 }
 
-/// True where a step stops the body and the steps that follow hold it: nothing came back, whatever
-/// its many steps do to the reading. A soft contact takes several steps to stop it, and two phases of
-/// one impact two.
+/// True where a step stops the body and the steps that follow hold it: nothing came back, however
+/// its many steps do to the reading. A soft contact takes several steps to stop it, and two phases
+/// of one impact two.
 bool sticks(const Case& the_case, const RecordedImpact& impact) {
   constexpr std::size_t least_steps = 4;
   constexpr double still_closing = 0.1;  // [-], of the speed
   const double speed = -impact.rate_before;
   const double e = restitution(the_case.cables[impact.cable], impact.rate_before);
-  return e >= asking && impact.steps >= least_steps &&
-         impact.rate_first > -still_closing * speed &&
+  return e >= asking && impact.steps >= least_steps && impact.rate_first > -still_closing * speed &&
          std::max(impact.rate_first, impact.rate_after) < lost_part * e * speed;
 }
 
@@ -121,11 +120,11 @@ std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const
     after.spin = recorded.after.spin;
     const double steps =
         sticks(the_case, recorded) ? 1.0 : std::max(1.0, static_cast<double>(recorded.steps));
-    const double floor = steps * run.step *
-                         change_of_rates(the_case, recorded.cable, recorded.before, after);
+    const double floor =
+        steps * run.step * change_of_rates(the_case, recorded.cable, recorded.before, after);
     AuditedImpact impact = audited(the_case, recorded, floor);
-    impact.rate_floor += impact.speed * change_of_restitution(the_case.cables[recorded.cable],
-                                                              impact.speed, floor);
+    impact.rate_floor +=
+        impact.speed * change_of_restitution(the_case.cables[recorded.cable], impact.speed, floor);
     if (std::isfinite(impact.effective * impact.requested) &&
         impact.rate_floor <= readable_part * impact.speed) {
       result.push_back(impact);

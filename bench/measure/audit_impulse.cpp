@@ -61,8 +61,7 @@ std::optional<Finding> several_steps(const AuditedModel& model) {
   finding.value = middle;
   finding.unit = "steps";
   finding.impacts = bounces;
-  finding.shown_in =
-      runs_with(model, [](const AuditedImpact& impact) { return impact.steps > 1; });
+  finding.shown_in = runs_with(model, [](const AuditedImpact& impact) { return impact.steps > 1; });
   return finding;
 }
 

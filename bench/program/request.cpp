@@ -117,20 +117,21 @@ std::optional<double> within_of(const BenchCommand& command, std::vector<std::st
   const bool whole = end != text.c_str() && std::string_view(end) == (percent ? "%" : "");
   const double part = percent ? number / 100.0 : number;
   if (!whole || !(part > 0.0 && part < 1.0)) {
-    problems.push_back(
-        fmt::format("--within {}: must be a part of the shortest cable, such as 1% or 0.01",
-                    printable(text)));
+    problems.push_back(fmt::format(
+        "--within {}: must be a part of the shortest cable, such as 1% or 0.01", printable(text)));
   }
   for (const auto& [option, given] :
        {std::pair("--gate", command.gate.has_value()), std::pair("--json", !command.json.empty()),
         std::pair("--list-problems", !command.list_problems.empty()),
         std::pair("--shard", command.shard.has_value()), std::pair("--resume", command.resume),
-        std::pair("--steps", !command.steps.empty()), std::pair("--until", command.until.has_value()),
+        std::pair("--steps", !command.steps.empty()),
+        std::pair("--until", command.until.has_value()),
         std::pair("--draws", command.draws.has_value())}) {
     if (given) {
-      problems.push_back(fmt::format(
-          "{}: --within searches steps and prints them, without a report; give the one or the other",
-          option));
+      problems.push_back(
+          fmt::format("{}: --within searches steps and prints them, without a report; give the one "
+                      "or the other",
+                      option));
     }
   }
   return part;
@@ -144,9 +145,10 @@ ProblemNames::Engine names_of(const RegisteredEngine& engine) {
   return names;
 }
 
-/// The names that a problems file may have: of all engines that the program knows or was given, their
-/// models, the shipped cases and `cases`.
-ProblemNames problem_names(const std::vector<RegisteredEngine>& given, const std::vector<Case>& cases) {
+/// The names that a problems file may have: of all engines that the program knows or was given,
+/// their models, the shipped cases and `cases`.
+ProblemNames problem_names(const std::vector<RegisteredEngine>& given,
+                           const std::vector<Case>& cases) {
   std::vector<RegisteredEngine> engines = given;
   for (RegisteredEngine& engine : registered_engines(Asked::plugins)) {
     const bool is_given = std::any_of(given.begin(), given.end(), [&](const auto& one) {
@@ -203,8 +205,7 @@ Request read_runs(const BenchCommand& command) {
   options.limits.time = command.time_limit;
   options.jobs = command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   append(request.problems, missing_folder("--json", command.json, command.out));
-  append(request.problems,
-         missing_folder("--list-problems", command.list_problems, command.out));
+  append(request.problems, missing_folder("--list-problems", command.list_problems, command.out));
   if (command.out.empty()) {
     request.problems.emplace_back("--out: is empty; give a folder to write the results to");
   }
@@ -281,10 +282,11 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
              "write the problems that the runs show to a file for --gate, and keep what it lists; "
              "say in it why each may stay");
   command
-      .add_option("--within", asked.within,
-                  "instead of a report: the largest step of each model that stays within this part of "
-                  "the shortest cable, such as 1%, over the first 3 s of each case, confirmed by a "
-                  "run with it")
+      .add_option(
+          "--within", asked.within,
+          "instead of a report: the largest step of each model that stays within this part of "
+          "the shortest cable, such as 1%, over the first 3 s of each case, confirmed by a "
+          "run with it")
       ->option_text("PART");
   command.add_flag("--all", asked.all, "print every number over the cases, too");
   command.footer("Suites, and what their cases show:\n" + suites_text());

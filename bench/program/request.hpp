@@ -28,13 +28,13 @@ struct BenchCommand {
   std::optional<unsigned> jobs;      // one per core if not given
   std::optional<std::string> shard;  // "3/16"
   bool resume = false;
-  std::optional<long long> draws;   // those of the suite, or 0, if not given
-  std::optional<bool> certify;      // yes of a suite, no of cases, if not given
-  double time_limit = 60.0;         // [s]
-  std::optional<std::string> gate;  // whose problems are listed; others make the exit code 1
-  std::string list_problems;        // a file to write the problems to; empty: none
+  std::optional<long long> draws;     // those of the suite, or 0, if not given
+  std::optional<bool> certify;        // yes of a suite, no of cases, if not given
+  double time_limit = 60.0;           // [s]
+  std::optional<std::string> gate;    // whose problems are listed; others make the exit code 1
+  std::string list_problems;          // a file to write the problems to; empty: none
   std::optional<std::string> within;  // "1%": search the largest steps that hold it
-  bool all = false;                 // print every number, not sentences alone
+  bool all = false;                   // print every number, not sentences alone
   std::string json;
   std::string command_line;  // as it was typed, for the report
 };
@@ -46,7 +46,7 @@ void add_bench_options(CLI::App& command, BenchCommand& asked);
 struct Request {
   const Suite* suite = nullptr;  // null where cases are named
   SuiteOptions options;
-  ListedProblems listed;  // of --gate, or those that ship
+  ListedProblems listed;         // of --gate, or those that ship
   std::optional<double> within;  // [-], of the shortest cable; none: a suite is run
   std::vector<std::string> problems;
 };
@@ -64,7 +64,8 @@ struct Request {
 
 /// What --gate is for.
 inline constexpr const char* gate_help =
-    "print the problems that are not listed, and end with exit code 1 if there are some; listed are "
+    "print the problems that are not listed, and end with exit code 1 if there are some; listed "
+    "are "
     "those of a FILE that --list-problems has written, those that are `shipped`, or `none`";
 
 }  // namespace tautline::bench

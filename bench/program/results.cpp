@@ -116,7 +116,8 @@ void write_results(const ResultsTarget& target, const Report& report, const Repl
 void print_results(const ResultsTarget& target, const Report& report, const std::string& last) {
   if (target.json != "-") {
     fmt::print("{}\n{}; report: {}, with report.md and report.json next to it\n",
-               report_summary(report, target.all, output_style()), last, (target.out / "index.html").string());
+               report_summary(report, target.all, output_style()), last,
+               (target.out / "index.html").string());
   }
 }
 

@@ -20,10 +20,11 @@ std::string engines_markdown(const Report& report) {
   const Table table = models_table(report);
   std::string sentences;
   for (const Scorecard& card : worst_first_scorecards(report)) {
-    sentences += fmt::format("- **{}**: {}\n", name_text(card.engine),
-                             sentence_text(sentence_of(card)));
+    sentences +=
+        fmt::format("- **{}**: {}\n", name_text(card.engine), sentence_text(sentence_of(card)));
   }
-  return "## Engines\n\n" + sentences + "\n" + (table.empty() ? "No engine has a run.\n" : table.markdown()) + "\n" +
+  return "## Engines\n\n" + sentences + "\n" +
+         (table.empty() ? "No engine has a run.\n" : table.markdown()) + "\n" +
          how_to_read_models() + "\n\n";
 }
 

@@ -20,9 +20,9 @@ namespace tautline::bench {
 [[nodiscard]] std::string report_html(const Report& report, const Replay& replay,
                                       const PageAssets& assets);
 
-/// The answers for a terminal: a sentence for each engine, the worst first; with `all` the table over
-/// all cases with as many columns as fit, and what its words mean; the failures. Drawn from `report`
-/// alone.
+/// The answers for a terminal: a sentence for each engine, the worst first; with `all` the table
+/// over all cases with as many columns as fit, and what its words mean; the failures. Drawn from
+/// `report` alone.
 [[nodiscard]] std::string report_summary(const Report& report, bool all,
                                          const TerminalStyle& style);
 

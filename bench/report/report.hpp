@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/measure/attribution/attribution.hpp"
 #include "bench/judge/models.hpp"
+#include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/audit.hpp"
 #include "bench/measure/metric_list.hpp"
 #include "bench/solution/certificate.hpp"
@@ -98,11 +98,13 @@ inline constexpr std::array all_words = {Word::sound, Word::listed_problem, Word
 
 /// The kinds of problems that a run can have.
 inline constexpr std::array<std::string_view, 10> problem_kinds = {
-    "failure",     "restitution", "position", "events",   "missed-impacts",
-    "overstretch", "energy",      "sleeping", "tangential-impulse", "angular-impulse"};
+    "failure",        "restitution",    "position",
+    "events",         "missed-impacts", "overstretch",
+    "energy",         "sleeping",       "tangential-impulse",
+    "angular-impulse"};
 
-/// True where a finding of the audit of this kind is a problem of its own; that of rebounds is the
-/// judgement's, and how long an impact takes is none.
+/// True where a finding of the audit of this kind is a problem of its own; a finding on rebounds is
+/// the judgement's, and how long an impact takes is none.
 [[nodiscard]] constexpr bool is_problem(std::string_view finding) {
   return finding == "sleeping" || finding == "tangential-impulse" || finding == "angular-impulse";
 }
@@ -130,7 +132,7 @@ struct RunRow {
   std::optional<MetricValues> metrics;     // none where there is nothing to compare
   std::optional<RunDetails> details;       // set exactly where `metrics` is
   std::optional<Ladder> ladder;
-  std::optional<Judgement> judgement;      // set exactly where `metrics` is
+  std::optional<Judgement> judgement;  // set exactly where `metrics` is
   std::optional<Attribution> attribution;
   std::optional<Verdict> verdict;
 
@@ -151,8 +153,8 @@ struct CableRow {
 /// Up to when a step-by-step model can follow a case, and what it tells of restitution: from the
 /// exact motion alone.
 struct Predictable {
-  double step = 0.0;         // [s]
-  double until = 0.0;        // [s]
+  double step = 0.0;               // [s]
+  double until = 0.0;              // [s]
   Barrier barrier = Barrier::end;  // why not for longer
   std::size_t readable = 0;  // impacts of the exact motion that a run of this step can be read by
 };

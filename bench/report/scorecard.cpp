@@ -60,8 +60,8 @@ std::optional<CostRow> cost_of(const Report& report, const SetupKey& key) {
 
 bool has_problem(const RunRow* run) { return run->verdict && !run->verdict->problems.empty(); }
 
-/// What is wrong with a model, the gravest first: runs that fail, its rebounds, its course, what its
-/// impacts do beside, impacts that it misses, cables and energy.
+/// The faults of a model, the gravest first: runs that fail, its rebounds, its course, what
+/// else its impacts do, impacts that it misses, cables and energy.
 std::vector<std::string> wrongs(const Report& report, const ModelCard& card, std::size_t failed) {
   std::vector<std::string> out;
   if (failed > 0) {
@@ -87,8 +87,8 @@ std::vector<std::string> wrongs(const Report& report, const ModelCard& card, std
                               counted(judged.impacts.due, "impact")));
   }
   if (judged.overstretch > most_overstretch) {
-    out.push_back(fmt::format("overstretches by {:.2g} times what a step explains",
-                              judged.overstretch));
+    out.push_back(
+        fmt::format("overstretches by {:.2g} times what a step explains", judged.overstretch));
   }
   if (judged.energy > most_energy) {
     out.push_back(
@@ -220,26 +220,25 @@ Cell position_cell(const ModelCard& card) {
   }
   const Course course = card.judged->course;
   const bool well = course == Course::exact || course == Course::as_good;
-  Cell cell = told_cell(words_of(course, card.judged->ratio), !well && course != Course::untold,
-                        well);
+  Cell cell =
+      told_cell(words_of(course, card.judged->ratio), !well && course != Course::untold, well);
   if (card.judged->ratio) {
-    cell.notes.push_back(
-        fmt::format("{:.2g} times at worst, {:.2g} m at {:.3g} s in {}; told in {} of {}",
-                    *card.judged->ratio, card.judged->error, card.judged->time,
-                    printable(card.judged->worst_case), card.judged->told,
-                    counted(card.judged->cases, "case")));
+    cell.notes.push_back(fmt::format(
+        "{:.2g} times at worst, {:.2g} m at {:.3g} s in {}; told in {} of {}", *card.judged->ratio,
+        card.judged->error, card.judged->time, printable(card.judged->worst_case),
+        card.judged->told, counted(card.judged->cases, "case")));
   }
   return cell;
 }
 
 Row row_of(const ModelCard& card) {
   const Setup& finest = card.setups.back();
-  return {{word_cell(card.engine), word_cell(card.model), words_of(card.maker),
-           restitution_cell(card), position_cell(card), tally_cell(card.verdicts),
-           number_cell(finest.step, as_count), brief_cell(percent(finest.off)),
-           brief_cell(cost_of(finest))},
-          "",
-          ""};
+  return {
+      {word_cell(card.engine), word_cell(card.model), words_of(card.maker), restitution_cell(card),
+       position_cell(card), tally_cell(card.verdicts), number_cell(finest.step, as_count),
+       brief_cell(percent(finest.off)), brief_cell(cost_of(finest))},
+      "",
+      ""};
 }
 
 Table table_of(const std::vector<ModelCard>& models) {
@@ -406,7 +405,8 @@ std::string how_to_read_models() {
       "engine has; **made by hand** is built with the engine's parts; with **tautline's driver** "
       "the engine flies and solves, and tautline finds the instants. *Restitution*: over the "
       "impacts whose speed leaves it to be read at this step, and from which speed on that is. "
-      "*Position*: the error against what a plain correct scheme of the same step may be off by, up "
+      "*Position*: the error against what a plain correct scheme of the same step may be off by, "
+      "up "
       "to the instant until which it can be told; its course as the step falls. *Verdict*: the "
       "worst of all runs, and how many have it. *Off*: the position error over the first impacts, "
       "of the shortest cable's length, median over the cases; good enough is {:g} %. *Cost*: "

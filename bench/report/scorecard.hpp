@@ -11,7 +11,7 @@
 
 namespace tautline::bench {
 
-// What a report says of one engine: its models in words and numbers, and which of them to use.
+// One engine in a report: its models in words and numbers, and which of them to use.
 
 /// An early position error this small, of the shortest cable of its case, is good enough for a
 /// picture: a pixel where that cable is a hundred pixels long [-].
@@ -55,13 +55,13 @@ struct Scorecard {
 };
 [[nodiscard]] Scorecard scorecard(const Report& report, const std::string& engine);
 
-/// Of every engine that has runs, but for the control, by name.
+/// One for every engine that has runs, but for the control, by name.
 [[nodiscard]] std::vector<Scorecard> scorecards(const Report& report);
 
 /// The same, those with the most grave problems first.
 [[nodiscard]] std::vector<Scorecard> worst_first_scorecards(const Report& report);
 
-/// What is wrong with the engine's models, and which to use, in a sentence without its name; not
+/// The faults of the engine's models, and which model to use, in a sentence without its name; not
 /// marked up.
 [[nodiscard]] std::string sentence_of(const Scorecard& card);
 

@@ -159,11 +159,10 @@ std::string audit_section(const Report& report) {
   for (const Finding& finding : report.findings) {
     list += finding_item(finding);
   }
-  const std::string found =
-      list.empty()
-          ? paragraph("Nothing was found in the impacts of these runs.")
-          : paragraph("Found in the impacts of these runs, by program:") +
-                "<ul class=\"findings\">\n" + list + "</ul>\n";
+  const std::string found = list.empty()
+                                ? paragraph("Nothing was found in the impacts of these runs.")
+                                : paragraph("Found in the impacts of these runs, by program:") +
+                                      "<ul class=\"findings\">\n" + list + "</ul>\n";
   return section("audit", "Restitution, impact by impact",
                  found +
                      "<div id=\"audit-app\"><p class=\"no-script\">The charts of single impacts "

@@ -9,8 +9,8 @@
 namespace tautline::bench {
 
 /// The words from the worst to the best: which of several represents all.
-inline constexpr std::array worst_first = {Word::problem, Word::listed_problem,
-                                           Word::too_few, Word::sound};
+inline constexpr std::array worst_first = {Word::problem, Word::listed_problem, Word::too_few,
+                                           Word::sound};
 
 /// How many runs came to which verdict.
 class Tally {

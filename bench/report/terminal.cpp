@@ -173,11 +173,11 @@ std::string setup_text(const Report& report, const RunKey& key) {
 
 /// What the run comes to, in a word.
 std::string verdict_text(const RunRow& run, const TerminalStyle& style) {
-  return run.verdict ? "verdict: " +
-                           coloured(to_string(run.verdict->word), colour_of(run.verdict->word),
-                                    style) +
-                           "\n"
-                     : "";
+  return run.verdict
+             ? "verdict: " +
+                   coloured(to_string(run.verdict->word), colour_of(run.verdict->word), style) +
+                   "\n"
+             : "";
 }
 
 /// Processor time, where the run was timed.

@@ -65,7 +65,8 @@ constexpr const char* about_stops =
     "of the exact motion.";
 
 constexpr const char* about_verdicts =
-    "A **verdict** says what is wrong with one run, from the exact motion of its own case: no table "
+    "A **verdict** says what is wrong with one run, from the exact motion of its own case: no "
+    "table "
     "of limits by case, engine or model has a part in it. Over all cases the worst verdict is "
     "shown, and how many runs have it.";
 
@@ -101,11 +102,13 @@ std::vector<std::string> how_to_read(const Report& report) {
 
 std::string_view meaning_of(Word word) {
   constexpr std::array meanings = {
-      "three impacts or more could be read and all keep the restitution, the position is as good as "
+      "three impacts or more could be read and all keep the restitution, the position is as good "
+      "as "
       "the step allows, and nothing else is wrong",
       "something is wrong, and a person has listed it with the reason",
       "something is wrong, and it is not listed",
-      "nothing is wrong, but too few impacts could be read, or the position could not be judged, to "
+      "nothing is wrong, but too few impacts could be read, or the position could not be judged, "
+      "to "
       "say more"};
   return meanings.at(static_cast<std::size_t>(word));
 }
@@ -120,9 +123,10 @@ std::string verdict_words() {
 
 std::string followed_text(const Following& following) {
   return following.ratio
-             ? fmt::format("position up to {:.3g} s: {:.2g} m off at worst, {:.2g} times what a plain "
-                           "scheme of this step may be",
-                           following.until, following.error, *following.ratio)
+             ? fmt::format(
+                   "position up to {:.3g} s: {:.2g} m off at worst, {:.2g} times what a plain "
+                   "scheme of this step may be",
+                   following.until, following.error, *following.ratio)
              : "position: cannot be told at this step";
 }
 
@@ -194,8 +198,9 @@ std::vector<Fact> context_facts(const Report& report) {
                                            context.shards.front().of)});
   }
   if (report.listed) {
-    facts.push_back({"listed problems", fmt::format("{}, version {}", shown_text(report.listed->file),
-                                                    shown_text(report.listed->version))});
+    facts.push_back(
+        {"listed problems", fmt::format("{}, version {}", shown_text(report.listed->file),
+                                        shown_text(report.listed->version))});
   }
   std::erase_if(facts, [](const Fact& fact) { return fact.text.empty(); });
   return facts;

@@ -16,14 +16,12 @@ namespace tautline::bench {
 /// The report of a suite, without verdicts. `certified` has an entry for each of `expectations`. Of
 /// `context`, the command, the times and the memory are the caller's to tell; what the suite and
 /// this build know is filled in.
-[[nodiscard]] Report report_of(const SuiteOptions& options,
-                               const Expectations& expectations,
+[[nodiscard]] Report report_of(const SuiteOptions& options, const Expectations& expectations,
                                const std::vector<std::optional<CertifiedDigits>>& certified,
                                const SuiteResult& result, Context context);
 
 /// What is drawn of that report.
-[[nodiscard]] Replay replay_of(const Expectations& expectations,
-                               const SuiteResult& result);
+[[nodiscard]] Replay replay_of(const Expectations& expectations, const SuiteResult& result);
 
 /// The file with the motions of all runs of a case, seen from the page: motions/<case>.js.
 [[nodiscard]] std::string motion_file(const std::string& case_name);

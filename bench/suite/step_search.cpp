@@ -21,11 +21,13 @@ namespace {
 constexpr double longest_step = 0.01;   // [s], that is tried of any model
 constexpr double below_safe = 0.1;      // [-], of the safe step: the shortest
 constexpr double shortest_step = 1e-6;  // [s]
-/// An error that is no smaller than this part of that of a step ten times as long does not fall [-].
+/// An error that is no smaller than this part of the error of a step ten times as long does not
+/// fall
+/// [-].
 constexpr double no_progress = 0.7;
 
-/// The largest distance of `run` from the exact motion, of the shortest cable [-]; none of a run that
-/// does not reach the end.
+/// The largest distance of `run` from the exact motion, of the shortest cable [-]; none of a run
+/// that does not reach the end.
 std::optional<double> error_of(const ReferenceCase& reference, const RunReply& reply,
                                double until) {
   if (!reply.trajectory || reply.trajectory->diverged || !reaches(*reply.trajectory, until)) {
@@ -34,8 +36,8 @@ std::optional<double> error_of(const ReferenceCase& reference, const RunReply& r
   double worst = 0.0;
   for (const Point& point : reply.trajectory->points) {
     if (point.time <= until) {
-      worst = std::max(
-          worst, (point.state.position - reference.solution.at(point.time).position).norm());
+      worst = std::max(worst,
+                       (point.state.position - reference.solution.at(point.time).position).norm());
     }
   }
   return worst / shortest_cable(reference.the_case);
@@ -95,8 +97,7 @@ std::vector<StepFound> search_steps(const SuiteOptions& options, const Reference
     for (unsigned job = 0; job < options.jobs; ++job) {
       workers.emplace_back([&] {
         Workplace workplace;
-        for (std::size_t index = next++; index < models.size() && !interruption();
-             index = next++) {
+        for (std::size_t index = next++; index < models.size() && !interruption(); index = next++) {
           results[index] = search(one, reference, needed, models[index], workplace);
         }
       });
@@ -118,7 +119,8 @@ std::string steps_text(const ReferenceCase& reference, const StepNeeded& needed,
                                                         : one.step && one.cost < two.cost;
   });
   std::string out = fmt::format(
-      "{}: for {:g} % of the shortest cable, {:.3g} m, over the first {:.3g} s a step-by-step model "
+      "{}: for {:g} % of the shortest cable, {:.3g} m, over the first {:.3g} s a step-by-step "
+      "model "
       "needs steps of {:g} s{}.\n",
       printable(reference.the_case.name), 100.0 * needed.part,
       needed.part * shortest_cable(reference.the_case), needed.until, needed.safe,

@@ -9,7 +9,8 @@
 
 namespace tautline::bench {
 
-/// The largest step with which a model holds what is asked of it, confirmed by a run with that step.
+/// The largest step with which a model holds what is asked of it, confirmed by a run with that
+/// step.
 struct StepFound {
   std::string engine;
   std::string model;
@@ -19,15 +20,15 @@ struct StepFound {
   std::string why;             // why no step was found
 };
 
-/// For every model of `options`, on the case of `reference`, in the order of the plan; `needed` says
-/// what is asked. Tries 1, 2 and 5 times powers of ten, from 0.01 s or `typical`, whichever is longer,
-/// down to a tenth of `safe`; from there on ends where the error does not fall with the step. Fewer where the
-/// program is interrupted.
+/// For every model of `options`, on the case of `reference`, in the order of the plan; `needed`
+/// says what is asked. Tries 1, 2 and 5 times powers of ten, from 0.01 s or `typical`, whichever is
+/// longer, down to a tenth of `safe`; from there on ends where the error does not fall with the
+/// step. Fewer where the program is interrupted.
 [[nodiscard]] std::vector<StepFound> search_steps(const SuiteOptions& options,
                                                   const ReferenceCase& reference,
                                                   const StepNeeded& needed);
 
-/// What was found, in sentences and a table: the cheapest first.
+/// The result in sentences and a table, the cheapest first.
 [[nodiscard]] std::string steps_text(const ReferenceCase& reference, const StepNeeded& needed,
                                      std::vector<StepFound> found);
 

@@ -30,9 +30,12 @@ std::optional<RunRecord> do_run(const SuiteOptions& options, const Expectation& 
                                 const PlannedRun& run, Workplace& workplace) {
   const RegisteredEngine& engine = options.engines[run.engine];
   const RunKey key = key_of(options, run);
-  const RunReply reply = run_in_worker(
-      {engine.plugin, expectation.reference().the_case, run.model.name, {run.step, options.law}, options.limits},
-      workplace);
+  const RunReply reply = run_in_worker({engine.plugin,
+                                        expectation.reference().the_case,
+                                        run.model.name,
+                                        {run.step, options.law},
+                                        options.limits},
+                                       workplace);
   if (reply.interrupted) {
     return std::nullopt;
   }

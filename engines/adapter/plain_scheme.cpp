@@ -23,10 +23,10 @@ constexpr double converged = 1e-13;
 /// A cable that acts in a step.
 struct Row {
   std::size_t cable = 0;
-  Eigen::Vector3d gradient;  // of its gap
-  double target = 0.0;       // [m/s], the least rate that it asks for
+  Eigen::Vector3d gradient;   // of its gap
+  double target = 0.0;        // [m/s], the least rate that it asks for
   double inverse_mass = 0.0;  // along it
-  double overstretch = 0.0;  // [m]
+  double overstretch = 0.0;   // [m]
 };
 
 }  // namespace
@@ -65,8 +65,7 @@ void PlainScheme::step(double dt) {
     for (std::size_t place = 0; place < count; ++place) {
       const Row& row = rows[place];
       const double lacking = row.target - row.gradient.dot(velocity);
-      const double more =
-          std::max(lacking / row.inverse_mass, -impulses_[row.cable]);
+      const double more = std::max(lacking / row.inverse_mass, -impulses_[row.cable]);
       impulses_[row.cable] += more;
       velocity += more * row.gradient.cwiseProduct(weight);
       change = std::max(change, more < 0.0 ? -more : more);

@@ -115,8 +115,8 @@ class ExactSimulation final : public Simulation, public TensionImpulses {
   std::optional<Stop> stop_;
 };
 
-/// The yardstick as a model: what a correct scheme that knows nothing of cables but their rows makes
-/// of a case.
+/// The yardstick as a model: what a correct scheme that knows nothing of cables but their rows
+/// makes of a case.
 class PlainSimulation final : public SteppedSimulation {
  public:
   PlainSimulation(const Case& the_case, const RunSettings& /*run*/)

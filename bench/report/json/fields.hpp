@@ -221,13 +221,13 @@ void fields(Visitor& visit, ModelJudgement& model) {
   visit("restitution", model.rebounds);
   visit("course", model.course, "how its error changes with the step, in the worst case");
   visit("told", model.told, "cases in which the position tells something");
-  visit("ratio", model.ratio, "as that of a run, at worst; null where nothing can be told");
-  visit("worst_case", model.worst_case, "that of the ratio");
+  visit("ratio", model.ratio, "the largest ratio of a run; null where nothing can be told");
+  visit("worst_case", model.worst_case, "the case with this ratio");
   visit("error", model.error, "of the position there [m]");
   visit("time", model.time, "then [s]");
   visit("impacts", model.impacts);
-  visit("overstretch", model.overstretch, "as that of a run, at worst");
-  visit("energy", model.energy, "as that of a run, at worst");
+  visit("overstretch", model.overstretch, "the largest of a run");
+  visit("energy", model.energy, "the largest of a run");
 }
 
 template <class Visitor>

@@ -236,7 +236,8 @@ void fields(Visitor& visit, Attribution& attribution) {
 
 template <class Visitor>
 void fields(Visitor& visit, Problem& problem) {
-  visit("kind", problem.kind, "restitution, position, events, missed-impacts, overstretch, energy, failure, "
+  visit("kind", problem.kind,
+        "restitution, position, events, missed-impacts, overstretch, energy, failure, "
         "or the kind of a finding of the audit");
   visit("sentence", problem.sentence);
   visit("value", problem.value, "of the kind: a ratio, a deviation or a count");

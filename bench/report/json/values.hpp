@@ -47,8 +47,9 @@ struct Words<Rebound> {
 };
 template <>
 struct Words<Course> {
-  static constexpr std::array all = {Course::exact, Course::as_good, Course::converges,
-                                     Course::does_not_converge, Course::off, Course::untold};
+  static constexpr std::array all = {Course::exact,     Course::as_good,
+                                     Course::converges, Course::does_not_converge,
+                                     Course::off,       Course::untold};
 };
 template <>
 struct Words<Barrier> {

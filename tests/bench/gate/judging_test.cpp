@@ -91,7 +91,10 @@ TEST(Verdict, EachPartOfAJudgementIsAProblemOfItsKind) {
       {"restitution", [](RunRow& run) { run.judgement->rebounds.word = Rebound::loses_some; }},
       {"restitution", [](RunRow& run) { run.judgement->rebounds.word = Rebound::scatters; }},
       {"position", [](RunRow& run) { run.judgement->following.ratio = 2.1; }},
-      {"missed-impacts", [](RunRow& run) { run.judgement->impacts = {5, 1}; }},
+      {"missed-impacts",
+       [](RunRow& run) {
+         run.judgement->impacts = {5, 1};
+       }},
       {"overstretch", [](RunRow& run) { run.judgement->overstretch = 2.1; }},
       {"energy", [](RunRow& run) { run.judgement->energy = 3.1; }},
       {"failure", [](RunRow& run) { run.status = Status::diverged; }},
@@ -200,10 +203,10 @@ TEST(ListedProblems, EachOfSeveralPatternsMustNameSomethingThatIsThere) {
   names.engines = {{"e", std::vector<std::string>{"row", "early"}}};
   names.cases = {"c/one", "c/two", "ball"};
   const auto problems = [&](const std::string& model, const std::string& the_case) {
-    return read_problems_text("schema = 2\nversion = \"1\"\n[[problem]]\nengine = \"e\"\nmodel = \"" +
-                                  model + "\"\ncase = \"" + the_case +
-                                  "\"\nkind = \"energy\"\nreason = \"r\"\n",
-                              "l.toml", names)
+    return read_problems_text(
+               "schema = 2\nversion = \"1\"\n[[problem]]\nengine = \"e\"\nmodel = \"" + model +
+                   "\"\ncase = \"" + the_case + "\"\nkind = \"energy\"\nreason = \"r\"\n",
+               "l.toml", names)
         .problems.size();
   };
   EXPECT_EQ(problems("row|early", "c/*|ball"), 0U);
@@ -232,8 +235,8 @@ TEST(ListedProblems, EveryMistakeOfAFileIsNamedWithLineKeyValueAndWhatWouldBeRig
   for (const char* part :
        {"l.toml:1: schema = 1: must be 2", "l.toml:2: version", "l.toml:4: problem[0].engine = 3",
         "did you mean restitution", "l.toml:7: problem[0].step = 0: must be",
-        "l.toml:8: problem[0].in_some", "problem[0].reason: is missing",
-        "l.toml:9: limits", "is no longer asked for", "l.toml:10: knwon"}) {
+        "l.toml:8: problem[0].in_some", "problem[0].reason: is missing", "l.toml:9: limits",
+        "is no longer asked for", "l.toml:10: knwon"}) {
     EXPECT_NE(all.find(part), std::string::npos) << part << "\n" << all;
   }
 }

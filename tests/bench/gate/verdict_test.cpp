@@ -1,5 +1,5 @@
-// Verdicts and the gate as the program has them, on engines with planted faults. What follows from a
-// report alone is tested in judging_test.cpp.
+// Verdicts and the gate as the program has them, on engines with planted faults. What follows from
+// a report alone is tested in judging_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ struct Benched {
 };
 Benched benched(std::vector<std::string> more) {
   const TemporaryFolder out;
-  std::vector<std::string> arguments = {"bench", "--no-certify", "--draws", "0", "--out",
-                                        (out.path() / "r").string()};
+  std::vector<std::string> arguments = {"bench", "--no-certify", "--draws",
+                                        "0",     "--out",        (out.path() / "r").string()};
   arguments.insert(arguments.begin() + 1, more.begin(), more.end());
   Benched result;
   result.outcome = program(arguments);
@@ -40,10 +40,9 @@ Benched benched(std::vector<std::string> more) {
 /// The ball at 1e-3 s, gated by a problems file.
 Benched gated(const std::string& engine, const std::string& entries) {
   const TemporaryFolder out;
-  const auto file =
-      out.file("problems.toml", "schema = 2\nversion = \"1\"\n" + entries);
-  return benched({"bouncing-ball", "--engines", engine, "--steps", "1e-3", "--gate",
-                  file.string()});
+  const auto file = out.file("problems.toml", "schema = 2\nversion = \"1\"\n" + entries);
+  return benched(
+      {"bouncing-ball", "--engines", engine, "--steps", "1e-3", "--gate", file.string()});
 }
 
 std::string problem(const std::string& engine, const std::string& kind) {
@@ -68,8 +67,8 @@ TEST(ListedProblems, ABadFileEndsTheBenchBeforeItStarts) {
 
 TEST(Gate, ASoundEnginePassesWithoutAFileAndEachPlantedErrorBreaksIt) {
   const auto on_ball = [](const std::string& engine) {
-    return benched({"bouncing-ball", "--engines", bad_engine(engine), "--steps", "1e-3", "--gate",
-                    "none"});
+    return benched(
+        {"bouncing-ball", "--engines", bad_engine(engine), "--steps", "1e-3", "--gate", "none"});
   };
   const Benched sound = on_ball("sound");
   EXPECT_EQ(sound.outcome.code, 0) << sound.outcome.output;
@@ -121,8 +120,8 @@ TEST(Gate, ARunThatDivergesBreaksItUnlessThatIsListed) {
 }
 
 TEST(Gate, HoldsForEveryModelThatIsBuilt) {
-  const Benched all = benched({"breakwater/1710121100", "level-beam", "caught-swing", "--until", "4",
-                               "--steps", "1e-2,1e-3", "--gate", "shipped"});
+  const Benched all = benched({"breakwater/1710121100", "level-beam", "caught-swing", "--until",
+                               "4", "--steps", "1e-2,1e-3", "--gate", "shipped"});
   EXPECT_EQ(all.outcome.code, 0) << all.outcome.output << all.outcome.errors;
   EXPECT_NE(all.outcome.output.find("The gate holds ("), std::string::npos) << all.outcome.output;
 }
@@ -134,8 +133,8 @@ TEST(Verdict, TheControlHasNoProblemOnAnyCaseOfTheQuickSuite) {
 }
 
 TEST(Verdict, OfAModelThatStopsIsOfWhatItDidBefore) {
-  const Benched told = benched({"breakwater/1510121100", "--engines", bad_engine("no-taut-motion"),
-                                "--steps", "1e-2"});
+  const Benched told = benched(
+      {"breakwater/1510121100", "--engines", bad_engine("no-taut-motion"), "--steps", "1e-2"});
   EXPECT_EQ(told.report.at("runs").at(0).at("status"), "stopped");
   EXPECT_NE(word_of(told.report), "listed problem");
 }
@@ -188,10 +187,10 @@ class Planted : public testing::Test {
     const TemporaryFolder folder;
     const auto pendulum = folder.file("pendulum.toml", std::string(own_pendulum));
     const auto spreader = folder.file("spreader.toml", std::string(own_spreader));
-    told = new Benched(benched({pendulum.string(), spreader.string(), "bouncing-ball",
-                                "breakwater/1910121100", "breakwater/1911121100", "--engines",
-                                bad_engine("planted"), "--steps", "1e-2,1e-3", "--until", "8",
-                                "--gate", "none", "--all"}));
+    told = new Benched(
+        benched({pendulum.string(), spreader.string(), "bouncing-ball", "breakwater/1910121100",
+                 "breakwater/1911121100", "--engines", bad_engine("planted"), "--steps",
+                 "1e-2,1e-3", "--until", "8", "--gate", "none", "--all"}));
   }
   static void TearDownTestSuite() { delete told; }
 
@@ -201,9 +200,8 @@ class Planted : public testing::Test {
 /// The row of `model` in a Markdown table.
 std::string row_of(const std::string& markdown, const std::string& model) {
   const std::size_t place = markdown.find("| " + model + " ");
-  return place == std::string::npos
-             ? ""
-             : markdown.substr(place, markdown.find('\n', place) - place);
+  return place == std::string::npos ? ""
+                                    : markdown.substr(place, markdown.find('\n', place) - place);
 }
 
 TEST_F(Planted, FaultsBreakTheGateAndAreNamedEverywhere) {
@@ -222,7 +220,8 @@ TEST_F(Planted, FaultsBreakTheGateAndAreNamedEverywhere) {
     const bool sound = name == "sound";
     EXPECT_EQ(with_problem.contains(name), !sound) << name;
     // terminal: the gate's table names it; summary, page and terminal never recommend it
-    EXPECT_EQ(told->outcome.output.find("planted  " + name + " ") != std::string::npos, true) << name;
+    EXPECT_EQ(told->outcome.output.find("planted  " + name + " ") != std::string::npos, true)
+        << name;
     EXPECT_EQ(row.find("problem") != std::string::npos, !sound) << row;
     for (const std::string* text : {&told->outcome.output, &told->summary, &told->page}) {
       EXPECT_EQ(text->find("Use " + name + " at") != std::string::npos, sound) << name;
@@ -232,7 +231,7 @@ TEST_F(Planted, FaultsBreakTheGateAndAreNamedEverywhere) {
 
 TEST_F(Planted, RestitutionIsNeverCalledKeptWhereItIsNot) {
   const std::set<std::string> bounce_wrongly = {"less-bouncy", "bit-less-bouncy", "dead",
-                                                "too-bouncy", "threshold", "loses-third"};
+                                                "too-bouncy",  "threshold",       "loses-third"};
   for (const json& model : told->report.at("models")) {
     const bool wrong = bounce_wrongly.contains(model.at("model"));
     EXPECT_EQ(model.at("restitution").at("word") != "kept", wrong) << model;

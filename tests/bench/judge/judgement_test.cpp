@@ -1,6 +1,6 @@
-// What the exact motion of a case says of its runs: how far a correct scheme may be off, until when, and
-// what is a fault. The rebounds alone are tested in audit_test.cpp, faults of whole engines in
-// verdict_test.cpp.
+// What the exact motion of a case says of its runs: how far a correct scheme may be off, until
+// when, and what is a fault. The rebounds alone are tested in audit_test.cpp, faults of whole
+// engines in verdict_test.cpp.
 
 #include "bench/judge/judgement.hpp"
 
@@ -34,8 +34,14 @@ Trajectory exact_run(const ReferenceCase& reference, double step) {
     for (const std::size_t index : event.cables) {
       const Cable& cable = reference.the_case.cables[index];
       if (event.kind == EventKind::impact && gap_rate(cable, event.before) < -1e-3) {
-        RecordedImpact impact{event.time, index, 1.0, gap_rate(cable, event.before),
-                              gap_rate(cable, event.after), 0, event.before, event.after};
+        RecordedImpact impact{event.time,
+                              index,
+                              1.0,
+                              gap_rate(cable, event.before),
+                              gap_rate(cable, event.after),
+                              0,
+                              event.before,
+                              event.after};
         impact.shared = event.cables.size() > 1;
         run.impacts.push_back(impact);
       }
@@ -45,8 +51,8 @@ Trajectory exact_run(const ReferenceCase& reference, double step) {
 }
 
 /// The judgement of the exact motion of a case at 1e-3 s, after `spoil`.
-Judgement judged(const std::string& name,
-                 const std::function<void(Trajectory&)>& spoil = [](Trajectory&) {}) {
+Judgement judged(
+    const std::string& name, const std::function<void(Trajectory&)>& spoil = [](Trajectory&) {}) {
   const ReferenceCase reference = reference_of(name);
   const Expectation expectation(reference);
   Trajectory run = exact_run(reference, 1e-3);
@@ -85,11 +91,13 @@ TEST(Judgement, HoldsARunThatLocatesItsImpactsToRounding) {
   });
   EXPECT_LT(found.following.ratio.value_or(1.0), exact_ratio);
   EXPECT_GT(found.following.rounding.value_or(0.0), most_rounding);
-  EXPECT_FALSE(judged(standard, [](Trajectory& run) {
-                 for (RecordedImpact& impact : run.impacts) {
-                   impact.steps = 1;
-                 }
-               }).following.rounding)
+  EXPECT_FALSE(judged(standard,
+                      [](Trajectory& run) {
+                        for (RecordedImpact& impact : run.impacts) {
+                          impact.steps = 1;
+                        }
+                      })
+                   .following.rounding)
       << "a run of steps is not held to rounding";
 }
 
@@ -145,7 +153,8 @@ TEST(Allowance, IsOfFirstOrderAndEndsWhereASchemeCanFollowNoFurther) {
 }
 
 TEST(Allowance, EndsWhereImpactsMaySwap) {
-  // cable 1 is hit at 2.0297 s and cable 0 at 2.0319 s: steps of 1e-3 s may take the one for the other
+  // cable 1 is hit at 2.0297 s and cable 0 at 2.0319 s: steps of 1e-3 s may take the one for the
+  // other
   const ReferenceCase reference = reference_of("breakwater/1911121100");
   const Allowance& allowance = Expectation(reference).allowance(1e-3);
   EXPECT_EQ(allowance.barrier, Barrier::fork);

@@ -189,8 +189,8 @@ TEST(Audit, FindsNothingInTheControlWhateverTheCase) {
           bench::audit(reference, run, bench::CompareOptions().count_speed);
       const bench::Rebounds rebounds = bench::rebounds_of(audit.impacts);
       EXPECT_FALSE(rebounds.wrong()) << reference.the_case.name << ' ' << words_of(rebounds);
-      EXPECT_TRUE(bench::findings({{reference.the_case.name, "exact", "sampled", &audit, step}})
-                      .empty());
+      EXPECT_TRUE(
+          bench::findings({{reference.the_case.name, "exact", "sampled", &audit, step}}).empty());
     }
   }
 }

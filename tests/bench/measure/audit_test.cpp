@@ -162,9 +162,8 @@ TEST(Rebounds, ThatAreLostHaveTheSpeedBelowWhichTheyAre) {
 }
 
 TEST(Rebounds, AreNoneWhereNothingComesBack) {
-  const Rebounds none = rebounds_with([](auto, const Case& the_case, RecordedImpact& impact) {
-    rebound(the_case, impact, 0.0);
-  });
+  const Rebounds none = rebounds_with(
+      [](auto, const Case& the_case, RecordedImpact& impact) { rebound(the_case, impact, 0.0); });
   EXPECT_EQ(none.word, Rebound::none);
   EXPECT_EQ(words_of(none).rfind("none: ", 0), 0U) << words_of(none);
 }
@@ -184,8 +183,7 @@ TEST(Rebounds, ThatAreTooFastOrTooSlowAreOffByTheMedian) {
 
 TEST(Rebounds, ThatAreTooFastAndLostWhereTheyAreSlowAreBoth) {
   const Rebounds both = rebounds_with([](auto, const Case& the_case, RecordedImpact& impact) {
-    rebound(the_case, impact,
-            -impact.rate_before < 0.1 ? 0.0 : requested(the_case, impact) + 0.1);
+    rebound(the_case, impact, -impact.rate_before < 0.1 ? 0.0 : requested(the_case, impact) + 0.1);
   });
   EXPECT_EQ(both.word, Rebound::off);
   EXPECT_NEAR(both.speed.value_or(0.0), 0.1, 0.01);
@@ -242,8 +240,7 @@ TEST(Rebounds, OfTwoImpactsAreTooFewToTell) {
   impact.rate_floor = 0.01;
   impact.steps = 1;
   EXPECT_EQ(words_of(rebounds_of({impact, impact})), "too few to tell (2 impacts)");
-  EXPECT_EQ(words_of(rebounds_of({impact, impact, impact})),
-            "kept (3 impacts, from 1 m/s on)");
+  EXPECT_EQ(words_of(rebounds_of({impact, impact, impact})), "kept (3 impacts, from 1 m/s on)");
   EXPECT_EQ(words_of(rebounds_of({}, StaysTaut{2.96})), "none: stays taut after 2.96 m/s");
   impact.steps = 17;
   EXPECT_EQ(words_of(rebounds_of({impact, impact, impact})),

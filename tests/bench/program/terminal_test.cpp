@@ -125,10 +125,10 @@ TEST(Terminal, ARunIsACardWithItsVerdictAndTheMetricsThatMatter) {
       "run", "breakwater/1910121100", "--engine", "exact", "--model", "event"};
   const Outcome card = program(words);
   EXPECT_EQ(card.code, 0) << card.errors;
-  for (const char* part : {"breakwater/1910121100 on exact ", "model event, step 0.001 s\n",
-                           "verdict: sound\n", "Restitution: kept (", "Followed: position up to",
-                           "early position error", "overstretch", "energy gain", " m", " J",
-                           "--all prints all"}) {
+  for (const char* part :
+       {"breakwater/1910121100 on exact ", "model event, step 0.001 s\n", "verdict: sound\n",
+        "Restitution: kept (", "Followed: position up to", "early position error", "overstretch",
+        "energy gain", " m", " J", "--all prints all"}) {
     EXPECT_NE(card.output.find(part), std::string::npos) << part << "\nis not in\n" << card.output;
   }
   EXPECT_EQ(card.output.find('_'), std::string::npos) << "keys of files are no words";
@@ -151,8 +151,7 @@ TEST(Terminal, ARunWithProblemsSaysWhichAndWhy) {
                            {"energy", "too fast", 3.5, true, "its spring"}};
   const std::string card = run_card(report, false, {80, false});
   for (const char* part :
-       {"ball on e 1 (float64), model row, step 0.001 s\n",
-        "Problem, overstretch: too long.\n",
+       {"ball on e 1 (float64), model row, step 0.001 s\n", "Problem, overstretch: too long.\n",
         "Problem, energy: too fast. Listed: its spring.\n"}) {
     EXPECT_NE(card.find(part), std::string::npos) << part << "\nis not in\n" << card;
   }

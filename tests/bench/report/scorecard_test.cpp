@@ -110,9 +110,10 @@ TEST(Scorecard, AModelWithAProblemIsNeverTheOneToUseAndTheSentenceNamesIt) {
   rebounds.speed = 2.96;
   const Scorecard card = scorecard(report, "e");
   EXPECT_EQ(card.use->model, "row");
-  EXPECT_EQ(sentence_of(card),
-            "joint: restitution none: stays taut after 2.96 m/s. Use row at 0.001 s: 5 % of a cable "
-            "off.");
+  EXPECT_EQ(
+      sentence_of(card),
+      "joint: restitution none: stays taut after 2.96 m/s. Use row at 0.001 s: 5 % of a cable "
+      "off.");
   for (const auto& [spoil, said] :
        std::vector<std::pair<std::function<void(ModelJudgement&)>, std::string>>{
            {[](ModelJudgement& one) { one.rebounds.word = Rebound::off; }, "restitution 0 too low"},
@@ -121,7 +122,10 @@ TEST(Scorecard, AModelWithAProblemIsNeverTheOneToUseAndTheSentenceNamesIt) {
               one.ratio = 71.0;
             },
             "does not converge: 71 times the error of a plain scheme"},
-           {[](ModelJudgement& one) { one.impacts = {10, 4}; }, "misses 4 of 10 impacts"},
+           {[](ModelJudgement& one) {
+              one.impacts = {10, 4};
+            },
+            "misses 4 of 10 impacts"},
            {[](ModelJudgement& one) { one.overstretch = 4.5; }, "overstretches by 4.5 times"},
            {[](ModelJudgement& one) { one.energy = 5.0; }, "gains energy in flight, 5 times"}}) {
     spoil(judged_of(report, "row"));

@@ -65,7 +65,9 @@ class BasicSensitivity {
     std::optional<Real> period = {};  // [s]: at rest, the same series serves one after the other
     BasicStateMatrix<Real> jump = BasicStateMatrix<Real>::Identity();  // of the events before it
 
-    [[nodiscard]] BasicStateMatrix<Real> after(const Real& dt) const { return carried(dt, initial); }
+    [[nodiscard]] BasicStateMatrix<Real> after(const Real& dt) const {
+      return carried(dt, initial);
+    }
     /// `matrix` at the start of the piece, `dt` [s] later.
     [[nodiscard]] BasicStateMatrix<Real> carried(const Real& dt,
                                                  const BasicStateMatrix<Real>& matrix) const;

@@ -134,6 +134,13 @@ class Counting(unittest.TestCase):
 
 
 class Command(unittest.TestCase):
+    def test_an_engine_without_runs_is_an_error(self):
+        program = judgement.Program(BUILD)
+        program.planted = BUILD / "tests/fixtures/tautline-engine-wrong-interface.so"
+        with tempfile.TemporaryDirectory() as folder, self.assertRaises(SystemExit) as ended:
+            program.report(["bouncing-ball"], 1.0, ["exact"], "0.01", pathlib.Path(folder))
+        self.assertIn("no runs of planted", str(ended.exception))
+
     def test_prints_its_tables_and_what_it_misses(self):
         done = subprocess.run([SCRIPT, "--count", "2", "--seed", "1", "--until", "2", "--no-shipped", "--engines", "exact",
                                BUILD], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)

@@ -1,0 +1,156 @@
+"""What scripts/judgement draws and counts.
+
+  judgement_test.py SCRIPT BUILD
+"""
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+SCRIPT, BUILD = (pathlib.Path(word) for word in sys.argv[1:3])
+
+
+def loaded(path):
+    sys.dont_write_bytecode = True
+    loader = importlib.machinery.SourceFileLoader("judgement", str(path))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("judgement", loader))
+    loader.exec_module(module)
+    return module
+
+
+judgement = loaded(SCRIPT)
+
+
+def gap(cable, state):
+    arm = judgement.turned(cable["attachment"], state["angle"])
+    return cable["length"] - math.hypot(*(state["position"][i] + arm[i] - cable["anchor"][i] for i in range(2)))
+
+
+def flown(case, state, time):
+    """The state after a flight of `time` [s]."""
+    return {"position": [state["position"][i] + time * state["velocity"][i] + 0.5 * time**2 * case["gravity"][i]
+                         for i in range(2)],
+            "angle": state["angle"] + time * state["spin"],
+            "velocity": [state["velocity"][i] + time * case["gravity"][i] for i in range(2)], "spin": state["spin"]}
+
+
+def report_run(model="row", engine="ode", step=0.001, case="one", **changed):
+    """A run as a report has it, with nothing wrong unless `changed`."""
+    judged = {"restitution": {"word": changed.get("word", "kept")}, "position": {"ratio": changed.get("ratio", 0.9)},
+              "impacts": {"due": 4, "missed": changed.get("missed", 0)},
+              "overstretch": changed.get("overstretch", 0.5), "energy": changed.get("energy", 0.5)}
+    return {"case": case, "engine": engine, "model": model, "step": step, "judgement": judged,
+            "verdict": {"word": "", "problems": changed.get("problems", [])}}
+
+
+def runs_of(*runs):
+    return list(judgement.runs_of({"runs": runs}))
+
+
+def silently(function, *arguments):
+    """What it returns, and what it prints."""
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        result = function(*arguments)
+    return result, printed.getvalue()
+
+
+class Drawing(unittest.TestCase):
+    def test_cases_are_as_asked_and_the_same_for_a_seed(self):
+        draw = random.Random(1)
+        cases = [judgement.drawn_case(draw) for _ in range(300)]
+        draw = random.Random(1)
+        self.assertEqual(cases, [judgement.drawn_case(draw) for _ in range(300)])
+        self.assertEqual({len(case["cables"]) for case in cases}, {1, 2, 3, 4})
+        self.assertEqual({round(math.hypot(*case["gravity"]), 9) for case in cases}, {9.81, 1.0, 0.0})
+        for case in cases:
+            self.assertTrue(1.0 <= case["body"]["mass"] <= 200.0)
+            read = tomllib.loads(judgement.toml(case, "drawn", 4.0))
+            for cable in read["cables"]:
+                self.assertGreater(gap(cable, read["initial"]), 0.0)
+
+    def test_the_program_takes_the_cases(self):
+        program = judgement.Program(BUILD)
+        with tempfile.TemporaryDirectory() as folder:
+            cases = judgement.draw_cases(program, 5, 3, 4.0, pathlib.Path(folder))
+            self.assertEqual(sorted(pathlib.Path(folder).iterdir()), sorted(cases))
+        self.assertEqual(len(cases), 5)
+        self.assertTrue(all(judgement.impacts_of(exact) for exact in cases.values()))
+
+
+class Counting(unittest.TestCase):
+    def test_each_rule_calls_a_run_wrong_by_itself(self):
+        for rule, changed in [("position", {"ratio": 1.6}), ("restitution", {"word": "off"}), ("missed", {"missed": 1}),
+                              ("overstretch", {"overstretch": 2.1}), ("energy", {"energy": 3.1}),
+                              ("verdict", {"problems": [{"kind": "events", "sentence": "off"}]})]:
+            self.assertEqual([run.rules for run in runs_of(report_run(**changed))], [{rule}])
+        for changed in [{}, {"ratio": None}, {"word": "too-few"}, {"ratio": 1.5}]:
+            self.assertEqual([run.rules for run in runs_of(report_run(**changed))], [set()])
+
+    def test_false_alarms_are_those_of_sound_models_alone(self):
+        sound = [report_run(model) for model in ["row", "event", "moreau-jean-projected"] for _ in range(100)]
+        missed, text = silently(judgement.print_sound, runs_of(*sound, report_run("contact", ratio=9.0),
+                                                               report_run("row-sleeping", ratio=9.0),
+                                                               report_run("cable", ratio=1.6, case="this")))
+        self.assertEqual(missed, [])
+        self.assertIn("called wrong: 1 of 301", text)
+        self.assertEqual(text.count("false alarm"), 1)
+        self.assertIn("false alarm: this, ode cable", text)
+        missed, _ = silently(judgement.print_sound, runs_of(*sound[:99], report_run(ratio=1.6)))
+        self.assertEqual(len(missed), 1)
+
+    def test_a_fault_is_to_be_found_only_where_it_can_be_told(self):
+        program = judgement.Program(BUILD)
+        motions = {"bounces": program.exact("bouncing-ball", 8.0), "swings": program.exact("caught-swing", 4.0)}
+        self.assertTrue(judgement.told("dead", motions["bounces"], 0.001))
+        self.assertTrue(judgement.told("loses-third", motions["bounces"], 0.001))
+        self.assertFalse(judgement.told("dead", motions["swings"], 0.001))  # e = 0
+        not_found = [report_run("dead", judgement.PLANTED, case=case) for case in motions]
+        missed, text = silently(judgement.print_faults, runs_of(*not_found), motions)
+        self.assertEqual(len(missed), 1)
+        self.assertIn("0 of 2 (0.0 %)  0 of 1 (0.0 %)", text)
+        found = report_run("dead", judgement.PLANTED, case="bounces", word="none")
+        self.assertEqual(silently(judgement.print_faults, runs_of(found, not_found[1]), motions)[0], [])
+
+    def test_what_is_read_of_an_impact_is_that_of_its_gap(self):
+        draw = random.Random(2)
+        tick = 1e-4  # [s]
+        for _ in range(20):
+            case = judgement.drawn_case(draw)
+            state, cable = case["initial"], case["cables"][0]
+            gradient, _, acceleration = judgement.gap_motion(case, cable, state)
+            earlier, now, later = (gap(cable, flown(case, state, time)) for time in (-tick, 0.0, tick))
+            rate = sum(one * other for one, other in zip(gradient, [*state["velocity"], state["spin"]]))
+            self.assertAlmostEqual(rate, (later - earlier) / (2.0 * tick), delta=1e-4 * (1.0 + abs(rate)))
+            self.assertAlmostEqual(acceleration, (later - 2.0 * now + earlier) / tick**2,
+                                   delta=1e-4 * (1.0 + abs(acceleration)))
+
+
+class Command(unittest.TestCase):
+    def test_an_engine_without_runs_is_an_error(self):
+        program = judgement.Program(BUILD)
+        program.planted = BUILD / "tests/fixtures/tautline-engine-wrong-interface.so"
+        with tempfile.TemporaryDirectory() as folder, self.assertRaises(SystemExit) as ended:
+            program.report(["bouncing-ball"], 1.0, ["exact"], "0.01", pathlib.Path(folder))
+        self.assertIn("no runs of planted", str(ended.exception))
+
+    def test_prints_its_tables_and_what_it_misses(self):
+        done = subprocess.run([SCRIPT, "--count", "2", "--seed", "1", "--until", "2", "--no-shipped", "--engines", "exact",
+                               BUILD], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        lines = done.stdout.splitlines()
+        self.assertEqual(lines[0], "2 random cases of seed 1")
+        self.assertTrue(any(line.startswith("exact plain") for line in lines))
+        self.assertRegex(done.stdout, r"\nless-bouncy at 0.001 s +2 of 2 ")
+        self.assertTrue(lines[-1].startswith("Missed: " if done.returncode else "All targets are reached"), lines[-1])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -142,6 +142,6 @@ if(python)
     "${SOURCE_DIR}/scripts/test-tutorials" "${prefix}")
 endif()
 
-# the workflow that docs/guides/ci-recipe.md gives to the maintainer of an engine
+# the workflow and the action that docs/guides/ci-recipe.md gives to the maintainer of an engine
 run("${CMAKE_COMMAND}" -E env "CXXFLAGS=${FLAGS}" "Eigen3_DIR=${EIGEN_DIR}"
   "${SOURCE_DIR}/scripts/test-recipe" "${prefix}")

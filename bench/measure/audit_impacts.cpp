@@ -81,9 +81,9 @@ bool bounces_straight(const ReferenceCase& reference) {
   });
 }
 
-/// True where a step stops the body and the steps that follow hold it: nothing came back, however
-/// its many steps do to the reading. A soft contact takes several steps to stop it, and two phases
-/// of one impact two.
+/// True where a step stops the body and the steps that follow hold it: nothing came back, and
+/// the many steps do not change this reading. A soft contact takes several steps to stop it, and
+/// two phases of one impact two.
 bool sticks(const Case& the_case, const RecordedImpact& impact) {
   constexpr std::size_t least_steps = 4;
   constexpr double still_closing = 0.1;  // [-], of the speed

@@ -279,7 +279,7 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
   add_schema(command, report_schema_json);
   command.add_option("--gate", asked.gate, gate_help)->option_text("FILE");
   add_target(command, "--list-problems", asked.list_problems,
-             "write the list of problems that --gate reads, with a place for the reason of each,");
+             "write the list of problems that --gate reads");
   command
       .add_option(
           "--within", asked.within,

@@ -76,7 +76,7 @@ Report report_of(const SuiteOptions& options, const std::vector<ReferenceCase>& 
     report.runs.push_back(run.row);
   }
   report.summary = summary(report.runs);
-  report.convergence = convergence(report.runs);
+  report.convergence = convergence(report);
   report.causes = causes_of(report.runs);
   report.findings = findings_in(result.runs);
   report.context = filled(std::move(context), result);

@@ -12,10 +12,10 @@ namespace tautline::bench {
 // What is drawn of a report's cases and runs: by the replay of its page, the charts of the audit
 // and the stills. It is made beside the report, which has the numbers.
 
-/// A report has at most so many impacts of one run, the fastest: half a megabyte of JSON.
+/// A report has at most this many impacts of one run, the fastest: half a megabyte of JSON.
 inline constexpr std::size_t most_impacts = 5000;
 
-/// A replay shows at most so many impacts of one run, or events of one case, the fastest.
+/// A replay shows at most this many impacts of one run, or events of one case, the fastest.
 inline constexpr std::size_t most_drawn = 300;
 
 /// The counted impacts of a run in rising time, a column each; of very many the fastest.
@@ -74,7 +74,7 @@ struct Replay {
 [[nodiscard]] Replay drawable(const Replay& replay, std::size_t cases, std::size_t runs,
                               std::size_t most);
 
-/// The impacts that a page of so many runs has of each: at least 3, and about 1 MB of all.
+/// The impacts of each run on a page of `runs`: at least 3, and about 1 MB of all.
 [[nodiscard]] std::size_t page_impacts(std::size_t runs);
 
 /// `value` with `digits` significant digits.

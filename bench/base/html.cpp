@@ -100,7 +100,9 @@ std::string cell_html(const Cell& cell, bool numbers, std::size_t span) {
 std::string row_html(const Row& row, const std::vector<Column>& columns) {
   constexpr std::size_t longest_name = 60;
   std::string out = row.kind.empty() ? "<tr>" : "<tr class=\"" + html_text(row.kind) + "\">";
-  out += "<th scope=\"row\">" + html_text(row.cells.front().text, longest_name) + "</th>";
+  const std::string name = html_text(row.cells.front().text, longest_name);
+  // a row that goes on with what is named above has no name of its own
+  out += name.empty() ? "<td></td>" : "<th scope=\"row\">" + name + "</th>";
   for (std::size_t place = 1; place < row.cells.size(); ++place) {
     const bool last = place + 1 == row.cells.size();
     out += cell_html(row.cells[place], columns[place].numbers, last ? columns.size() - place : 1);

@@ -46,6 +46,9 @@
       return { empty: 'No run of this choice has a deviation that was taken apart.' };
     }
     return {
+      numbers: () => ({ columns: ['engine and model', 'step [s]', ...causes.map(([, text]) => `share of ${text}`), 'deviation [m]',
+        'covered share of the time to the horizon'],
+      rows: found.map((row) => [row.name, choice.step, ...causes.map(([cause]) => row.shares[cause] || 0), row.deviation, row.covered]) }),
       data: causes.map(([cause, text, hatch], i) => ({ type: 'bar', orientation: 'h', name: text,
         y: found.map((row) => row.name), x: found.map((row) => row.shares[cause] || 0),
         customdata: found.map((row) => [number(row.deviation), number(100 * row.covered, 2)]),

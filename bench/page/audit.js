@@ -1,7 +1,7 @@
 // The restitution audit: the impacts in the report, by case, engine, model and step. Requested
 // against effective restitution over impact speed and over the lever arm, the impulse errors, and
-// the ladder of bounce heights against e^(2n). A report of many runs has the fastest impacts of each
-// only; a note below a chart says how many it has not.
+// the ladder of bounce heights against e^(2n). The page of many runs has the fastest impacts of each
+// only; a note below a chart says how many it has not, and report.json has them.
 (() => {
   'use strict';
   const { report, address, filter, mark, axis, logAxis, speedAxis, chart, make, select, refill, short, number, modelsOf } = tautline;
@@ -43,8 +43,8 @@
     && (!choice.case || run.case === choice.case) && (!choice.model || run.model === choice.model)
     && (!choice.step || String(run.step) === choice.step));
 
-  /// The impacts of the chosen runs by model, thinned: {total, missing, models: [{model, rows}]}.
-  /// `missing` impacts of these runs are not in the report.
+  /// The impacts of the chosen runs by model, thinned: {total, missing, numbers, models: [{model, rows}]}; `numbers` has all.
+  /// `missing` impacts of these runs are not on the page.
   function impacts() {
     const byModel = new Map();
     let total = 0;
@@ -61,7 +61,11 @@
       byModel.set(run.model, rows);
     }
     const stride = Math.ceil(total / most());
-    return { total, missing, models: [...byModel].map(([model, rows]) => ({ model,
+    const numbers = () => ({ columns: ['case', 'engine', 'model', 'step [s]', 'time [s]', 'cable', 'impact speed [m/s]',
+      'lever arm [m]', 'asked restitution', 'got restitution', 'across the cable [N s]', 'angular error [N m s]'],
+    rows: [...byModel.values()].flat().map((row) => [row.run.case, row.run.engine, row.run.model, row.run.step, row.time, row.cable,
+      row.speed, row.arm, row.requested, row.effective, row.tangential, row.angular]) });
+    return { total, missing, numbers, models: [...byModel].map(([model, rows]) => ({ model,
       rows: rows.filter((row, i) => i % stride === 0) })) };
   }
 
@@ -97,7 +101,7 @@
   function note({ total, missing }, drawn) {
     const thinned = total > drawn ? `${drawn} of ${total} impacts are drawn. ` : '';
     const slower = missing === 1 ? '1 slower impact of these runs is' : `${missing} slower impacts of these runs are`;
-    return thinned + (missing > 0 ? `${slower} not in this report; events.csv of each run has all of them.` : '');
+    return thinned + (missing > 0 ? `${slower} not on this page; report.json has them.` : '');
   }
   const nothing = { empty: 'No impact in this choice.' };
 
@@ -124,7 +128,7 @@
       if (found.total === 0) {
         return nothing;
       }
-      return { note: note(found, rows.length),
+      return { note: note(found, rows.length), numbers: found.numbers,
         data: [...models.map((one) => dots(one.model, one.rows, x, (row) => row.effective)),
           requested(models, x, colours)],
         layout: { ...extra(colours), ...withLegend, xaxis: axisOf(colours),
@@ -154,7 +158,7 @@
       const sizes = models.flatMap((one) => one.rows).map((row) => Math.log10(size(row[name])));
       return [Math.floor(Math.min(...sizes)) - 0.2, Math.ceil(Math.max(...sizes) + 1e-9) + 0.2];
     };
-    return { note: note(found, models.flatMap((one) => one.rows).length),
+    return { note: note(found, models.flatMap((one) => one.rows).length), numbers: found.numbers,
       data: [...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.tangential))),
         ...models.map((one) => dots(one.model, one.rows, speed, (row) => size(row.angular),
           { yaxis: 'y2', showlegend: false }))],

@@ -1,6 +1,6 @@
 // What every page shares: the colours of the current scheme, axes, and charts that are drawn when they
 // come into view and again when the scheme changes.
-window.tautline = (() => {
+Object.assign(window.tautline, (() => {
   'use strict';
   // Okabe and Ito's order, darkened on light paper and lightened on dark for 3:1 against either.
   const lightColours = ['#0b62a3', '#b34700', '#00795a', '#a03a7c', '#8a6400', '#1f7fb8', '#5b3fa0',
@@ -66,8 +66,9 @@ window.tautline = (() => {
   }
 
   /// A figure in the units of the report: see `inUnits` of common.js; the chapter has its own.
+  const inTheseUnits = (text, figure) => (tautline.inUnits ? tautline.inUnits(text, figure.system) : text);
   function inUnits(figure) {
-    const change = (text) => (window.tautline.inUnits ? window.tautline.inUnits(text, figure.system) : text);
+    const change = (text) => inTheseUnits(text, figure);
     for (const trace of figure.data) {
       trace.hovertemplate = trace.hovertemplate && change(trace.hovertemplate);
       trace.text = Array.isArray(trace.text) ? trace.text.map(change) : trace.text;
@@ -85,6 +86,19 @@ window.tautline = (() => {
 
   /// Below this width of the window a bar of buttons would be as wide as the chart [px].
   const narrow = 600;
+  /// What the bar has. Saving is the business of buttons that say so.
+  const barButtons = [['zoom2d', 'pan2d', 'zoomIn2d', 'zoomOut2d', 'resetScale2d']];
+  /// A chart that is saved is at least this wide, and this much higher than on the page [px].
+  const least = 720;
+  const legendRoom = 40;
+
+  /// Every point of every curve, with the titles of its axes: the numbers of a chart that names no others.
+  function pointsOf({ data, layout }) {
+    const title = (letter, name) => (layout[`${letter}axis${(name || letter).slice(1)}`]?.title?.text || letter);
+    return { columns: ['curve', title('x'), 'quantity', 'value'],
+      rows: data.filter((one) => one.hoverinfo !== 'skip').flatMap((one) => [...one.x].map((x, i) =>
+        [one.name, x, title('y', one.yaxis), one.y[i]]).filter((row) => row[3] !== null)) };
+  }
 
   const charts = {};
   const seen = new IntersectionObserver((entries) => {
@@ -95,7 +109,8 @@ window.tautline = (() => {
   }, { rootMargin: '300px' });
 
   /// A chart in `element`, drawn from what `build(colours)` returns ({data, layout}, or {empty}, a
-  /// sentence, where there is nothing to draw) as soon as it is near the view. `update` draws anew.
+  /// sentence, if there is nothing to draw) as soon as it is near the view. `update` draws it again.
+  /// `numbers` of what is built returns the {columns, rows} to save; without it they are all points.
   function chart(element, build) {
     if (!window.Plotly) {
       // a build without Plotly: the page says so, and its tables say the rest
@@ -106,12 +121,22 @@ window.tautline = (() => {
     const note = document.createElement('p');
     note.className = 'empty';
     element.replaceChildren(body, note);
+    const name = (element.id || element.dataset.figure).replace(/^chart-/, '');
+    const saving = tautline.saveButtons({ name: `tautline-${name}`, what: element.getAttribute('aria-label') || name,
+      svg: async () => decodeURIComponent((await made.picture('svg', Math.max(least, element.clientWidth))).replace(/^[^,]*,/, '')),
+      numbers: () => {
+        const figure = inUnits(build(theme(), element.clientWidth));
+        const { columns, rows } = figure.numbers ? figure.numbers() : pointsOf(figure);
+        return tautline.csv({ columns: columns.map((one) => inTheseUnits(one, figure)), rows });
+      } });
+    element.after(saving);
     function draw() {
       const colours = theme();
       const figure = build(colours, printing ? paperWidth : element.clientWidth);
       note.textContent = figure.empty || figure.note || '';
       note.hidden = !note.textContent;
       body.hidden = Boolean(figure.empty);
+      saving.hidden = body.hidden;
       if (figure.empty) {
         return Promise.resolve();
       }
@@ -120,13 +145,14 @@ window.tautline = (() => {
       layout.margin = { ...layout.margin, t: Math.max(layout.margin.t, barHeight) };
       return Plotly.react(body, figure.data, printing ? { ...layout, width: paperWidth } : layout,
         { responsive: !printing, displaylogo: false, displayModeBar: innerWidth < narrow || printing ? false : 'hover',
-          modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d'] });
+          modeBarButtons: barButtons });
     }
     const made = {
       element, body,
       update: () => (shown ? draw() : Promise.resolve()),
       show: () => { shown = true; return draw(); },
-      /// The chart by itself, with its legend, for a file: `format` is svg or png.
+      /// The chart by itself, with its legend, for a file: `format` is svg or png. Without a `height` it is that
+      /// of the page's chart.
       picture: (format, width, height) => {
         const colours = theme();
         const figure = build(colours, width);
@@ -135,11 +161,12 @@ window.tautline = (() => {
         }
         inUnits(figure);
         const layout = layoutOf(colours, figure.layout);
-        return Plotly.toImage({ data: figure.data, layout: { ...layout, width, height,
-          margin: { l: 72, r: 16, t: 24, b: 72 },
+        const high = height || layout.height + legendRoom;
+        const margin = height ? { l: 72, r: 16, t: 24, b: 72 } : { ...layout.margin, t: Math.max(layout.margin.t, legendRoom) };
+        return Plotly.toImage({ data: figure.data, layout: { ...layout, width, height: high, margin,
           paper_bgcolor: colours.paper, showlegend: true,
           legend: { font: { size: 11 }, tracegroupgap: 2, ...layout.legend } } },
-        { format, width, height, scale: format === 'png' ? 2 : 1 });
+        { format, width, height: high, scale: format === 'png' ? 2 : 1 });
       },
     };
     element.tautlineChart = made;
@@ -161,4 +188,4 @@ window.tautline = (() => {
   addEventListener('afterprint', () => forPaper(false));
 
   return { theme, axis, logAxis, speedAxis, chart, charts };
-})();
+})());

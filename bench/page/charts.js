@@ -17,8 +17,9 @@
     .map(({ engine, model }) => ({ engine, model }));
   const byKey = (list, of) => new Map(list.map((row) => [of(row), row]));
   const costs = byKey(report.context.costs, (row) => `${key(row)}\n${row.step}`);
-  const slopes = Object.fromEntries(report.convergence.filter((row) => row.slope)
-    .map((row) => [key(row), `slope ${number(Number(row.slope.median.toFixed(2)))}`]));
+  /// Of each model its slope, or that its error is rounding, which has none.
+  const slopes = Object.fromEntries(report.convergence.filter((row) => row.slope || row.cases_at_rounding > 0)
+    .map((row) => [key(row), row.slope ? `slope ${number(Number(row.slope.median.toFixed(2)))}` : 'at rounding']));
 
   const grouped = (rows) => {
     const groups = new Map();
@@ -135,6 +136,15 @@
       range: [low - 0.4, high + 0.2] };
   }
 
+  /// What both charts draw, as it is measured: rounding, too.
+  function numbers(shown, choice) {
+    const error = metric(choice.metric);
+    return { columns: ['case', 'engine', 'model', 'step [s]', `${error.words} [${error.unit}]`,
+      'cost [s/s]', 'lower quartile of cost [s/s]', 'upper quartile of cost [s/s]', 'cases'],
+    rows: shown.map((point) => [choice.case || 'median over the cases', point.engine, point.model, point.step, point.error,
+      point.cost, ...(point.spread || [null, null]), point.cases]) };
+  }
+
   function build(choice, abscissa) {
     return (colours, available) => {
       const width = Math.max(available, leastWidth);
@@ -186,7 +196,7 @@
       const what = abscissa === 'cost' ? 'Dotted: the front of all engines, on which nothing is both cheaper and more '
         + `accurate; its points are ringed. Bars: the middle half of the ${choice.case ? 'repetitions' : 'cases'}. Grey: the other engines.`
         : 'Grey: the other engines; the straight lines have slopes 1 and 2.';
-      return { data, layout, note: what };
+      return { data, layout, note: what, numbers: () => numbers(visible, choice) };
     };
   }
 

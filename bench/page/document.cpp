@@ -26,12 +26,13 @@ std::string head(const PageContent& page, std::string_view style) {
       allowed, page.title, style);
 }
 
-/// A text of several lines as it stands.
-std::string preformatted(std::string_view text) {
-  std::string out = "<pre>";
+/// A text of several lines as it stands; `more` attributes.
+std::string preformatted(std::string_view text, std::string_view more = "") {
+  constexpr std::size_t longest_line = 1000;
+  std::string out = fmt::format("<pre{}>", more);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    out += html_text(text.substr(0, end)) + "\n";
+    out += html_text(text.substr(0, end), longest_line) + "\n";
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return out + "</pre>";
@@ -45,6 +46,15 @@ std::string foot(std::string_view command, const PageAssets& assets) {
            preformatted(assets.licence) + "</details>\n";
   }
   return out + "</footer>\n";
+}
+
+/// `content` with a name for its main part, to which the skip link leads.
+std::string with_named_main(std::string content) {
+  constexpr std::string_view main = "<main>";
+  if (const std::size_t at = content.find(main); at != std::string::npos) {
+    content.replace(at, main.size(), "<main id=\"content\" tabindex=\"-1\">");
+  }
+  return content;
 }
 
 /// The data, then what reads them. The parser comes to them last: the page is legible before.
@@ -63,11 +73,38 @@ std::string scripts(const PageContent& page, std::string_view plotly) {
 
 }  // namespace
 
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    line += line.empty() ? "" : ",";
+    if (cell.find_first_of(",\"\r\n") == std::string::npos) {
+      line += cell;
+      continue;
+    }
+    line += '"';
+    for (const char letter : cell) {
+      line += letter == '"' ? "\"\"" : std::string(1, letter);
+    }
+    line += '"';
+  }
+  return line + "\n";
+}
+
+std::string figure_html(const DrawnFigure& figure) {
+  const std::string label = html_text(figure.label);
+  return fmt::format(
+      "<figure class=\"drawn\" data-name=\"{}\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"{}\">\n{}{}</figure>\n",
+      html_text(figure.name), label, figure.svg, preformatted(figure.csv, " hidden class=\"csv\""));
+}
+
 std::string html_document(const PageContent& page, const PageAssets& assets) {
   const bool charts = !assets.plotly.empty();
   return head(page, assets.style) +
-         fmt::format("<body{}>\n", charts ? "" : " class=\"no-charts\"") + page.content +
-         foot(page.command, assets) + scripts(page, assets.plotly) + "</body>\n</html>\n";
+         fmt::format("<body{}>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n",
+                     charts ? "" : " class=\"no-charts\"") +
+         with_named_main(page.content) + foot(page.command, assets) + scripts(page, assets.plotly) +
+         "</body>\n</html>\n";
 }
 
 }  // namespace tautline::bench

@@ -1,5 +1,5 @@
-# Writes OUTPUT, the C++ source that holds the pages' files, from STYLE, SCRIPTS and CHAPTER_SCRIPTS (each in
-# order, separated by |), PLOTLY and its LICENCE (both may be empty). Called at build time by bench/page/CMakeLists.txt.
+# Writes OUTPUT, the C++ source that holds the pages' files, from STYLE, SCRIPTS, CHAPTER_SCRIPTS and FIGURE_SCRIPTS (each
+# in order, separated by |), PLOTLY and its LICENCE (both may be empty). Called at build time by bench/page/CMakeLists.txt.
 
 # Sets `result` to the text of `files`, one after another.
 function(read_files files result)
@@ -15,6 +15,7 @@ endfunction()
 read_files("${STYLE}" style)
 read_files("${SCRIPTS}" scripts)
 read_files("${CHAPTER_SCRIPTS}" chapter_scripts)
+read_files("${FIGURE_SCRIPTS}" figure_scripts)
 
 set(plotly "")
 set(licence "")
@@ -29,7 +30,7 @@ if(PLOTLY)
   string(REPLACE "@namespace@" "http://www.w3.org/" plotly "${plotly}")
 endif()
 
-foreach(part IN ITEMS style scripts chapter_scripts plotly licence)
+foreach(part IN ITEMS style scripts chapter_scripts figure_scripts plotly licence)
   # the end of a script, or what opens a comment in one, would end it inside the page
   string(TOLOWER "${${part}}" lower)
   if(lower MATCHES "</script|</style|<!--|\\)tautline_page\"")
@@ -48,7 +49,8 @@ R\"tautline_page(${style})tautline_page\",
 R\"tautline_page(${scripts})tautline_page\",
 R\"tautline_page(${chapter_scripts})tautline_page\",
 R\"tautline_page(${plotly})tautline_page\",
-R\"tautline_page(${licence})tautline_page\"};
+R\"tautline_page(${licence})tautline_page\",
+R\"tautline_page(${figure_scripts})tautline_page\"};
   return assets;
 }
 

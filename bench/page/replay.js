@@ -252,6 +252,26 @@
   }, { rootMargin: '300px' });
   near.observe(app);
 
+  // on paper, four stills from the start to the end of what can be predicted
+  const stills = make('div', { class: 'print-stills' });
+  const stillSize = [480, 270]; // [px]
+  canvas.before(stills);
+  addEventListener('beforeprint', () => {
+    if (!picture) {
+      choose(cases[0]);
+    }
+    const last = Math.min(end(), state.system.horizon);
+    const instants = [0, 1, 2, 3].map((part) => part * last / 3);
+    const sheet = make('canvas');
+    const drawing = scene(sheet, state.system, state.motions, stillSize);
+    stills.replaceChildren(...instants.map((time) => {
+      drawing.draw(time, state.speed);
+      const text = tautline.inUnits(`t = ${number(time, 4)} s: ${drawing.words(time)}`, state.system);
+      return make('figure', {}, make('img', { src: sheet.toDataURL(), alt: text }), make('figcaption', {}, text));
+    }));
+  });
+  addEventListener('afterprint', () => stills.replaceChildren());
+
   // for the address
   tautline.replay = { state, show, runs: () => state.runs.filter(Boolean),
     chooseCase: (name) => {

@@ -57,8 +57,8 @@
     return at(low);
   }
 
-  /// A scene on `canvas`; `draw(time, speed)` paints it.
-  function scene(canvas, system, motions) {
+  /// A scene on `canvas`, in the size that it has on the page or in `size` [px]; `draw(time, speed)` paints it.
+  function scene(canvas, system, motions, size) {
     const context = canvas.getContext('2d');
     const area = extent(system, motions);
     const exact = motions.find((one) => one.reference);
@@ -66,9 +66,11 @@
     let scale;
     let colours;
 
+    const extentOnPage = () => size ?? [canvas.clientWidth, canvas.clientHeight];
+
     function fit() {
-      const ratio = window.devicePixelRatio || 1;
-      const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+      const ratio = size ? 2 : window.devicePixelRatio || 1;
+      const [width, height] = extentOnPage();
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -163,7 +165,7 @@
 
     function draw(time, speed) {
       fit();
-      context.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
+      context.clearRect(0, 0, ...extentOnPage());
       const late = time > system.horizon;
       // the exact one last, on top; past the horizon the others are pale
       for (const motion of [...motions].sort((a, b) => Boolean(a.reference) - Boolean(b.reference))) {

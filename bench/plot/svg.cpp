@@ -63,6 +63,9 @@ std::string svg_start(double width, double height, const std::string& more) {
 std::string svg_sheet(const SvgSheet& sheet, const std::string& drawn) {
   const std::string title = xml_text(sheet.title);
   std::string out = svg_start(sheet.width, sheet.height) + "<title>" + title + "</title>\n";
+  if (constexpr std::string_view whole = "role=\"img\""; sheet.has_links) {
+    out.replace(out.find(whole), whole.size(), "role=\"group\"");
+  }
   if (!sheet.description.empty()) {
     out += "<desc>" + xml_text(sheet.description) + "</desc>\n";
   }

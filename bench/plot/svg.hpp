@@ -28,6 +28,7 @@ struct SvgSheet {
   std::string description = {};  // for a reader who does not see it
   std::string line = {};         // below the title
   double title_y = 26.0;
+  bool has_links = false;  // a picture of one piece has none that a reader could reach
 };
 [[nodiscard]] std::string svg_sheet(const SvgSheet& sheet, const std::string& drawn);
 

@@ -42,7 +42,7 @@ const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& pro
   return suite;
 }
 
-/// The cases that are meant, each as long as --until says.
+/// The cases that are meant, none of them longer than --until says.
 std::vector<Case> cases_of(const BenchCommand& command, const Suite* suite,
                            std::vector<std::string>& problems) {
   CaseSelection selection = select_cases(suite != nullptr ? cases_of(*suite) : command.cases);
@@ -53,8 +53,16 @@ std::vector<Case> cases_of(const BenchCommand& command, const Suite* suite,
         fmt::format("--until {}: must be a finite number above 0 [s]", *command.until));
     return std::move(selection.cases);
   }
+  bool shortens = selection.cases.empty() || !command.until;
   for (Case& the_case : selection.cases) {
-    the_case.duration = command.until.value_or(the_case.duration);
+    shortens = shortens || *command.until < the_case.duration;
+    the_case.duration = std::min(the_case.duration, command.until.value_or(the_case.duration));
+  }
+  if (!shortens) {
+    complain(
+        {fmt::format("--until {}: changes nothing, as every case ends by then; a case becomes "
+                     "longer by its file's `duration`",
+                     *command.until)});
   }
   return std::move(selection.cases);
 }
@@ -249,7 +257,9 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
       ->option_text("SECONDS")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--until", asked.until, "end every run at this time [s]")
+  command
+      .add_option("--until", asked.until,
+                  "end longer cases at this time [s]; shorter ones stay as they are")
       ->option_text("SECONDS");
   add_law(command, asked.law, law_help);
   command.add_option("--out", asked.out, "folder for the report and the runs' files")

@@ -315,7 +315,7 @@ void add_solve(CLI::App& app, int& code) {
   command->add_option("CASES", asked->cases, case_help)->required();
   command
       ->add_option("--until", asked->until,
-                   "end the run at this time [s], not at the case's duration")
+                   "end at this time [s], before or after the case's own duration")
       ->option_text("SECONDS");
   command
       ->add_option("--at", asked->at,

@@ -176,7 +176,9 @@ void add_runs(CLI::App& command, BenchCommand& runs) {
                   "step sizes [s] (default: the suite's; for --cases 0.01,0.001,0.0001)")
       ->option_text("SECONDS")
       ->delimiter(',');
-  command.add_option("--until", runs.until, "end every run at this time [s]")
+  command
+      .add_option("--until", runs.until,
+                  "end longer cases at this time [s]; shorter ones stay as they are")
       ->option_text("SECONDS");
   command.add_option("--out", runs.out, "folder for the trend and the versions' reports")
       ->option_text("FOLDER")

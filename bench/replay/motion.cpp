@@ -16,10 +16,10 @@
 namespace tautline::bench {
 namespace {
 
-/// Leaves the `most_impacts` of `events` that are largest by `speed`, in the order they had.
+/// Leaves the `most` of `events` that are largest by `speed`, in the order they had.
 template <class Event, class Speed>
-void keep_fastest(std::vector<Event>& events, const Speed& speed) {
-  if (events.size() <= most_impacts) {
+void keep_fastest(std::vector<Event>& events, std::size_t most, const Speed& speed) {
+  if (events.size() <= most) {
     return;
   }
   std::vector<std::pair<double, std::size_t>> order;
@@ -27,7 +27,7 @@ void keep_fastest(std::vector<Event>& events, const Speed& speed) {
     order.emplace_back(-speed(events[index]), index);
   }
   std::sort(order.begin(), order.end());
-  order.resize(most_impacts);
+  order.resize(most);
   std::sort(order.begin(), order.end(),
             [](const auto& a, const auto& b) { return a.second < b.second; });
   std::vector<Event> kept;
@@ -63,7 +63,8 @@ Path drawn(const std::vector<Sample>& samples, const Nearness& nearness) {
 /// The counted impacts that the report has, in rising time.
 std::vector<const RecordedImpact*> kept_impacts(const Trajectory& run, double count_speed) {
   std::vector<const RecordedImpact*> impacts = counted(run, count_speed);
-  keep_fastest(impacts, [](const RecordedImpact* impact) { return -impact->rate_before; });
+  keep_fastest(impacts, most_impacts,
+               [](const RecordedImpact* impact) { return -impact->rate_before; });
   return impacts;
 }
 
@@ -85,7 +86,7 @@ std::vector<const Event*> kept_events(const ReferenceCase& reference) {
   for (const Event& event : reference.solution.events()) {
     events.push_back(&event);
   }
-  keep_fastest(events, [&](const Event* event) {
+  keep_fastest(events, most_drawn, [&](const Event* event) {
     // what is no impact is rare and always kept
     return closing_speed(reference.the_case, *event)
         .value_or(std::numeric_limits<double>::infinity());

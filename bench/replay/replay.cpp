@@ -1,5 +1,5 @@
-// Of very many runs a report has fewer impacts each, and of all numbers that are drawn as many
-// digits as can be seen: else no page would hold it. Motions are not in it: see
+// A page of very many runs has fewer impacts of each, and of all numbers that are drawn as many
+// digits as can be seen: else no browser would open it. Motions are not in it: see
 // suite/report_of.cpp.
 
 #include "bench/replay/replay.hpp"
@@ -17,7 +17,7 @@
 namespace tautline::bench {
 namespace {
 
-/// The impacts of all runs may take so many bytes, and one takes this many.
+/// The impacts of all runs may take so many bytes of a page, and one takes this many.
 constexpr std::size_t impact_budget = 800'000;
 constexpr std::size_t impact_size = 70;
 constexpr std::size_t least_impacts = 3;
@@ -75,13 +75,12 @@ void keep(ImpactColumns& impacts, const Places& places) {
   keep(impacts.steps, places);
 }
 
-/// Impacts of one run of a report of `runs` runs, so that all of them have about 1 MB; at least 3.
-std::size_t impacts_per_run(std::size_t runs) {
-  return std::clamp(impact_budget / std::max<std::size_t>(runs, 1) / impact_size, least_impacts,
-                    most_impacts);
-}
-
 }  // namespace
+
+std::size_t page_impacts(std::size_t runs) {
+  return std::clamp(impact_budget / std::max<std::size_t>(runs, 1) / impact_size, least_impacts,
+                    most_drawn);
+}
 
 void round_all(std::vector<double>& column, int digits) {
   for (double& value : column) {
@@ -104,7 +103,7 @@ ImpactColumns drawable(ImpactColumns impacts, std::size_t most) {
   return impacts;
 }
 
-Replay drawable(const Replay& replay, std::size_t cases, std::size_t runs) {
+Replay drawable(const Replay& replay, std::size_t cases, std::size_t runs, std::size_t most) {
   Replay result;
   for (std::size_t place = 0; place < cases; ++place) {
     CaseReplay& one =
@@ -114,7 +113,6 @@ Replay drawable(const Replay& replay, std::size_t cases, std::size_t runs) {
       rate = rate ? std::optional(rounded(*rate)) : rate;
     }
   }
-  const std::size_t most = impacts_per_run(runs);
   for (std::size_t place = 0; place < runs; ++place) {
     const std::optional<ImpactColumns>& impacts = replay.of_run(place).impacts;
     result.runs.push_back(

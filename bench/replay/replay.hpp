@@ -12,8 +12,11 @@ namespace tautline::bench {
 // What is drawn of a report's cases and runs: by the replay of its page, the charts of the audit
 // and the stills. It is made beside the report, which has the numbers.
 
-/// Of one run's impacts, or of one case's events, a report has at most so many, the fastest.
-inline constexpr std::size_t most_impacts = 300;
+/// A report has at most this many impacts of one run, the fastest: half a megabyte of JSON.
+inline constexpr std::size_t most_impacts = 5000;
+
+/// A replay shows at most this many impacts of one run, or events of one case, the fastest.
+inline constexpr std::size_t most_drawn = 300;
 
 /// The counted impacts of a run in rising time, a column each; of very many the fastest.
 struct ImpactColumns {
@@ -66,9 +69,13 @@ struct Replay {
 /// `impacts` with the digits that a chart needs, and no more than `most` of them, the fastest.
 [[nodiscard]] ImpactColumns drawable(ImpactColumns impacts, std::size_t most);
 
-/// `replay` of a report of so many `cases` and `runs` likewise, with an entry for each of them, and
-/// without the paths of the runs.
-[[nodiscard]] Replay drawable(const Replay& replay, std::size_t cases, std::size_t runs);
+/// `replay` of a report of so many `cases` and `runs` likewise, with an entry for each of them, at
+/// most `most` impacts of each run, and without the paths of the runs.
+[[nodiscard]] Replay drawable(const Replay& replay, std::size_t cases, std::size_t runs,
+                              std::size_t most);
+
+/// The impacts of each run on a page of `runs`: at least 3, and about 1 MB of all.
+[[nodiscard]] std::size_t page_impacts(std::size_t runs);
 
 /// `value` with `digits` significant digits.
 [[nodiscard]] double rounded(double value, int digits = 6);

@@ -108,14 +108,16 @@ std::string finding_item(const Finding& finding) {
       html_text(finding.model), html_prose(finding.sentence), evidence_text(finding));
 }
 
-std::string model_html(const Model& model, const std::string& id) {
+std::string model_html(const std::string& engine, const Model& model, const std::string& id) {
   const Table settings = settings_table(model);
   return fmt::format("<h4>{}, {}</h4>\n", html_text(model.name), words_of(model.maker)) +
          paragraph(html_text(model.sentence, longest_sentence)) +
          (settings.empty()
               ? note("Every setting is left alone: the engine’s default.")
               : html_table(settings, id,
-                           "Settings that are not left alone, and whose choice each is."));
+                           fmt::format("Settings of {} {} that are not left alone, and whose "
+                                       "choice each is.",
+                                       engine, model.name)));
 }
 
 }  // namespace
@@ -217,7 +219,7 @@ std::string models_section(const Report& report) {
     out += note(fmt::format("Version {}, {}.", html_text(engine.info->version),
                             html_text(engine.info->precision)));
     for (const Model& model : engine.info->models) {
-      out += model_html(model, fmt::format("settings-{}", ++table));
+      out += model_html(engine.name, model, fmt::format("settings-{}", ++table));
     }
   }
   return section("models", "How each engine models a cable",

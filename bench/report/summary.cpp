@@ -98,37 +98,82 @@ SummaryRow summary_of(const Group<RunRow>& runs) {
   return row;
 }
 
-/// Errors over steps.
-struct ErrorCurve {
-  std::vector<double> steps;   // [s]
-  std::vector<double> errors;  // [m]
+/// The early position error of a run.
+struct ErrorPoint {
+  double step;   // [s]
+  double error;  // [m]
+  double bound;  // [m], what rounding alone may add up to
 };
 
-/// The early position error of each case, where it could be measured.
-std::map<std::string, ErrorCurve> curves(const Group<RunRow>& runs) {
+/// What rounding may add up to in `run` [m]: half of the last place of the largest coordinate in
+/// each step of the window, all in one direction. `extent` of its case [m].
+double rounding_bound(const RunRow& run, double extent, bool single) {
+  constexpr double half_place_of_a_float = 6e-8;  // [-]: 2^-24
+  const double steps = run.details ? run.details->of_windows.front().until / run.key.step : 0.0;
+  return single ? std::max(rounding_error, half_place_of_a_float * extent * steps) : rounding_error;
+}
+
+/// Leaves out of a curve over falling steps the finest ones whose errors are rounding: below their
+/// bound, and not smaller by a quarter for a decade of the step. The coarsest one has nothing
+/// before it: its error is rounding if that at the next step is.
+void drop_rounding(std::vector<ErrorPoint>& curve) {
+  const auto falls = [](const ErrorPoint& from, const ErrorPoint& to) {
+    constexpr double least_fall = 0.75;  // [-], of the error for a decade of the step
+    return to.error <= std::pow(least_fall, std::log10(from.step / to.step)) * from.error;
+  };
+  const std::size_t all = curve.size();
+  const auto is_rounding = [&](std::size_t place) {
+    const ErrorPoint& one = curve[place];
+    if (one.error > one.bound) {
+      return false;
+    }
+    return one.error <= rounding_error ||
+           (place == 0 ? curve.size() < all && all > 1 : !falls(curve[place - 1], one));
+  };
+  while (!curve.empty() && is_rounding(curve.size() - 1)) {
+    curve.pop_back();
+  }
+}
+
+/// The curve of each case, where its error could be measured.
+std::map<std::string, std::vector<ErrorPoint>> curves(const Group<RunRow>& runs,
+                                                      const Report& report) {
+  const auto engine =
+      std::find_if(report.engines.begin(), report.engines.end(),
+                   [&](const EngineRow& one) { return one.name == runs.front()->key.engine; });
+  const bool single =
+      engine != report.engines.end() && engine->info && engine->info->precision == "float32";
   const std::size_t early = place_of("early_position_error").value();
-  std::map<std::string, ErrorCurve> result;
+  std::map<std::string, std::vector<ErrorPoint>> result;
   for (const RunRow* run : runs) {
     if (const std::optional<double> error = run->metric(early)) {
-      ErrorCurve& curve = result[run->key.the_case];
-      curve.steps.push_back(run->key.step);
-      curve.errors.push_back(*error);
+      const auto of =
+          std::find_if(report.cases.begin(), report.cases.end(),
+                       [&](const CaseRow& one) { return one.name == run->key.the_case; });
+      const double extent = of == report.cases.end() ? 0.0 : of->extent;
+      result[run->key.the_case].push_back(
+          {run->key.step, *error, rounding_bound(*run, extent, single)});
     }
+  }
+  for (auto& [name, curve] : result) {
+    std::sort(curve.begin(), curve.end(),
+              [](const ErrorPoint& a, const ErrorPoint& b) { return a.step > b.step; });
   }
   return result;
 }
 
-ConvergenceRow convergence_of(const Group<RunRow>& runs) {
+ConvergenceRow convergence_of(const Group<RunRow>& runs, const Report& report) {
   ConvergenceRow row;
   row.engine = runs.front()->key.engine;
   row.model = runs.front()->key.model;
   std::vector<double> slopes;
-  for (const auto& [name, curve] : curves(runs)) {
-    const auto [least, most] = std::minmax_element(curve.errors.begin(), curve.errors.end());
-    if (*most <= rounding_error) {
+  for (auto& [name, curve] : curves(runs, report)) {
+    drop_rounding(curve);
+    if (curve.empty()) {
       ++row.cases_at_rounding;
-    } else if (curve.steps.size() >= 2 && *least > rounding_error) {
-      slopes.push_back(slope(curve.steps, curve.errors));
+    } else if (curve.size() >= 2) {
+      slopes.push_back(slope(listed<double>(curve, &ErrorPoint::step),
+                             listed<double>(curve, &ErrorPoint::error)));
     }
   }
   row.cases = slopes.size();
@@ -201,9 +246,10 @@ std::vector<SummaryRow> summary(const std::vector<RunRow>& runs) {
   return rows(runs, setup, summary_of);
 }
 
-std::vector<ConvergenceRow> convergence(const std::vector<RunRow>& runs) {
+std::vector<ConvergenceRow> convergence(const Report& report) {
   const auto model = [](const RunRow& run) { return std::pair(run.key.engine, run.key.model); };
-  return rows(runs, model, convergence_of);
+  return rows(report.runs, model,
+              [&](const Group<RunRow>& runs) { return convergence_of(runs, report); });
 }
 
 std::vector<CausesRow> causes_of(const std::vector<RunRow>& runs) {

@@ -12,8 +12,9 @@ namespace tautline::bench {
 [[nodiscard]] std::vector<SummaryRow> summary(const std::vector<RunRow>& runs);
 
 /// By engine and model: the slope of log error over log step of the early position error, a slope
-/// for each case; cases at rounding throughout are counted apart.
-[[nodiscard]] std::vector<ConvergenceRow> convergence(const std::vector<RunRow>& runs);
+/// for each case; cases at rounding throughout are counted apart. Of the report it takes the runs,
+/// the precision of the engines and the extent of the cases.
+[[nodiscard]] std::vector<ConvergenceRow> convergence(const Report& report);
 
 /// By engine, model and step: what deviations come from.
 [[nodiscard]] std::vector<CausesRow> causes_of(const std::vector<RunRow>& runs);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "bench/data/coordinates.hpp"
 #include "bench/solution/right_digits.hpp"
@@ -27,10 +28,19 @@ class Csv {
     }
     for (const double time : sorted) {
       bool told = false;  // by the two rows of an impact
-      for (; event < events.size() && events[event].time <= time; ++event) {
-        if (jumps(events[event])) {
-          impact(event);
-          told = events[event].time == time;
+      while (event < events.size() && events[event].time <= time) {
+        const double instant = events[event].time;
+        std::optional<std::size_t> first;
+        std::size_t last = event;
+        for (; event < events.size() && events[event].time == instant; ++event) {
+          if (jumps(events[event])) {
+            first = first.value_or(event);
+            last = event;
+          }
+        }
+        if (first) {
+          impacts(*first, last);
+          told = told || instant == time;
         }
       }
       if (!told) {
@@ -65,19 +75,31 @@ class Csv {
     out_ += text == dash ? "," : "," + text;
   }
 
-  void impact(std::size_t index) {
-    row(sample_at_event(case_, solution_, uncertainty_, index, Side::before), "before impact",
+  /// The impacts of one instant, events `first` to `last`: one state before them and one after.
+  void impacts(std::size_t first, std::size_t last) {
+    row(sample_at_event(case_, solution_, uncertainty_, first, Side::before), "before impact",
         nullptr);
     std::vector<Bounded> impulses(case_.cables.size(), Bounded{0.0, 0.0});
+    for (std::size_t index = first; index <= last; ++index) {
+      if (jumps(solution_.events()[index])) {
+        add_impulses(index, impulses);
+      }
+    }
+    row(sample_at_event(case_, solution_, uncertainty_, last, Side::after), "after impact",
+        &impulses);
+  }
+
+  void add_impulses(std::size_t index, std::vector<Bounded>& impulses) const {
+    const Event& event = solution_.events()[index];
     const auto& errors = uncertainty_.events()[index];
     Eigen::Index place = 0;
-    for (const std::size_t cable : solution_.events()[index].cables) {
-      const double pull = std::max(0.0, solution_.events()[index].impulses[place]);
-      impulses[cable] = {pull, errors ? errors->impulses[place] : -1.0};
+    for (const std::size_t cable : event.cables) {
+      Bounded& sum = impulses[cable];
+      sum.value += std::max(0.0, event.impulses[place]);
+      // an error below 0 is not known
+      sum.error = errors && sum.error >= 0.0 ? sum.error + errors->impulses[place] : -1.0;
       ++place;
     }
-    row(sample_at_event(case_, solution_, uncertainty_, index, Side::after), "after impact",
-        &impulses);
   }
 
   void row(const MotionSample& sample, const char* event, const std::vector<Bounded>* impulses) {

@@ -41,15 +41,25 @@ struct ImpactLine {
   const char* side;
 };
 
-/// Both sides of every impact, in rising time: a push over several steps ends after it began.
+/// The state before and after the impacts of each instant, in rising time. Cables that act at one
+/// instant share one pair: the state before the first and after the last. A push over several steps
+/// ends after it began.
 std::vector<ImpactLine> impact_lines(const Trajectory& run) {
-  std::vector<ImpactLine> lines;
+  std::vector<ImpactLine> before;
+  std::vector<ImpactLine> after;
   for (const RecordedImpact& impact : run.impacts) {
-    lines.push_back({impact.time, &impact.before, "before"});
-    lines.push_back({impact.ended, &impact.after, "after"});
+    before.push_back({impact.time, &impact.before, "before"});
+    after.push_back({impact.ended, &impact.after, "after"});
   }
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const auto& a, const auto& b) { return a.time < b.time; });
+  const auto earlier = [](const auto& a, const auto& b) { return a.time < b.time; };
+  const auto one_instant = [](const auto& a, const auto& b) { return a.time == b.time; };
+  std::stable_sort(before.begin(), before.end(), earlier);
+  std::stable_sort(after.begin(), after.end(), earlier);
+  before.erase(std::unique(before.begin(), before.end(), one_instant), before.end());
+  after.erase(after.begin(), std::unique(after.rbegin(), after.rend(), one_instant).base());
+  std::vector<ImpactLine> lines;
+  std::merge(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(lines),
+             earlier);
   return lines;
 }
 

@@ -82,7 +82,7 @@ Report report_of(const SuiteOptions& options, const Expectations& expectations,
     report.runs.push_back(run.row);
   }
   report.summary = summary(report.runs);
-  report.convergence = convergence(report.runs);
+  report.convergence = convergence(report);
   report.causes = causes_of(report.runs);
   judge_models(result.runs, report);
   report.context = filled(std::move(context), result);

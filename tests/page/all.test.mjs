@@ -3,6 +3,7 @@ import './browser.test.mjs';
 import './opens.test.mjs';
 import './tables.test.mjs';
 import './charts.test.mjs';
+import './save.test.mjs';
 import './address.test.mjs';
 import './reader.test.mjs';
 import './legible.test.mjs';

@@ -27,8 +27,10 @@ export const benchPage = () => {
   return process.env.TAUTLINE_PAGE;
 };
 
-/// Every page of the program that these tests have: the report and, if it was made, the chapter.
+/// Every page with charts that these tests have: the report and, if it was made, the chapter.
 export const pages = () => [benchPage(), process.env.TAUTLINE_CHAPTER_PAGE].filter(Boolean);
+/// The pages whose figures the program drew: an ensemble with an engine, one with an atlas, a trend.
+export const drawnPages = () => (process.env.TAUTLINE_DRAWN_PAGES ?? '').split(':').filter(Boolean);
 
 export const reportOf = (file) => JSON.parse(
   /<script type="application\/json" id="report-data">([^<]*)/.exec(readFileSync(file, 'utf8'))[1]);

@@ -2,21 +2,49 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
-import { benchPage, drawAll, onSharedPage, withPage } from './browser.mjs';
+import { benchPage, drawAll, drawnPages, onSharedPage, pages, withPage } from './browser.mjs';
 
 const axe = readFileSync(new URL('./node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
-const mostPages = 12;
+/// Of paper, for a small report with every section open: 16.
+const mostPages = 18;
 
-for (const colorScheme of ['light', 'dark']) {
-  test(`axe finds nothing in the ${colorScheme} scheme`, async () => {
-    await withPage(benchPage(), async ({ page }) => {
-      await drawAll(page);
+/// Draws what is drawn by script, and opens every fold.
+async function unfolded(page) {
+  if (await page.evaluate(() => Boolean(window.tautline?.charts))) {
+    await drawAll(page);
+  }
+  await page.evaluate(() => document.querySelectorAll('details').forEach((one) => { one.open = true; }));
+}
+
+for (const [file, colorScheme] of [...pages(), ...drawnPages()].flatMap((one) => [[one, 'light'], [one, 'dark']])) {
+  test(`axe finds nothing in the ${colorScheme} scheme of ${file}`, async () => {
+    await withPage(file, async ({ page }) => {
+      await unfolded(page);
       await page.evaluate(axe);
       // what is in the charts is held to its contrast in legible.test.mjs
-      const found = await page.evaluate(() => axe.run({ exclude: ['.js-plotly-plot'] }, { resultTypes: ['violations'] }));
+      const found = await page.evaluate(() => axe.run({ exclude: ['.js-plotly-plot'] },
+        { resultTypes: ['violations'], rules: { 'target-size': { enabled: true } } }));
       assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 200)).join('\n')}`), []);
     }, { colorScheme });
   });
+}
+
+for (const file of [...pages(), ...drawnPages()]) {
+  test(`${file}: the first tab leads past what repeats, and nothing to press is smaller than 24 px`, () => withPage(file, async ({ page }) => {
+    await unfolded(page);
+    await page.evaluate(() => { document.activeElement?.blur(); scrollTo(0, 0); });
+    await page.keyboard.press('Tab');
+    const skip = await page.evaluate(() => ({ text: document.activeElement.textContent, seen: document.activeElement.getBoundingClientRect().width }));
+    assert.equal(skip.text, 'Skip to the content');
+    assert.ok(skip.seen > 24);
+    await page.keyboard.press('Enter');
+    assert.equal(await page.evaluate(() => document.activeElement.tagName), 'MAIN');
+    const small = await page.evaluate(() => [...document.querySelectorAll('button, select, input, summary, nav a, svg a')]
+      .filter((one) => one.checkVisibility()).map((one) => [one, one.getBoundingClientRect()])
+      .filter(([, { width, height }]) => width < 23.9 || height < 23.9)
+      .map(([one, { width, height }]) => `${one.outerHTML.slice(0, 80)}: ${width} x ${height}`));
+    assert.deepEqual(small, []);
+  }));
 }
 
 test('on paper the page is light, with every chart whole, and short', async () => {
@@ -31,6 +59,15 @@ test('on paper the page is light, with every chart whole, and short', async () =
         .map(([id, { body }]) => ({ id, width: body.querySelector('.main-svg')?.getBoundingClientRect().width ?? 0,
           height: body.querySelector('.main-svg')?.getBoundingClientRect().height ?? 0,
           ink: body._fullLayout.font.color, points: body.querySelectorAll('.point').length })) }));
+    // every fold is open, and the replay stands still
+    const { closed, hidden, stills } = await page.evaluate(() => ({
+      closed: [...document.querySelectorAll('main details')].filter((one) => !one.open).length,
+      hidden: [...document.querySelectorAll('main section')].filter((one) => !one.checkVisibility()).map((one) => one.id),
+      stills: [...document.querySelectorAll('.print-stills figure')].map((one) => ({ text: one.textContent,
+        width: one.querySelector('img').getBoundingClientRect().width })) }));
+    assert.deepEqual([closed, hidden], [0, []]);
+    assert.equal(stills.length, 4);
+    stills.forEach(({ text, width }, i) => assert.ok(width > 200 && text.startsWith(i === 0 ? 't = 0' : 't = '), text));
     assert.equal(paper.back, 'rgb(253, 252, 249)');
     assert.ok(paper.charts.length >= 5);
     for (const { id, width, height, ink, points } of paper.charts) {
@@ -56,7 +93,7 @@ test('every control is reached by tab, and seen where it is', () => onSharedPage
   const reached = new Set();
   const unseen = [];
   await page.evaluate(() => { document.body.tabIndex = -1; document.body.focus(); });
-  for (let i = 0; i < expected + 30; ++i) {
+  for (let i = 0; i < 2 * expected && reached.size < expected; ++i) { // rows that come into view have buttons of their own
     await page.keyboard.press('Tab');
     const { at, seen, html } = await page.evaluate(() => {
       const one = document.activeElement;

@@ -37,8 +37,13 @@ inline constexpr std::size_t most_pictures = 625;
 [[nodiscard]] std::string picture_name(std::size_t cell);
 
 /// A heat map, one of `atlas`, of this statistic; a cell leads to the picture of its motion. Its
-/// colours go from the least to the largest number but for one in a hundred at each end.
+/// colours go from the least to the largest number but for one in a hundred at each end, and by
+/// their logarithm if amounts span more than a decade; shares never do.
 [[nodiscard]] std::string atlas_svg(const Atlas& atlas, const AtlasMap& map,
+                                    const Statistic& statistic);
+
+/// Its numbers: a line for each cell.
+[[nodiscard]] std::string atlas_csv(const Atlas& atlas, const AtlasMap& map,
                                     const Statistic& statistic);
 
 }  // namespace tautline::bench

@@ -8,6 +8,7 @@
 
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
+#include "bench/page/document.hpp"
 #include "bench/plot/svg.hpp"
 
 namespace tautline::bench {
@@ -15,11 +16,12 @@ namespace {
 
 // of the sheet [px]
 constexpr double panel = 330.0;
-constexpr double left_edge = 64.0;
+constexpr double left_edge = 88.0;
 constexpr double top_edge = 64.0;
-constexpr double between = 84.0;
-constexpr double under = 46.0;
-constexpr double legend_line = 20.0;  // of the legend
+constexpr double between = 112.0;
+constexpr double under = 56.0;
+constexpr double title_from_axis = 70.0;  // of an axis that goes up
+constexpr double legend_line = 20.0;      // of the legend
 
 /// Points of a curve: closer ones are not seen.
 constexpr int curve_points = 200;
@@ -54,15 +56,22 @@ Axis axis_of(const std::vector<EnsembleSample>& samples) {
   return axis;
 }
 
-/// A frame with both ends of each axis.
-std::string frame_at(double x, const Axis& across, const Axis& up) {
+/// A frame with round numbers on each axis, and what the axes show.
+std::string frame_at(double x, const Axis& across, const Axis& up, const std::string& across_title,
+                     const std::string& up_title) {
   const double bottom = top_edge + panel;
-  return fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
-                     x, top_edge, panel, panel) +
-         muted_text(x, bottom + 16.0, fmt::format("{:.4g}", across.low), "start") +
-         muted_text(x + panel, bottom + 16.0, fmt::format("{:.4g}", across.high), "end") +
-         muted_text(x - 5.0, bottom, fmt::format("{:.4g}", up.low), "end") +
-         muted_text(x - 5.0, top_edge + 12.0, fmt::format("{:.4g}", up.high), "end");
+  std::string out;
+  for (const double number : ticks(across.low, across.high - across.low)) {
+    const double at = x + panel * across.part(number);
+    out += grid_down(at, top_edge, panel) + "\n" +
+           muted_text(at, bottom + 18.0, fmt::format("{:g}", number), "middle");
+  }
+  for (const double number : ticks(up.low, up.high - up.low)) {
+    out += grid_across(x, bottom - panel * up.part(number), panel, fmt::format("{:g}", number));
+  }
+  return out + rectangle(frame_look, x, top_edge, panel, panel) + "\n" +
+         muted_text(x + panel / 2.0, bottom + 40.0, across_title, "middle") +
+         turned_text(x - title_from_axis, top_edge + panel / 2.0, -90, up_title, "middle");
 }
 
 /// A point of a panel at `x`, inside its frame.
@@ -119,9 +128,10 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
       std::any_of(samples.begin() + 1, samples.end(),
                   [](const EnsembleSample& sample) { return !sample.values.empty(); });
   const double right = left_edge + panel + between;
+  const std::string title = statistic_title(shown);
   std::string curves;
   if (has_others) {
-    curves = frame_at(right, axis, axis) +
+    curves = frame_at(right, axis, axis, "exact: " + title, "compared: " + title) +
              muted_text(right, top_edge - 10.0, "quantiles over those of exact", "start") +
              fmt::format("<path class=\"frame\" d=\"M{}L{}\"/>\n", point(right, 0, 0),
                          point(right, 1, 1));
@@ -138,9 +148,27 @@ std::string distribution_svg(const EnsembleReport& report, std::size_t statistic
   const double height =
       top_edge + panel + under + legend_line * static_cast<double>(setups.size() + 1);
   return svg_sheet(
-      {.width = width, .height = height, .left = left_edge, .title = statistic_title(shown)},
-      muted_text(left_edge, top_edge - 10.0, "share of the draws below", "start") +
-          frame_at(left_edge, axis, {0.0, 1.0}) + curves + legend_of(setups));
+      {.width = width, .height = height, .left = left_edge, .title = title},
+      muted_text(left_edge, top_edge - 10.0, "distribution functions", "start") +
+          frame_at(left_edge, axis, {0.0, 1.0}, title, "share of the draws below [-]") + curves +
+          legend_of(setups));
+}
+
+std::string distribution_csv(const EnsembleReport& report, std::size_t statistic) {
+  const Statistic& shown = report.findings.statistics[statistic];
+  std::string csv = csv_line({"setup", "share of the draws below", statistic_title(shown)});
+  for (std::size_t setup = 0; setup < report.result.draws.size(); ++setup) {
+    const EnsembleSample sample = sample_of(report.result.draws[setup], statistic);
+    const double with =
+        static_cast<double>(sample.values.size()) / static_cast<double>(sample.size());
+    for (int place = 0; place <= curve_points && !sample.values.empty(); ++place) {
+      const double part = static_cast<double>(place) / curve_points;
+      csv += csv_line({printable(report.request.setups[setup].name),
+                       fmt::format("{:.6g}", part * with),
+                       fmt::format("{:.9g}", nearest_value(sample.values, part))});
+    }
+  }
+  return csv;
 }
 
 }  // namespace tautline::bench

@@ -17,6 +17,10 @@ inline constexpr double error_rate = 0.05;
 /// Fewer values on a side tell nothing: Kolmogorov's limit is off by 0.004 there.
 inline constexpr std::size_t least_sample = 10;
 
+/// A comparison that could only see larger differences than this says nothing [-]: a normal
+/// distribution shifted by 0.64 of its standard deviation has D = 0.25.
+inline constexpr double coarsest_visible = 0.25;
+
 /// A test of whether two samples are of one distribution.
 struct Test {
   double effect = 0.0;       // [-], 0 to 1: how far apart they are
@@ -42,6 +46,8 @@ struct Comparison {
     return energy ? std::min(kolmogorov.adjusted, energy->adjusted) : kolmogorov.adjusted;
   }
   [[nodiscard]] bool differs() const { return probability() <= error_rate; }
+  /// True if no difference was found and only large ones could have been: there are too few draws.
+  [[nodiscard]] bool says_nothing() const { return !differs() && visible > coarsest_visible; }
 };
 
 /// What an ensemble says: a summary of each setup and statistic, and every comparison.

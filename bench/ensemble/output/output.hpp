@@ -31,12 +31,16 @@ void write_ensemble(const std::filesystem::path& out, const EnsembleReport& repo
 /// Each statistic of each setup: its median and spread.
 [[nodiscard]] Table summary_table(const EnsembleReport& report);
 
-/// Each statistic of each setup but the first, compared with it; empty without another.
-[[nodiscard]] Table comparison_table(const EnsembleReport& report);
+/// Each statistic of each setup but the first, compared with it; empty without another. `brief` has
+/// verdicts of few words, for a terminal.
+[[nodiscard]] Table comparison_table(const EnsembleReport& report, bool brief = false);
 
 /// The distribution functions of one statistic, those of all setups over each other, and, where
 /// another has values too, next to them their quantiles over those of the first setup: where both
 /// are alike, on the diagonal.
 [[nodiscard]] std::string distribution_svg(const EnsembleReport& report, std::size_t statistic);
+
+/// The numbers of that picture: 201 points of the distribution function of each setup.
+[[nodiscard]] std::string distribution_csv(const EnsembleReport& report, std::size_t statistic);
 
 }  // namespace tautline::bench

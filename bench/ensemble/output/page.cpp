@@ -18,14 +18,6 @@ namespace {
 /// A sentence may name every statistic [bytes].
 constexpr std::size_t longest_answer = 2000;
 
-/// A chart in a box that scrolls: its words stay legible on a narrow page.
-std::string figure(const std::string& svg, const std::string& label) {
-  return fmt::format(
-      "<figure style=\"overflow-x:auto\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"{}\">\n{}</figure>\n",
-      html_text(label), svg);
-}
-
 std::string meaning_note(const Statistic& statistic) {
   return fmt::format("<p class=\"note\">{}: {}.</p>\n", html_text(statistic.heading),
                      html_text(statistic.meaning));
@@ -44,7 +36,8 @@ std::string comparisons(const EnsembleReport& report) {
   return table.empty()
              ? ""
              : "<section id=\"comparisons\">\n<h2>Compared with exact</h2>\n" +
-                   html_table(table, "comparison-table", "") +
+                   html_table(table, "comparison-table",
+                              "Each statistic compared with the exact motion.") +
                    fmt::format("<p class=\"note\">{}</p>\n</section>\n", how_to_read_comparisons);
 }
 
@@ -53,11 +46,15 @@ std::string distributions(const EnsembleReport& report) {
   for (std::size_t place = 0; place < report.findings.statistics.size(); ++place) {
     const Statistic& statistic = report.findings.statistics[place];
     if (statistic.compared) {
-      out += figure(distribution_svg(report, place), "Distribution of " + statistic.heading) +
+      out += figure_html({"tautline-distribution-" + statistic.name,
+                          "Distribution of " + statistic.heading, distribution_svg(report, place),
+                          distribution_csv(report, place)}) +
              meaning_note(statistic);
     }
   }
-  return out + html_table(summary_table(report), "summary-table", "") +
+  return out +
+         html_table(summary_table(report), "summary-table",
+                    "Each statistic of each setup: its median and spread.") +
          fmt::format("<p class=\"note\">{}</p>\n</section>\n", how_to_read_summaries);
 }
 
@@ -78,7 +75,8 @@ std::string atlas(const EnsembleReport& report) {
       "</p>\n";
   for (const AtlasMap& map : made->maps) {
     const Statistic& statistic = report.findings.statistics[map.statistic];
-    out += figure(atlas_svg(*made, map, statistic), "Atlas of " + statistic.heading) +
+    out += figure_html({"tautline-atlas-" + statistic.name, "Atlas of " + statistic.heading,
+                        atlas_svg(*made, map, statistic), atlas_csv(*made, map, statistic)}) +
            meaning_note(statistic);
   }
   return out + "</section>\n";
@@ -98,7 +96,7 @@ std::string ensemble_html(const EnsembleReport& report, const PageAssets& assets
        .command = "tautline ensemble",  // as typed it says nothing of the draws
        .data_id = "ensemble-data",
        .data = html_json(ensemble_json(report)),
-       .scripts = ""},
+       .scripts = assets.figure_scripts},
       style_alone);
 }
 

@@ -40,6 +40,18 @@ Cell probability_cell(double value) {
   return cell;
 }
 
+Cell verdict_cell(const Comparison& one, bool brief) {
+  Cell cell(one.differs()         ? "differs"
+            : !one.says_nothing() ? "not told apart"
+            : brief               ? "n too small"
+                                  : too_small_words(one));
+  cell.kind = one.differs()        ? "verdict differs"
+              : one.says_nothing() ? "verdict too-few-to-tell"
+                                   : "verdict sound";
+  cell.colour = one.differs() ? Colour::red : Colour::plain;
+  return cell;
+}
+
 }  // namespace
 
 Table summary_table(const EnsembleReport& report) {
@@ -79,7 +91,7 @@ Table summary_table(const EnsembleReport& report) {
   return table;
 }
 
-Table comparison_table(const EnsembleReport& report) {
+Table comparison_table(const EnsembleReport& report, bool brief) {
   Table table({words("setup"), words("statistic"), numbers("D"), numbers("E"), numbers("p"),
                numbers("median change", 1), numbers("visible", 2), numbers("shift", 3),
                words("verdict")});
@@ -87,9 +99,7 @@ Table comparison_table(const EnsembleReport& report) {
   std::size_t last = 0;
   for (const Comparison& one : findings.comparisons) {
     const Statistic& statistic = findings.statistics[one.statistic];
-    Cell verdict(one.differs() ? "differs" : "not told apart");
-    verdict.kind = one.differs() ? "verdict differs" : "verdict pass";
-    verdict.colour = one.differs() ? Colour::red : Colour::plain;
+    const Cell verdict = verdict_cell(one, brief);
     table.add(
         {one.setup != last ? Cell(printable(report.request.setups[one.setup].name)) : Cell(""),
          statistic_title(statistic), share_cell(one.kolmogorov.effect),
@@ -105,7 +115,7 @@ Table comparison_table(const EnsembleReport& report) {
 std::string ensemble_text(const EnsembleReport& report, const TerminalStyle& style) {
   std::string out = wrapped(ensemble_title(report), style.text) + "\n" +
                     summary_table(report).plain(style) + "\n";
-  const Table comparisons = comparison_table(report);
+  const Table comparisons = comparison_table(report, true);
   if (!comparisons.empty()) {
     out += comparisons.plain(style) + "\n";
   }

@@ -45,6 +45,11 @@ std::string verdict_on(const EnsembleReport& report, std::size_t setup) {
   if (different.empty()) {
     const Comparison& first = *all.front();
     const Statistic& statistic = findings.statistics[first.statistic];
+    if (first.says_nothing()) {
+      return fmt::format(
+          "{} was compared with exact in {} statistics at n = {}. {}; more draws see smaller ones.",
+          name, all.size(), first.draws, too_small_words(first, "This n is too small"));
+    }
     return fmt::format(
         "{} cannot be told apart from exact in any of {} statistics at n = {}. The smallest "
         "difference that could be seen is D = {}, in {}.",
@@ -121,6 +126,10 @@ std::string constant_words(const EnsembleReport& report) {
 }
 
 }  // namespace
+
+std::string too_small_words(const Comparison& one, std::string_view what) {
+  return fmt::format("{}: differences below D = {:.2f} cannot be seen", what, one.visible);
+}
 
 std::optional<double> common_value(const EnsembleReport& report, std::size_t statistic) {
   const Findings& findings = report.findings;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/ensemble/ensemble.hpp"
@@ -20,15 +21,19 @@ struct EnsembleReport {
 [[nodiscard]] std::string ensemble_title(const EnsembleReport& report);
 
 /// First whether these are all draws. Then of each setup but the first which statistics differ, or
-/// that none can be told apart and how small a difference would have been seen; of each setup how
-/// many draws have no values or have not locked; which engines have no part; what all draws share;
-/// and of how many draws the tests and curves are.
+/// that none can be told apart and how small a difference would have been seen, or that there are
+/// too few draws to tell; of each setup how many draws have no values or have not locked; which
+/// engines have no part; what all draws share; and of how many draws the tests and curves are.
 [[nodiscard]] std::vector<std::string> ensemble_sentences(const EnsembleReport& report);
 
 /// The value of a statistic that every draw has, of each setup that tells it; none where two differ
 /// or one has none.
 [[nodiscard]] std::optional<double> common_value(const EnsembleReport& report,
                                                  std::size_t statistic);
+
+/// "n too small: differences below D = 0.63 cannot be seen".
+[[nodiscard]] std::string too_small_words(const Comparison& one,
+                                          std::string_view what = "n too small");
 
 /// "last impact > 0.01 m/s [s]".
 [[nodiscard]] std::string statistic_title(const Statistic& statistic);
@@ -44,6 +49,7 @@ inline constexpr const char* how_to_read_comparisons =
     "apart. p is the smaller of the two probabilities of such a distance by chance, corrected for "
     "all tests together (Holm). Visible is the smallest D that this many draws would show as a "
     "difference, and the shift of all values that would make it: a true shift of just that size "
-    "is seen about half of the time.";
+    "is seen about half of the time. n is called too small if no difference was found and visible "
+    "is above 0.25.";
 
 }  // namespace tautline::bench

@@ -73,8 +73,9 @@ void fields(Visitor& visit, Path& path) {
 
 template <class Visitor>
 void fields(Visitor& visit, ImpactColumns& impacts) {
+  static_assert(most_impacts == 5000, "the description says so");
   visit.means(
-      "the counted impacts of a run in rising time, a column each; of very many the fastest");
+      "the counted impacts of a run in rising time, a column each; of more than 5000 the fastest");
   visit("time", impacts.time, or_null("[s]"));
   visit("cable", impacts.cable);
   visit("requested", impacts.requested, or_null("the cable's restitution at that speed"));

@@ -83,7 +83,8 @@ std::set<std::string> names(const std::vector<Row>& rows) {
 std::string report_json(const Report& report, const Replay& replay) {
   Json json = {{"schema", report_schema},
                {"program", {{"name", "tautline"}, {"version", report.version}}}};
-  Json rows = object_of(report, drawable(replay, report.cases.size(), report.runs.size()));
+  Json rows =
+      object_of(report, drawable(replay, report.cases.size(), report.runs.size(), most_impacts));
   for (auto& [key, value] : rows.items()) {
     if (key == "engines") {  // before it, with the options: what the numbers below mean
       json["metrics"] = metrics_json();

@@ -13,7 +13,7 @@
 namespace tautline::bench {
 
 // The one place in which a report becomes JSON and is read back. Impacts are rounded here, and
-// thinned to what a page can hold, and nowhere before. Motions are for the replay alone.
+// for a page thinned to what it can hold, and nowhere before. Motions are for the replay alone.
 
 /// `report` with its `replay` as `report_schema_json` describes it, a line for every row, without
 /// the motions of its runs.

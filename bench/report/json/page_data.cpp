@@ -179,7 +179,12 @@ std::map<RunKey, std::vector<double>> costs_of(const Report& report) {
 }
 
 PageData page_data(const Report& report, const Replay& replay) {
-  PageData page = {report, drawable(replay, report.cases.size(), report.runs.size()), {}, {}, {}};
+  PageData page = {
+      report,
+      drawable(replay, report.cases.size(), report.runs.size(), page_impacts(report.runs.size())),
+      {},
+      {},
+      {}};
   for (const EngineRow& engine : report.engines) {
     ShownEngine& shown = page.engines.emplace_back(ShownEngine{engine.name, {}});
     for (const Model& model : engine.info ? engine.info->models : std::vector<Model>()) {
@@ -264,7 +269,7 @@ std::string motions_json(const Report& report, const Replay& replay, const std::
                           {"model", key.model},
                           {"step", key.step},
                           {"path", json_of(*run.path)},
-                          {"impacts", drawn_impacts(drawable(*run.impacts, most_impacts))}});
+                          {"impacts", drawn_impacts(drawable(*run.impacts, most_drawn))}});
     }
   }
   return out + "\n]";

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "bench/base/text.hpp"
+#include "bench/page/document.hpp"
 #include "bench/plot/svg.hpp"
 
 namespace tautline::bench {
@@ -191,6 +192,21 @@ std::string legend(const Sheet& sheet, double y) {
 
 }  // namespace
 
+std::string version_csv(const VersionTrend& versions) {
+  const Sheet sheet(versions);
+  std::string csv = csv_line({"quantity", "model", "step [s]", "version", "median over the cases"});
+  for (const Quantity& quantity : quantities_of(*versions.trend)) {
+    for (const auto& [key, points] : quantity.lines) {
+      for (std::size_t index = 0; index < points.size(); ++index) {
+        csv += csv_line({quantity.name, printable(key.model), fmt::format("{}", key.step),
+                         sheet.versions[sheet.with_report[index]],
+                         points[index] ? fmt::format("{}", *points[index]) : ""});
+      }
+    }
+  }
+  return csv;
+}
+
 std::string version_svg(const VersionTrend& versions) {
   const Sheet sheet(versions);
   const std::vector<Quantity> quantities = quantities_of(*versions.trend);
@@ -214,8 +230,9 @@ std::string version_svg(const VersionTrend& versions) {
       "Medians over the cases; 0 lies on the lowest line{}.",
       sheet.with_report.size() < sheet.versions.size() ? "; (a version) has no report" : "");
   const std::string title = version_title(versions);
-  return svg_sheet({.width = std::max(left + columns * (panel_width + across),
-                                      left + room_for(title, title_letters)),
+  return svg_sheet({.width = std::max({left + columns * (panel_width + across),
+                                       left + room_for(title, title_letters),
+                                       left + room_for(reading, letters)}),
                     .height = y + legend_line * static_cast<double>(sheet.models.size()),
                     .left = left,
                     .title = title,

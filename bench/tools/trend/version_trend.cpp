@@ -58,12 +58,15 @@ void fields(Visitor& visit, VersionTrends& trends) {
 namespace {
 
 /// How to read the tables of changes, and those of each model and step.
-constexpr const char* how_to_read_changes =
+constexpr const char* how_to_read_moves =
     "Since: the first version in which the number changed beyond noise and tolerance. Newest "
     "first. Before and after are of the case that changed most; runs is how many changed.";
-constexpr const char* how_to_read_setups =
-    "Medians over the cases that all versions have. Cost is processor time of a simulated second; "
-    "it is noisy and judges nothing.";
+constexpr const char* how_to_read_costs =
+    "Since: the first version in which the cost changed by more than its noise. Newest first. "
+    "Factor is the cost after over the cost before, the median over the cases.";
+constexpr const char* how_to_read_setups = "Medians over the cases that all versions have.";
+constexpr const char* how_to_read_their_cost =
+    " Cost is processor time of a simulated second; it is noisy and judges nothing.";
 
 /// By how much a metric changed [-]: 1 not at all, otherwise more, whichever way; infinity where a
 /// factor says nothing.
@@ -180,7 +183,9 @@ Table table_of(const Trend& trend, const Setup& setup) {
   for (const TrendRow* row : setup.rows) {
     headings.push_back(metric_heading(metric_list()[row->metric]));
   }
-  headings.emplace_back("cost [ms/s]");
+  if (setup.cost != nullptr) {
+    headings.emplace_back("cost [ms/s]");
+  }
   Table table(headings, 1);
   for (std::size_t index = 0; index < trend.reports.size(); ++index) {
     std::vector<Cell> cells = {printable(trend.reports[index].name)};
@@ -189,9 +194,10 @@ Table table_of(const Trend& trend, const Setup& setup) {
       cells.push_back(number_cell(point ? std::optional(point->median) : std::nullopt,
                                   metric_list()[row->metric].digits));
     }
-    const std::optional<double> cost =
-        setup.cost != nullptr ? setup.cost->points[index] : std::nullopt;
-    cells.push_back(number_cell(cost ? std::optional(*cost / milli) : std::nullopt, as_error));
+    if (setup.cost != nullptr) {
+      const std::optional<double> cost = setup.cost->points[index];
+      cells.push_back(number_cell(cost ? std::optional(*cost / milli) : std::nullopt, as_error));
+    }
     table.add(std::move(cells));
   }
   return table;
@@ -229,46 +235,56 @@ std::vector<TitledTable> setup_tables(const Trend& trend) {
   return listed(setups_of(trend), [&](const auto& one) {
     const auto& [key, setup] = one;
     return TitledTable{fmt::format("{}, step {:g} s", printable(key.model), key.step),
-                       table_of(trend, setup)};
+                       table_of(trend, setup),
+                       fmt::format("{}{}", how_to_read_setups,
+                                   setup.cost != nullptr ? how_to_read_their_cost : "")};
   });
 }
 
-std::string markdown_of(const std::vector<TitledTable>& tables, const char* how_to_read) {
-  std::string out;
-  for (const TitledTable& one : tables) {
-    out += fmt::format("### {}\n\n{}\n", markdown_text(one.title), one.table.markdown());
-  }
-  return tables.empty() ? "" : out + how_to_read + "\n\n";
+/// The words below the tables from `index` on; empty where the next table has the same.
+std::string words_below(const std::vector<TitledTable>& tables, std::size_t index) {
+  const std::string& words = tables[index].how_to_read;
+  return index + 1 < tables.size() && tables[index + 1].how_to_read == words ? "" : words;
 }
 
-std::string text_of(const std::vector<TitledTable>& tables, const char* how_to_read,
-                    const TerminalStyle& style) {
+std::string markdown_of(const std::vector<TitledTable>& tables) {
   std::string out;
-  for (const TitledTable& one : tables) {
-    out += fmt::format("{}:\n{}\n", one.title, one.table.plain(style));
+  for (std::size_t index = 0; index < tables.size(); ++index) {
+    const std::string words = words_below(tables, index);
+    out += fmt::format("### {}\n\n{}\n{}", markdown_text(tables[index].title),
+                       tables[index].table.markdown(), words.empty() ? "" : words + "\n\n");
   }
-  return tables.empty() ? "" : out + wrapped(how_to_read, style.text) + "\n";
+  return out;
+}
+
+std::string text_of(const std::vector<TitledTable>& tables, const TerminalStyle& style) {
+  std::string out;
+  for (std::size_t index = 0; index < tables.size(); ++index) {
+    const std::string words = words_below(tables, index);
+    out += fmt::format("{}:\n{}\n{}", tables[index].title, tables[index].table.plain(style),
+                       words.empty() ? "" : wrapped(words, style.text) + "\n");
+  }
+  return out;
 }
 
 constexpr std::string_view page_title = "Accuracy and cost over versions";
 
-/// Tables whose names begin with `id`, and how to read them.
-std::string tables_html(const std::vector<TitledTable>& tables, const std::string& id,
-                        std::string_view how_to_read) {
+/// The tables, with names that begin with `id`, and how to read them.
+std::string tables_html(const std::vector<TitledTable>& tables, const std::string& id) {
   std::string out;
   for (std::size_t index = 0; index < tables.size(); ++index) {
     out += html_table(tables[index].table, fmt::format("{}-{}", id, index), tables[index].title);
+    if (const std::string words = words_below(tables, index); !words.empty()) {
+      out += fmt::format("<p class=\"note\">{}</p>\n", words);
+    }
   }
-  return tables.empty() ? "" : fmt::format("{}<p class=\"note\">{}</p>\n", out, how_to_read);
+  return out;
 }
 
-/// The chart in a box that scrolls: its words stay legible on a narrow page.
 std::string chart_html(const VersionTrend& versions) {
-  return fmt::format(
-      "<figure style=\"overflow-x:auto\" tabindex=\"0\" role=\"region\" aria-label=\"Error and "
-      "cost of "
-      "{} over its versions\">\n{}</figure>\n",
-      html_text(versions.engine), version_svg(versions));
+  return figure_html({"tautline-trend-" + versions.engine,
+                      "Error and cost of " + versions.engine + " over its versions",
+                      version_svg(versions), version_csv(versions)});
 }
 
 std::string section(const VersionTrend& versions) {
@@ -279,10 +295,10 @@ std::string section(const VersionTrend& versions) {
                     html_table(versions_table(versions), id + "-versions",
                                "Worse and better are changes since the version before.");
   if (const std::optional<Trend>& trend = versions.trend) {
-    out += tables_html(change_tables(*trend), id + "-changes", how_to_read_changes);
+    out += tables_html(change_tables(*trend), id + "-changes");
     out += chart_html(versions);
     out += "<details class=\"fold\"><summary>Every model and step</summary>\n" +
-           tables_html(setup_tables(*trend), id + "-setups", how_to_read_setups) + "</details>\n";
+           tables_html(setup_tables(*trend), id + "-setups") + "</details>\n";
   }
   return out + "</section>\n";
 }
@@ -321,9 +337,10 @@ bool newest_is_worse(const VersionTrend& versions) {
 
 std::vector<TitledTable> change_tables(const Trend& trend) {
   std::vector<TitledTable> tables = {
-      {"Worse", moves_table(version_moves(trend, &Changes::got_worse))},
-      {"Better", moves_table(version_moves(trend, &Changes::got_better))},
-      {"Costs of a step, which are noisy and judge nothing", costs_table(trend)}};
+      {"Worse", moves_table(version_moves(trend, &Changes::got_worse)), how_to_read_moves},
+      {"Better", moves_table(version_moves(trend, &Changes::got_better)), how_to_read_moves},
+      {"Costs of a step, which are noisy and judge nothing", costs_table(trend),
+       how_to_read_costs}};
   std::erase_if(tables, [](const TitledTable& one) { return one.table.empty(); });
   return tables;
 }
@@ -354,8 +371,8 @@ std::string version_text(const VersionTrend& versions, bool all, const TerminalS
   std::string out =
       wrapped(version_title(versions), style.text) + versions_table(versions).plain(style) + "\n";
   if (const std::optional<Trend>& trend = versions.trend) {
-    out += text_of(change_tables(*trend), how_to_read_changes, style);
-    out += all ? text_of(setup_tables(*trend), how_to_read_setups, style) : "";
+    out += text_of(change_tables(*trend), style);
+    out += all ? text_of(setup_tables(*trend), style) : "";
     out += missing_text(trend->latest, style);
   }
   return out + wrapped(newest_sentence(versions), style.text);
@@ -368,10 +385,10 @@ std::string version_markdown(const std::vector<VersionTrend>& trends) {
         fmt::format("\n## {}\n\n{}\n\n{}\n", markdown_text(version_title(versions)),
                     markdown_text(newest_sentence(versions)), versions_table(versions).markdown());
     if (versions.trend) {
-      out += markdown_of(change_tables(*versions.trend), how_to_read_changes);
+      out += markdown_of(change_tables(*versions.trend));
       out += fmt::format("![Error and cost of {0} over its versions]({1})\n\n", versions.engine,
                          chart_name(versions.engine));
-      out += markdown_of(setup_tables(*versions.trend), how_to_read_setups);
+      out += markdown_of(setup_tables(*versions.trend));
     }
   }
   return out;
@@ -389,7 +406,7 @@ std::string version_html(const std::vector<VersionTrend>& trends, const PageAsse
                         .command = "tautline trend",
                         .data_id = "trend-data",
                         .data = html_json(version_trends_json(trends)),
-                        .scripts = ""},
+                        .scripts = assets.figure_scripts},
                        style_alone);
 }
 

@@ -55,10 +55,11 @@ struct VersionMove {
 /// What the newest version has come to since the one before it, in a sentence or two.
 [[nodiscard]] std::string newest_sentence(const VersionTrend& versions);
 
-/// A table and what stands above it.
+/// A table, what stands above it, and how to read its columns.
 struct TitledTable {
   std::string title;
   Table table;
+  std::string how_to_read;
 };
 
 /// Which version changed which figure by how much: what got worse, then what got better, then
@@ -73,7 +74,7 @@ struct TitledTable {
 /// All of `trends` as a page in Markdown, each with its chart, a file next to it.
 [[nodiscard]] std::string version_markdown(const std::vector<VersionTrend>& trends);
 
-/// All of `trends` as a page, charts included, that needs no other file and no script.
+/// All of `trends` as a page, charts included, that needs no other file.
 [[nodiscard]] std::string version_html(const std::vector<VersionTrend>& trends,
                                        const PageAssets& assets);
 
@@ -87,5 +88,8 @@ struct TitledTable {
 /// Error and cost of an engine over its versions as a picture: a row of panels for each of what is
 /// looked at first, a column for each step, a line for each model. Requires a trend.
 [[nodiscard]] std::string version_svg(const VersionTrend& versions);
+
+/// The numbers of that picture: a line for each quantity, model, step and version.
+[[nodiscard]] std::string version_csv(const VersionTrend& versions);
 
 }  // namespace tautline::bench

@@ -2,8 +2,10 @@
 
 #include "bench/ensemble/output/atlas.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <regex>
@@ -143,7 +145,7 @@ TEST(Atlas, NamesHaveColoursOfTheirOwnAndALegend) {
 
 TEST(Atlas, OneCellDoesNotLeaveTheOthersDark) {
   std::vector<double> amounts(200);
-  std::iota(amounts.begin(), amounts.end(), 0.0);
+  std::iota(amounts.begin(), amounts.end(), 100.0);
   amounts.back() = 1e6;
   const Atlas atlas = row_of(amounts);
   const std::string svg = atlas_svg(atlas, atlas.maps.front(), any_count);
@@ -153,9 +155,42 @@ TEST(Atlas, OneCellDoesNotLeaveTheOthersDark) {
   EXPECT_NE(colours[2], colours[4]);
   EXPECT_NE(colours[196], colours[197]);
   EXPECT_EQ(colours[197], colours[199]);
-  EXPECT_NE(svg.find(">≤ 2</text>"), std::string::npos);
-  EXPECT_NE(svg.find(">≥ 197</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">≤ 102</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">≥ 297</text>"), std::string::npos);
   EXPECT_NE(svg.find(": 1e+06</title>"), std::string::npos) << "the cell has its own number";
+}
+
+TEST(Atlas, AmountsOverDecadesHaveColoursByTheirLogarithm) {
+  const Atlas atlas = row_of({0.0, 1.0, 10.0, 100.0, 1000.0, 10000.0});
+  const std::string svg = atlas_svg(atlas, atlas.maps.front(), any_count);
+  const std::vector<std::string> colours = colours_of(svg);
+  // the colours of viridis at 0, 1/4, ..., and none darker for 0
+  const std::vector<std::string> even = {"rgb(68,1,84)",    "rgb(68,1,84)",   "rgb(59,82,139)",
+                                         "rgb(33,145,140)", "rgb(94,201,98)", "rgb(253,231,37)"};
+  EXPECT_EQ(colours, even);
+  for (const char* words : {"log scale", "≤ 1", "10", "100", "1000", "1e+04"}) {
+    EXPECT_NE(svg.find(fmt::format(">{}</text>", words)), std::string::npos) << words;
+  }
+}
+
+TEST(Atlas, LessThanADecadeAndSharesHaveEvenColours) {
+  const Atlas small = row_of({1.0, 4.0, 7.0});
+  EXPECT_EQ(atlas_svg(small, small.maps.front(), any_count).find("log scale"), std::string::npos);
+  Statistic share = any_count;
+  share.name = "captured";
+  const Atlas shares = row_of({0.01, 0.5, 1.0});
+  EXPECT_EQ(atlas_svg(shares, shares.maps.front(), share).find("log scale"), std::string::npos);
+}
+
+TEST(Atlas, ItsNumbersAreALineForEachCell) {
+  Atlas atlas = row_of({3.0, 5.0});
+  atlas.maps.front().cells.back().reset();
+  const std::string csv = atlas_csv(atlas, atlas.maps.front(), any_count);
+  const Varied& across = atlas.axes[0];
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3) << csv;
+  EXPECT_NE(csv.find(fmt::format("{},", across.distribution.numbers[0])), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",3\n"), std::string::npos) << csv;
+  EXPECT_TRUE(csv.ends_with(",\n")) << csv;
 }
 
 TEST(Atlas, TheBarHasTheNumbersOfFewCells) {

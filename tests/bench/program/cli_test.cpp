@@ -286,6 +286,28 @@ TEST(Bench, SaysThatTheDiskIsFullAndLeavesNoHalfFile) {
       << "a half file was left";
 }
 
+TEST(Bench, UntilEndsCasesEarlierAndNeverLater) {
+  const TemporaryFolder folder;
+  const auto durations = [&](const std::string& until) {
+    const std::string out = (folder.path() / until).string();
+    const Outcome outcome =
+        program({"bench", "caught-swing", "spinning-rod", "--engines", "exact", "--models", "event",
+                 "--steps", "0.1", "--until", until, "--out", out});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find("--until 8: changes nothing") != std::string::npos, until == "8")
+        << outcome.errors;
+    std::ifstream file(out + "/report.json");
+    const json report = json::parse(file);
+    std::vector<double> found;
+    for (const json& one : report.at("cases")) {
+      found.push_back(one.at("duration"));
+    }
+    return found;
+  };
+  EXPECT_EQ(durations("8"), (std::vector<double>{4.0, 2.0}));
+  EXPECT_EQ(durations("3"), (std::vector<double>{3.0, 2.0}));
+}
+
 TEST(Bench, WritesTheDocumentedResultTree) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "r").string();

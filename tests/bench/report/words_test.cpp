@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "bench/page/page_assets.hpp"
 #include "bench/report/output.hpp"
@@ -43,6 +44,43 @@ Report report_of_all_words() {
   }
   report.summary = summary(report.runs);
   return report;
+}
+
+/// A report of an engine of this precision whose errors at 1e-2, 1e-3 and 1e-4 s are these [m], in
+/// a case of 2 m whose window is 3 s: single precision may add up to 3.6e-3 m at the finest step.
+ConvergenceRow converging(const std::string& precision, const std::vector<double>& errors) {
+  Report report = made_report();
+  report.cases.front().extent = 2.0;
+  add_engine(report, "some", precision);
+  double step = 1e-2;
+  for (const double error : errors) {
+    add_run(report, "some", error, step).details->of_windows.front().until = 3.0;
+    step /= 10.0;
+  }
+  return convergence(report).at(0);
+}
+
+TEST(Convergence, RoundingHasNoSlope) {
+  const std::vector<double> rising = {2e-6, 5e-6, 4e-5};
+  const ConvergenceRow single = converging("float32", rising);
+  EXPECT_FALSE(single.slope);
+  EXPECT_EQ(single.cases_at_rounding, 1U);
+  const ConvergenceRow in_double = converging("float64", rising);
+  ASSERT_TRUE(in_double.slope);
+  EXPECT_LT(in_double.slope->median, 0.0);
+  EXPECT_EQ(in_double.cases_at_rounding, 0U);
+  EXPECT_EQ(converging("float64", {1e-12, 2e-12, 1e-11}).cases_at_rounding, 1U);
+}
+
+TEST(Convergence, ASlopeEndsWhereRoundingBegins) {
+  const ConvergenceRow flat = converging("float32", {1e-2, 1e-3, 1.1e-3});
+  ASSERT_TRUE(flat.slope);
+  EXPECT_NEAR(flat.slope->median, 1.0, 1e-9);
+  EXPECT_EQ(flat.cases_at_rounding, 0U);
+  // larger than rounding can be: it is the model that does not converge
+  const ConvergenceRow wrong = converging("float32", {1e-2, 1e-2, 1e-2});
+  ASSERT_TRUE(wrong.slope);
+  EXPECT_NEAR(wrong.slope->median, 0.0, 1e-9);
 }
 
 TEST(VerdictWords, AreExplainedAlikeOnThePageInMarkdownOnATerminalAndInTheDocs) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/store/run_files.hpp"
@@ -206,6 +207,42 @@ TEST(Record, TheRowAfterAPushOverSeveralStepsStandsWhereItEnded) {
   EXPECT_EQ(rows.at("before")[2], 1.0 - 0.375);
   EXPECT_EQ(rows.at("after")[0], 0.5);  // the start of the second of its steps
   EXPECT_EQ(rows.at("after")[2], run.points.at(4).state.position.y());
+}
+
+/// The events of a trajectory.csv with their times, in the order of the file.
+std::vector<std::pair<double, std::string>> events_of(const std::string& csv) {
+  std::vector<std::pair<double, std::string>> events;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string event = line.substr(line.rfind(',') + 1);
+    if (event == "before" || event == "after") {
+      events.emplace_back(std::stod(line), event);
+    }
+  }
+  return events;
+}
+
+TEST(Record, CablesThatActAtOneInstantShareOnePairOfRows) {
+  Case the_case = plumb();
+  the_case.cables.push_back(the_case.cables.front());
+  the_case.cables.push_back(the_case.cables.front());
+  // two cables from step 3 on, one of them for two steps; the third while that one still pulls
+  Scripted simulation(the_case, [](Scripted& s, int index, double dt) {
+    const auto pull = [&](std::size_t cable) {
+      s.now.velocity.y() += 0.4;
+      s.pulls[cable] = 0.4;
+    };
+    if (index == 3 || index == 4) {
+      pull(0);
+      pull(index == 3 ? 1 : 2);
+    }
+    s.now.position += dt * s.now.velocity;
+  });
+  const Trajectory run = record(the_case, simulation, 0.125);
+  ASSERT_EQ(run.impacts.size(), 3U);
+  const std::vector<std::pair<double, std::string>> expected = {
+      {0.375, "before"}, {0.375, "after"}, {0.5, "before"}, {0.5, "after"}};
+  EXPECT_EQ(events_of(trajectory_csv(run, 1000)), expected) << trajectory_csv(run, 1000);
 }
 
 TEST(Record, BelievesASimulationThatLocatesItsImpacts) {

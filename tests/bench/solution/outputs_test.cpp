@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -138,6 +139,44 @@ TEST(Samples, OfAHangingBoxHaveTwoRowsForItsImpactAndHalfTheWeightEach) {
     EXPECT_NEAR(std::stod(rows.front().at("gap" + std::string(cable))), 0.5, printed);
   }
   EXPECT_NEAR(std::stod(rows.front().at("energy")), 5.0 * 9.81 * 2.0, printed);
+}
+
+// an impact, and the completion of an accumulation by it
+TEST(Samples, OneInstantHasOnePairOfRowsWithAllItsImpulses) {
+  const auto shipped = shipped_cases();
+  const Case& the_case = *std::find_if(shipped.begin(), shipped.end(), [](const Case& one) {
+    return one.name == "plate-four-cables";
+  });
+  const Solution solution = solve(the_case);
+  std::map<double, double> impulses;  // of cable 0, by instant
+  std::size_t jumps = 0;
+  for (const Event& event : solution.events()) {
+    if (event.kind == EventKind::impact || !event.impulses.isZero(0.0)) {
+      ++jumps;
+      double& sum = impulses[event.time];
+      Eigen::Index place = 0;
+      for (const std::size_t cable : event.cables) {
+        sum += cable == 0 ? std::max(0.0, event.impulses[place]) : 0.0;
+        ++place;
+      }
+    }
+  }
+  ASSERT_GT(jumps, impulses.size()) << "the case has instants with two jumps";
+  auto instant = impulses.begin();
+  std::string before;
+  for (const CsvRow& row : csv_of(the_case, 1.0)) {
+    if (row.at("event") == "after impact") {
+      ASSERT_EQ(before, "before impact") << row.at("time");
+      ASSERT_NE(instant, impulses.end());
+      if (!row.at("impulse_0").empty()) {
+        EXPECT_NEAR(std::stod(row.at("impulse_0")), instant->second, 1e-4) << instant->first;
+      }
+      ++instant;
+    }
+    EXPECT_FALSE(before == "before impact" && row.at("event") == before) << row.at("time");
+    before = row.at("event");
+  }
+  EXPECT_EQ(instant, impulses.end());
 }
 
 TEST(Samples, LeaveOutWhatIsNotCertain) {

@@ -26,12 +26,23 @@ double change_of_restitution(const Cable& cable, double speed, double change) {
              : 0.0;
 }
 
-/// True where no other cable pulled in the impact's steps, and no other impact of the run is at the
-/// same time: those share one velocity jump.
-bool alone(const std::vector<RecordedImpact>& impacts, std::size_t index) {
-  const double time = impacts[index].time;
-  return !impacts[index].shared && (index == 0 || impacts[index - 1].time != time) &&
-         (index + 1 == impacts.size() || impacts[index + 1].time != time);
+/// True where no other cable pulled in the impact's steps or in the step after them, and the run
+/// has this step: a contact that another impact or the end of the run cuts off is not read.
+bool alone(const Trajectory& run, std::size_t index) {
+  constexpr double margin = 1.01;  // steps
+  const std::vector<RecordedImpact>& impacts = run.impacts;
+  const RecordedImpact& impact = impacts[index];
+  const double over = impact.ended + margin * run.step;
+  if (impact.shared || (impact.steps > 0 && over > run.points.back().time) ||
+      (index > 0 && impacts[index - 1].time == impact.time)) {
+    return false;
+  }
+  for (std::size_t next = index + 1; next < impacts.size() && impacts[next].time <= over; ++next) {
+    if (impacts[next].cable != impact.cable) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// `momentum` less what a step explains, as a part of `impulse`.
@@ -112,7 +123,7 @@ std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const
   std::vector<AuditedImpact> result;
   for (std::size_t index = 0; index < run.impacts.size(); ++index) {
     const RecordedImpact& recorded = run.impacts[index];
-    if (recorded.time > end || !alone(run.impacts, index)) {
+    if (recorded.time > end || !alone(run, index)) {
       continue;
     }
     State after = recorded.before;

@@ -33,13 +33,13 @@ void add_position(const Following& following, Problems& problems) {
 
 /// A run that locates its impacts is exact but for rounding, and where cables are taut far better
 /// than a step allows.
-void add_events(const Following& following, Problems& problems) {
+void add_events(const Following& following, bool in_doubles, Problems& problems) {
   if (following.located && following.rounding.value_or(0.0) > most_rounding) {
     add(problems, "events",
         fmt::format("locates its impacts, and is off by {:.2g} times what rounding explains",
                     *following.rounding),
         following.rounding);
-  } else if (following.located && following.ratio.value_or(0.0) > exact_ratio) {
+  } else if (following.located && in_doubles && following.ratio.value_or(0.0) > exact_ratio) {
     add(problems, "events",
         fmt::format("locates its impacts, and is off by {:.2g} m at {:.3g} s, {:.2g} times what a "
                     "plain scheme of this step may be",
@@ -49,12 +49,12 @@ void add_events(const Following& following, Problems& problems) {
 }
 
 /// Problems of what was measured on a run.
-void add_judged(const Judgement& judgement, Problems& problems) {
+void add_judged(const Judgement& judgement, bool in_doubles, Problems& problems) {
   if (judgement.rebounds.wrong()) {
     add(problems, "restitution", words_of(judgement.rebounds), judgement.rebounds.deviation);
   }
   add_position(judgement.following, problems);
-  add_events(judgement.following, problems);
+  add_events(judgement.following, in_doubles, problems);
   if (judgement.impacts.missed > 0) {
     add(problems, "missed-impacts",
         fmt::format("misses {} of {} impacts that this step cannot miss", judgement.impacts.missed,
@@ -117,6 +117,7 @@ std::string Precisions::of(const RunKey& run) const {
 
 void add_verdicts(Report& report, const ListedProblems& listed) {
   FindingsOnRuns findings = findings_on_runs(report.findings);
+  const Precisions precisions(report);
   for (RunRow& run : report.runs) {
     Problems problems;
     if (!did_its_work(run.status)) {
@@ -126,7 +127,7 @@ void add_verdicts(Report& report, const ListedProblems& listed) {
       add(problems, finding->kind, finding->sentence, finding->value);
     }
     if (run.judgement) {
-      add_judged(*run.judgement, problems);
+      add_judged(*run.judgement, precisions.of(run.key) != "float32", problems);
     }
     for (Problem& problem : problems) {
       const auto found = std::find_if(listed.problems.begin(), listed.problems.end(),

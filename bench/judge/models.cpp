@@ -220,7 +220,7 @@ const char* to_string(Barrier barrier) {
 }
 
 std::string words_of(const Rebounds& rebounds) {
-  const std::string steps = rebounds.readable > 0 && rebounds.steps > 1.0
+  const std::string steps = rebounds.steps > 1.0 && rebounds.word != Rebound::none
                                 ? fmt::format(", in {:.0f} steps", rebounds.steps)
                                 : "";
   return word_text(rebounds) + steps;

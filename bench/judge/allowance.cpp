@@ -39,6 +39,17 @@ constexpr int shifts = 16;
 constexpr int few_shifts = 6;
 constexpr double many_steps = 20000.0;
 
+/// No run is judged by its position for longer than this many steps: a body that has come to rest
+/// would be followed for ever.
+constexpr double most_steps_judged = 200000.0;
+
+/// Impacts and arcs whose errors are carried along a motion. After more of them the yardstick alone
+/// says how far a scheme may be off.
+constexpr std::size_t most_parts = 2000;
+
+/// In a shorter stretch rounding is all that differences of velocities show [-], of the whole.
+constexpr double shortest_stretch = 1e-6;
+
 using StateVector = Eigen::Matrix<double, 6, 1>;
 
 StateVector vector_of(const State& state) {
@@ -102,6 +113,28 @@ std::vector<double> instants(const Solution& solution, double end) {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
+}
+
+/// The largest acceleration of the body on taut cables [m/s^2], between some `times` [s].
+double largest_acceleration(const std::vector<Arc>& arcs, const std::vector<double>& times,
+                            const Vec2& gravity) {
+  double largest = 0.0;
+  std::size_t arc = 0;
+  for (std::size_t place = 1; place < times.size(); ++place) {
+    const double start = times[place - 1];
+    const double length = times[place] - start;
+    while (arc + 1 < arcs.size() && arcs[arc].end <= start) {
+      ++arc;
+    }
+    if (arcs[arc].taut.empty() || length <= shortest_stretch * times.back()) {
+      continue;
+    }
+    const double middle = start - arcs[arc].start + 0.5 * length;
+    const Vec2 change = arcs[arc].after(middle + 0.25 * length, gravity).velocity -
+                        arcs[arc].after(middle - 0.25 * length, gravity).velocity;
+    largest = std::max(largest, change.norm() / (0.5 * length));
+  }
+  return largest;
 }
 
 /// An impact of one cable.
@@ -267,6 +300,7 @@ void Expectation::follow() {
   const StateMatrix squares = rounding.cwiseAbs2().asDiagonal();
   const Sensitivity sensitivity(the_case, solution, reference_.law);
   const std::vector<Arc> arcs = solution.arcs_until(end_);
+  acceleration_ = std::max(acceleration_, largest_acceleration(arcs, times, the_case.gravity));
   std::vector<StateVector> parts_of_error;  // of impacts and arcs
   StateMatrix of_steps = StateMatrix::Zero();
   StateMatrix of_events = squares;
@@ -306,16 +340,14 @@ void Expectation::follow() {
     }
     const Arc& here = arcs[arc];
     const double middle = start - here.start + 0.5 * length;
-    parts_of_error.back() += length * defect(here, middle, 0.25 * length, the_case.gravity);
-    if (!here.taut.empty()) {
-      const Vec2 change = here.after(middle + 0.25 * length, the_case.gravity).velocity -
-                          here.after(middle - 0.25 * length, the_case.gravity).velocity;
-      acceleration_ = std::max(acceleration_, change.norm() / (0.5 * length));
+    if (here.taut.empty() || length > shortest_stretch * end_) {
+      parts_of_error.back() += length * defect(here, middle, 0.25 * length, the_case.gravity);
     }
     of_steps += length * squares;
     const StateMatrix flow = sensitivity.between(start, times[place]);
-    if (!flow.allFinite()) {
-      break;  // no derivative exists: the yardstick alone says what is allowed
+    if (!flow.allFinite() || parts_of_error.size() > most_parts) {
+      break;  // no derivative exists, or it costs too much: the yardstick alone says what is
+              // allowed
     }
     for (StateVector& part : parts_of_error) {
       part = (flow * part).eval();
@@ -346,24 +378,27 @@ Allowance Expectation::made(double step) const {
   const double enough = too_much * shortest_cable(reference_.the_case);
   Allowance result;
   result.step = step;
-  std::vector<double> times = instants(reference_.solution, end_);
+  const double end = std::min(end_, most_steps_judged * step);
+  std::vector<double> times = instants(reference_.solution, end);
   Yardstick plain = yardstick(reference_, step, times, enough);
   times.resize(plain.worst.size());
   result.position = {times, std::move(plain.worst)};
-  for (std::size_t place = 0; place < times.size() && place < tangent_.times.size(); ++place) {
+  double largest = 0.0;
+  for (std::size_t place = 0; place < times.size(); ++place) {
     double& value = result.position.values[place];
-    value = std::max(value, step * tangent_.values[place]);
-  }
-  for (std::size_t place = 1; place < times.size(); ++place) {
-    double& value = result.position.values[place];
-    value = std::max(value, result.position.values[place - 1]);
+    if (times[place] <= tangent_.times.back()) {
+      value = std::max(value, step * tangent_.at(times[place]));
+    }
+    value = largest = std::max(largest, value);
   }
   const auto& values = result.position.values;
   const auto grown = std::find_if(values.begin(), values.end(),
                                   [enough](double value) { return value >= enough; });
-  result.barrier = grown != values.end() ? Barrier::growth : Barrier::end;
+  result.barrier = grown != values.end() ? Barrier::growth
+                   : end < end_          ? Barrier::effort
+                                         : Barrier::end;
   result.until =
-      grown != values.end() ? times[static_cast<std::size_t>(grown - values.begin())] : end_;
+      grown != values.end() ? times[static_cast<std::size_t>(grown - values.begin())] : end;
   for (const auto& fork : {near_miss(reference_, result, result.until),
                            swap_of_impacts(reference_, result, result.until)}) {
     if (fork && *fork - 2.0 * step < result.until) {

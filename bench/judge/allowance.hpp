@@ -36,6 +36,7 @@ struct AlongMotion {
 /// Why no run is judged by its position after some instant.
 enum class Barrier {
   end,     // nothing ends it before the exact motion does, or its horizon
+  effort,  // more steps than the plain scheme is run for
   growth,  // what a step may be off by has grown to a tenth of the shortest cable
   fork,    // correct schemes may part: a near miss, or impacts of two cables that may swap
 };

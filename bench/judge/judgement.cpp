@@ -54,11 +54,13 @@ double reach(const Allowance& allowance, const ExactHit& hit) {
 
 const RecordedImpact* nearest(const Trajectory& run, const ExactHit& hit, double within) {
   const RecordedImpact* found = nullptr;
-  for (const RecordedImpact& impact : run.impacts) {
-    const double distance = std::abs(impact.time - hit.time);
-    if (impact.cable == hit.cable && distance <= within &&
-        (found == nullptr || distance < std::abs(found->time - hit.time))) {
-      found = &impact;
+  auto impact =
+      std::lower_bound(run.impacts.begin(), run.impacts.end(), hit.time - within,
+                       [](const RecordedImpact& one, double time) { return one.time < time; });
+  for (; impact != run.impacts.end() && impact->time <= hit.time + within; ++impact) {
+    if (impact->cable == hit.cable && (found == nullptr || std::abs(impact->time - hit.time) <
+                                                               std::abs(found->time - hit.time))) {
+      found = &*impact;
     }
   }
   return found;
@@ -78,15 +80,11 @@ std::optional<StaysTaut> stays_taut(const Expectation& expectation, const Allowa
       break;
     }
     double landing = end;
-    bool disturbed = !hit.alone;
-    for (std::size_t other = 0; other < hits.size(); ++other) {
-      if (other > place && hits[other].cable == hit.cable) {
-        landing = std::min(landing, hits[other].time);
-      }
-    }
-    for (const ExactHit& other : hits) {
-      disturbed = disturbed || (other.cable != hit.cable &&
-                                other.time > hit.time - 3.0 * run.step && other.time < landing);
+    bool disturbed = !hit.alone || (place > 0 && hits[place - 1].cable != hit.cable &&
+                                    hits[place - 1].time > hit.time - 3.0 * run.step);
+    if (place + 1 < hits.size()) {  // the next is either the landing or disturbs it
+      disturbed = disturbed || hits[place + 1].cable != hit.cable;
+      landing = hits[place + 1].time;
     }
     const double flight = landing - hit.time;
     if (disturbed || hit.rebound < 3.0 * hit.change * run.step ||
@@ -220,16 +218,17 @@ Judgement judge(const Expectation& expectation, const Trajectory& run,
   const double speed = expectation.speed() + expectation.acceleration() * run.step;
   const double steps = run.points.back().time / run.step;
   const double floats = in_floats(precision) ? float_rounding : 0.0;
+  constexpr double tiny = std::numeric_limits<double>::min();  // where nothing moves
   result.overstretch = run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
                                           floats * expectation.extent() * std::sqrt(steps));
   const double start = std::abs(energy(the_case, the_case.initial));
-  const double weight =
-      the_case.body.mass * expectation.acceleration() * std::max(1.0, expectation.extent());
+  const double weight = the_case.body.mass * expectation.acceleration() *
+                        std::max(shortest_cable(the_case), expectation.extent());
   result.energy =
       largest_rise(the_case, run) /
       (the_case.body.mass * expectation.acceleration() * expectation.speed() * run.step +
        1e-9 * start + 1e-6 * kinetic_energy(the_case.body, the_case.initial) +
-       floats * std::max(start, weight) * std::sqrt(steps));
+       floats * std::max(start, weight) * std::sqrt(steps) + tiny);
   return result;
 }
 

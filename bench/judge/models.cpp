@@ -215,7 +215,7 @@ const char* to_string(Course word) {
 }
 
 const char* to_string(Barrier barrier) {
-  constexpr std::array names = {"end", "growth", "fork"};
+  constexpr std::array names = {"end", "effort", "growth", "fork"};
   return names.at(static_cast<std::size_t>(barrier));
 }
 

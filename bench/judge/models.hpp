@@ -63,7 +63,7 @@ struct ModelJudgement {
 
 [[nodiscard]] const char* to_string(Rebound word);     // "kept", "lost below", ...: in files
 [[nodiscard]] const char* to_string(Course word);      // "exact", "as good", ...: in files
-[[nodiscard]] const char* to_string(Barrier barrier);  // "end", "growth", "fork"
+[[nodiscard]] const char* to_string(Barrier barrier);  // "end", "effort", "growth", "fork"
 
 /// "kept (4 impacts, from 0.34 m/s on)", "0.15 too high (5 impacts)", "none: stays taut after 2.96
 /// m/s", "lost below 0.09 m/s (3 of 52 impacts)", "too few to tell (1 impact)".

@@ -81,6 +81,13 @@ double clearness(const ImpactStills& stills) {
                   least_gap(*stills.the_case, stills.path, stills.times[2]));
 }
 
+/// By how much the restitution got differs from the one asked for [-].
+double restitution_error(const ImpactStills& stills) {
+  const ImpactColumns& impacts = *stills.impacts;
+  return std::abs(impacts.rate_after[stills.impact] / -impacts.rate_before[stills.impact] -
+                  impacts.requested[stills.impact]);
+}
+
 /// The path of a run: of the exact motion that of its case, which a report that was read back has
 /// too; none of another run there.
 std::optional<Path> path_of(const Report& report, const Replay& replay, std::size_t run) {
@@ -92,9 +99,9 @@ std::optional<Path> path_of(const Report& report, const Replay& replay, std::siz
   return of < replay.cases.size() ? std::optional(replay.cases[of].path) : std::nullopt;
 }
 
-/// Of the run at `index`, the stills that show best how slack the cables are.
-std::optional<ImpactStills> stills_of(const Report& report, const Replay& replay,
-                                      std::size_t index) {
+/// The stills of the run at `index` that are best by `measure`.
+std::optional<ImpactStills> stills_of(const Report& report, const Replay& replay, std::size_t index,
+                                      double (*measure)(const ImpactStills&)) {
   const RunRow& run = report.runs[index];
   const std::optional<ImpactColumns>& impacts = replay.of_run(index).impacts;
   const CaseRow* const the_case = case_of(report, run);
@@ -107,7 +114,7 @@ std::optional<ImpactStills> stills_of(const Report& report, const Replay& replay
   std::optional<ImpactStills> best;
   for (std::size_t place = 0; place < impacts->time.size(); ++place) {
     const auto stills = stills_of(*the_case, run, *impacts, path, place);
-    if (stills && (!best || clearness(*stills) > clearness(*best))) {
+    if (stills && (!best || measure(*stills) > measure(*best))) {
       best = stills;
     }
   }
@@ -143,11 +150,33 @@ std::string legend_html(const ImpactStills& stills) {
   return fmt::format(
       "<figcaption>A cable does nothing until it is taut, and then acts in an instant. Case "
       "<code>{}</code> in <code>{} {}</code>, impact at {}: cable {} closes at {} and opens at {}. "
-      "Restitution asked: <b>{:.4g}</b>; got: <b>{:.4g}</b>. Engines are compared with "
-      "this.</figcaption>\n",
+      "Restitution asked: <b>{:.4g}</b>; got: <b>{:.4g}</b>. {}</figcaption>\n",
       html_text(key.the_case), html_text(key.engine), html_text(key.model), instant_text(stills, 1),
       stills.cable, speed_text(*stills.the_case, before), speed_text(*stills.the_case, after),
-      impacts.requested[stills.impact], after / before);
+      impacts.requested[stills.impact], after / before,
+      key.engine == control ? "Engines are compared with this motion."
+                            : "The exact motion rebounds as asked.");
+}
+
+/// An error of a restitution that is seen [-].
+constexpr double visible_error = 0.05;
+
+/// The impact of an engine that is off the most, of the runs whose rebounds are off; none where no
+/// error is seen.
+std::optional<ImpactStills> worst_stills(const Report& report, const Replay& replay) {
+  std::optional<ImpactStills> worst;
+  for (std::size_t run = 0; run < report.runs.size(); ++run) {
+    const RunRow& row = report.runs[run];
+    if (row.key.engine == control || !row.judgement || !row.judgement->rebounds.wrong()) {
+      continue;
+    }
+    const auto stills = stills_of(report, replay, run, restitution_error);
+    if (stills && restitution_error(*stills) > visible_error &&
+        (!worst || restitution_error(*stills) > restitution_error(*worst))) {
+      worst = stills;
+    }
+  }
+  return worst;
 }
 
 constexpr double still_width = 220.0;  // [px] of a still
@@ -275,10 +304,13 @@ std::string trail_svg(const DrawnPath& path, double from, double until, const Pl
 }  // namespace
 
 std::optional<ImpactStills> impact_stills(const Report& report, const Replay& replay) {
+  if (auto stills = worst_stills(report, replay)) {
+    return stills;
+  }
   for (const bool of_control : {true, false}) {
     for (std::size_t run = 0; run < report.runs.size(); ++run) {
       if ((report.runs[run].key.engine == control) == of_control) {
-        if (auto stills = stills_of(report, replay, run)) {
+        if (auto stills = stills_of(report, replay, run, clearness)) {
           return stills;
         }
       }

@@ -41,8 +41,9 @@ struct ImpactStills {
   std::array<double, 3> times;   // [s]: slack, taut, rebound
 };
 
-/// The impact to show: of the exact motion if the report has it, or else of the first run that
-/// fits; of its impacts the one around which all cables are slackest. None where that is not seen.
+/// The impact to show: the one of an engine whose restitution is off the most; without one, of the
+/// exact motion if the report has it, or else of the first run that fits, the one around which all
+/// cables are slackest. None where that is not seen.
 [[nodiscard]] std::optional<ImpactStills> impact_stills(const Report& report, const Replay& replay);
 
 /// The stills as a figure with their numbers; "" without any.

@@ -170,7 +170,10 @@ std::string use_sentence(const Scorecard& card) {
                 : "None of its models can be recommended from these runs.";
   }
   std::string out = fmt::format("Use {} at {:g} s", printable(card.use->model), card.use->step);
-  out += fmt::format(": {} of a cable off", percent_text(*card.use->off));
+  constexpr double rounding = 1e-9;  // [-], of a cable
+  out += *card.use->off < rounding
+             ? ": exact to rounding"
+             : fmt::format(": {} of a cable off", percent_text(*card.use->off));
   return out + (card.use->cost
                     ? fmt::format(", {:.2g} ms a second.", 1e3 * card.use->cost->second_cost)
                     : ".");
@@ -375,7 +378,7 @@ std::string sentence_of(const Scorecard& card) {
   } else if (kept == card.models.size()) {
     out = fmt::format("No problem found in {}. ", counted(kept, "model"));
   } else {
-    out = fmt::format("Too few impacts to tell of {} of {}. ", card.models.size() - kept,
+    out = fmt::format("Too few impacts to judge {} of {}. ", card.models.size() - kept,
                       counted(card.models.size(), "model"));
   }
   return out + use_sentence(card);

@@ -69,7 +69,8 @@ void fields(Visitor& visit, Predictable& predictable) {
   visit("step", predictable.step, "[s]");
   visit("until", predictable.until, "[s]");
   visit("barrier", predictable.barrier,
-        "why not for longer: the exact motion or its horizon ends; what a step may be off by has "
+        "why not for longer: the exact motion or its horizon ends; the plain scheme is not run for "
+        "more steps; what a step may be off by has "
         "grown to a tenth of the shortest cable; or sound models may part");
   visit("readable", predictable.readable,
         "impacts of the exact motion whose restitution a run of this step can be read by");

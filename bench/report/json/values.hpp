@@ -53,7 +53,7 @@ struct Words<Course> {
 };
 template <>
 struct Words<Barrier> {
-  static constexpr std::array all = {Barrier::end, Barrier::growth, Barrier::fork};
+  static constexpr std::array all = {Barrier::end, Barrier::effort, Barrier::growth, Barrier::fork};
 };
 template <>
 struct Words<Maker> {

@@ -145,7 +145,7 @@ TEST(Scorecard, TooFewImpactsAreNoReasonToUseAModel) {
   add_judged(report, "e", "row", 1e-3, 0.0);
   judged_of(report, "row").rebounds.word = Rebound::too_few;
   EXPECT_FALSE(scorecard(report, "e").use);
-  EXPECT_NE(sentence_of(scorecard(report, "e")).find("Too few impacts to tell of 1 of 1 model."),
+  EXPECT_NE(sentence_of(scorecard(report, "e")).find("Too few impacts to judge 1 of 1 model."),
             std::string::npos)
       << sentence_of(scorecard(report, "e"));
 }
@@ -238,6 +238,23 @@ TEST(Picture, TheStillsAreTheRunsOwnPosesAroundTheImpact) {
   EXPECT_NE(html.find("closes at 2 m/s and opens at 1.25 m/s"), std::string::npos) << html;
   EXPECT_NE(html.find("<b>t = 0.500 s</b> taut: closes at 2 m/s"), std::string::npos) << html;
   EXPECT_NE(html.find("asked: <b>0.75</b>; got: <b>0.625</b>"), std::string::npos) << html;
+}
+
+TEST(Picture, AnErrorIsShownBeforeTheExactMotion) {
+  Report report = bouncing_report();
+  Replay replay = bouncing();
+  add_makers(report, "exact");
+  add_judged(report, "exact", "event", 1e-3, 0.0);
+  std::swap(report.runs[0], report.runs[1]);
+  replay.runs.push_back(replay.runs[0]);
+  replay.cases.resize(1);
+  replay.cases[0].path = *replay.runs[0].path;
+  EXPECT_NE(picture_html(report, replay).find("Engines are compared with this motion."),
+            std::string::npos);
+  report.runs[1].judgement->rebounds.word = Rebound::off;
+  const std::string html = picture_html(report, replay);
+  EXPECT_NE(html.find("<code>e row</code>"), std::string::npos) << html;
+  EXPECT_NE(html.find("The exact motion rebounds as asked."), std::string::npos) << html;
 }
 
 TEST(Picture, WithoutAnImpactThatIsSeenThereIsNone) {

@@ -156,7 +156,8 @@
       if (fold) {
         fold.querySelector('summary').textContent = shown === all ? `All ${all} rows` : `${shown} of ${all} rows`;
         // a few rows need no fold; many are as the reader left them
-        fold.open = (shown > 0 && shown <= most) || byHand;
+        const rows = [...table.tBodies].flatMap((body) => [...body.rows]).filter((row) => !row.hidden).length;
+        fold.open = (shown > 0 && rows <= most) || byHand;
       }
     });
   }

@@ -77,8 +77,12 @@ Cell verdict_cell(const RunRow& run) {
     cell.notes.push_back(problem_text(problem));
   }
   if (run.verdict->problems.empty() && run.judgement) {
-    cell.notes.push_back("restitution " + words_of(run.judgement->rebounds));
-    cell.notes.push_back(followed_text(run.judgement->following));
+    // of thousands of runs: few words
+    const Following& following = run.judgement->following;
+    cell.notes.push_back("e " + words_of(run.judgement->rebounds));
+    cell.notes.push_back(following.ratio ? fmt::format("position {:.2g} times plain, to {:.3g} s",
+                                                       *following.ratio, following.until)
+                                         : "position: no word");
   }
   return cell;
 }

@@ -150,7 +150,7 @@ std::string tables_section(const ChapterReport& report) {
 
 std::string figure_html(const ChapterFigure& figure, bool charts) {
   const std::string plot = fmt::format(
-      "<div class=\"chart\" data-figure=\"{0}\" role=\"img\" aria-label=\"Figure {0}: "
+      "<div class=\"chart\" data-figure=\"{0}\" role=\"figure\" aria-label=\"Figure {0}: "
       "{1}\"><p class=\"no-script\">Drawn by script only.</p></div>\n",
       figure.number, html_text(figure.title));
   return fmt::format(

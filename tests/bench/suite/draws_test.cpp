@@ -79,7 +79,7 @@ TEST(DrawsOfABench, TellTheModelsApartThatDiffer) {
 
 TEST(DrawsOfABench, AreInEveryFormOfTheReport) {
   const Draws draws;
-  const Outcome outcome = draws.run({"--draws", "12"});
+  const Outcome outcome = draws.run({"--draws", "12", "--all"});
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_NE(outcome.output.find("12 draws of breakwater/1910121100"), std::string::npos);
   const std::string markdown = content_of(draws.out() / "report.md");

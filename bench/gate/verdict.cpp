@@ -24,9 +24,8 @@ void add(Problems& problems, std::string_view kind, std::string sentence,
 void add_position(const Following& following, Problems& problems) {
   if (following.ratio && *following.ratio > problem_ratio) {
     add(problems, "position",
-        fmt::format("off by {:.2g} m at {:.3g} s, {:.2g} times what a plain scheme of this step "
-                    "may be",
-                    following.error, following.time, *following.ratio),
+        fmt::format("off by {:.2g} m at {:.3g} s, {:.2g} times a plain scheme", following.error,
+                    following.time, *following.ratio),
         following.ratio);
   }
 }
@@ -57,7 +56,7 @@ void add_judged(const Judgement& judgement, bool in_doubles, Problems& problems)
   add_events(judgement.following, in_doubles, problems);
   if (judgement.impacts.missed > 0) {
     add(problems, "missed-impacts",
-        fmt::format("misses {} of {} impacts that this step cannot miss", judgement.impacts.missed,
+        fmt::format("misses {} of {} sure impacts", judgement.impacts.missed,
                     judgement.impacts.due),
         static_cast<double>(judgement.impacts.missed));
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "bench/base/text.hpp"
@@ -59,11 +60,14 @@ std::vector<Column> columns_of(const Report& report, bool with_case) {
   return columns;
 }
 
-/// "position: off by ... (listed: why)".
-std::string problem_text(const Problem& problem) {
-  return printable(in_words(problem.kind), longest_sentence) + ": " +
-         printable(problem.sentence, longest_sentence) +
-         (problem.listed ? " (listed: " + printable(problem.reason, longest_sentence) + ")" : "");
+/// "position: off by ...", or "e none: ..."; "(listed)" after one that is, where another is not.
+/// Why it is listed is in the table of models, once.
+std::string problem_text(const Problem& problem, Word word) {
+  const std::string what = problem.kind == "restitution"      ? "e "
+                           : problem.kind == "missed-impacts" ? ""
+                                                              : in_words(problem.kind) + ": ";
+  return what + printable(problem.sentence, longest_sentence) +
+         (problem.listed && word == Word::problem ? " (listed)" : "");
 }
 
 /// The word, and below it what is wrong, or what could be read.
@@ -74,15 +78,21 @@ Cell verdict_cell(const RunRow& run) {
   Cell cell = to_string(run.verdict->word);
   cell.kind = verdict_kind(run.verdict->word);
   for (const Problem& problem : run.verdict->problems) {
-    cell.notes.push_back(problem_text(problem));
+    cell.notes.push_back(problem_text(problem, run.verdict->word));
   }
   if (run.verdict->problems.empty() && run.judgement) {
     // of thousands of runs: few words
     const Following& following = run.judgement->following;
-    cell.notes.push_back("e " + words_of(run.judgement->rebounds));
-    cell.notes.push_back(following.ratio ? fmt::format("position {:.2g} times plain, to {:.3g} s",
-                                                       *following.ratio, following.until)
-                                         : "position: no word");
+    std::string rebounds = words_of(run.judgement->rebounds);
+    if (const std::size_t at = rebounds.find(" impacts"); at != std::string::npos) {
+      rebounds.erase(at, std::string_view(" impacts").size());
+    }
+    cell.notes.push_back("e " + rebounds);
+    cell.notes.push_back(
+        !following.ratio ? "position untold"
+        : *following.ratio <= exact_ratio
+            ? fmt::format("exact to {:.3g} s", following.until)
+            : fmt::format("{:.2g} × plain to {:.3g} s", *following.ratio, following.until));
   }
   return cell;
 }

@@ -110,6 +110,12 @@ ModelCard model_card(const Report& report, const std::string& engine, const Mode
       by_step[run.key.step].push_back(&run);
       card.verdicts.add(run);
       failed += did_its_work(run.status) ? 0U : 1U;
+      for (const Problem& problem : run.verdict ? run.verdict->problems : std::vector<Problem>()) {
+        if (problem.listed && std::find(card.listed.begin(), card.listed.end(), problem.reason) ==
+                                  card.listed.end()) {
+          card.listed.push_back(problem.reason);
+        }
+      }
     }
   }
   for (const auto& [step, runs] : by_step) {
@@ -234,11 +240,20 @@ Cell position_cell(const ModelCard& card) {
   return cell;
 }
 
+/// The worst verdict, and why problems are listed.
+Cell verdict_cell(const ModelCard& card) {
+  Cell cell = tally_cell(card.verdicts);
+  for (const std::string& reason : card.listed) {
+    cell.notes.push_back(printable(reason, longest_sentence));
+  }
+  return cell;
+}
+
 Row row_of(const ModelCard& card) {
   const Setup& finest = card.setups.back();
   return {
       {word_cell(card.engine), word_cell(card.model), words_of(card.maker), restitution_cell(card),
-       position_cell(card), tally_cell(card.verdicts), number_cell(finest.step, as_count),
+       position_cell(card), verdict_cell(card), number_cell(finest.step, as_count),
        brief_cell(percent(finest.off)), brief_cell(cost_of(finest))},
       "",
       ""};

@@ -33,6 +33,7 @@ struct ModelCard {
   Maker maker = Maker::by_hand;
   std::optional<ModelJudgement> judged;  // none where no run could be judged
   std::vector<std::string> wrong;        // what is wrong with it, the gravest first
+  std::vector<std::string> listed;       // why problems of it are listed, each once
   std::vector<Setup> setups;             // in falling step
   Tally verdicts;
 

@@ -54,7 +54,7 @@ for (const [name, count, steps, bytes] of [['six cases', 6, [1e-2, 1e-3], quick]
     const report = reportOf(count, steps);
     const text = largePage(report);
     const size = Buffer.byteLength(text);
-    context.diagnostic(`${report.runs.length} runs, ${(size / 1e6).toFixed(1)} MB`);
+    context.diagnostic(`${report.runs.length} runs, ${(size / 1e6).toFixed(2)} MB`);
     assert.ok(size < bytes);
     const open = (javaScriptEnabled) => withText(text, ({ opening }) => opening, { javaScriptEnabled });
     const [scripted, bare] = [[], []];

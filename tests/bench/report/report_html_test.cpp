@@ -52,7 +52,7 @@ bench::Verdict listed_problem() {
   return {bench::Word::listed_problem,
           {{"energy", "gains energy in flight", 4.0, true, "the engine says so"}}};
 }
-const std::string listed_text = "energy: gains energy in flight (listed: the engine says so)";
+const std::string listed_text = "energy: gains energy in flight";
 
 /// The same report with everything in it that a suite may leave.
 Report full_report() {

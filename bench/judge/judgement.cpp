@@ -172,8 +172,8 @@ Expected expected(const Expectation& expectation, const Allowance& allowance,
       room = std::min(room, hits[place + 1].time - hit.time);
     }
     const double within = reach(allowance, hit);
-    if (!hit.alone || room < 4.0 * run.step || within > 0.5 * room ||
-        hit.speed < 5.0 * run.step * hit.change) {
+    if (!hit.alone || hit.speed < 2.0 * RecordOptions().slowest ||  // slower ones are not recorded
+        room < 4.0 * run.step || within > 0.5 * room || hit.speed < 5.0 * run.step * hit.change) {
       continue;
     }
     ++result.due;

@@ -103,6 +103,13 @@ ModelJudgement model_of(const Runs& runs) {
     }
   }
   model.rebounds = rebounds_of(impacts, stuck);
+  // a fault of one case does not drown in the impacts of others
+  for (const JudgedRun* run : runs) {
+    if (run->step == model.step && !model.rebounds.wrong()) {
+      const Rebounds& of_run = run->judgement->rebounds;
+      model.rebounds = of_run.wrong() ? of_run : model.rebounds;
+    }
+  }
   model.course = course_over_cases(runs);
   return model;
 }

@@ -96,6 +96,8 @@ Rebound word_on(const Impacts& impacts, Rebounds& result) {
   if (!one_side || part(off, others.size()) < half) {
     return Rebound::scatters;
   }
+  std::erase_if(others, [](const AuditedImpact& impact) { return !is_off(impact); });
+  result.off = off;
   result.deviation = median(listed(others, &AuditedImpact::deviation));
   return Rebound::off;
 }

@@ -75,7 +75,11 @@ int bench_command(const BenchCommand& command) {
   manifest.shard.elapsed = report.context.elapsed;
   write_manifest(command.out, manifest);
   if (!command.list_problems.empty()) {
-    write_output(command.list_problems, problems_file_of(report, request.listed));
+    // what a person has said in the file stays
+    ProblemsReading before = read_problems_file(command.list_problems);
+    write_output(
+        command.list_problems,
+        problems_file_of(report, command.gate || !before.listed ? request.listed : *before.listed));
   }
   return judged(target, report);
 }

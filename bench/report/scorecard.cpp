@@ -120,8 +120,7 @@ ModelCard model_card(const Report& report, const std::string& engine, const Mode
   }
   for (const auto& [step, runs] : by_step) {
     card.setups.push_back(
-        {model.name, step, median_off(runs, cables), cost_of(report, {engine, model.name, step}),
-         static_cast<std::size_t>(std::count_if(runs.begin(), runs.end(), has_problem))});
+        {model.name, step, median_off(runs, cables), cost_of(report, {engine, model.name, step})});
   }
   for (const ModelJudgement& judged : report.models) {
     if (judged.engine == engine && judged.model == model.name) {
@@ -129,6 +128,15 @@ ModelCard model_card(const Report& report, const std::string& engine, const Mode
     }
   }
   card.wrong = wrongs(report, card, failed);
+  // what the finest step over all cases does not show
+  for (const auto& [step, runs] : by_step) {
+    for (const RunRow* run : runs) {
+      if (card.wrong.empty() && has_problem(run)) {
+        card.wrong.push_back(
+            fmt::format("at {:g} s {}", step, run->verdict->problems.front().sentence));
+      }
+    }
+  }
   return card;
 }
 
@@ -137,20 +145,13 @@ std::optional<Setup> chosen(const std::vector<ModelCard>& models) {
   std::vector<Setup> setups;
   for (const ModelCard& model : models) {
     for (const Setup& setup : model.setups) {
-      if (model.may_be_used() && setup.off && setup.problems == 0) {
+      if (model.may_be_used() && setup.off && *setup.off <= good_enough) {
         setups.push_back(setup);
       }
     }
   }
   const auto less = [](const Setup& one, const Setup& two) {
-    const bool fits = *one.off <= good_enough;
-    if (fits != (*two.off <= good_enough)) {
-      return fits;
-    }
-    if (fits && one.step != two.step) {
-      return one.step > two.step;
-    }
-    return *one.off < *two.off;
+    return one.step != two.step ? one.step > two.step : *one.off < *two.off;
   };
   const auto best = std::min_element(setups.begin(), setups.end(), less);
   return best != setups.end() ? std::optional(*best) : std::nullopt;
@@ -172,7 +173,9 @@ std::string use_sentence(const Scorecard& card) {
   if (!card.use) {
     const bool kept = std::any_of(card.models.begin(), card.models.end(),
                                   [](const ModelCard& model) { return model.may_be_used(); });
-    return kept ? "No model is without a problem at these steps."
+    return kept ? fmt::format(
+                      "No model without a problem is within {:g} % of a cable at these steps.",
+                      100.0 * good_enough)
                 : "None of its models can be recommended from these runs.";
   }
   std::string out = fmt::format("Use {} at {:g} s", printable(card.use->model), card.use->step);

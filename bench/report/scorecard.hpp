@@ -23,7 +23,6 @@ struct Setup {
   double step = 0.0;          // [s]
   std::optional<double> off;  // [-], early position error over the shortest cable
   std::optional<CostRow> cost;
-  std::size_t problems = 0;  // runs with one, listed or not
 };
 
 /// One model of an engine.
@@ -49,8 +48,8 @@ struct Scorecard {
   std::string precision;
   std::vector<ModelCard> models;  // as shipped, by hand, tautline's; in the engine's order
   /// Which model and step to use, of the models that may be used and at steps at which no run has a
-  /// problem: at the largest step that is good enough, the one with the smallest error. Where none
-  /// is good enough, the smallest error of all. None where no model may be used.
+  /// problem: at the largest step that is good enough, the one with the smallest error. None where
+  /// no model may be used, or none is good enough.
   std::optional<Setup> use;
   Tally verdicts;
 };

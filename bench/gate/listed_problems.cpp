@@ -195,7 +195,9 @@ std::string problems_file_of(const Report& report, const ListedProblems& known) 
       "schema = {}\nversion = \"1\"\n",
       problems_schema);
   for (const auto& [key, entry] : entries) {
-    const auto& [engine, model, kind] = key;
+    const std::string& engine = std::get<0>(key);
+    const std::string& model = std::get<1>(key);
+    const std::string& kind = std::get<2>(key);
     const auto has =
         std::find_if(known.problems.begin(), known.problems.end(), [&](const auto& one) {
           return one.kind == kind && matches(one.runs.engine, engine) &&

@@ -127,7 +127,7 @@ void ImpactDetector::take_located(const Event& event) {
     const Cable& cable = case_.cables[index];
     keep({event.time, index, impulses[index], gap_rate(cable, event.before),
           gap_rate(cable, event.after), 0, event.before, event.after, stray, event.time,
-          cables.size() > 1, impulses[index]});
+          cables.size() > 1, impulses[index], gap_rate(cable, event.after)});
   }
 }
 

@@ -33,7 +33,7 @@ struct RecordedImpact {
   bool shared = false;  // another cable pulled in its steps: the velocity jump is of both
   /// [N s], of the impact alone: where a cable goes on taut, `impulse` has its tension, too.
   double snap = impulse;
-  double rate_first = rate_after;  // [m/s], after the first of those steps, at the same pose
+  double rate_first = 0.0;  // [m/s], after the first of those steps, at the same pose
 };
 
 /// What one run did.

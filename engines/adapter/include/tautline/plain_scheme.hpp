@@ -24,7 +24,7 @@ class PlainScheme {
 
   /// The body now; a caller may change it between two steps.
   [[nodiscard]] State& state() { return state_; }
-  /// The same, to read.
+  /// The body now, to read.
   [[nodiscard]] const State& state() const { return state_; }
 
   /// Its case; a caller may change cables and gravity between two steps.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "bench/measure/audit_impacts.hpp"
 #include "tautline/detail/flight.hpp"
 #include "tautline/detail/sensitivity.hpp"
 #include "tautline/geometry.hpp"
@@ -29,7 +30,7 @@ constexpr double too_much = 0.1;
 constexpr double guard_of_forks = 0.25;
 
 /// Near misses are looked for at this many instants.
-constexpr int looks = 4000;
+constexpr std::size_t looks = 4000;
 
 /// A gap below this part of the cable is an impact's or a taut cable's [-].
 constexpr double no_gap = 1e-7;
@@ -98,12 +99,12 @@ StateVector defect(const Arc& arc, double dt, double moment, const Vec2& gravity
   return result;
 }
 
-/// Instants evenly spread over a motion, and its events.
-std::vector<double> instants(const Solution& solution, double end) {
+/// The ends of `count` equal parts of a motion, and its events.
+std::vector<double> instants(const Solution& solution, double end, std::size_t count = parts) {
   std::vector<double> times;
-  for (std::size_t part = 0; part <= parts; ++part) {
-    times.push_back(part == parts ? end
-                                  : end * static_cast<double>(part) / static_cast<double>(parts));
+  for (std::size_t part = 0; part <= count; ++part) {
+    times.push_back(part == count ? end
+                                  : end * static_cast<double>(part) / static_cast<double>(count));
   }
   for (const Event& event : solution.events()) {
     if (event.time > 0.0 && event.time < end) {
@@ -137,40 +138,11 @@ double largest_acceleration(const std::vector<Arc>& arcs, const std::vector<doub
   return largest;
 }
 
-/// An impact of one cable.
-struct Hit {
-  double time;        // [s]
-  std::size_t cable;  //
-  double speed;       // [m/s]
-};
-
-std::vector<Hit> hits_of(const ReferenceCase& reference, double end) {
-  std::vector<Hit> hits;
-  for (const Event& event : reference.solution.events()) {
-    if (event.kind == EventKind::impact && event.time <= end) {
-      for (const std::size_t index : event.cables) {
-        hits.push_back(
-            {event.time, index, -gap_rate(reference.the_case.cables[index], event.before)});
-      }
-    }
-  }
-  return hits;
-}
-
 /// The first near miss before `end` [s]: a gap that is least at an instant and no more than a part
 /// of what a run may be off by then, or what it closes by in a step.
 std::optional<double> near_miss(const ReferenceCase& reference, const Allowance& allowance,
                                 double end) {
-  std::vector<double> times;
-  for (int look = 0; look <= looks; ++look) {
-    times.push_back(end * look / looks);
-  }
-  for (const Event& event : reference.solution.events()) {
-    if (event.time < end) {
-      times.push_back(event.time);
-    }
-  }
-  std::sort(times.begin(), times.end());
+  const std::vector<double> times = instants(reference.solution, end, looks);
   std::vector<State> states;
   states.reserve(times.size());
   for (const double time : times) {
@@ -188,7 +160,7 @@ std::optional<double> near_miss(const ReferenceCase& reference, const Allowance&
         first = std::min(first.value_or(end), times[place - 1]);
         break;
       }
-      if (place > 0 && times[place] > times[place - 1]) {
+      if (place > 0) {
         speed = (earlier - now) / (times[place] - times[place - 1]);
       }
       earlier = now;
@@ -202,10 +174,10 @@ std::optional<double> near_miss(const ReferenceCase& reference, const Allowance&
 std::optional<double> swap_of_impacts(const ReferenceCase& reference, const Allowance& allowance,
                                       double end) {
   const bool together = reference.law == ImpactLaw::simultaneous;
-  const std::vector<Hit> hits = hits_of(reference, end);
+  const std::vector<ExactHit> hits = exact_hits(reference, end);
   for (std::size_t place = 1; place < hits.size(); ++place) {
-    const Hit& one = hits[place - 1];
-    const Hit& two = hits[place];
+    const ExactHit& one = hits[place - 1];
+    const ExactHit& two = hits[place];
     if (one.cable == two.cable || (together && two.time == one.time)) {
       continue;
     }
@@ -226,6 +198,24 @@ struct ShiftedRun {
 };
 
 }  // namespace
+
+std::vector<ExactHit> exact_hits(const ReferenceCase& reference, double until) {
+  std::vector<ExactHit> hits;
+  const Case& the_case = reference.the_case;
+  for (const Event& event : reference.solution.events()) {
+    if (event.kind != EventKind::impact || event.time > until) {
+      continue;
+    }
+    for (const std::size_t index : event.cables) {
+      const Cable& cable = the_case.cables[index];
+      const double rate = gap_rate(cable, event.before);
+      hits.push_back(
+          {event.time, index, -rate, gap_rate(cable, event.after), restitution(cable, rate),
+           change_of_rates(the_case, index, event.before, event.after), event.cables.size() == 1});
+    }
+  }
+  return hits;
+}
 
 double AlongMotion::at(double time) const {
   const auto found = std::lower_bound(times.begin(), times.end(), time);

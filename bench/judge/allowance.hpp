@@ -52,6 +52,20 @@ struct Allowance {
   [[nodiscard]] double at(double time) const { return position.at(time + 2.0 * step); }
 };
 
+/// An impact of one cable in the exact motion.
+struct ExactHit {
+  double time;         // [s]
+  std::size_t cable;   //
+  double speed;        // [m/s]
+  double rebound;      // [m/s]
+  double restitution;  // [-]
+  double change;       // [m/s^2], of the rate next to it
+  bool alone;          // no other cable is struck at the same instant
+};
+
+/// Those up to `until` [s], in rising time.
+[[nodiscard]] std::vector<ExactHit> exact_hits(const ReferenceCase& reference, double until);
+
 /// The error of the plain scheme at some instants, over shifts of its first step.
 struct Yardstick {
   std::vector<double> worst;  // [m], the largest of all shifts up to each instant

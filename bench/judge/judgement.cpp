@@ -18,35 +18,6 @@ constexpr double least_part = 1e-7;
 
 bool in_floats(std::string_view precision) { return precision == "float32"; }
 
-/// An impact of one cable in the exact motion, no other cable's at the same instant.
-struct ExactHit {
-  double time;         // [s]
-  std::size_t cable;   //
-  double speed;        // [m/s]
-  double rebound;      // [m/s]
-  double restitution;  // [-]
-  double change;       // [m/s^2], of the rate next to it
-  bool alone;          // no other cable is struck at the same instant
-};
-
-std::vector<ExactHit> exact_hits(const ReferenceCase& reference, double until) {
-  std::vector<ExactHit> hits;
-  const Case& the_case = reference.the_case;
-  for (const Event& event : reference.solution.events()) {
-    if (event.kind != EventKind::impact || event.time > until) {
-      continue;
-    }
-    for (const std::size_t index : event.cables) {
-      const Cable& cable = the_case.cables[index];
-      const double rate = gap_rate(cable, event.before);
-      hits.push_back(
-          {event.time, index, -rate, gap_rate(cable, event.after), restitution(cable, rate),
-           change_of_rates(the_case, index, event.before, event.after), event.cables.size() == 1});
-    }
-  }
-  return hits;
-}
-
 /// Within what time of an exact impact a run has it [s], if it has it.
 double reach(const Allowance& allowance, const ExactHit& hit) {
   return 2.5 * allowance.step + 1.5 * allowance.at(hit.time) / hit.speed;
@@ -109,13 +80,10 @@ bool locates(const Trajectory& run) {
                      [](const RecordedImpact& impact) { return impact.steps == 0; });
 }
 
-double first_taut_cable(const Solution& solution) {
-  for (const Event& event : solution.events()) {
-    if (event.kind == EventKind::taut) {
-      return event.time;
-    }
-  }
-  return solution.arcs().front().taut.empty() ? solution.end_time() : 0.0;
+/// The end of the stretch in which rounding alone is to blame [s]: a start on taut cables has none.
+double end_of_flight(const Solution& solution) {
+  const double taut = first_taut(solution);
+  return taut == solution.end_time() && !solution.arcs().front().taut.empty() ? 0.0 : taut;
 }
 
 Following following(const Expectation& expectation, const Allowance& allowance,
@@ -123,7 +91,7 @@ Following following(const Expectation& expectation, const Allowance& allowance,
   const ReferenceCase& reference = expectation.reference();
   const double shortest = shortest_cable(reference.the_case);
   const double rounding = in_floats(precision) ? float_rounding : double_rounding;
-  const double taut = first_taut_cable(reference.solution);
+  const double taut = end_of_flight(reference.solution);
   Following result;
   result.located = locates(run);
   double worst = 0.0;

@@ -29,6 +29,13 @@ double shortest_cable(const Case& the_case) {
   return shortest;
 }
 
+double first_taut(const Solution& solution) {
+  const auto& events = solution.events();
+  const auto found = std::find_if(events.begin(), events.end(),
+                                  [](const Event& event) { return event.kind == EventKind::taut; });
+  return found != events.end() ? found->time : solution.end_time();
+}
+
 double exact_sample_time(const Solution& solution, std::size_t index) {
   constexpr std::size_t last = exact_samples - 1;
   return index == last

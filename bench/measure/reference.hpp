@@ -26,6 +26,10 @@ struct ReferenceCase {
 /// The length of the shortest cable [m].
 [[nodiscard]] double shortest_cable(const Case& the_case);
 
+/// When the exact motion first has a taut cable [s]; its end without one. A simulation
+/// that does not follow the motion on taut cables may stop there.
+[[nodiscard]] double first_taut(const Solution& solution);
+
 /// Samples of an exact path.
 inline constexpr std::size_t exact_samples = 400;
 

@@ -16,15 +16,6 @@
 namespace tautline::bench {
 namespace {
 
-/// When the exact motion first has a taut cable [s]; its end without one. A simulation
-/// that does not follow the motion on taut cables may stop there.
-double first_taut(const Solution& solution) {
-  const auto& events = solution.events();
-  const auto found = std::find_if(events.begin(), events.end(),
-                                  [](const Event& event) { return event.kind == EventKind::taut; });
-  return found != events.end() ? found->time : solution.end_time();
-}
-
 constexpr std::size_t longest_reason = 400;  // [bytes], with a line of what the engine printed
 constexpr std::size_t longest_escape = 4;    // [bytes], of a byte that cannot be shown
 

@@ -22,7 +22,7 @@ void add(Problems& problems, std::string_view kind, std::string sentence,
 
 /// How far the run is from the exact motion.
 void add_position(const Following& following, Problems& problems) {
-  if (following.ratio && *following.ratio > problem_ratio) {
+  if (following.ratio && *following.ratio > most_ratio) {
     add(problems, "position",
         fmt::format("off by {:.2g} m at {:.3g} s, {:.2g} times a plain scheme", following.error,
                     following.time, *following.ratio),
@@ -71,6 +71,9 @@ void add_judged(const Judgement& judgement, bool in_doubles, Problems& problems)
         fmt::format("gains energy in flight, {:.2g} times what a step explains", judgement.energy),
         judgement.energy);
   }
+  if (judgement.flight > most_flight) {
+    add(problems, "flight", flight_text(judgement.flight), judgement.flight);
+  }
 }
 
 /// The findings by the runs that they are about, of those that no judgement has.
@@ -96,8 +99,7 @@ Word word_on(const RunRow& run, const Problems& problems) {
                : Word::problem;
   }
   const bool told = run.judgement && run.judgement->rebounds.word == Rebound::kept &&
-                    run.judgement->following.ratio &&
-                    *run.judgement->following.ratio <= as_good_ratio;
+                    run.judgement->following.ratio;
   return told ? Word::sound : Word::too_few;
 }
 

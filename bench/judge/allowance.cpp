@@ -155,7 +155,8 @@ std::optional<double> near_miss(const ReferenceCase& reference, const Allowance&
     for (std::size_t place = 0; place < times.size(); ++place) {
       const double now = gap(cable, states[place]);
       // a scheme that looks a step ahead takes a cable for taut that closes by the gap in it
-      const double near = guard_of_forks * allowance.at(times[place]) + allowance.step * speed;
+      const double near =
+          guard_of_forks * allowance.of_cables(times[place]) + allowance.step * speed;
       if (speed > 0.0 && earlier <= now && earlier > no_gap * cable.length && earlier < near) {
         first = std::min(first.value_or(end), times[place - 1]);
         break;
@@ -181,7 +182,8 @@ std::optional<double> swap_of_impacts(const ReferenceCase& reference, const Allo
     if (one.cable == two.cable || (together && two.time == one.time)) {
       continue;
     }
-    const double unsure = allowance.at(one.time) / one.speed + allowance.at(two.time) / two.speed;
+    const double unsure =
+        allowance.of_cables(one.time) / one.speed + allowance.of_cables(two.time) / two.speed;
     if (two.time == one.time || two.time - one.time < guard_of_forks * unsure) {
       return one.time;
     }
@@ -192,10 +194,51 @@ std::optional<double> swap_of_impacts(const ReferenceCase& reference, const Allo
 /// The plain scheme with one shift of its first step.
 struct ShiftedRun {
   PlainScheme scheme;
-  double first;        // [s], its first step
-  double time = 0.0;   // [s]
-  double worst = 0.0;  // [m]
+  double first;             // [s], its first step
+  double time = 0.0;        // [s]
+  double worst = 0.0;       // [m]
+  double attachment = 0.0;  // [m]
+
+  /// Compares it with the `exact` state of now.
+  void compare(const State& exact) {
+    worst = std::max(worst, (scheme.state().position - exact.position).norm());
+    for (const Cable& cable : scheme.system().cables) {
+      attachment = std::max(
+          attachment,
+          (attachment_point(scheme.state(), cable) - attachment_point(exact, cable)).norm());
+    }
+  }
 };
+
+/// How far the attachment point of `cable` moves by a small change of the state [m].
+double moves(const State& state, const Cable& cable, const StateVector& change) {
+  return (change.head<2>() + change[2] * perpendicular(attachment_arm(state, cable))).norm();
+}
+
+/// The first of `times` at which one of `values` has reached `enough`.
+std::optional<double> reaching(const AlongMotion& along, double enough) {
+  const auto found = std::find_if(along.values.begin(), along.values.end(),
+                                  [enough](double value) { return value >= enough; });
+  return found == along.values.end()
+             ? std::nullopt
+             : std::optional(along.times[static_cast<std::size_t>(found - along.values.begin())]);
+}
+
+/// The larger of `measured` and what `tangent` says for `step`, as far as it goes, with what
+/// `rounding` [m/s] adds.
+AlongMotion largest_of(const std::vector<double>& times, const std::vector<double>& measured,
+                       const AlongMotion& tangent, double step, double rounding) {
+  AlongMotion result{times, measured};
+  double largest = 0.0;
+  for (std::size_t place = 0; place < times.size(); ++place) {
+    double& value = result.values[place];
+    if (times[place] <= tangent.times.back()) {
+      value = std::max(value, step * tangent.at(times[place]));
+    }
+    value = largest = std::max(largest, value + rounding * times[place]);
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -237,6 +280,7 @@ Yardstick yardstick(const ReferenceCase& reference, double step, const std::vect
   Yardstick result;
   for (const double until : times) {
     double worst = 0.0;
+    double attachment = 0.0;
     double sum = 0.0;
     for (ShiftedRun& run : runs) {
       while (run.time < until) {
@@ -244,16 +288,17 @@ Yardstick yardstick(const ReferenceCase& reference, double step, const std::vect
         run.scheme.step(dt);
         run.time += dt;
         if (run.time <= end) {
-          run.worst = std::max(
-              run.worst, (run.scheme.state().position - solution.at(run.time).position).norm());
+          run.compare(solution.at(run.time));
         }
       }
       worst = std::max(worst, run.worst);
+      attachment = std::max(attachment, run.attachment);
       sum += run.worst;
     }
     result.worst.push_back(worst);
     result.mean.push_back(sum / static_cast<double>(runs.size()));
-    if (!(worst < enough)) {
+    result.attachment.push_back(attachment);
+    if (!(attachment < enough)) {
       break;
     }
   }
@@ -281,6 +326,10 @@ void Expectation::follow() {
   for (const double time : times) {
     const State state = solution.at(time);
     speed_ = std::max(speed_, state.velocity.norm());
+    for (const Cable& cable : the_case.cables) {
+      speed_ = std::max(speed_, attachment_velocity(state, cable).norm());
+      turning_ = std::max(turning_, state.spin * state.spin * cable.attachment.norm());
+    }
     extent_ = std::max(extent_, state.position.norm());
     spin = std::max(spin, std::abs(state.spin));
     angle = std::max(angle, std::abs(state.angle));
@@ -295,6 +344,7 @@ void Expectation::follow() {
   StateMatrix of_steps = StateMatrix::Zero();
   StateMatrix of_events = squares;
   double largest = 0.0;
+  double largest_of_cables = 0.0;
   double largest_of_steps = 0.0;
   double largest_of_events = 0.0;
   const auto note = [&](double time) {
@@ -303,12 +353,21 @@ void Expectation::follow() {
       sum += part.head<2>().norm();
     }
     largest = std::max(largest, sum);
+    const State state = solution.at(time);
+    for (const Cable& cable : the_case.cables) {
+      double of_cable = 0.0;
+      for (const StateVector& part : parts_of_error) {
+        of_cable += moves(state, cable, part);
+      }
+      largest_of_cables = std::max(largest_of_cables, of_cable);
+    }
     largest_of_steps = std::max(largest_of_steps, of_steps.topLeftCorner<2, 2>().trace());
     largest_of_events = std::max(largest_of_events, of_events.topLeftCorner<2, 2>().trace());
-    for (auto* along : {&tangent_, &by_steps_, &by_events_}) {
+    for (auto* along : {&tangent_, &of_cables_, &by_steps_, &by_events_}) {
       along->times.push_back(time);
     }
     tangent_.values.push_back(largest);
+    of_cables_.values.push_back(largest_of_cables);
     by_steps_.values.push_back(largest_of_steps);
     by_events_.values.push_back(largest_of_events);
   };
@@ -364,31 +423,20 @@ double Expectation::rounding_at(double time, double step) const {
   return std::sqrt(by_steps_.at(time) / step + by_events_.at(time));
 }
 
-Allowance Expectation::made(double step) const {
+Allowance Expectation::made(double step, double rounding) const {
   const double enough = too_much * shortest_cable(reference_.the_case);
   Allowance result;
   result.step = step;
   const double end = std::min(end_, most_steps_judged * step);
   std::vector<double> times = instants(reference_.solution, end);
-  Yardstick plain = yardstick(reference_, step, times, enough);
+  const Yardstick plain = yardstick(reference_, step, times, enough);
   times.resize(plain.worst.size());
-  result.position = {times, std::move(plain.worst)};
-  double largest = 0.0;
-  for (std::size_t place = 0; place < times.size(); ++place) {
-    double& value = result.position.values[place];
-    if (times[place] <= tangent_.times.back()) {
-      value = std::max(value, step * tangent_.at(times[place]));
-    }
-    value = largest = std::max(largest, value);
-  }
-  const auto& values = result.position.values;
-  const auto grown = std::find_if(values.begin(), values.end(),
-                                  [enough](double value) { return value >= enough; });
-  result.barrier = grown != values.end() ? Barrier::growth
-                   : end < end_          ? Barrier::effort
-                                         : Barrier::end;
-  result.until =
-      grown != values.end() ? times[static_cast<std::size_t>(grown - values.begin())] : end;
+  const double drift = rounding * extent_ / step;  // [m/s]
+  result.position = largest_of(times, plain.worst, tangent_, step, drift);
+  result.attachment = largest_of(times, plain.attachment, of_cables_, step, drift);
+  const std::optional<double> grown = reaching(result.attachment, enough);
+  result.barrier = grown ? Barrier::growth : end < end_ ? Barrier::effort : Barrier::end;
+  result.until = grown.value_or(end);
   for (const auto& fork : {near_miss(reference_, result, result.until),
                            swap_of_impacts(reference_, result, result.until)}) {
     if (fork && *fork - 2.0 * step < result.until) {
@@ -407,11 +455,15 @@ Expectations expectations_of(const std::vector<ReferenceCase>& references) {
   return result;
 }
 
-const Allowance& Expectation::allowance(double step) const {
+const Allowance& Expectation::allowance(double step, std::string_view precision) const {
+  const std::pair key(step, rounding_of(precision));
   const std::scoped_lock lock(guard_);
-  const auto found = allowances_.find(step);
-  return found != allowances_.end() ? found->second
-                                    : allowances_.emplace(step, made(step)).first->second;
+  const auto found = allowances_.find(key);
+  return found != allowances_.end()
+             ? found->second
+             : allowances_.emplace(key, made(key.first, key.second)).first->second;
 }
+
+double rounding_of(std::string_view precision) { return precision == "float32" ? 6e-8 : 1.2e-16; }
 
 }  // namespace tautline::bench

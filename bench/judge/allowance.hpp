@@ -4,6 +4,8 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bench/measure/reference.hpp"
@@ -41,15 +43,21 @@ enum class Barrier {
   fork,    // correct schemes may part: a near miss, or impacts of two cables that may swap
 };
 
+/// Roundings of an engine's numbers, relative to the largest of them [-].
+[[nodiscard]] double rounding_of(std::string_view precision);
+
 /// How far a run with steps of `step` may be off.
 struct Allowance {
   double step = 0.0;               // [s]
-  AlongMotion position;            // [m]
+  AlongMotion position;            // [m], of the centre of mass
+  AlongMotion attachment;          // [m], of the attachment point that is off the most
   double until = 0.0;              // [s]: a step-by-step model can follow the motion up to here
   Barrier barrier = Barrier::end;  // why not for longer
 
   /// At `time` [s]: as two steps later, as a scheme may be late by that.
   [[nodiscard]] double at(double time) const { return position.at(time + 2.0 * step); }
+  /// The same of where the cables are attached: what decides when one goes taut.
+  [[nodiscard]] double of_cables(double time) const { return attachment.at(time + 2.0 * step); }
 };
 
 /// An impact of one cable in the exact motion.
@@ -68,12 +76,13 @@ struct ExactHit {
 
 /// The error of the plain scheme at some instants, over shifts of its first step.
 struct Yardstick {
-  std::vector<double> worst;  // [m], the largest of all shifts up to each instant
-  std::vector<double> mean;   // [m], of the largest of each
+  std::vector<double> worst;       // [m], the largest of all shifts up to each instant
+  std::vector<double> mean;        // [m], of the largest of each
+  std::vector<double> attachment;  // [m], as `worst`, of the attachment points
 };
 
 /// The error of the plain scheme on `reference` in steps of `step` [s], up to each of `times` [s],
-/// which rise; of the first ones alone once it has reached `enough` [m].
+/// which rise; of the first ones alone once an attachment point is off by `enough` [m].
 [[nodiscard]] Yardstick yardstick(const ReferenceCase& reference, double step,
                                   const std::vector<double>& times, double enough);
 
@@ -85,33 +94,38 @@ class Expectation {
 
   [[nodiscard]] const ReferenceCase& reference() const { return reference_; }
 
-  /// For runs with steps of `step` [s]: worked out when it is first asked for.
-  [[nodiscard]] const Allowance& allowance(double step) const;
+  /// For runs with steps of `step` [s] and numbers of the engine's `precision`: worked out when it
+  /// is first asked for.
+  [[nodiscard]] const Allowance& allowance(double step,
+                                           std::string_view precision = "float64") const;
 
   /// How much rounding has grown to [m] at an instant: of numbers with a relative error of one,
   /// once in each second and once at each event. Random roundings add up by their squares.
   [[nodiscard]] double rounding_at(double time, double step) const;
 
-  /// The fastest that the body moves or a cable closes in the exact motion [m/s], and the largest
-  /// acceleration of the body [m/s^2].
+  /// The fastest that the body or an attachment point moves, or a cable closes, in the exact motion
+  /// [m/s]; the largest acceleration of the body; and of an attachment point by its spin [m/s^2].
   [[nodiscard]] double speed() const { return speed_; }
   [[nodiscard]] double acceleration() const { return acceleration_; }
+  [[nodiscard]] double turning() const { return turning_; }
   /// The farthest that the body is from the origin [m].
   [[nodiscard]] double extent() const { return extent_; }
 
  private:
   void follow();
-  [[nodiscard]] Allowance made(double step) const;
+  [[nodiscard]] Allowance made(double step, double rounding) const;
 
   const ReferenceCase& reference_;
   double end_;                 // [s], of what is judged
   double speed_ = 0.0;         //
   double acceleration_ = 0.0;  //
+  double turning_ = 0.0;       //
   double extent_ = 0.0;        //
   AlongMotion tangent_;        // [m / s], A for a step of one second
+  AlongMotion of_cables_;      // [m / s], the same of the attachment points
   AlongMotion by_steps_;       // [m^2], of roundings in each second
   AlongMotion by_events_;      // [m^2], of roundings at events
-  mutable std::map<double, Allowance> allowances_;
+  mutable std::map<std::pair<double, double>, Allowance> allowances_;  // by step and rounding
   mutable std::mutex guard_;
 };
 

@@ -9,18 +9,12 @@
 namespace tautline::bench {
 namespace {
 
-/// Roundings of floats and of doubles, relative to the largest number [-].
-constexpr double float_rounding = 6e-8;
-constexpr double double_rounding = 1.2e-16;
-
 /// Beside every allowance: of the shortest cable [-].
 constexpr double least_part = 1e-7;
 
-bool in_floats(std::string_view precision) { return precision == "float32"; }
-
 /// Within what time of an exact impact a run has it [s], if it has it.
 double reach(const Allowance& allowance, const ExactHit& hit) {
-  return 2.5 * allowance.step + 1.5 * allowance.at(hit.time) / hit.speed;
+  return 2.5 * allowance.step + 1.5 * allowance.of_cables(hit.time) / hit.speed;
 }
 
 const RecordedImpact* nearest(const Trajectory& run, const ExactHit& hit, double within) {
@@ -90,7 +84,6 @@ Following following(const Expectation& expectation, const Allowance& allowance,
                     const Trajectory& run, std::string_view precision) {
   const ReferenceCase& reference = expectation.reference();
   const double shortest = shortest_cable(reference.the_case);
-  const double rounding = in_floats(precision) ? float_rounding : double_rounding;
   const double taut = end_of_flight(reference.solution);
   Following result;
   result.located = locates(run);
@@ -105,11 +98,8 @@ Following following(const Expectation& expectation, const Allowance& allowance,
     }
     worst =
         std::max(worst, (point.state.position - reference.solution.at(point.time).position).norm());
-    const double grown = rounding * expectation.rounding_at(point.time, run.step);
-    const double allowed =
-        allowance.at(point.time) + least_part * shortest +
-        (in_floats(precision) ? float_rounding * expectation.extent() * point.time / run.step
-                              : 0.0);
+    const double grown = rounding_of(precision) * expectation.rounding_at(point.time, run.step);
+    const double allowed = allowance.at(point.time) + least_part * shortest;
     if (!result.ratio || worst > *result.ratio * allowed) {
       result.ratio = worst / allowed;
       result.time = point.time;
@@ -150,6 +140,39 @@ Expected expected(const Expectation& expectation, const Allowance& allowance,
   return result;
 }
 
+/// Flights that are no longer than this many steps say nothing of the acceleration.
+constexpr double steps_of_flight = 7.5;
+
+/// The largest difference [m/s^2] of a mean acceleration in flight from gravity, or of an
+/// attachment point by a spin that changes: where all cables are slack by more than `slack` [m],
+/// nothing but gravity acts. `rounding` [m/s] is what a step adds.
+double off_in_flight(const Case& the_case, const Trajectory& run, double slack, double rounding) {
+  double arm = 0.0;  // [m]
+  for (const Cable& cable : the_case.cables) {
+    arm = std::max(arm, cable.attachment.norm());
+  }
+  const double spacing = run.step * static_cast<double>(run.stride);  // [s]
+  const auto flies = [&](const Point& point) {
+    return std::all_of(the_case.cables.begin(), the_case.cables.end(),
+                       [&](const Cable& cable) { return gap(cable, point.state) > slack; });
+  };
+  double worst = 0.0;
+  const auto end = run.points.end();
+  for (auto from = std::find_if(run.points.begin(), end, flies); from != end;) {
+    const auto over = std::find_if_not(from, end, flies);
+    const Point& last = *std::prev(over);
+    const double time = last.time - from->time;
+    if (time > steps_of_flight * spacing) {
+      const Vec2 gained = last.state.velocity - from->state.velocity;
+      const double turned = arm * std::abs(last.state.spin - from->state.spin);
+      const double off = std::max((gained - time * the_case.gravity).norm(), turned);
+      worst = std::max(worst, (off - rounding * std::sqrt(time / run.step)) / time);
+    }
+    from = std::find_if(over, end, flies);
+  }
+  return worst;
+}
+
 /// The largest rise of the energy outside of contacts [J].
 double largest_rise(const Case& the_case, const Trajectory& run) {
   constexpr double margin = 1.01;  // steps around a contact
@@ -178,25 +201,30 @@ double largest_rise(const Case& the_case, const Trajectory& run) {
 Judgement judge(const Expectation& expectation, const Trajectory& run,
                 const std::vector<AuditedImpact>& impacts, std::string_view precision) {
   const Case& the_case = expectation.reference().the_case;
-  const Allowance& allowance = expectation.allowance(run.step);
+  const Allowance& allowance = expectation.allowance(run.step, precision);
   Judgement result;
   result.rebounds = rebounds_of(impacts, stays_taut(expectation, allowance, run));
   result.following = following(expectation, allowance, run, precision);
   result.impacts = expected(expectation, allowance, run);
-  const double speed = expectation.speed() + expectation.acceleration() * run.step;
+  const double acceleration = expectation.acceleration() + expectation.turning();  // [m/s^2]
+  const double speed = expectation.speed() + acceleration * run.step;              // [m/s]
   const double steps = run.points.back().time / run.step;
-  const double floats = in_floats(precision) ? float_rounding : 0.0;
+  const double floats = rounding_of(precision);
   constexpr double tiny = std::numeric_limits<double>::min();  // where nothing moves
+  const double weight = the_case.gravity.norm();
+  const double slack = 4.0 * run.step * static_cast<double>(run.stride) * speed +
+                       floats * expectation.extent() * steps;  // [m]
+  result.flight = off_in_flight(the_case, run, slack, 4.0 * floats * expectation.speed()) /
+                  ((weight > 0.0 ? weight : acceleration) + tiny);
   result.overstretch = run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
                                           floats * expectation.extent() * std::sqrt(steps));
   const double start = std::abs(energy(the_case, the_case.initial));
-  const double weight = the_case.body.mass * expectation.acceleration() *
-                        std::max(shortest_cable(the_case), expectation.extent());
+  const double force = the_case.body.mass * acceleration;                       // [N]
+  const double far = std::max(shortest_cable(the_case), expectation.extent());  // [m]
   result.energy =
-      largest_rise(the_case, run) /
-      (the_case.body.mass * expectation.acceleration() * expectation.speed() * run.step +
-       1e-9 * start + 1e-6 * kinetic_energy(the_case.body, the_case.initial) +
-       floats * std::max(start, weight) * std::sqrt(steps) + tiny);
+      largest_rise(the_case, run) / (force * expectation.speed() * run.step + 1e-9 * start +
+                                     1e-6 * kinetic_energy(the_case.body, the_case.initial) +
+                                     floats * std::max(start, force * far) * steps + tiny);
   return result;
 }
 

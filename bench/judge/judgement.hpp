@@ -37,7 +37,8 @@ struct Judgement {
   Following following;
   Expected impacts;
   double overstretch = 0.0;  // [-], in units of what a step explains
-  double energy = 0.0;       // [-], the largest rise outside contacts, in units of m g v step
+  double energy = 0.0;       // [-], the largest rise outside contacts, in units of m a v step
+  double flight = 0.0;       // [-], of gravity: by what the acceleration in flight is off
 };
 
 /// Judges `run`, whose `impacts` are audited, of an engine with numbers of `precision`.
@@ -48,12 +49,12 @@ struct Judgement {
 // From here on it is a problem. Each number stands well above the worst of some 1,900 runs of 13
 // sound models, which is given.
 
-inline constexpr double as_good_ratio = 1.5;  // of Following::ratio, for the word; 1.41
-inline constexpr double problem_ratio = 2.0;  // the same, for a problem
+inline constexpr double most_ratio = 1.5;   // of Following::ratio; 1.41
 inline constexpr double exact_ratio = 0.2;  // the same, of a run that is exact to its events; 0.11
 inline constexpr double most_rounding = 1000.0;  // of Following::rounding; 106
 inline constexpr double most_overstretch = 2.0;  // of Judgement::overstretch; 1.24
 inline constexpr double most_energy = 3.0;       // of Judgement::energy; 2.1
+inline constexpr double most_flight = 2e-3;      // of Judgement::flight
 
 /// The impacts of an exact motion that a run of steps of `step` [s] can be read by: from this alone
 /// it is known beforehand which step tells something of a case.

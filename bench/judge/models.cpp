@@ -71,6 +71,7 @@ void add_run(const JudgedRun& run, ModelJudgement& model) {
   model.impacts.missed += one.impacts.missed;
   model.overstretch = std::max(model.overstretch, one.overstretch);
   model.energy = std::max(model.energy, one.energy);
+  model.flight = std::max(model.flight, one.flight);
   const Following& following = one.following;
   if (!following.ratio) {
     return;
@@ -163,7 +164,7 @@ Course course_of(const std::vector<double>& steps, const std::vector<double>& ra
   if (*std::max_element(ratios.begin(), ratios.end()) <= exact_ratio) {
     return Course::exact;
   }
-  if (ratios.back() <= as_good_ratio) {
+  if (ratios.back() <= most_ratio) {
     return Course::as_good;
   }
   if (ratios.size() == 1) {
@@ -231,6 +232,10 @@ std::string words_of(const Rebounds& rebounds) {
                                 ? fmt::format(", in {:.0f} steps", rebounds.steps)
                                 : "";
   return word_text(rebounds) + steps;
+}
+
+std::string flight_text(double flight) {
+  return fmt::format("accelerates wrong in flight, by {:.2g} %", 100.0 * flight);
 }
 
 std::string words_of(Course course, const std::optional<double>& ratio) {

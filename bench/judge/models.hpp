@@ -45,6 +45,7 @@ struct ModelJudgement {
   Expected impacts;                // of all cases
   double overstretch = 0.0;        // [-], at worst
   double energy = 0.0;             // [-], at worst
+  double flight = 0.0;             // [-], at worst
 };
 
 /// Every model, in the order of its first run.
@@ -68,6 +69,9 @@ struct ModelJudgement {
 /// "kept (4 impacts, from 0.34 m/s on)", "0.15 too high (5 impacts)", "none: stays taut after 2.96
 /// m/s", "lost below 0.09 m/s (3 of 52 impacts)", "too few to tell (1 impact)".
 [[nodiscard]] std::string words_of(const Rebounds& rebounds);
+
+/// "accelerates wrong in flight, by 1 %", of Judgement::flight.
+[[nodiscard]] std::string flight_text(double flight);
 
 /// "exact to its events", "as good as a step-by-step model can be", "converges, with 8 times the
 /// error of a plain scheme", ...

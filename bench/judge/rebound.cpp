@@ -14,7 +14,7 @@ namespace {
 /// 13,938 impacts of sound models the most is 0.97 times; half above that no threshold misses a
 /// fault that 1.0 finds.
 constexpr double beyond = 1.5;
-constexpr double least_deviation = 0.005;
+constexpr double least_deviation = 0.002;
 
 /// So many readable impacts have a word; of fewer only a proof of a fault says something.
 constexpr std::size_t enough = 3;

@@ -172,6 +172,9 @@ std::string endings_sentence(const Report& report) {
   if (const auto bad = count(Status::failed, Status::diverged); bad > 0) {
     parts.push_back(fmt::format("{} failed or diverged", bad));
   }
+  if (const auto refused = count(Status::unsupported); refused > 0) {
+    parts.push_back(fmt::format("{} the engine does not support", refused));
+  }
   return joined(parts, "and") + ".";
 }
 

@@ -54,15 +54,17 @@ struct SetupKey {
 /// How a run ended.
 enum class Status {
   finished,
-  stopped,   // its simulation could go no further, late enough to be compared
-  diverged,  // the body left every reasonable range
-  failed,    // crashed, timed out, gave nonsense, or stopped too early
+  stopped,      // its simulation could go no further, late enough to be compared
+  diverged,     // the body left every reasonable range
+  failed,       // crashed, timed out, gave nonsense, or stopped too early
+  unsupported,  // the engine says that it cannot do what the case or the options ask for
 };
 [[nodiscard]] const char* to_string(Status status);
 
-/// A run that ended as it should: finished, or stopped where its model goes no further.
+/// A run that ended as it should: finished, or stopped where its model goes no further, or was not
+/// begun as the engine cannot do it.
 [[nodiscard]] constexpr bool did_its_work(Status status) {
-  return status == Status::finished || status == Status::stopped;
+  return status != Status::diverged && status != Status::failed;
 }
 
 /// What the comparison with the exact motion says beside the metrics of the list.
@@ -97,11 +99,10 @@ inline constexpr std::array all_words = {Word::sound, Word::listed_problem, Word
 [[nodiscard]] const char* to_string(Word word);  // "sound", "listed problem", ...
 
 /// The kinds of problems that a run can have.
-inline constexpr std::array<std::string_view, 10> problem_kinds = {
-    "failure",        "restitution",    "position",
-    "events",         "missed-impacts", "overstretch",
-    "energy",         "sleeping",       "tangential-impulse",
-    "angular-impulse"};
+inline constexpr std::array<std::string_view, 11> problem_kinds = {
+    "failure",        "restitution",        "position",       "events",
+    "missed-impacts", "overstretch",        "energy",         "flight",
+    "sleeping",       "tangential-impulse", "angular-impulse"};
 
 /// True where a finding of the audit of this kind is a problem of its own; a finding on rebounds is
 /// the judgement's, and how long an impact takes is none.

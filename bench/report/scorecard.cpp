@@ -74,7 +74,7 @@ std::vector<std::string> wrongs(const Report& report, const ModelCard& card, std
   if (judged.rebounds.wrong()) {
     out.push_back("restitution " + words_of(judged.rebounds));
   }
-  if (judged.ratio && *judged.ratio > as_good_ratio && judged.course != Course::as_good) {
+  if (judged.ratio && *judged.ratio > most_ratio && judged.course != Course::as_good) {
     out.push_back(words_of(judged.course, judged.ratio));
   }
   for (const Finding& finding : report.findings) {
@@ -93,6 +93,9 @@ std::vector<std::string> wrongs(const Report& report, const ModelCard& card, std
   if (judged.energy > most_energy) {
     out.push_back(
         fmt::format("gains energy in flight, {:.2g} times what a step explains", judged.energy));
+  }
+  if (judged.flight > most_flight) {
+    out.push_back(flight_text(judged.flight));
   }
   return out;
 }

@@ -356,7 +356,7 @@ Table failures_table(const Report& report) {
     }
   }
   for (const RunRow& run : report.runs) {
-    if (!did_its_work(run.status)) {
+    if (!did_its_work(run.status) || run.status == Status::unsupported) {
       table.add({word_cell(run.key.engine), word_cell(run.key.model), word_cell(run.key.the_case),
                  number_cell(run.key.step, as_count), sentence_cell(run.reason)});
     }

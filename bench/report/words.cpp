@@ -221,7 +221,7 @@ std::string counted(std::size_t count, const std::string& one) {
 }
 
 const char* to_string(Status status) {
-  constexpr std::array names = {"finished", "stopped", "diverged", "failed"};
+  constexpr std::array names = {"finished", "stopped", "diverged", "failed", "unsupported"};
   return names.at(static_cast<std::size_t>(status));
 }
 

@@ -22,7 +22,9 @@ constexpr std::size_t longest_escape = 4;    // [bytes], of a byte that cannot b
 /// How a run ended, and why if it did not finish.
 std::pair<Status, std::string> status(const ReferenceCase& reference, const RunReply& reply) {
   if (!reply.trajectory) {
-    return {Status::failed, printable(reply.failure, longest_reason)};
+    const bool refused = reply.failure.starts_with("unsupported: ");  // the interface's word
+    return {refused ? Status::unsupported : Status::failed,
+            printable(reply.failure, longest_reason)};
   }
   const Trajectory& run = *reply.trajectory;
   if (run.diverged) {

@@ -230,7 +230,7 @@ class EventDriven final : public Simulation, public TensionImpulses {
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       const Cable& cable = case_.cables[index];
       const double opening = gap(cable, now);
-      const bool over = !taut_.contains(index) && opening < -rounding_.gap * cable.length;
+      const bool over = !taut_.contains(index) && opening < -rounding_.gap * gap_scale(cable, now);
       const double rate = gap_rate(cable, now);
       if ((over || expected.contains(index)) && rate < 0.0) {
         const double late = opening / rate;

@@ -16,8 +16,8 @@ constexpr int most_passes = 20;
 /// A step is halved at most this often.
 constexpr int most_halvings = 10;
 
-/// The largest gap among the cables of `held` that pull or are overstretched, against its cable's
-/// length [-]. Lowers their `rates` by what would have closed them.
+/// The largest gap among the cables of `held` that pull or are overstretched, against `gap_scale`
+/// [-]. Lowers their `rates` by what would have closed them.
 double correct(const Case& the_case, const State& state, CableSet held, const CableVector& impulses,
                double dt, CableVector& rates) {
   double worst = 0.0;
@@ -26,7 +26,7 @@ double correct(const Case& the_case, const State& state, CableSet held, const Ca
     const Cable& cable = the_case.cables[index];
     const double opening = gap(cable, state);
     if (impulses[row] > 0.0 || opening < 0.0) {
-      worst = std::max(worst, std::abs(opening) / cable.length);
+      worst = std::max(worst, std::abs(opening) / gap_scale(cable, state));
       rates[row] -= opening / dt;
     }
     ++row;

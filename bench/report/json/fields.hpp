@@ -229,6 +229,7 @@ void fields(Visitor& visit, ModelJudgement& model) {
   visit("impacts", model.impacts);
   visit("overstretch", model.overstretch, "the largest of a run");
   visit("energy", model.energy, "the largest of a run");
+  visit("flight", model.flight, "the largest of a run");
 }
 
 template <class Visitor>

@@ -215,6 +215,10 @@ void fields(Visitor& visit, Judgement& judgement) {
   visit("overstretch", judgement.overstretch, "the largest, in units of what a step explains");
   visit("energy", judgement.energy,
         "the largest rise outside contacts, in units of mass acceleration speed step");
+  visit(
+      "flight", judgement.flight,
+      "how far the acceleration in flight is off, as a part of gravity, or without gravity of the "
+      "largest acceleration");
 }
 
 template <class Visitor>
@@ -238,7 +242,7 @@ void fields(Visitor& visit, Attribution& attribution) {
 template <class Visitor>
 void fields(Visitor& visit, Problem& problem) {
   visit("kind", problem.kind,
-        "restitution, position, events, missed-impacts, overstretch, energy, failure, "
+        "restitution, position, events, missed-impacts, overstretch, energy, flight, failure, "
         "or the kind of a finding of the audit");
   visit("sentence", problem.sentence);
   visit("value", problem.value, "of the kind: a ratio, a deviation or a count");

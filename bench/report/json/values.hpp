@@ -37,7 +37,7 @@ struct ByMetric {
 template <>
 struct Words<Status> {
   static constexpr std::array all = {Status::finished, Status::stopped, Status::diverged,
-                                     Status::failed};
+                                     Status::failed, Status::unsupported};
 };
 template <>
 struct Words<Rebound> {

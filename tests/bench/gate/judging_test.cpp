@@ -97,6 +97,7 @@ TEST(Verdict, EachPartOfAJudgementIsAProblemOfItsKind) {
        }},
       {"overstretch", [](RunRow& run) { run.judgement->overstretch = 2.1; }},
       {"energy", [](RunRow& run) { run.judgement->energy = 3.1; }},
+      {"flight", [](RunRow& run) { run.judgement->flight = 0.01; }},
       {"failure", [](RunRow& run) { run.status = Status::diverged; }},
       {"events",
        [](RunRow& run) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
 
@@ -29,7 +31,7 @@ class EventAdapter {
 
   /// What the engine's numbers and its solver leave.
   struct Rounding {
-    double gap;   // [-], of a gap against the cable's length
+    double gap;   // [-], of a gap against `gap_scale`
     double rate;  // [-], of a gap rate against the speed of the body
   };
 
@@ -40,5 +42,11 @@ class EventAdapter {
   /// What an engine in float leaves, near cables a few metres long: two and some twenty roundings.
   static constexpr Rounding float_rounding = {3e-7, 3e-6};
 };
+
+/// What a gap is rounded against [m]: the cable's length, and far from the origin the body's
+/// distance from it, as the coordinates of a pose have no more digits there.
+[[nodiscard]] inline double gap_scale(const Cable& cable, const State& state) {
+  return std::max(cable.length, state.position.norm());
+}
 
 }  // namespace tautline

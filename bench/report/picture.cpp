@@ -152,7 +152,7 @@ std::vector<std::string> captions(const ImpactStills& stills) {
   const std::string closing =
       fmt::format("taut: closes at {}", speed_text(*stills.the_case, before));
   if (stills.exact) {
-    return {"slack: both fly", closing,
+    return {"before the impact", closing,
             fmt::format("then: {} apart",
                         length_text(*stills.the_case,
                                     distance(stills.path, *stills.exact, stills.times[2])))};
@@ -201,7 +201,10 @@ constexpr double visible_error = 0.05;
 /// Up to its impact a run is where the exact motion is, within this part of what the case covers
 /// [-]; after it the two are seen to part by so much.
 constexpr double same_place = 0.01;
-constexpr double parted = 0.03;
+constexpr double parted = 0.02;
+
+/// A run's impact is the exact one that it is later or earlier than by no more of its steps.
+constexpr double late_steps = 5.0;
 
 /// The instants of the exact impacts of a case, of those of `cable` alone or of all [s].
 std::vector<double> exact_impacts(const EventColumns& events, std::optional<std::size_t> cable) {
@@ -238,6 +241,9 @@ std::optional<ImpactStills> pair_of(const CaseRow& the_case, const RunRow& run,
   const double time = *std::min_element(of_cable.begin(), of_cable.end(), [&](double a, double b) {
     return std::abs(a - mine) < std::abs(b - mine);
   });
+  if (std::abs(time - mine) > late_steps * run.key.step) {
+    return std::nullopt;  // another impact
+  }
   const std::vector<double> all = exact_impacts(events, {});
   const auto found = std::lower_bound(all.begin(), all.end(), time);
   const double before = found != all.begin() ? *std::prev(found) : 0.0;
@@ -254,6 +260,7 @@ std::optional<ImpactStills> pair_of(const CaseRow& the_case, const RunRow& run,
   const double same = same_place * the_case.extent;
   if (distance(path, exact, times[0]) > same || distance(path, exact, time) > same ||
       least_gap(the_case, exact, times[0]) < least_slack ||
+      least_gap(the_case, path, times[0]) < least_slack ||
       distance(path, exact, times[2]) < parted * the_case.extent) {
     return std::nullopt;
   }
@@ -431,7 +438,7 @@ std::string motion_svg(const ImpactStills& stills, const DrawnPath& path, std::s
 }  // namespace
 
 std::optional<ImpactStills> impact_stills(const Report& report, const Replay& replay) {
-  for (const double least_slack : {visible_gap, 0.0}) {
+  for (const double least_slack : {visible_gap, -1.0}) {  // better a slack cable before it
     if (auto stills = worst_pair(report, replay, least_slack)) {
       return stills;
     }

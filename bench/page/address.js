@@ -1,5 +1,5 @@
 // The state of the page in its address, so that a maintainer can link to what he sees:
-// "#section?key=value&...". `case` and `step` hold for the whole page, and so do `engines`, those
+// "#section?key=value&...". `model`, `case` and `step` hold for the whole page, and so do `engines`, those
 // that are shown (none: all), and `off`, models that are not. A part of the page has keys of its
 // own, such as "cases.sort" and "replay.t".
 (() => {

@@ -28,8 +28,7 @@
 
   /// {name, shares, deviation, covered} of what is drawn, first on top.
   function rows() {
-    const fits = (row) => String(row.step) === choice.step && filter.shows(row.engine)
-      && !filter.isOff(row.engine, row.model);
+    const fits = ({ engine, model, step }) => String(step) === choice.step && filter.fits({ engine, model });
     const name = (row) => `${row.engine} ${row.model}`;
     const found = choice.case
       ? report.runs.filter((run) => run.case === choice.case && fits(run)).map((run) => ({
@@ -70,5 +69,5 @@
   element.before(make('div', { class: 'controls' },
     filter.bound('Case', [['', 'all cases'], ...report.cases.map((one) => [one.name, one.name])], 'case').element,
     filter.bound('Step [s]', steps.map((step) => [String(step), String(step)]), 'step', middle).element));
-  address.listen(() => made.update(), ['case', 'step', 'engines', 'off']);
+  address.listen(() => made.update(), filter.keys);
 })();

@@ -35,13 +35,13 @@
         : shown()[0] || engines[0];
     },
     get model() {
-      const wanted = address.get('audit.model');
+      const wanted = address.get('model');
       return modelsOf(choice.engine).includes(wanted) ? wanted : '';
     } };
 
   const chosen = () => audited.filter((run) => run.engine === choice.engine
     && (!choice.case || run.case === choice.case) && (!choice.model || run.model === choice.model)
-    && (!choice.step || String(run.step) === choice.step));
+    && (!choice.step || String(run.step) === choice.step) && !filter.isOff(run.engine, run.model));
 
   /// The impacts of the chosen runs by model, thinned: {total, missing, numbers, models: [{model, rows}]}; `numbers` has all.
   /// `missing` impacts of these runs are not on the page.
@@ -205,9 +205,9 @@
   };
   const all = (text, values) => [['', text], ...values.map((value) => [String(value), String(value)])];
   const choices = (names) => names.map((name) => [name, name]);
-  const engine = select('Engine', choices(engines), choice.engine, (name) => address.set({ 'audit.engine': name, 'audit.model': '' }));
+  const engine = select('Engine', choices(engines), choice.engine, (name) => address.set({ 'audit.engine': name, model: '' }));
   const model = select('Model', all('all models', modelsOf(choice.engine)), choice.model,
-    (name) => address.set({ 'audit.model': name }));
+    (name) => address.set({ model: name }));
   app.replaceChildren(make('div', { class: 'controls' }, engine.element, model.element,
     filter.bound('Step [s]', all('all steps', steps), 'step').element,
     filter.bound('Case', all('all cases', report.cases.map((one) => one.name)), 'case').element));
@@ -222,12 +222,12 @@
   chart(place(ids.ladder, 'Bounce ladder: heights over the first, against e^(2n).'), ladder);
   address.listen(() => {
     document.querySelectorAll('#audit .findings li').forEach((item) => {
-      item.hidden = !filter.shows(item.dataset.engine);
+      item.hidden = !filter.chooses({ ...item.dataset });
     });
     refill(engine, choices([...new Set([...shown(), ...(engines.includes('exact') ? ['exact'] : [])])]));
     engine.box.value = choice.engine;
     refill(model, all('all models', modelsOf(choice.engine)));
     model.box.value = choice.model;
     Object.values(ids).forEach((id) => tautline.charts[id]?.update());
-  }, ['case', 'step', 'engines', 'audit.engine', 'audit.model']);
+  }, [...filter.keys, 'audit.engine']);
 })();

@@ -150,9 +150,9 @@
       const width = Math.max(available, leastWidth);
       const { all, foot, floored, top } = drawn(choice, abscissa);
       const visible = all.filter((point) => !filter.isOff(point.engine, point.model));
-      const panels = filter.choices.filter((engine) => filter.shows(engine)
-        && all.some((point) => point.engine === engine));
-      if (panels.length === 0 || visible.length === 0) {
+      const own = visible.filter(({ engine, model }) => filter.fits({ engine, model }));
+      const panels = filter.choices.filter((engine) => own.some((point) => point.engine === engine));
+      if (panels.length === 0) {
         return { empty: 'No run of this choice has an error to draw.' };
       }
       const best = front(visible, abscissa);
@@ -189,14 +189,14 @@
           text: `<b>${engine}</b>`, showarrow: false, font: { color: colours.ink, size: 13 } });
         data.push(others(visible, engine, panel, abscissa, colours),
           ...(abscissa === 'step' ? guides(span, top, foot, panel, colours) : [frontLine(best, panel, abscissa, colours)]),
-          ...models.filter((model) => model.engine === engine && !filter.isOff(engine, model.model)).map((model) =>
+          ...models.filter((model) => model.engine === engine && filter.fits(model)).map((model) =>
             curve(model, visible.filter((point) => key(point) === key(model)), panel, choice, abscissa, colours,
               abscissa === 'cost' ? onFront : new Set())));
       });
       const what = abscissa === 'cost' ? 'Dotted: the front of all engines, on which nothing is both cheaper and more '
         + `accurate; its points are ringed. Bars: the middle half of the ${choice.case ? 'repetitions' : 'cases'}. Grey: the other engines.`
         : 'Grey: the other engines; the straight lines have slopes 1 and 2.';
-      return { data, layout, note: what, numbers: () => numbers(visible, choice) };
+      return { data, layout, note: what, numbers: () => numbers(own, choice) };
     };
   }
 
@@ -217,8 +217,9 @@
         ['horizon_position_error', 'to the predictability horizon']], 'error', 'early_position_error').element));
     element.after(keys);
     const byName = [...models].sort((a, b) => filter.choices.indexOf(a.engine) - filter.choices.indexOf(b.engine));
-    const rows = () => legend(keys, byName.filter(({ engine }) => engine !== 'exact' && filter.shows(engine)), notes);
-    address.listen(() => { rows(); made.update(); }, ['case', 'error', 'engines', 'off']);
+    const rows = () => legend(keys, byName.filter((one) => one.engine !== 'exact' && filter.chooses(one)),
+      choice.case ? {} : notes); // slopes are medians over the cases
+    address.listen(() => { rows(); made.update(); }, [...filter.keys, 'error']);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', rows);
     addEventListener('beforeprint', rows);
     addEventListener('afterprint', rows);

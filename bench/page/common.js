@@ -14,6 +14,13 @@
     }
   }
 
+  const asked = new Map(report.cases.map((row) => [row.name, row.geometry[0].restitution]));
+  for (const run of report.runs) {
+    run.status ??= 'finished'; // which nearly all are
+    if (run.e) {
+      run.e = [run.e[0], asked.get(run.case), run.e[1]]; // a word, the restitution asked and got
+    }
+  }
   // impacts come as columns, whose names stand once; behind the first, one of a single value as that value
   for (const run of report.runs.filter((one) => one.impacts)) {
     const [{ length }] = run.impacts;

@@ -3,7 +3,7 @@
 // from event to event.
 (() => {
   'use strict';
-  const { report, make, select, refill, sample, number, plots, scene } = tautline;
+  const { report, filter, make, select, refill, sample, number, plots, scene } = tautline;
   const { exactMotion, runMotion, eventTimes } = tautline.motions;
   const app = document.getElementById('replay-app');
   const cases = report.cases.filter((one) => one.path && one.path.time.steps.length > 0);
@@ -21,8 +21,14 @@
   /// With less motion, how long an event stands [ms].
   const stand = 1200;
 
+  /// The pair of the picture at the top, where it has one.
+  const hero = document.querySelector('.stills[data-case]')?.dataset ?? {};
+  const home = cases.find((one) => one.name === hero.case) ?? cases[0];
+  const heroRun = report.runs.find((run) => run.case === home.name && run.engine === hero.engine && run.model === hero.model
+    && String(run.step) === hero.step && run.impacts);
+
   /// `recorded` are the motions of the case's runs, null until they came; `problem` says why they do not.
-  const state = { system: cases[0], runs: [], recorded: null, problem: '', motions: [exactMotion(cases[0])], cable: 0, time: 0, speed: 1, playing: false };
+  const state = { system: home, runs: [], recorded: null, problem: '', motions: [exactMotion(home)], cable: 0, time: 0, speed: 1, playing: false };
   let picture;
   let times = [];
   /// The next step of a play: a frame, or with less motion a timer. Pausing takes it back, or the next play has two.
@@ -32,9 +38,15 @@
   const keyOf = (run) => `${run.engine} ${run.model} ${run.step}`;
   const end = () => state.motions[0].path.time[state.motions[0].path.time.length - 1];
 
-  /// Runs to start with: the first model of the first engines, at the middle step.
+  /// Runs to start with: that of the picture, or the one whose restitution is off the most, or the first
+  /// model of the first engines, at the middle step.
   function firstRuns(system) {
-    const runs = runsOf(system).filter((run) => run.engine !== 'exact');
+    const runs = runsOf(system).filter((run) => run.engine !== 'exact' && filter.fits(run));
+    const off = ({ e }) => (e && e[0] !== 0 && e[0] !== 2 ? Math.abs(e[2] - e[1]) : -1);
+    const worst = runs.includes(heroRun) ? heroRun : [...runs].sort((a, b) => off(b) - off(a))[0];
+    if (worst && (worst === heroRun || off(worst) > 0)) {
+      return [keyOf(worst)];
+    }
     const steps = [...new Set(runs.map((run) => run.step))].sort((a, b) => b - a);
     const middle = runs.filter((run) => run.step === steps[steps.length >> 1]);
     const engines = [...new Set(middle.map((run) => run.engine))].slice(0, 2);
@@ -205,7 +217,7 @@
     ['2', '\u00d7 2'], ['4', '\u00d7 4']];
   app.replaceChildren(
     make('div', { class: 'controls' },
-      select('Case', cases.map((one) => [one.name, one.name]), cases[0].name, (value) => {
+      select('Case', cases.map((one) => [one.name, one.name]), home.name, (value) => {
         stop();
         choose(cases.find((one) => one.name === value));
       }).element, ...runSelects.map((one) => one.element)),
@@ -246,7 +258,7 @@
   const near = new IntersectionObserver((entries) => {
     if (entries.some((one) => one.isIntersecting)) {
       near.disconnect();
-      choose(cases[0]);
+      choose(home);
       tautline.replay.started?.();
     }
   }, { rootMargin: '300px' });
@@ -258,7 +270,7 @@
   canvas.before(stills);
   addEventListener('beforeprint', () => {
     if (!picture) {
-      choose(cases[0]);
+      choose(home);
     }
     const last = Math.min(end(), state.system.horizon);
     const instants = [0, 1, 2, 3].map((part) => part * last / 3);
@@ -273,9 +285,9 @@
   addEventListener('afterprint', () => stills.replaceChildren());
 
   // for the address
-  tautline.replay = { state, show, runs: () => state.runs.filter(Boolean),
+  tautline.replay = { state, home, show, runs: () => state.runs.filter(Boolean),
     chooseCase: (name) => {
-      choose(cases.find((one) => one.name === name) || cases[0]);
+      choose(cases.find((one) => one.name === name) || home);
       app.querySelector('select').value = state.system.name;
     },
     chooseRuns: (keys) => { runSelects.forEach((one, i) => { one.box.value = keys[i] || ''; state.runs[i] = one.box.value; }); load(); } };

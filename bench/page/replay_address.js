@@ -13,9 +13,9 @@
   /// What the address says: only what is another than what is shown, so that nothing starts anew.
   function take() {
     taking = true;
-    const name = address.get('case');
+    const name = address.get('case') || replay.home.name; // without a choice, the pair of the picture
     const runs = address.get('replay.runs');
-    if (name && name !== state.system.name) {
+    if (name !== state.system.name) {
       replay.chooseCase(name);
     }
     if (runs && runs !== replay.runs().join(';')) {
@@ -38,6 +38,6 @@
     clearTimeout(later);
     later = setTimeout(() => address.set({ 'replay.t': state.time > 0 ? told(state.time) : '',
       'replay.runs': replay.runs().join(';'),
-      ...(address.get('case') || state.system !== tautline.report.cases[0] ? { case: state.system.name } : {}) }), 150);
+      ...(address.get('case') || state.system !== replay.home ? { case: state.system.name } : {}) }), 150);
   };
 })();

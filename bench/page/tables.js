@@ -1,5 +1,5 @@
 // Sorting and filtering of the page's tables. What the tables say stands in the page without this; the
-// order and the filters are part of the address, so that a view can be passed on. Case, step and
+// order and the filters are part of the address, so that a view can be passed on. Case, step, model and
 // engines are those of the whole page.
 (() => {
   'use strict';
@@ -51,15 +51,14 @@
   }
 
   /// Shows the rows that fit and counts them; the control fits whatever engine, model or word.
-  function filtered(bodies, wanted) {
-    const words = (wanted.text ?? '').toLowerCase().split(/\s+/).filter(Boolean);
+  function filtered(bodies, by, text) {
+    const words = text.toLowerCase().split(/\s+/).filter(Boolean);
     let [shown, all] = [0, 0];
     for (const { body, rows } of bodies) {
       const [apart, missing] = [body.classList.contains('control'), body.classList.contains('missing')];
-      for (const { row, values, text } of rows) {
-        const fits = filter.shows(values.engine) && (missing || ['case', 'model', 'step'].every((key) =>
-          !wanted[key] || !(key in values) || (apart && key === 'model') || String(values[key]) === wanted[key]));
-        const hidden = !(fits && (apart || missing || words.every((word) => text.includes(word))));
+      for (const { row, values, text: own } of rows) {
+        const of = Object.fromEntries((missing ? ['engine'] : by).filter((key) => key in values).map((key) => [key, values[key]]));
+        const hidden = !(filter.fits(of) && (apart || missing || words.every((word) => own.includes(word))));
         if (row.hidden !== hidden) {
           row.hidden = hidden;
         }
@@ -72,8 +71,8 @@
     return { shown, all };
   }
 
-  /// `own` are the keys that are this table's; `shared` those of the whole page.
-  function setUp(table, name, shared, own) {
+  /// `by` are the keys of the page's filter that its rows are chosen by; it has inputs for the `shared` ones.
+  function setUp(table, name, by, shared = []) {
     if (!table) {
       return;
     }
@@ -82,17 +81,18 @@
     const fold = table.closest('details');
     const inputs = new Map();
     const state = () => Object.fromEntries([...shared.map((key) => [key, address.get(key)]),
-      ...['sort', 'order', 'text', ...own].map((key) => [key, address.get(`${name}.${key}`)])]);
+      ...['sort', 'order', 'text'].map((key) => [key, address.get(`${name}.${key}`)])]);
     const place = (key) => (shared.includes(key) ? key : `${name}.${key}`);
     const change = (part) => address.set(Object.fromEntries(Object.entries(part)
       .map(([key, value]) => [place(key), value])));
 
     const count = make('output');
     const reset = make('button', { type: 'button', on: { click: () => {
-      address.set(Object.fromEntries([...shared, ...own, 'text'].map((key) => [place(key), '']).concat([['engines', '']])));
+      filter.clear();
+      change({ text: '' });
     } } }, 'show all');
     const bar = make('div', { class: 'filters' });
-    for (const key of [...shared, ...own]) {
+    for (const key of shared) {
       const values = [...new Set(bodies.filter(({ body }) => body.className === '')
         .flatMap(({ rows }) => rows.map((row) => String(row.values[key]))))];
       const input = make('select', { name: key, on: { change: () => change({ [key]: input.value }) } },
@@ -103,7 +103,7 @@
     const search = make('input', { type: 'search', name: 'text', on: { input: () => change({ text: search.value }) } });
     inputs.set('text', search);
     bar.append(make('label', {}, 'text', search), count, reset);
-    if (shared.length + own.length > 0) {
+    if (shared.length > 0) {
       (fold ?? table.parentElement).before(bar); // a short table needs none
     }
 
@@ -144,13 +144,12 @@
         }
       }
       before = now;
-      const engines = address.get('engines');
-      const filters = JSON.stringify([now, engines]);
+      const filters = JSON.stringify([now, ...filter.keys.map(address.get)]);
       if (filters === seen) {
         return;
       }
       seen = filters;
-      const { shown, all } = filtered(bodies, now);
+      const { shown, all } = filtered(bodies, by, now.text ?? '');
       count.textContent = shown === all ? `${all} rows` : `${shown} of ${all} rows`;
       reset.hidden = shown === all;
       if (fold) {
@@ -162,7 +161,14 @@
     });
   }
 
-  setUp(document.getElementById('scorecards-table'), 'engines', [], []);
-  setUp(document.getElementById('answers-table'), 'answers', ['step'], ['model']);
-  setUp(document.getElementById('cases-table'), 'cases', ['case', 'step'], ['model']);
+  // what is of all cases or of all steps is not chosen by them: filter.js says so
+  const models = ['engine', 'model'];
+  const setups = [...models, 'step'];
+  for (const [id, name, by, shared] of [['scorecards-table', 'engines', models], ['slopes-table', 'slopes', models],
+    ['attribution-table', 'causes', setups], ['distributions-table', 'settling', setups],
+    ['answers-table', 'answers', setups, ['step', 'model']],
+    ['cases-table', 'cases', [...setups, 'case'], ['case', 'step', 'model']],
+    ['steps-table', 'steps', ['case']], ['certified-table', 'trust', ['case']]]) {
+    setUp(document.getElementById(id), name, by, shared);
+  }
 })();

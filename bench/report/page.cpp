@@ -33,11 +33,13 @@ std::string contents(const Report& report) {
     std::string_view id;
     std::string_view name;
   };
-  constexpr Link links[] = {
-      {"engines", "Engines"},    {"trust", "Trust"},       {"error", "Error and cost"},
-      {"replay", "Replay"},      {"audit", "Restitution"}, {"distributions", "Settling"},
-      {"attribution", "Causes"}, {"answers", "Numbers"},   {"cases", "Every run"},
-      {"models", "Models"},      {"reading", "Reading"},   {"context", "Context"}};
+  constexpr Link links[] = {{"engines", "Engines"},        {"trust", "Trust"},
+                            {"error", "Error and cost"},   {"steps", "Steps"},
+                            {"replay", "Replay"},          {"audit", "Restitution"},
+                            {"distributions", "Settling"}, {"attribution", "Causes"},
+                            {"answers", "Numbers"},        {"cases", "Every run"},
+                            {"models", "Models"},          {"reading", "Reading"},
+                            {"context", "Context"}};
   std::string out = "<nav aria-label=\"Sections\">\n";
   for (const auto& [id, name] : links) {
     if (id != "distributions" || report.distributions) {
@@ -246,12 +248,38 @@ std::string scope(const Report& report) {
           : fmt::format(" ({} of engines, {} of the control)", all - controls, controls));
 }
 
+/// What the page is about, for one who has never seen it.
+std::string lead_paragraph(const Report& report) {
+  std::set<std::string> engines;
+  for (const RunRow& run : report.runs) {
+    if (run.key.engine != control) {
+      engines.insert(run.key.engine);
+    }
+  }
+  return fmt::format(
+      "<p class=\"lead-in\">{} simulate a body on cables that are slack or taut, in {} whose exact "
+      "motion is known. Each is compared with it; the worst comes first.</p>\n",
+      counted(engines.size(), "physics engine"), counted(report.cases.size(), "case"));
+}
+
+/// Which step each case needs.
+std::string steps_section(const Report& report) {
+  const Table table = steps_table(report);
+  return table.empty()
+             ? ""
+             : "<section id=\"steps\">\n<h2>Which step does a case need?</h2>\n" +
+                   html_table(in_units_of(report, table), "steps-table", how_to_read_steps()) +
+                   "</section>\n";
+}
+
 }  // namespace
 
 std::string report_html(const Report& report, const Replay& replay, const PageAssets& assets) {
+  const std::optional<ImpactStills> stills = impact_stills(report, replay);
   std::string out =
-      fmt::format("<header>\n<h1>{}</h1>\n{}{}{}", title, picture_html(report, replay),
-                  verdict_paragraph(report), folded("In sentences", answer_paragraph(report)));
+      fmt::format("<header>\n<h1>{}</h1>\n{}{}{}{}", title, lead_paragraph(report),
+                  picture_html(stills ? &*stills : nullptr), verdict_paragraph(report),
+                  folded("How many runs, and how they ended", answer_paragraph(report)));
   if (assets.plotly.empty()) {
     out +=
         "<p class=\"note\">Charts are not in this build of tautline: it was made without "
@@ -259,7 +287,7 @@ std::string report_html(const Report& report, const Replay& replay, const PageAs
   }
   out += "</header>\n" + contents(report) + "<main>\n" + scorecards_section(report) +
          trust_section(report);
-  out += error_section(report) + replay_section() + audit_section(report);
+  out += error_section(report) + steps_section(report) + replay_section() + audit_section(report);
   out += distributions_section(report) + causes_section(report);
   out += answers_section(report) + runs_section(report);
   out += models_section(report);
@@ -284,13 +312,18 @@ std::string folded(const std::string& summary, const std::string& html) {
 }
 
 std::string verdict_paragraph(const Report& report) {
+  const std::vector<Scorecard> cards = worst_first_scorecards(report);
   std::string out;
-  for (const Scorecard& card : worst_first_scorecards(report)) {
-    out += fmt::format("<li data-engine=\"{0}\"><b class=\"{1}\"><span>{0}</span></b> {2}</li>\n",
-                       html_text(card.engine), verdict_kind(card.verdicts.worst()),
-                       html_text(sentence_of(card), 500));
+  for (const Scorecard& card : cards) {
+    const EngineWords words = words_of(card);
+    out += fmt::format(
+        "<li data-engine=\"{0}\" data-model=\"{1}\" data-use=\"{2}\"><b class=\"{3}\"><span>{0}"
+        "</span></b><p class=\"fault\">{4}</p><p class=\"advice\">{5}</p></li>\n",
+        html_text(card.engine), html_text(words.model), html_text(card.use ? card.use->model : ""),
+        verdict_kind(words.word), html_text(words.fault, longest_sentence),
+        html_text(words.advice, longest_sentence));
   }
-  return "<ul class=\"answer engines\">\n" + out + "</ul>\n";
+  return out.empty() ? "" : "<ul class=\"engines\">\n" + out + "</ul>\n";
 }
 
 std::string scorecards_section(const Report& report) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "bench/base/html.hpp"
@@ -72,20 +74,13 @@ std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run
       std::abs(gap_of(cable, pose_at(path, time))) > taut * cable.length) {
     return std::nullopt;
   }
-  return ImpactStills{&the_case, &run, &impacts, path, index, place, times};
+  return ImpactStills{&the_case, &run, &impacts, path, {}, index, place, times};
 }
 
 /// How slack all cables are seen to be, before or after, whichever is less [-].
 double clearness(const ImpactStills& stills) {
   return std::min(least_gap(*stills.the_case, stills.path, stills.times[0]),
                   least_gap(*stills.the_case, stills.path, stills.times[2]));
-}
-
-/// By how much the restitution got differs from the one asked for [-].
-double restitution_error(const ImpactStills& stills) {
-  const ImpactColumns& impacts = *stills.impacts;
-  return std::abs(impacts.rate_after[stills.impact] / -impacts.rate_before[stills.impact] -
-                  impacts.requested[stills.impact]);
 }
 
 /// The path of a run: of the exact motion that of its case, which a report that was read back has
@@ -99,9 +94,9 @@ std::optional<Path> path_of(const Report& report, const Replay& replay, std::siz
   return of < replay.cases.size() ? std::optional(replay.cases[of].path) : std::nullopt;
 }
 
-/// The stills of the run at `index` that are best by `measure`.
-std::optional<ImpactStills> stills_of(const Report& report, const Replay& replay, std::size_t index,
-                                      double (*measure)(const ImpactStills&)) {
+/// The stills of the run at `index` that are clearest.
+std::optional<ImpactStills> stills_of(const Report& report, const Replay& replay,
+                                      std::size_t index) {
   const RunRow& run = report.runs[index];
   const std::optional<ImpactColumns>& impacts = replay.of_run(index).impacts;
   const CaseRow* const the_case = case_of(report, run);
@@ -114,7 +109,7 @@ std::optional<ImpactStills> stills_of(const Report& report, const Replay& replay
   std::optional<ImpactStills> best;
   for (std::size_t place = 0; place < impacts->time.size(); ++place) {
     const auto stills = stills_of(*the_case, run, *impacts, path, place);
-    if (stills && (!best || measure(*stills) > measure(*best))) {
+    if (stills && (!best || clearness(*stills) > clearness(*best))) {
       best = stills;
     }
   }
@@ -131,49 +126,175 @@ std::string instant_text(const ImpactStills& stills, std::size_t still) {
                      is_nondimensional(*stills.the_case) ? "" : " s");
 }
 
+/// The restitution that came of the impact at `place` [-]; none is 0.
+double got(const ImpactColumns& impacts, std::size_t place) {
+  return std::max(0.0, impacts.rate_after[place] / -impacts.rate_before[place]);
+}
+
+/// By how much it differs from the one asked for [-].
+double restitution_error(const ImpactColumns& impacts, std::size_t place) {
+  return std::abs(got(impacts, place) - impacts.requested[place]);
+}
+
+/// How far apart two bodies are at an instant [m].
+double distance(const DrawnPath& one, const DrawnPath& other, double time) {
+  return (pose_at(one, time).centre - pose_at(other, time).centre).norm();
+}
+
+std::string length_text(const CaseRow& the_case, double length) {
+  return fmt::format("{:.2g}{}", length, is_nondimensional(the_case) ? "" : " m");
+}
+
 std::vector<std::string> captions(const ImpactStills& stills) {
   const ImpactColumns& impacts = *stills.impacts;
   const double before = -impacts.rate_before[stills.impact];
   const double after = impacts.rate_after[stills.impact];
-  return {
-      "slack: the body flies",
-      fmt::format("taut: closes at {}", speed_text(*stills.the_case, before)),
-      fmt::format("rebound: opens at {}", speed_text(*stills.the_case, after)),
-  };
+  const std::string closing =
+      fmt::format("taut: closes at {}", speed_text(*stills.the_case, before));
+  if (stills.exact) {
+    return {"before the impact", closing,
+            fmt::format("then: {} apart",
+                        length_text(*stills.the_case,
+                                    distance(stills.path, *stills.exact, stills.times[2])))};
+  }
+  return {"slack: the body flies", closing,
+          fmt::format("rebound: opens at {}", speed_text(*stills.the_case, after))};
+}
+
+/// "Restitution asked: 0.5; got: 0.65."
+std::string asked_and_got(const ImpactStills& stills) {
+  const auto shown = [](double value) { return std::round(1000.0 * value) / 1000.0; };
+  return fmt::format("Restitution asked: <b>{:.3g}</b>; got: <b>{:.3g}</b>.",
+                     shown(stills.impacts->requested[stills.impact]),
+                     shown(got(*stills.impacts, stills.impact)));
 }
 
 std::string legend_html(const ImpactStills& stills) {
   const ImpactColumns& impacts = *stills.impacts;
   const RunKey& key = stills.run->key;
   const double before = -impacts.rate_before[stills.impact];
-  const double after = impacts.rate_after[stills.impact];
+  if (stills.exact) {
+    return fmt::format(
+        "<figcaption>\n<p>A cable does nothing until it is taut. Then it throws the body back with "
+        "a "
+        "part of its speed, the restitution: 1 is all of it, 0 is none.</p>\n<p>The largest error "
+        "of a rebound found here: {}</p>\n"
+        "<p class=\"pair\"><span class=\"is-exact\">exact motion</span> <span "
+        "class=\"is-engine\">{} {}</span></p>\n<p class=\"note\">One start, case <code>{}</code>, "
+        "step {:g}{}. <a href=\"#replay\">Play both</a></p>\n</figcaption>\n",
+        asked_and_got(stills), html_text(key.engine), html_text(key.model), html_text(key.the_case),
+        key.step, is_nondimensional(*stills.the_case) ? "" : " s");
+  }
   return fmt::format(
-      "<figcaption>A cable does nothing until it is taut, and then acts in an instant. Case "
+      "<figcaption>\n<p>A cable does nothing until it is taut, and then acts in an instant. Case "
       "<code>{}</code> in <code>{} {}</code>, impact at {}: cable {} closes at {} and opens at {}. "
-      "Restitution asked: <b>{:.4g}</b>; got: <b>{:.4g}</b>. {}</figcaption>\n",
+      "{} {}</p>\n</figcaption>\n",
       html_text(key.the_case), html_text(key.engine), html_text(key.model), instant_text(stills, 1),
-      stills.cable, speed_text(*stills.the_case, before), speed_text(*stills.the_case, after),
-      impacts.requested[stills.impact], after / before,
-      key.engine == control ? "Engines are compared with this motion."
-                            : "The exact motion rebounds as asked.");
+      stills.cable, speed_text(*stills.the_case, before),
+      speed_text(*stills.the_case, impacts.rate_after[stills.impact]), asked_and_got(stills),
+      key.engine == control ? "Engines are compared with this motion." : "");
 }
 
 /// An error of a restitution that is seen [-].
 constexpr double visible_error = 0.05;
 
-/// The impact of an engine that is off the most, of the runs whose rebounds are off; none where no
-/// error is seen.
-std::optional<ImpactStills> worst_stills(const Report& report, const Replay& replay) {
+/// Up to its impact a run is where the exact motion is, within this part of what the case covers
+/// [-]; after it the two are seen to part by so much.
+constexpr double same_place = 0.01;
+constexpr double parted = 0.02;
+
+/// A run's impact is the exact one that it is later or earlier than by no more of its steps.
+constexpr double late_steps = 5.0;
+
+/// The instants of the exact impacts of a case, of those of `cable` alone or of all [s].
+std::vector<double> exact_impacts(const EventColumns& events, std::optional<std::size_t> cable) {
+  std::vector<double> times;
+  for (std::size_t place = 0; place < events.time.size(); ++place) {
+    const auto& cables = events.cables[place];
+    if (events.kind[place] == "impact" &&
+        (!cable || std::find(cables.begin(), cables.end(), *cable) != cables.end())) {
+      times.push_back(events.time[place]);
+    }
+  }
+  return times;
+}
+
+/// The first of `times`, which rise, that is later than `time`.
+std::optional<double> next_after(const std::vector<double>& times, double time) {
+  const auto found = std::upper_bound(times.begin(), times.end(), time);
+  return found != times.end() ? std::optional(*found) : std::nullopt;
+}
+
+/// The run's impact at `place` with the exact motion beside it; none where the two are not at one
+/// place up to it, or do not part visibly after it, or no cable is slack by `least_slack` before
+/// it, of its length.
+std::optional<ImpactStills> pair_of(const CaseRow& the_case, const RunRow& run,
+                                    const ImpactColumns& impacts, const DrawnPath& path,
+                                    const EventColumns& events, const DrawnPath& exact,
+                                    std::size_t place, double least_slack) {
+  const std::size_t index = impacts.cable[place];
+  const std::vector<double> of_cable = exact_impacts(events, index);
+  if (index >= the_case.geometry.size() || of_cable.empty()) {
+    return std::nullopt;
+  }
+  const double mine = impacts.time[place];
+  const double time = *std::min_element(of_cable.begin(), of_cable.end(), [&](double a, double b) {
+    return std::abs(a - mine) < std::abs(b - mine);
+  });
+  if (std::abs(time - mine) > late_steps * run.key.step) {
+    return std::nullopt;  // another impact
+  }
+  const std::vector<double> all = exact_impacts(events, {});
+  const auto found = std::lower_bound(all.begin(), all.end(), time);
+  const double before = found != all.begin() ? *std::prev(found) : 0.0;
+  const double end = std::min(std::max(next_after(all, time).value_or(the_case.horizon),
+                                       next_after(impacts.time, mine).value_or(the_case.horizon)),
+                              the_case.horizon);
+  std::array<double, 3> times = {slackest(the_case, exact, before, time), time, time};
+  for (int instant = 1; instant <= instants; ++instant) {
+    const double later = time + (end - time) * instant / instants;
+    if (distance(path, exact, later) > distance(path, exact, times[2])) {
+      times[2] = later;
+    }
+  }
+  const double same = same_place * the_case.extent;
+  if (distance(path, exact, times[0]) > same || distance(path, exact, time) > same ||
+      least_gap(the_case, exact, times[0]) < least_slack ||
+      least_gap(the_case, path, times[0]) < least_slack ||
+      distance(path, exact, times[2]) < parted * the_case.extent) {
+    return std::nullopt;
+  }
+  return ImpactStills{&the_case, &run, &impacts, path, exact, index, place, times};
+}
+
+/// The impact of an engine that is off the most, of the runs whose rebounds are off and of the
+/// impacts that can be read; none where no error is seen. `least_slack`: see pair_of.
+std::optional<ImpactStills> worst_pair(const Report& report, const Replay& replay,
+                                       double least_slack) {
   std::optional<ImpactStills> worst;
+  double largest = visible_error;
   for (std::size_t run = 0; run < report.runs.size(); ++run) {
     const RunRow& row = report.runs[run];
-    if (row.key.engine == control || !row.judgement || !row.judgement->rebounds.wrong()) {
+    const auto& [path, impacts] = replay.of_run(run);
+    const CaseRow* const the_case = case_of(report, row);
+    if (row.key.engine == control || !row.judgement || !row.judgement->rebounds.wrong() ||
+        the_case == nullptr || !impacts || !path) {
       continue;
     }
-    const auto stills = stills_of(report, replay, run, restitution_error);
-    if (stills && restitution_error(*stills) > visible_error &&
-        (!worst || restitution_error(*stills) > restitution_error(*worst))) {
-      worst = stills;
+    const CaseReplay& of_case =
+        replay.cases.at(static_cast<std::size_t>(the_case - report.cases.data()));
+    const DrawnPath drawn(*path);
+    const DrawnPath exact(of_case.path);
+    const double slowest = row.judgement->rebounds.slowest.value_or(0.0);
+    for (std::size_t place = 0; place < impacts->time.size(); ++place) {
+      if (-impacts->rate_before[place] < slowest || restitution_error(*impacts, place) <= largest) {
+        continue;
+      }
+      if (auto pair =
+              pair_of(*the_case, row, *impacts, drawn, of_case.events, exact, place, least_slack)) {
+        largest = restitution_error(*impacts, place);
+        worst = std::move(pair);
+      }
     }
   }
   return worst;
@@ -206,15 +327,16 @@ Vec2 end_of(const CableRow& cable, const Pose& pose) {
                           Cable{.attachment = cable.attachment});
 }
 
-/// Room for the anchors and for the body at every still.
-Place place_of_stills(const CaseRow& the_case, const DrawnPath& path,
-                      const std::array<double, 3>& times) {
+/// Room for the anchors and for each body at every still.
+Place place_of_stills(const ImpactStills& stills) {
   std::vector<Vec2> points;
-  for (const CableRow& cable : the_case.geometry) {
+  for (const CableRow& cable : stills.the_case->geometry) {
     points.push_back(cable.anchor);
-    for (const double time : times) {
-      points.push_back(end_of(cable, pose_at(path, time)));
-      points.push_back(pose_at(path, time).centre);
+    for (const double time : stills.times) {
+      for (const DrawnPath* path : {&stills.path, stills.exact ? &*stills.exact : &stills.path}) {
+        points.push_back(end_of(cable, pose_at(*path, time)));
+        points.push_back(pose_at(*path, time).centre);
+      }
     }
   }
   Vec2 low = points.front();
@@ -301,16 +423,30 @@ std::string trail_svg(const DrawnPath& path, double from, double until, const Pl
   return "<path class=\"trail\" d=\"" + points + "\"></path>";
 }
 
+/// A body at `still`, with its cables and the way that it came.
+std::string motion_svg(const ImpactStills& stills, const DrawnPath& path, std::size_t still,
+                       const Place& place) {
+  const Pose pose = pose_at(path, stills.times.at(still));
+  std::string out = trail_svg(path, stills.times.front(), stills.times.at(still), place);
+  for (std::size_t index = 0; index < stills.the_case->geometry.size(); ++index) {
+    const CableRow& cable = stills.the_case->geometry[index];
+    out += cable_svg(*stills.the_case, cable, end_of(cable, pose), place, index == stills.cable);
+  }
+  return out + body_svg(*stills.the_case, pose, place);
+}
+
 }  // namespace
 
 std::optional<ImpactStills> impact_stills(const Report& report, const Replay& replay) {
-  if (auto stills = worst_stills(report, replay)) {
-    return stills;
+  for (const double least_slack : {visible_gap, -1.0}) {  // better a slack cable before it
+    if (auto stills = worst_pair(report, replay, least_slack)) {
+      return stills;
+    }
   }
   for (const bool of_control : {true, false}) {
     for (std::size_t run = 0; run < report.runs.size(); ++run) {
       if ((report.runs[run].key.engine == control) == of_control) {
-        if (auto stills = stills_of(report, replay, run, clearness)) {
+        if (auto stills = stills_of(report, replay, run)) {
           return stills;
         }
       }
@@ -319,18 +455,22 @@ std::optional<ImpactStills> impact_stills(const Report& report, const Replay& re
   return std::nullopt;
 }
 
-std::string picture_html(const Report& report, const Replay& replay) {
-  const std::optional<ImpactStills> stills = impact_stills(report, replay);
-  if (!stills) {
+std::string picture_html(const ImpactStills* stills) {
+  if (stills == nullptr) {
     return "";
   }
   const std::vector<std::string> texts = captions(*stills);
-  std::string out = "<figure class=\"stills\">\n<ol>\n";
+  const RunKey& key = stills->run->key;
+  std::string out =
+      !stills->exact
+          ? "<figure class=\"stills\">\n<ol>\n"
+          : fmt::format(
+                "<figure class=\"stills\" data-case=\"{}\" data-engine=\"{}\" "
+                "data-model=\"{}\" data-step=\"{}\">\n<ol>\n",
+                html_text(key.the_case), html_text(key.engine), html_text(key.model), key.step);
   for (std::size_t still = 0; still < stills->times.size(); ++still) {
-    out +=
-        fmt::format("<li>{}<span class=\"still\"><b>{}</b> {}</span></li>\n",
-                    still_svg(*stills->the_case, stills->path, stills->times, still, stills->cable),
-                    instant_text(*stills, still), texts[still]);
+    out += fmt::format("<li>{}<span class=\"still\"><b>{}</b> {}</span></li>\n",
+                       still_svg(*stills, still), instant_text(*stills, still), texts[still]);
   }
   return out + "</ol>\n" + legend_html(*stills) + "</figure>\n";
 }
@@ -344,19 +484,19 @@ double gap_of(const CableRow& cable, const Pose& pose) {
   return cable.length - (end_of(cable, pose) - cable.anchor).norm();
 }
 
-std::string still_svg(const CaseRow& the_case, const DrawnPath& path,
-                      const std::array<double, 3>& times, std::size_t still, std::size_t struck) {
-  const Place place = place_of_stills(the_case, path, times);
-  const Pose pose = pose_at(path, times.at(still));
+std::string still_svg(const ImpactStills& stills, std::size_t still) {
+  const Place place = place_of_stills(stills);
   std::string out =
-      fmt::format("<svg viewBox=\"0 0 {} {}\" aria-hidden=\"true\">", still_width, height) +
-      trail_svg(path, times.front(), times.at(still), place);
-  for (std::size_t index = 0; index < the_case.geometry.size(); ++index) {
-    const CableRow& cable = the_case.geometry[index];
-    out += cable_svg(the_case, cable, end_of(cable, pose), place, index == struck) +
-           anchor_svg(place(cable.anchor));
+      fmt::format("<svg viewBox=\"0 0 {} {}\" aria-hidden=\"true\">", still_width, height);
+  for (const CableRow& cable : stills.the_case->geometry) {
+    out += anchor_svg(place(cable.anchor));
   }
-  return out + body_svg(the_case, pose, place) + "</svg>";
+  if (!stills.exact) {
+    return out + motion_svg(stills, stills.path, still, place) + "</svg>";
+  }
+  return out + "<g class=\"is-exact\">" + motion_svg(stills, *stills.exact, still, place) +
+         "</g><g class=\"is-engine\">" + motion_svg(stills, stills.path, still, place) +
+         "</g></svg>";
 }
 
 }  // namespace tautline::bench

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/judge/models.hpp"
+#include "bench/judge/step_needed.hpp"
 #include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/audit.hpp"
 #include "bench/measure/metric_list.hpp"
@@ -181,6 +182,7 @@ struct CaseRow {
   std::optional<std::string> motions;    // file beside the page with those of its runs; none: in it
   std::optional<CertifiedDigits> certified;  // none where it was not asked for
   std::vector<Predictable> predictable;      // for each step of the suite
+  StepNeeded step_needed;                    // for the usual question
 };
 
 /// An engine, or why there are no runs of it.

@@ -65,7 +65,7 @@ bool has_problem(const RunRow* run) { return run->verdict && !run->verdict->prob
 std::vector<std::string> wrongs(const Report& report, const ModelCard& card, std::size_t failed) {
   std::vector<std::string> out;
   if (failed > 0) {
-    out.push_back(fmt::format("{} fail", counted(failed, "run")));
+    out.push_back(fmt::format("{} fail{}", counted(failed, "run"), failed == 1 ? "s" : ""));
   }
   if (!card.judged) {
     return out;
@@ -379,7 +379,7 @@ std::vector<Scorecard> worst_first_scorecards(const Report& report) {
   return cards;
 }
 
-std::string sentence_of(const Scorecard& card) {
+EngineWords words_of(const Scorecard& card) {
   std::vector<ModelCard> wrong;
   std::size_t kept = 0;
   for (const ModelCard& model : card.models) {
@@ -389,20 +389,35 @@ std::string sentence_of(const Scorecard& card) {
     }
   }
   std::stable_sort(wrong.begin(), wrong.end(), graver);
-  std::string out;
-  if (!wrong.empty()) {
-    out = fmt::format("{}: {}", printable(wrong.front().model),
-                      printable(wrong.front().wrong.front(), longest_sentence));
-    out += wrong.size() > 1
-               ? fmt::format("; {} of {} models have a problem. ", wrong.size(), card.models.size())
-               : ". ";
-  } else if (kept == card.models.size()) {
-    out = fmt::format("No problem found in {}. ", counted(kept, "model"));
-  } else {
-    out = fmt::format("Too few impacts to judge {} of {}. ", card.models.size() - kept,
-                      counted(card.models.size(), "model"));
+  EngineWords out;
+  out.advice = use_sentence(card);
+  const Word worst = card.verdicts.worst();
+  if (worst == Word::problem || worst == Word::listed_problem) {
+    out.word = worst;
   }
-  return out + use_sentence(card);
+  if (!wrong.empty()) {
+    out.model = wrong.front().model;
+    out.fault = fmt::format("{}: {}", printable(out.model),
+                            printable(wrong.front().wrong.front(), longest_sentence));
+    out.fault += wrong.size() > 1 ? fmt::format("; {} of {} models have a problem.", wrong.size(),
+                                                card.models.size())
+                                  : ".";
+    return out;
+  }
+  out.model = card.use ? card.use->model : card.models.empty() ? "" : card.models.front().model;
+  if (kept == card.models.size()) {
+    out.word = out.word == Word::too_few ? Word::sound : out.word;
+    out.fault = fmt::format("No problem found in {}.", counted(kept, "model"));
+  } else {
+    out.fault = fmt::format("Too few impacts to judge {} of {}.", card.models.size() - kept,
+                            counted(card.models.size(), "model"));
+  }
+  return out;
+}
+
+std::string sentence_of(const Scorecard& card) {
+  const EngineWords words = words_of(card);
+  return words.fault + " " + words.advice;
 }
 
 const char* words_of(Maker maker) {

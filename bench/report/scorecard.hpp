@@ -61,8 +61,16 @@ struct Scorecard {
 /// The same, those with the most grave problems first.
 [[nodiscard]] std::vector<Scorecard> worst_first_scorecards(const Report& report);
 
-/// The faults of the engine's models, and which model to use, in a sentence without its name; not
-/// marked up.
+/// What is said of an engine, in sentences without its name; not marked up.
+struct EngineWords {
+  std::string model;          // whose fault comes first, or else the one to use, or the first
+  std::string fault;          // the faults of its models
+  std::string advice;         // which model to use, at which step, with error and cost
+  Word word = Word::too_few;  // sound only where every model was judged and is
+};
+[[nodiscard]] EngineWords words_of(const Scorecard& card);
+
+/// Fault and advice.
 [[nodiscard]] std::string sentence_of(const Scorecard& card);
 
 /// "as shipped", "made by hand", "tautline's driver".

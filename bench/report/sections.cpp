@@ -102,10 +102,10 @@ std::string chart_place(const std::string& id, const std::string& shows) {
 
 std::string finding_item(const Finding& finding) {
   return fmt::format(
-      "<li data-kind=\"{}\" data-engine=\"{}\"><b>{} {}</b> {} <span "
-      "class=\"evidence\">{}</span></li>\n",
-      html_text(finding.kind), html_text(finding.engine), html_text(finding.engine),
-      html_text(finding.model), html_prose(finding.sentence), evidence_text(finding));
+      "<li data-kind=\"{0}\" data-engine=\"{1}\" data-model=\"{2}\"><b>{1} {2}</b> {3} <span "
+      "class=\"evidence\">{4}</span></li>\n",
+      html_text(finding.kind), html_text(finding.engine), html_text(finding.model),
+      html_prose(finding.sentence), evidence_text(finding));
 }
 
 std::string model_html(const std::string& engine, const Model& model, const std::string& id) {
@@ -152,8 +152,9 @@ std::string error_section(const Report& report) {
       chart_place("chart-cost", "Position error over the cost of a simulated second.") +
           chart_place("chart-step", "Position error over the step, with fitted slopes.") +
           table_html(report, convergence_table(report), "slopes-table",
-                     "Slope of log error over log step of the early position error, over the "
-                     "cases: 1 is first order, 0 does not converge."));
+                     "Slope of log error over log step of the early position error, over all "
+                     "cases and steps: 1 is first order, 0 does not converge. *At rounding*: "
+                     "cases whose error is rounding, which has no slope."));
 }
 
 std::string audit_section(const Report& report) {
@@ -161,10 +162,10 @@ std::string audit_section(const Report& report) {
   for (const Finding& finding : report.findings) {
     list += finding_item(finding);
   }
-  const std::string found = list.empty()
-                                ? paragraph("Nothing was found in the impacts of these runs.")
-                                : paragraph("Found in the impacts of these runs, by program:") +
-                                      "<ul class=\"findings\">\n" + list + "</ul>\n";
+  const std::string found =
+      list.empty() ? paragraph("Nothing was found in the impacts of these runs.")
+                   : paragraph("Found by program in the impacts of the runs, of all cases:") +
+                         "<ul class=\"findings\">\n" + list + "</ul>\n";
   return section("audit", "Restitution, impact by impact",
                  found +
                      "<div id=\"audit-app\"><p class=\"no-script\">The charts of single impacts "
@@ -185,7 +186,7 @@ std::string causes_section(const Report& report) {
       "attribution", heading,
       paragraph(html_prose(how_to_read_causes())) +
           table_html(report, table, "attribution-table",
-                     "What deviations come from, by engine, model and step.") +
+                     "What deviations come from, by engine, model and step, over all cases.") +
           chart_place("chart-attribution", "Shares of the causes, by engine, model and step.") +
           "<dl>\n" + meanings + "</dl>\n");
 }

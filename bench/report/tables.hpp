@@ -38,6 +38,12 @@ inline constexpr const char* how_to_read_distributions =
 /// What the exact solutions say of every case.
 [[nodiscard]] Table cases_table(const Report& report);
 
+/// The step that each case needs, by its worst and by its mean shift, and until when a model with
+/// each of the suite's steps can follow it.
+[[nodiscard]] Table steps_table(const Report& report);
+/// How to read it, in a sentence or two; marked up as in Markdown.
+[[nodiscard]] std::string how_to_read_steps();
+
 /// Until when digits of the exact solutions are right; empty where none was compared with many.
 [[nodiscard]] Table certified_table(const Report& report);
 

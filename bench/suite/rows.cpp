@@ -141,6 +141,7 @@ CaseRow case_row(const Expectation& expectation, const CompareOptions& options,
     row.predictable.push_back(
         {step, allowance.until, allowance.barrier, readable_impacts(reference, step)});
   }
+  row.step_needed = step_needed(reference, usual_part);
   return row;
 }
 

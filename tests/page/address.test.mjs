@@ -37,6 +37,65 @@ test('one filter of engines holds for every table, stands in the address, and is
   });
 });
 
+/// What the first screen says of the engines: {engine, look, fault, advice, bars: [[name, value, look]], head}.
+const firstScreen = (page) => page.evaluate(() => [...document.querySelectorAll('ul.engines > li')].filter((one) => !one.hidden)
+  .map((one) => ({ engine: one.dataset.engine, model: one.dataset.model, look: one.querySelector('b').className,
+    fault: one.querySelector('.fault').textContent, advice: one.querySelector('.advice').textContent,
+    head: one.querySelector('.bars .head').textContent, bars: [...one.querySelectorAll('.bars .bar')].map((bar) =>
+      [bar.previousSibling.textContent, parseFloat(bar.nextSibling.textContent), bar.className.replace('bar ', '')]) })));
+
+test('each engine of the first screen has bars of the restitution asked and got, with the numbers of the report', () => onSharedPage(async ({ page }) => {
+  const shown = await firstScreen(page);
+  assert.deepEqual(shown.map((one) => one.engine).sort(), ['chipmunk', 'ode']);
+  const runs = await page.evaluate(() => tautline.report.runs.filter((run) => run.e));
+  for (const { engine, model, head, bars } of shown) {
+    const [, name, step] = /^Restitution in (\S+), median, step (\S+) s$/.exec(head);
+    assert.ok(bars.length >= 2, engine);
+    assert.deepEqual([bars[0][0], bars[1][0]], ['asked', model]);
+    for (const [of, value, look] of bars.slice(1)) {
+      const { e } = runs.find((run) => run.engine === engine && run.model === of && run.case === name && String(run.step) === step);
+      assert.equal(bars[0][1], Number(e[1].toFixed(2)));
+      assert.equal(value, Number(e[2].toFixed(2)));
+      assert.equal(look, ['sound', 'problem', 'too-few-to-tell', 'problem', 'problem'][e[0]]);
+    }
+  }
+}));
+
+test('model, case and step reach the sentences, the bars, the slopes and the causes; what is of all says so', () => onSharedPage(async ({ page }) => {
+  const before = await firstScreen(page);
+  const name = await page.evaluate(() => tautline.report.cases[1].name);
+  await page.evaluate((hash) => { location.hash = hash; }, `#engines?case=${name}&model=slide-joint&step=0.003&engines=chipmunk`);
+  await settled(page);
+  const [one, ...others] = await firstScreen(page);
+  assert.deepEqual([one.engine, others.length], ['chipmunk', 0]);
+  assert.match(one.head, new RegExp(`^Restitution in ${name}, median, step 0.003 s$|^No case`));
+  assert.match(one.fault, /^slide-joint: .* 1 of 1 run has a problem\.$/);
+  assert.equal(one.advice, `Of all cases and steps: ${before.find(({ engine }) => engine === 'chipmunk').advice}`);
+  const rows = (id) => page.evaluate((table) => [...document.getElementById(table).tBodies].filter((body) => body.className === '')
+    .flatMap((body) => [...body.rows]).filter((row) => !row.hidden).map((row) => [...row.cells].slice(0, 3)
+      .map((cell) => cell.dataset.value ?? cell.firstChild.textContent)), id);
+  assert.deepEqual((await rows('slopes-table')).map((row) => row.slice(0, 2)), [['chipmunk', 'slide-joint']]);
+  assert.deepEqual(await rows('attribution-table'), [['chipmunk', 'slide-joint', '0.003']]);
+  assert.equal((await rows('scorecards-table')).length, 1);
+  assert.deepEqual(await rows('steps-table').then((found) => found.map(([first]) => first)), [name]);
+  const notes = await page.evaluate(() => [...document.querySelectorAll('.of-all')].filter((note) => !note.hidden).map((note) => note.textContent));
+  assert.ok(notes.includes('This table is of all cases and steps, whichever case and step you chose.'), notes.join('\n'));
+  await page.locator('.page-filter > button').click();
+  await settled(page);
+  assert.deepEqual(await firstScreen(page), before);
+}));
+
+test('the replay opens on the pair of the picture', () => withPage(benchPage(), async ({ page }) => {
+  const hero = await page.evaluate(() => ({ ...document.querySelector('.stills').dataset }));
+  assert.ok(hero.case, 'the tests need an error that is seen');
+  await page.locator('.stills a').click();
+  await page.locator('.replay-status:not(:empty)').waitFor();
+  await settled(page);
+  assert.equal(await page.locator('#replay-app select').first().inputValue(), hero.case);
+  assert.equal(await page.getByLabel('Run 1').inputValue(), `${hero.engine} ${hero.model} ${hero.step}`);
+  assert.equal(await page.getByLabel('Run 2').inputValue(), '');
+}));
+
 test('a row leads on to its replay, settings, causes and files, and to the command that repeats it', async () => {
   await withPage(benchPage(), async ({ page, said }) => {
     await drawAll(page);

@@ -77,6 +77,17 @@ void fields(Visitor& visit, Predictable& predictable) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, StepNeeded& needed) {
+  visit.means(
+      "the largest steps with which a step-by-step model is off by no more than `part`, from what "
+      "a plain correct scheme is off by over shifts of its first step");
+  visit("part", needed.part, "of the shortest cable [-]");
+  visit("until", needed.until, "up to here [s]");
+  visit("safe", needed.safe, "by the worst of the shifts [s]");
+  visit("typical", needed.typical, "by their mean [s]");
+}
+
+template <class Visitor>
 void fields(Visitor& visit, CaseRow& row, CaseReplay& replay) {
   visit("name", row.name);
   visit("title", row.title, "what tells the case from others, in words");
@@ -107,6 +118,7 @@ void fields(Visitor& visit, CaseRow& row, CaseReplay& replay) {
         "until when the exact solution in double is right, compared with the same motion in many "
         "digits; null where it was not asked for");
   visit("predictable", row.predictable);
+  visit("step_needed", row.step_needed);
 }
 
 template <class Visitor>

@@ -2,10 +2,12 @@
 // every number.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 
+#include "bench/base/listed.hpp"
 #include "bench/replay/replay.hpp"
 #include "bench/report/json/fields.hpp"
 #include "bench/report/json/json.hpp"
@@ -92,21 +94,44 @@ Columns columns_of(ImpactColumns impacts) {
 
 Json json_of(const ShownImpacts& impacts) { return columns_of(impacts.columns).values; }
 
+/// The restitution that a run has, as a bar shows it: a word (0 kept, 1 off, 2 too few impacts to
+/// tell, 3 some are lost, 4 scattered), and the restitution got [-], where the cables of the case
+/// ask for one; none of a run that has no one number for it.
+std::optional<std::vector<double>> shown_rebound(const CaseRow& the_case, const RunRow& row) {
+  constexpr int bar_digits = 3;
+  constexpr std::array words = {0.0, 1.0, 3.0, 3.0, 4.0, 1.0, 2.0};  // by Rebound
+  std::optional<double> asked = the_case.geometry.front().restitution;
+  for (const CableRow& cable : the_case.geometry) {
+    asked = cable.restitution == asked ? asked : std::nullopt;
+  }
+  if (!row.judgement || !asked) {
+    return std::nullopt;
+  }
+  const Rebounds& rebounds = row.judgement->rebounds;
+  if (rebounds.word != Rebound::none && !rebounds.deviation) {
+    return std::nullopt;
+  }
+  const double got = rebounds.word == Rebound::none ? 0.0 : *asked + *rebounds.deviation;
+  return std::vector<double>{words.at(static_cast<std::size_t>(rebounds.word)),
+                             rounded(got, bar_digits)};
+}
+
 /// A run as the charts draw it.
 struct ShownRun {
   RunKey key;
-  Status status;
+  std::optional<Status> status;  // none of one that finished, as nearly all do
   std::optional<ShownErrors<std::optional<double>>> errors;
   std::optional<ShownImpacts> impacts;
   std::optional<Ladder> ladder;
   std::optional<ShownCauses> causes;
   std::optional<std::vector<double>> cost;  // [s], of a simulated second: median and quartiles
+  std::optional<std::vector<double>> rebound;
 };
 
 template <class Visitor>
 void fields(Visitor& visit, ShownRun& run) {
   fields(visit, run.key);
-  visit("status", run.status);
+  visit.if_any("status", run.status);
   visit("metrics", run.errors);
   visit("impacts", run.impacts);
   visit.unless_missing("audit", run.ladder, [](auto& inside, Ladder& ladder) {
@@ -115,6 +140,7 @@ void fields(Visitor& visit, ShownRun& run) {
   visit("attribution", run.causes);
   visit.unless_missing("cost", run.cost,
                        [](auto& inside, std::vector<double>& cost) { inside("cost", cost); });
+  visit.if_any("e", run.rebound);
 }
 
 /// An engine by its name, with those of its models.
@@ -197,8 +223,14 @@ PageData page_data(const Report& report, const Replay& replay) {
   const std::map<RunKey, std::vector<double>> costs = costs_of(report);
   for (std::size_t place = 0; place < report.runs.size(); ++place) {
     const RunRow& row = report.runs[place];
-    ShownRun& run =
-        page.runs.emplace_back(ShownRun{row.key, row.status, {}, {}, row.ladder, {}, {}});
+    ShownRun& run = page.runs.emplace_back(ShownRun{row.key, {}, {}, {}, row.ladder, {}, {}, {}});
+    if (row.status != Status::finished) {
+      run.status = row.status;
+    }
+    if (const CaseRow* const of = find_by(report.cases, &CaseRow::name, row.key.the_case);
+        of != nullptr && !of->geometry.empty()) {
+      run.rebound = shown_rebound(*of, row);
+    }
     if (row.metrics) {
       run.errors.emplace(*row.metrics);
     }

@@ -219,6 +219,68 @@ TEST(ReportPage, EveryNumberInItsTablesIsInTheReport) {
   EXPECT_GT(count, 200U);
 }
 
+TEST(ReportPage, HasTheRestitutionOfEachRunForItsBar) {
+  const ordered_json data = ordered_json::parse(data_of(made().page));
+  std::size_t bars = 0;
+  for (std::size_t at = 0; at < made().report.runs.size(); ++at) {
+    const bench::RunRow& row = made().report.runs[at];
+    const ordered_json& run = data.at("runs").at(at);
+    EXPECT_EQ(run.contains("status"), row.status != bench::Status::finished);
+    if (row.key.the_case == "bouncing-ball" && row.key.engine == "exact") {
+      EXPECT_EQ(run.at("e").at(0).get<int>() % 2, 0)
+          << row.key.model << ": kept, or too few to tell";
+      EXPECT_NEAR(run.at("e").at(1).get<double>(), 0.5, 0.02) << row.key.model;
+      ++bars;
+    }
+    EXPECT_TRUE(row.judgement || !run.contains("e"));
+  }
+  EXPECT_GT(bars, 3U);
+}
+
+TEST(ReportPage, SaysWhichStepEachCaseNeeds) {
+  for (const bench::CaseRow& row : made().report.cases) {
+    const bench::StepNeeded& needed = row.step_needed;
+    EXPECT_EQ(needed.part, 0.01);
+    EXPECT_GT(needed.safe, 0.0);
+    EXPECT_GE(needed.typical, needed.safe);
+  }
+  const std::size_t table = made().page.find("<table id=\"steps-table\"");
+  ASSERT_NE(table, std::string::npos);
+  // as tests/bench/judge has it of this case
+  EXPECT_NE(
+      made().page.find("<th scope=\"row\">bouncing-ball</th><td class=\"n\">0.01</td>", table),
+      std::string::npos);
+}
+
+TEST(ReportPage, SaysWhatDifferenceOfDistributionsCouldHaveBeenSeen) {
+  Report report = full_report();
+  bench::Distributions of;
+  of.draws = 20;
+  of.statistics = {{"settling", "settled", "s", 1.0}};
+  bench::DistributionRow row;
+  row.statistic = "settling";
+  row.visible = 0.634;
+  of.setups = {{{"e", "m", 0.01}, 2, {row}}};
+  report.distributions = of;
+  const std::string page = report_html(report, made().replay, page_assets());
+  EXPECT_NE(
+      page.find("<td class=\"verdict too-few-to-tell\"><span>no difference above D = 0.63 seen, "
+                "n = 18</span>"),
+      std::string::npos);
+}
+
+TEST(ReportPage, AnEngineIsGreenOnlyWhereEveryModelWasJudged) {
+  Report report = full_report();
+  for (bench::RunRow& run : report.runs) {
+    run.key.engine = "e";
+    run.verdict = bench::Verdict{bench::Word::too_few, {}};
+  }
+  report.engines.front().name = report.engines.front().info->name = "e";
+  report.models.clear();
+  const std::string page = without_scripts(report_html(report, made().replay, page_assets()));
+  EXPECT_NE(page.find("<b class=\"verdict too-few-to-tell\"><span>e</span>"), std::string::npos);
+}
+
 TEST(ReportPage, ShowsEveryRunAndWhyItFailed) {
   const std::string page = without_scripts(made().page);
   const std::size_t rows = made().report.runs.size();

@@ -202,6 +202,12 @@ Path path_through(const std::vector<double>& heights) {
   return path;
 }
 
+/// The picture of a report.
+std::string picture(const Report& report, const Replay& replay) {
+  const std::optional<ImpactStills> stills = impact_stills(report, replay);
+  return picture_html(stills ? &*stills : nullptr);
+}
+
 /// A report of a run of a body on one cable.
 Report bouncing_report() {
   Report report = report_of_two_metres();
@@ -236,37 +242,70 @@ TEST(Picture, TheStillsAreTheRunsOwnPosesAroundTheImpact) {
   EXPECT_GT(gap(0), 0.9);
   EXPECT_GT(stills->times[2], 0.5);
   EXPECT_GT(gap(2), 0.7);
-  const std::string html = picture_html(report, replay);
+  const std::string html = picture(report, replay);
   EXPECT_NE(html.find("closes at 2 m/s and opens at 1.25 m/s"), std::string::npos) << html;
   EXPECT_NE(html.find("<b>t = 0.500 s</b> taut: closes at 2 m/s"), std::string::npos) << html;
   EXPECT_NE(html.find("asked: <b>0.75</b>; got: <b>0.625</b>"), std::string::npos) << html;
 }
 
-TEST(Picture, AnErrorIsShownBeforeTheExactMotion) {
-  Report report = bouncing_report();
-  Replay replay = bouncing();
+/// Of such a report the exact motion, and an engine that is at the same place up to the impact and
+/// rises to `height` [m] after it.
+Replay beside_the_exact(Report& report, double height) {
   add_makers(report, "exact");
   add_judged(report, "exact", "event", 1e-3, 0.0);
-  std::swap(report.runs[0], report.runs[1]);
-  replay.runs.push_back(replay.runs[0]);
+  report.cases.front().horizon = 1.0;
+  report.cases.front().extent = 2.0;
+  Replay replay = bouncing({-1.0, -1.4, -2.0, -1.5 + height, -1.2 + height});
+  replay.runs.push_back(bouncing().runs.front());
   replay.cases.resize(1);
-  replay.cases[0].path = *replay.runs[0].path;
-  EXPECT_NE(picture_html(report, replay).find("Engines are compared with this motion."),
+  replay.cases[0].path = *replay.runs[1].path;
+  replay.cases[0].events = {{0.5}, {"impact"}, {{0}}, {2.0}, 0};
+  return replay;
+}
+
+TEST(Picture, AnErrorIsShownBesideTheExactMotionFromTheSameStart) {
+  Report report = bouncing_report();
+  const Replay replay = beside_the_exact(report, -0.3);
+  EXPECT_NE(picture(report, replay).find("Engines are compared with this motion."),
             std::string::npos);
-  report.runs[1].judgement->rebounds.word = Rebound::off;
-  const std::string html = picture_html(report, replay);
-  EXPECT_NE(html.find("<code>e row</code>"), std::string::npos) << html;
-  EXPECT_NE(html.find("The exact motion rebounds as asked."), std::string::npos) << html;
+  report.runs[0].judgement->rebounds.word = Rebound::off;
+  const auto stills = impact_stills(report, replay);
+  ASSERT_TRUE(stills && stills->exact);
+  EXPECT_EQ(stills->run, &report.runs[0]);
+  const auto apart = [&](std::size_t still) {
+    const double time = stills->times.at(still);
+    return pose_at(*stills->exact, time).centre.y() - pose_at(stills->path, time).centre.y();
+  };
+  EXPECT_NEAR(apart(0), 0.0, 1e-6);
+  EXPECT_NEAR(apart(1), 0.0, 1e-6);
+  EXPECT_NEAR(apart(2), 0.3, 1e-6);
+  const std::string html = picture(report, replay);
+  EXPECT_NE(html.find("<span class=\"is-engine\">e row</span>"), std::string::npos) << html;
+  EXPECT_NE(html.find("data-engine=\"e\" data-model=\"row\" data-step=\"0.001\""),
+            std::string::npos)
+      << html;
+  EXPECT_NE(html.find("asked: <b>0.75</b>; got: <b>0.625</b>"), std::string::npos) << html;
+  EXPECT_NE(html.find("0.3 m apart"), std::string::npos) << html;
+}
+
+TEST(Picture, ARunThatHasPartedBeforeItsImpactIsNoPair) {
+  Report report = bouncing_report();
+  Replay replay = beside_the_exact(report, -0.3);
+  report.runs[0].judgement->rebounds.word = Rebound::off;
+  replay.runs[0].path = path_through({-1.0, -1.2, -1.7, -1.5, -1.2});
+  const auto stills = impact_stills(report, replay);
+  ASSERT_TRUE(stills);
+  EXPECT_FALSE(stills->exact);
 }
 
 TEST(Picture, WithoutAnImpactThatIsSeenThereIsNone) {
-  EXPECT_EQ(picture_html(bouncing_report(), bouncing(std::vector<double>(5, -2.0))), "");
+  EXPECT_EQ(picture(bouncing_report(), bouncing(std::vector<double>(5, -2.0))), "");
 }
 
 TEST(Picture, ACaseWithoutUnitsIsShownWithout) {
   Report report = bouncing_report();
   report.cases.front().gravity = {0.0, -1.0};
-  const std::string html = picture_html(report, bouncing());
+  const std::string html = picture(report, bouncing());
   EXPECT_EQ(html.find("m/s"), std::string::npos) << html;
   EXPECT_EQ(html.find(" s:"), std::string::npos) << html;
 }

@@ -121,11 +121,10 @@ TEST(Verdict, EachPartOfAJudgementIsAProblemOfItsKind) {
 }
 
 TEST(Verdict, AFindingOfTheAuditIsAProblemUnlessItIsOfRebounds) {
-  for (const FindingKind& kind : finding_kinds) {
+  for (const std::string_view kind : finding_kinds) {
     Report report = report_of();
-    report.findings = {finding(std::string(kind.name))};
-    EXPECT_EQ(verdict_of(report).word, is_problem(kind.name) ? Word::problem : Word::sound)
-        << kind.name;
+    report.findings = {finding(std::string(kind))};
+    EXPECT_EQ(verdict_of(report).word, is_problem(kind) ? Word::problem : Word::sound) << kind;
   }
 }
 

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "bench/base/process.hpp"
+#include "bench/base/text.hpp"
+#include "bench/gate/gate_text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/request.hpp"
@@ -75,11 +77,8 @@ int bench_command(const BenchCommand& command) {
   manifest.shard.elapsed = report.context.elapsed;
   write_manifest(command.out, manifest);
   if (!command.list_problems.empty()) {
-    // what a person has said in the file stays
-    ProblemsReading before = read_problems_file(command.list_problems);
-    write_output(
-        command.list_problems,
-        problems_file_of(report, command.gate || !before.listed ? request.listed : *before.listed));
+    write_output(command.list_problems,
+                 problems_file_of(report, request.listed_before, request.listed));
   }
   return judged(target, report);
 }

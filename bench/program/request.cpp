@@ -238,6 +238,11 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
   command
       .add_option("--suite", asked.suite,
                   "a selection of shipped cases: quick, chapter or all; see below")
+  if (std::filesystem::exists(command.list_problems)) {  // what a person has said in it stays
+    ProblemsReading before = read_problems_file(command.list_problems);
+    append(request.problems, before.problems);
+    request.listed_before = std::move(before.listed).value_or(ListedProblems());
+  }
       ->option_text("SUITE");
   command
       .add_option("--engines,--engine", asked.engines,

@@ -40,6 +40,9 @@ struct Judgement {
   double energy = 0.0;       // [-], the largest rise outside contacts, in units of m g v step
 };
 
+/// True if the run names the instants of all of its impacts itself.
+[[nodiscard]] bool locates(const Trajectory& run);
+
 /// Judges `run`, whose `impacts` are audited, of an engine with numbers of `precision`.
 [[nodiscard]] Judgement judge(const Expectation& expectation, const Trajectory& run,
                               const std::vector<AuditedImpact>& impacts,

@@ -30,7 +30,15 @@ StrictTable::StrictTable(const toml::table* table, std::string path, FileProblem
     : table_(table), path_(std::move(path)), wrong_(&wrong) {}
 
 std::string StrictTable::text(std::string_view key) {
-  const std::string right = "must be a string that is not empty";
+  std::string value = text_or_empty(key, "must be a string that is not empty");
+  const toml::node* node = find(key);
+  if (node != nullptr && node->is_string() && value.empty()) {
+    refuse(*node, full_name(key), "must be a string that is not empty");
+  }
+  return value;
+}
+
+std::string StrictTable::text_or_empty(std::string_view key, const std::string& right) {
   const toml::node* node = find_required(key, right);
   if (node == nullptr) {
     return "";
@@ -39,9 +47,6 @@ std::string StrictTable::text(std::string_view key) {
   if (value == nullptr) {
     refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
     return "";
-  }
-  if (value->get().empty()) {
-    refuse(*node, full_name(key), right);
   }
   return value->get();
 }

@@ -32,6 +32,9 @@ class StrictTable {
   StrictTable(const toml::table* table, std::string path, FileProblems& wrong);
 
   [[nodiscard]] std::string text(std::string_view key);
+  /// A string that may be empty; `right` ends the sentence on another value.
+  [[nodiscard]] std::string text_or_empty(std::string_view key,
+                                          const std::string& right = "must be a string");
   [[nodiscard]] std::optional<std::string> optional_text(std::string_view key);
   /// A string that is one of `words`.
   [[nodiscard]] std::string one_of(std::string_view key, const std::vector<std::string>& words);

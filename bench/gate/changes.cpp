@@ -49,7 +49,7 @@ class Comparison {
         two_(runs_of(after)),
         cases_(cases_of(before)),
         later_cases_(cases_of(after)),
-        precisions_(before) {
+        before_(before) {
     result_.noise = noise;
   }
 
@@ -103,7 +103,7 @@ class Comparison {
     const CaseRow& the_case = *cases_.at(run.key.the_case);
     NoiseSetting setting;
     setting.step = run.key.step;
-    setting.precision = precisions_.of(run.key) == "float32"
+    setting.precision = precision_of(before_, run.key) == "float32"
                             ? static_cast<double>(std::numeric_limits<float>::epsilon())
                             : std::numeric_limits<double>::epsilon();
     setting.energy = std::max(1.0, std::abs(the_case.start_energy));
@@ -116,7 +116,7 @@ class Comparison {
   std::map<RunKey, const RunRow*> two_;
   std::map<std::string, const CaseRow*> cases_;
   std::map<std::string, const CaseRow*> later_cases_;
-  Precisions precisions_;
+  const Report& before_;
   Changes result_;
 };
 

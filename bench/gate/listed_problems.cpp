@@ -1,14 +1,10 @@
-// Reads and writes a problems file, as strictly as a case file: all that is wrong with it is said
+// Reads a problems file, as strictly as a case file: all that is wrong with it is said
 // at once.
 
 #include "bench/gate/listed_problems.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstddef>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "bench/base/input_file.hpp"
@@ -113,7 +109,7 @@ ListedProblem read_problem(StrictTable& table, const Names& names) {
   problem.kind = table.one_of(
       "kind", listed<std::string>(problem_kinds, [](std::string_view kind) { return kind; }));
   problem.finding = table.optional_text("finding").value_or("");
-  problem.reason = table.text("reason");
+  problem.reason = table.text_or_empty("reason");
   problem.in_some = table.flag("in_some");
   table.refuse_unknown_keys();
   return problem;
@@ -172,44 +168,11 @@ ListedProblems shipped_problems() {
   return read_problems_text(shipped_problems_text, "problems.toml, built in").listed.value();
 }
 
-std::string problems_file_of(const Report& report, const ListedProblems& known) {
-  struct Entry {
-    std::string finding;
-    std::size_t runs = 0;
-  };
-  std::map<std::tuple<std::string, std::string, std::string>, Entry> entries;
-  std::map<std::pair<std::string, std::string>, std::size_t> runs;
-  for (const RunRow& run : report.runs) {
-    ++runs[{run.key.engine, run.key.model}];
-    for (const Problem& problem : run.verdict.value().problems) {
-      Entry& entry = entries[{run.key.engine, run.key.model, problem.kind}];
-      entry.finding = entry.finding.empty() ? problem.sentence : entry.finding;
-      ++entry.runs;
-    }
-  }
-  std::string out = fmt::format(
-      "# Problems that runs of these models are known to have. Say in each reason why it may "
-      "stay;\n"
-      "# `tautline bench --gate` reads them: other problems break it, and so do listed ones that "
-      "are gone.\n"
-      "schema = {}\nversion = \"1\"\n",
-      problems_schema);
-  for (const auto& [key, entry] : entries) {
-    const std::string& engine = std::get<0>(key);
-    const std::string& model = std::get<1>(key);
-    const std::string& kind = std::get<2>(key);
-    const auto has =
-        std::find_if(known.problems.begin(), known.problems.end(), [&](const auto& one) {
-          return one.kind == kind && matches(one.runs.engine, engine) &&
-                 matches(one.runs.model, model);
-        });
-    out += fmt::format(
-        "\n[[problem]]\nengine = {}\nmodel = {}\nkind = \"{}\"\nfinding = {}\nreason = {}\n{}",
-        toml_string(engine), toml_string(model), kind, toml_string(entry.finding),
-        toml_string(has != known.problems.end() ? has->reason : "not looked into yet"),
-        entry.runs < runs[{engine, model}] ? "in_some = true\n" : "");
-  }
-  return out;
+const ListedProblem* ListedProblems::find(const RunKey& run, std::string_view kind) const {
+  const auto found = std::find_if(problems.begin(), problems.end(), [&](const ListedProblem& one) {
+    return one.kind == kind && one.runs.holds(run);
+  });
+  return found != problems.end() ? &*found : nullptr;
 }
 
 }  // namespace tautline::bench

@@ -17,7 +17,7 @@ struct ListedProblem {
   RunPattern runs;
   std::string kind;      // of `problem_kinds`
   std::string finding;   // what was found when it was listed; may be ""
-  std::string reason;    // why it is so
+  std::string reason;    // why it is so; "" until a person has said it
   bool in_some = false;  // of these runs: that none shows it in a report says nothing
 };
 
@@ -26,6 +26,9 @@ struct ListedProblems {
   std::string file;
   std::string version;
   std::vector<ListedProblem> problems;
+
+  /// The first that is about this problem of `run`; null without one.
+  [[nodiscard]] const ListedProblem* find(const RunKey& run, std::string_view kind) const;
 };
 
 /// The problems of a file, or all that is wrong with it.
@@ -58,9 +61,5 @@ struct ProblemNames {
 
 /// bench/gate/problems.toml as it was when the program was built.
 [[nodiscard]] ListedProblems shipped_problems();
-
-/// A problems file with every problem that the runs of `report`, which has verdicts, show: an entry
-/// for each engine, model and kind. What `listed` says of one is kept.
-[[nodiscard]] std::string problems_file_of(const Report& report, const ListedProblems& listed);
 
 }  // namespace tautline::bench

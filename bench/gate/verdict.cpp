@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -91,6 +92,22 @@ FindingsOnRuns findings_on_runs(const std::vector<Finding>& findings) {
   return result;
 }
 
+/// True if the run could show a problem of this kind: it was measured.
+bool could_show(const RunRow& run, const std::string& kind) {
+  if (kind == "failure") {
+    return true;
+  }
+  if (!run.judgement) {
+    return false;
+  }
+  const Judgement& judgement = *run.judgement;
+  return kind == "restitution"      ? judgement.rebounds.word != Rebound::too_few
+         : kind == "events"         ? judgement.following.located
+         : kind == "position"       ? judgement.following.ratio.has_value()
+         : kind == "missed-impacts" ? judgement.impacts.due > 0
+                                    : true;
+}
+
 Word word_on(const RunRow& run, const Problems& problems) {
   if (!problems.empty()) {
     return std::all_of(problems.begin(), problems.end(),
@@ -105,20 +122,14 @@ Word word_on(const RunRow& run, const Problems& problems) {
 
 }  // namespace
 
-Precisions::Precisions(const Report& report) {
-  for (const EngineRow& engine : report.engines) {
-    by_name_[engine.name] = engine.info ? engine.info->precision : "";
-  }
-}
-
-std::string Precisions::of(const RunKey& run) const {
-  const auto found = by_name_.find(run.engine);
-  return found != by_name_.end() ? found->second : "";
+std::string precision_of(const Report& report, const RunKey& run) {
+  const auto found = std::find_if(report.engines.begin(), report.engines.end(),
+                                  [&](const EngineRow& one) { return one.name == run.engine; });
+  return found != report.engines.end() && found->info ? found->info->precision : "";
 }
 
 void add_verdicts(Report& report, const ListedProblems& listed) {
   FindingsOnRuns findings = findings_on_runs(report.findings);
-  const Precisions precisions(report);
   for (RunRow& run : report.runs) {
     Problems problems;
     if (!did_its_work(run.status)) {
@@ -128,15 +139,14 @@ void add_verdicts(Report& report, const ListedProblems& listed) {
       add(problems, finding->kind, finding->sentence, finding->value);
     }
     if (run.judgement) {
-      add_judged(*run.judgement, precisions.of(run.key) != "float32", problems);
+      add_judged(*run.judgement, precision_of(report, run.key) != "float32", problems);
     }
     for (Problem& problem : problems) {
-      const auto found = std::find_if(listed.problems.begin(), listed.problems.end(),
-                                      [&](const ListedProblem& one) {
-                                        return one.kind == problem.kind && one.runs.holds(run.key);
-                                      });
-      problem.listed = found != listed.problems.end();
-      problem.reason = problem.listed ? found->reason : "";
+      const ListedProblem* const found = listed.find(run.key, problem.kind);
+      problem.listed = found != nullptr;
+      if (problem.listed) {
+        problem.reason = found->reason.empty() ? "no reason is given yet" : found->reason;
+      }
     }
     const Word word = word_on(run, problems);
     run.verdict = Verdict{word, std::move(problems)};
@@ -144,19 +154,23 @@ void add_verdicts(Report& report, const ListedProblems& listed) {
   report.listed = ProblemsSource{listed.file, listed.version};
 }
 
-bool could_show(const RunRow& run, const std::string& kind) {
-  if (kind == "failure") {
-    return true;
+bool shows(const RunRow& run, std::string_view kind) {
+  const Problems& problems = run.verdict.value().problems;
+  return std::any_of(problems.begin(), problems.end(),
+                     [&](const Problem& one) { return one.kind == kind; });
+}
+
+bool is_gone(const ListedProblem& problem, const Report& report) {
+  bool could = false;
+  for (const RunRow& run : report.runs) {
+    if (problem.runs.holds(run.key)) {
+      could = could || could_show(run, problem.kind);
+      if (shows(run, problem.kind)) {
+        return false;
+      }
+    }
   }
-  if (!run.judgement) {
-    return false;
-  }
-  const Judgement& judgement = *run.judgement;
-  return kind == "restitution"      ? judgement.rebounds.word != Rebound::too_few
-         : kind == "events"         ? judgement.following.located
-         : kind == "position"       ? judgement.following.ratio.has_value()
-         : kind == "missed-impacts" ? judgement.impacts.due > 0
-                                    : true;
+  return could && !problem.in_some;
 }
 
 }  // namespace tautline::bench

@@ -67,13 +67,6 @@ std::optional<StaysTaut> stays_taut(const Expectation& expectation, const Allowa
   return std::nullopt;
 }
 
-/// True where the run names the instants of all of its impacts itself.
-bool locates(const Trajectory& run) {
-  return !run.impacts.empty() &&
-         std::all_of(run.impacts.begin(), run.impacts.end(),
-                     [](const RecordedImpact& impact) { return impact.steps == 0; });
-}
-
 /// The end of the stretch in which rounding alone is to blame [s]: a start on taut cables has none.
 double end_of_flight(const Solution& solution) {
   const double taut = first_taut(solution);
@@ -198,6 +191,12 @@ double largest_rise(const Case& the_case, const Trajectory& run) {
 
 }  // namespace
 
+bool locates(const Trajectory& run) {
+  return !run.impacts.empty() &&
+         std::all_of(run.impacts.begin(), run.impacts.end(),
+                     [](const RecordedImpact& impact) { return impact.steps == 0; });
+}
+
 Judgement judge(const Expectation& expectation, const Trajectory& run,
                 const std::vector<AuditedImpact>& impacts, std::string_view precision) {
   const Case& the_case = expectation.reference().the_case;
@@ -230,10 +229,11 @@ Judgement judge(const Expectation& expectation, const Trajectory& run,
 
 std::size_t readable_impacts(const ReferenceCase& reference, double step) {
   const std::vector<ExactHit> hits = exact_hits(reference, reference.solution.end_time());
-  return static_cast<std::size_t>(
-      std::count_if(hits.begin(), hits.end(), [step](const ExactHit& hit) {
-        return hit.alone && step * hit.change <= readable_part * hit.speed;
-      }));
+  return static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), [&](const ExactHit& hit) {
+    const Cable& cable = reference.the_case.cables[hit.cable];
+    return hit.alone &&
+           doubt_of_rates(cable, hit.speed, step * hit.change) <= readable_part * hit.speed;
+  }));
 }
 
 }  // namespace tautline::bench

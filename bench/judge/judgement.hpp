@@ -41,6 +41,9 @@ struct Judgement {
   double flight = 0.0;       // [-], of gravity: by what the acceleration in flight is off
 };
 
+/// True if the run names the instants of all of its impacts itself.
+[[nodiscard]] bool locates(const Trajectory& run);
+
 /// Judges `run`, whose `impacts` are audited, of an engine with numbers of `precision`.
 [[nodiscard]] Judgement judge(const Expectation& expectation, const Trajectory& run,
                               const std::vector<AuditedImpact>& impacts,

@@ -18,20 +18,6 @@ constexpr double growth_of_a_fault = 3.0;
 
 using Runs = std::vector<const JudgedRun*>;
 
-/// The runs of each model, in the order of their first.
-std::vector<Runs> by_model(const std::vector<JudgedRun>& runs) {
-  std::vector<Runs> models;
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
-  for (const JudgedRun& run : runs) {
-    const auto [place, added] = places.try_emplace({run.engine, run.model}, models.size());
-    if (added) {
-      models.emplace_back();
-    }
-    models[place->second].push_back(&run);
-  }
-  return models;
-}
-
 double finest(const Runs& runs) {
   return (*std::min_element(runs.begin(), runs.end(),
                             [](const auto* one, const auto* two) { return one->step < two->step; }))

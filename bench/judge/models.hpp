@@ -19,13 +19,8 @@ enum class Course {
   untold,             // no run could be judged by its position
 };
 
-/// A run and what is said of it.
-struct JudgedRun {
-  std::string the_case;
-  std::string engine;
-  std::string model;
-  double step = 0.0;  // [s]
-  const RunAudit* audit = nullptr;
+/// The audit and the judgement of a run.
+struct JudgedRun : AuditedRun {
   const Judgement* judgement = nullptr;
 };
 

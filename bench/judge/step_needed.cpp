@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bench/judge/allowance.hpp"
+#include "tautline/impact.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -34,6 +35,32 @@ double step_at(const std::array<double, 3>& steps, const std::array<double, 3>& 
                                                 : std::numeric_limits<double>::infinity());
 }
 
+/// The first impact before `until` [s] after which the plain scheme has other velocities.
+std::optional<double> first_unlike(const ReferenceCase& reference, double until) {
+  constexpr double same = 1e-9;  // [-], of the velocities
+  const auto speed = [length = shortest_cable(reference.the_case)](const Vec2& velocity,
+                                                                   double spin) {
+    return velocity.norm() + length * std::abs(spin);
+  };
+  for (const Event& event : reference.solution.events()) {
+    if (event.time > until || reference.law == ImpactLaw::simultaneous) {
+      break;
+    }
+    if (event.kind != EventKind::impact) {
+      continue;
+    }
+    const State plain =
+        resolve_impact(ImpactLaw::simultaneous, reference.the_case, event.before, event.cables)
+            .after;
+    if (speed(plain.velocity - event.after.velocity, plain.spin - event.after.spin) >
+        same * std::max(speed(event.before.velocity, event.before.spin),
+                        speed(event.after.velocity, event.after.spin))) {
+      return event.time;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double rounded_down(double step) {
@@ -52,6 +79,10 @@ StepNeeded step_needed(const ReferenceCase& reference, double part) {
   StepNeeded result;
   result.part = part;
   result.until = std::min(usual_window, reference.solution.end_time());
+  result.unlike = first_unlike(reference, result.until);
+  if (result.unlike) {
+    return result;
+  }
   const double length = shortest_cable(reference.the_case);
   std::array<double, 3> steps{};
   std::array<double, 3> worst{};
@@ -63,8 +94,20 @@ StepNeeded step_needed(const ReferenceCase& reference, double part) {
     mean[place] = plain.mean.back();
   }
   const double largest = largest_part * result.until;
-  result.safe = rounded_down(step_at(steps, worst, part * length, largest));
+  const double safe = step_at(steps, worst, part * length, largest);
+  result.longest = safe >= largest;
+  result.safe = rounded_down(safe);
   result.typical = rounded_down(step_at(steps, mean, part * length, largest));
+  constexpr double shortest = shortest_needed / rounding;
+  const auto of = [&](double step) { return yardstick(reference, step, {result.until}, length); };
+  while (result.safe >= shortest && of(result.safe).worst.back() > part * length) {
+    result.safe = next_smaller(result.safe);
+    result.longest = false;
+  }
+  while (result.typical >= shortest && of(result.typical).mean.back() > part * length) {
+    result.typical = next_smaller(result.typical);
+  }
+  result.typical = std::max(result.typical, result.safe);
   return result;
 }
 

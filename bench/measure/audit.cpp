@@ -2,8 +2,7 @@
 
 #include "bench/measure/audit.hpp"
 
-#include <map>
-#include <utility>
+#include <iterator>
 
 #include "bench/measure/audit_model.hpp"
 #include "bench/measure/audit_parts.hpp"
@@ -11,24 +10,18 @@
 namespace tautline::bench {
 namespace {
 
-/// The models with all that their runs show, in the order of their first runs.
-std::vector<AuditedModel> audited_models(const std::vector<AuditedRun>& runs) {
-  std::vector<AuditedModel> models;
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
-  for (const AuditedRun& run : runs) {
-    const auto [place, is_new] = places.try_emplace({run.engine, run.model}, models.size());
-    if (is_new) {
-      models.push_back({run.engine, run.model, 0, {}, {}, {}});
-    }
-    AuditedModel& model = models[place->second];
-    ++model.runs;
-    model.impacts.insert(model.impacts.end(), run.audit->impacts.begin(), run.audit->impacts.end());
-    model.by_run.push_back({{run.the_case, run.step}, &run.audit->impacts});
-    if (run.audit->freeze) {
-      model.freezes.push_back({{run.the_case, run.step}, *run.audit->freeze});
+/// A model with all that its runs show.
+AuditedModel audited_model(const std::vector<const AuditedRun*>& runs) {
+  AuditedModel model{runs.front()->engine, runs.front()->model, runs.size(), {}, {}, {}};
+  for (const AuditedRun* run : runs) {
+    const RunAudit& audit = *run->audit;
+    model.impacts.insert(model.impacts.end(), audit.impacts.begin(), audit.impacts.end());
+    model.by_run.push_back({{run->the_case, run->step}, &audit.impacts});
+    if (audit.freeze) {
+      model.freezes.push_back({{run->the_case, run->step}, *audit.freeze});
     }
   }
-  return models;
+  return model;
 }
 
 }  // namespace
@@ -43,7 +36,8 @@ RunAudit audit(const ReferenceCase& reference, const Trajectory& run, double cou
 
 std::vector<Finding> findings(const std::vector<AuditedRun>& runs) {
   std::vector<Finding> all;
-  for (const AuditedModel& model : audited_models(runs)) {
+  for (const std::vector<const AuditedRun*>& of_model : by_model(runs)) {
+    const AuditedModel model = audited_model(of_model);
     for (const auto& look : {impulse_findings, sleep_findings}) {
       std::vector<Finding> found = look(model);
       std::move(found.begin(), found.end(), std::back_inserter(all));

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/measure/audit_impacts.hpp"
@@ -26,9 +29,25 @@ struct AuditedRun {
   std::string the_case;
   std::string engine;
   std::string model;
-  const RunAudit* audit = nullptr;
   double step = 0.0;  // [s]
+  const RunAudit* audit = nullptr;
 };
+
+/// The runs of each model, in the order of their first. `Run` is an AuditedRun; `runs` must outlive
+/// the result.
+template <class Run>
+[[nodiscard]] std::vector<std::vector<const Run*>> by_model(const std::vector<Run>& runs) {
+  std::vector<std::vector<const Run*>> models;
+  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  for (const Run& run : runs) {
+    const auto [place, is_new] = places.try_emplace({run.engine, run.model}, models.size());
+    if (is_new) {
+      models.emplace_back();
+    }
+    models[place->second].push_back(&run);
+  }
+  return models;
+}
 
 /// What the models do to impacts, apart from their rebounds, in the order of their first runs.
 [[nodiscard]] std::vector<Finding> findings(const std::vector<AuditedRun>& runs);

@@ -16,16 +16,6 @@ namespace {
 /// No more bounces of a ladder are told: nobody climbs them.
 constexpr std::size_t longest_ladder = 300;
 
-/// By how much the restitution of `cable` changes within `change` of `speed`, both [m/s]: next to a
-/// capture speed by all of it.
-double change_of_restitution(const Cable& cable, double speed, double change) {
-  const double here = restitution(cable, speed);
-  return depends_on_speed(cable)
-             ? std::max(std::abs(restitution(cable, std::max(0.0, speed - change)) - here),
-                        std::abs(restitution(cable, speed + change) - here))
-             : 0.0;
-}
-
 /// True where no other cable pulled in the impact's steps or in the step after them, and the run
 /// has this step: a contact that another impact or the end of the run cuts off is not read.
 bool alone(const Trajectory& run, std::size_t index) {
@@ -106,6 +96,16 @@ bool sticks(const Case& the_case, const RecordedImpact& impact) {
 
 }  // namespace
 
+double doubt_of_rates(const Cable& cable, double speed, double change) {
+  if (!depends_on_speed(cable)) {
+    return change;
+  }
+  const double here = restitution(cable, speed);
+  return change +
+         speed * std::max(std::abs(restitution(cable, std::max(0.0, speed - change)) - here),
+                          std::abs(restitution(cable, speed + change) - here));
+}
+
 double change_of_rates(const Case& the_case, std::size_t index, const State& before,
                        const State& after) {
   const Cable& cable = the_case.cables[index];
@@ -134,8 +134,7 @@ std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const
     const double floor =
         steps * run.step * change_of_rates(the_case, recorded.cable, recorded.before, after);
     AuditedImpact impact = audited(the_case, recorded, floor);
-    impact.rate_floor +=
-        impact.speed * change_of_restitution(the_case.cables[recorded.cable], impact.speed, floor);
+    impact.rate_floor = doubt_of_rates(the_case.cables[recorded.cable], impact.speed, floor);
     if (std::isfinite(impact.effective * impact.requested) &&
         impact.rate_floor <= readable_part * impact.speed) {
       result.push_back(impact);

@@ -33,6 +33,11 @@ inline constexpr double readable_part = 0.1;
 [[nodiscard]] double change_of_rates(const Case& the_case, std::size_t index, const State& before,
                                      const State& after);
 
+/// By how much rates that change by `change` [m/s] put in doubt what is read of an impact at
+/// `speed` [m/s], in [m/s]: by more if the restitution depends on the speed, and next to a capture
+/// speed by all of it.
+[[nodiscard]] double doubt_of_rates(const Cable& cable, double speed, double change);
+
 /// The impacts of `run` that say something of restitution: those of one cable alone that can be
 /// read, up to the end of the exact motion.
 [[nodiscard]] std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference,

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "bench/base/process.hpp"
+#include "bench/base/text.hpp"
+#include "bench/gate/gate_text.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
 #include "bench/program/request.hpp"
@@ -37,18 +39,27 @@ int within_command(const Request& request) {
   const SuiteOptions& options = request.options;
   const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
   catch_interruption();
-  bool first = true;
+  std::vector<std::string> problems;
   for (const ReferenceCase& reference : references) {
     const StepNeeded needed = step_needed(reference, *request.within);
-    std::vector<StepFound> found = search_steps(options, reference, needed);
-    if (interruption()) {
-      complain({"interrupted"});
-      return exit_failed;
+    StepSearch search = search_steps(options, reference, needed);
+    const std::string name = printable(reference.the_case.name);
+    const std::size_t searched = search.found.size();
+    if (!search.measured() && !interruption()) {
+      problems.push_back(
+          fmt::format("{}: {}", name,
+                      searched == 0 ? "no engine that works has a model to search"
+                                    : "no run of any model came to the end: the table says why"));
     }
-    fmt::print("{}{}", first ? "" : "\n", steps_text(reference, needed, std::move(found)));
-    first = false;
+    fmt::print("{}{}", &reference == references.data() ? "" : "\n",
+               steps_text(reference, needed, std::move(search.found)));
+    if (interruption()) {
+      problems.push_back(fmt::format("interrupted: of {}, {} of {} models are searched", name,
+                                     searched, search.models));
+      break;
+    }
   }
-  return exit_done;
+  return complain(problems) ? exit_failed : exit_done;
 }
 
 int bench_command(const BenchCommand& command) {
@@ -75,11 +86,8 @@ int bench_command(const BenchCommand& command) {
   manifest.shard.elapsed = report.context.elapsed;
   write_manifest(command.out, manifest);
   if (!command.list_problems.empty()) {
-    // what a person has said in the file stays
-    ProblemsReading before = read_problems_file(command.list_problems);
-    write_output(
-        command.list_problems,
-        problems_file_of(report, command.gate || !before.listed ? request.listed : *before.listed));
+    write_output(command.list_problems,
+                 problems_file_of(report, request.listed_before, request.listed));
   }
   return judged(target, report);
 }

@@ -4,9 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -113,20 +114,28 @@ std::size_t draws_of(const BenchCommand& command, const Request& request,
   return static_cast<std::size_t>(std::clamp(draws, 0LL, most));
 }
 
-/// What --within asks for, as a part of the shortest cable: "1%" or "0.01".
+/// The part of the shortest cable that "1%" or "0.01" means; none if it is no such part.
+std::optional<double> part_from(std::string_view text) {
+  const bool percent = text.ends_with('%');
+  text.remove_suffix(percent ? 1 : 0);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const double part = percent ? number / 100.0 : number;
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && part > 0.0 && part < 1.0 ? std::optional(part) : std::nullopt;
+}
+
+/// The part of the shortest cable that --within asks for.
 std::optional<double> within_of(const BenchCommand& command, std::vector<std::string>& problems) {
   if (!command.within) {
     return std::nullopt;
   }
-  const std::string& text = *command.within;
-  const bool percent = text.ends_with('%');
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  const bool whole = end != text.c_str() && std::string_view(end) == (percent ? "%" : "");
-  const double part = percent ? number / 100.0 : number;
-  if (!whole || !(part > 0.0 && part < 1.0)) {
+  const std::optional<double> part = part_from(*command.within);
+  if (!part) {
     problems.push_back(fmt::format(
-        "--within {}: must be a part of the shortest cable, such as 1% or 0.01", printable(text)));
+        "--within {}: must be a part of the shortest cable above 0 and below 1, such as 0.01, or "
+        "in percent, such as 1%",
+        command.within->empty() ? "\"\"" : printable(*command.within)));
   }
   for (const auto& [option, given] :
        {std::pair("--gate", command.gate.has_value()), std::pair("--json", !command.json.empty()),
@@ -229,6 +238,11 @@ Request read_request(const BenchCommand& command) {
   options.engines = std::move(choice.engines);
   append(request.problems, suite_problems(options));
   request.listed = listed_by(command.gate, options, request.problems);
+  if (std::filesystem::exists(command.list_problems)) {  // what a person has said in it stays
+    ProblemsReading before = read_problems_file(command.list_problems);
+    append(request.problems, before.problems);
+    request.listed_before = std::move(before.listed).value_or(ListedProblems());
+  }
   request.within = within_of(command, request.problems);
   return request;
 }

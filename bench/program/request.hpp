@@ -47,6 +47,7 @@ struct Request {
   const Suite* suite = nullptr;  // null where cases are named
   SuiteOptions options;
   ListedProblems listed;         // of --gate, or those that ship
+  ListedProblems listed_before;  // of the file that --list-problems names, if it is there
   std::optional<double> within;  // [-], of the shortest cable; none: a suite is run
   std::vector<std::string> problems;
 };

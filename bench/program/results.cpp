@@ -13,7 +13,6 @@
 #include "bench/base/process.hpp"
 #include "bench/base/progress.hpp"
 #include "bench/base/terminal.hpp"
-#include "bench/gate/broken.hpp"
 #include "bench/gate/gate_text.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/measure/certification.hpp"

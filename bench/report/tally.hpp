@@ -35,7 +35,4 @@ class Tally {
 /// "sound", or "problem in 3 of 21".
 [[nodiscard]] std::string tally_text(const Tally& tally);
 
-/// "of 60 runs, 3 have a problem, 2 have a listed problem and 55 are sound."
-[[nodiscard]] std::string sentence_of(const Tally& tally);
-
 }  // namespace tautline::bench

@@ -23,18 +23,16 @@ namespace {
 /// What is said of the models, and what is found in the audits of all runs.
 void judge_models(const std::vector<RunRecord>& runs, Report& report) {
   std::vector<JudgedRun> judged;
-  std::vector<AuditedRun> audited;
   for (const RunRecord& run : runs) {
     if (run.audit && run.row.judgement) {
       const RunKey& key = run.row.key;
-      audited.push_back({key.the_case, key.engine, key.model, &*run.audit, key.step});
       judged.push_back(
-          {key.the_case, key.engine, key.model, key.step, &*run.audit, &*run.row.judgement});
+          {{key.the_case, key.engine, key.model, key.step, &*run.audit}, &*run.row.judgement});
     }
   }
   report.models = models_of(judged);
   report.findings = rebound_findings(report.models, judged);
-  std::vector<Finding> others = findings(audited);
+  std::vector<Finding> others = findings({judged.begin(), judged.end()});
   std::move(others.begin(), others.end(), std::back_inserter(report.findings));
 }
 

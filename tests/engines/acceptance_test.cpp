@@ -135,7 +135,7 @@ TEST_P(EventModel, GainsNoEnergyFarFromTheOrigin) {
   const double start = energy(the_case, the_case.initial);
   double highest = start;
   run(*simulation, 1e-2, 3.0,
-      [&](const Moment& moment) { highest = std::max(highest, energy(the_case, moment.state)); });
+      [&](const Moment& moment) { highest = std::max(highest, energy(the_case, moment.after)); });
   expect_within("rise of the energy [J]", highest - start, limit(1e-9, 0.02));
 }
 

@@ -14,6 +14,7 @@ import sys
 import tempfile
 import tomllib
 import unittest
+from unittest import mock
 
 SCRIPT, BUILD = (pathlib.Path(word) for word in sys.argv[1:3])
 
@@ -133,6 +134,31 @@ class Counting(unittest.TestCase):
                                    delta=1e-4 * (1.0 + abs(acceleration)))
 
 
+class SafeSteps(unittest.TestCase):
+    def test_the_steps_are_those_that_the_program_says(self):
+        text = judgement.Program(BUILD).output("bench", "bouncing-ball", "--within", "1%", "--engines", "exact",
+                                               "--models", "plain").stdout
+        self.assertEqual(judgement.steps_from(text), (0.01, 0.02))
+        self.assertEqual(judgement.steps_from("A step-by-step model needs steps of 1e-05 s.\n"), (1e-5, 1e-5))
+        self.assertEqual(judgement.steps_from("For a step-by-step model any step up to 0.02 s does.\n"), (0.02, 0.02))
+        self.assertIsNone(judgement.steps_from("A step-by-step model needs steps below 1e-05 s.\n"))
+
+    def test_too_many_runs_over_and_too_small_steps_are_missed_targets(self):
+        def missed(*used):
+            return silently(judgement.print_safe, [judgement.AtStep("c", "e", "row", 0.01, one) for one in used])[0]
+
+        self.assertEqual(missed(*[0.3] * 19, 1.1), [])
+        self.assertEqual(missed(*[0.3] * 18, 1.1, math.inf), ["90.0 % hold, 95 % is the least"])
+        self.assertEqual(missed(0.3, 0.2, 0.2), ["33.3 % come to a quarter, 50 % is the least"])
+
+    def test_runs_are_compared_with_a_hundredth_of_the_shortest_cable(self):
+        program = judgement.Program(BUILD)
+        with tempfile.TemporaryDirectory() as folder:
+            runs = list(judgement.runs_at(program, "bouncing-ball", 0.01, ["exact"], ["plain"], pathlib.Path(folder)))
+        self.assertEqual([(run.engine, run.model, run.step) for run in runs], [("exact", "plain", 0.01)])
+        self.assertTrue(0.1 < runs[0].used < 1.0, runs)
+
+
 class Command(unittest.TestCase):
     def test_an_engine_without_runs_is_an_error(self):
         program = judgement.Program(BUILD)
@@ -144,12 +170,25 @@ class Command(unittest.TestCase):
     def test_prints_its_tables_and_what_it_misses(self):
         done = subprocess.run([SCRIPT, "--count", "2", "--seed", "1", "--until", "2", "--no-shipped", "--engines", "exact",
                                BUILD], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
-        self.assertIn(done.returncode, (0, 1), done.stderr)
         lines = done.stdout.splitlines()
+        self.assertEqual(done.returncode, int(lines[-1].startswith("Missed: ")), done.stderr)
         self.assertEqual(lines[0], "2 random cases of seed 1")
         self.assertTrue(any(line.startswith("exact plain") for line in lines))
         self.assertRegex(done.stdout, r"\nless-bouncy at 0.001 s +2 of 2 ")
-        self.assertTrue(lines[-1].startswith("Missed: " if done.returncode else "All targets are reached"), lines[-1])
+        self.assertTrue(done.returncode or lines[-1].startswith("All targets are reached"), lines[-1])
+
+    def test_fails_if_a_fault_is_not_found_or_a_sound_model_is_called_wrong(self):
+        exact = judgement.Program(BUILD).exact("bouncing-ball", 8.0)
+        sound = [report_run() for _ in range(200)]
+        for code, more in [(0, [report_run("dead", judgement.PLANTED, case="ball", word="none")]),
+                           (1, [report_run("dead", judgement.PLANTED, case="ball")]),
+                           (1, [report_run(ratio=1.6), report_run(ratio=1.6)])]:
+            asked = judgement.options([str(BUILD)])
+            with mock.patch.object(judgement, "options", lambda: asked), \
+                    mock.patch.object(judgement, "measure", lambda *_: (runs_of(*sound, *more), {"ball": exact})):
+                result, text = silently(judgement.main)
+            self.assertEqual(result, code, text)
+            self.assertEqual(text.splitlines()[-1].startswith("Missed: "), code == 1, text)
 
 
 if __name__ == "__main__":

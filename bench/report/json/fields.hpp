@@ -209,9 +209,7 @@ void fields(Visitor& visit, Finding& finding) {
   visit.means("what a model does to impacts, found from its runs");
   visit("engine", finding.engine);
   visit("model", finding.model);
-  visit("kind", finding.kind,
-        one_of({"none", "lost-below", "loses-some", "scatters", "off", "sleeping", "several-steps",
-                "tangential-impulse", "angular-impulse"}));
+  visit("kind", finding.kind, one_of({finding_kinds.begin(), finding_kinds.end()}));
   visit("sentence", finding.sentence);
   visit("value", finding.value);
   visit("unit", finding.unit);

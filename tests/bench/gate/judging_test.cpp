@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/gate/broken.hpp"
 #include "bench/gate/gate_text.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/report/tables.hpp"
@@ -122,11 +121,10 @@ TEST(Verdict, EachPartOfAJudgementIsAProblemOfItsKind) {
 }
 
 TEST(Verdict, AFindingOfTheAuditIsAProblemUnlessItIsOfRebounds) {
-  for (const FindingKind& kind : finding_kinds) {
+  for (const std::string_view kind : finding_kinds) {
     Report report = report_of();
-    report.findings = {finding(std::string(kind.name))};
-    EXPECT_EQ(verdict_of(report).word, is_problem(kind.name) ? Word::problem : Word::sound)
-        << kind.name;
+    report.findings = {finding(std::string(kind))};
+    EXPECT_EQ(verdict_of(report).word, is_problem(kind) ? Word::problem : Word::sound) << kind;
   }
 }
 
@@ -186,7 +184,7 @@ TEST(ListedProblems, AreWrittenWithEveryProblemAndReadAgain) {
   add_run(report, "e", 0.0, 1e-2);
   ListedProblems listed = listing("e", "energy");
   add_verdicts(report, listed);
-  const std::string text = problems_file_of(report, listed);
+  const std::string text = problems_file_of(report, {}, listed);
   const ProblemsReading reading = read_problems_text(text, "p.toml");
   ASSERT_TRUE(reading.listed) << reading.problems.front() << text;
   ASSERT_EQ(reading.listed->problems.size(), 1U) << text;
@@ -197,6 +195,48 @@ TEST(ListedProblems, AreWrittenWithEveryProblemAndReadAgain) {
   EXPECT_TRUE(entry.in_some);  // the run of the other step does not show it
   add_verdicts(report, *reading.listed);
   EXPECT_TRUE(broken_rows(report, *reading.listed).empty());
+}
+
+TEST(ListedProblems, AreKeptOfWhatDidNotRunAndDroppedOfWhatRanAndShowsThemNoMore) {
+  Report report = report_of([](RunRow& run) { run.judgement->energy = 4.0; });
+  const std::string text =
+      "schema = 2\nversion = \"7\"\n"
+      "[[problem]]\nengine = \"other\"\nmodel = \"*\"\nkind = \"energy\"\nreason = \"of another\"\n"
+      "[[problem]]\nengine = \"e\"\nmodel = \"row\"\ncase = \"swing\"\nkind = \"position\"\n"
+      "reason = \"of a case\"\n"
+      "[[problem]]\nengine = \"e\"\nmodel = \"row\"\nstep = 0.01\nkind = \"position\"\n"
+      "reason = \"of a step\"\n"
+      "[[problem]]\nengine = \"e\"\nmodel = \"row\"\nkind = \"sleeping\"\nreason = \"of some\"\n"
+      "in_some = true\n"
+      "[[problem]]\nengine = \"e\"\nmodel = \"row\"\nkind = \"restitution\"\nreason = \"gone\"\n";
+  const auto written = [&](const std::string& before) {
+    const ListedProblems listed = read_problems_text(before, "p.toml").listed.value();
+    add_verdicts(report, listed);
+    return problems_file_of(report, listed, nothing_listed);
+  };
+  const std::string once = written(text);
+  EXPECT_EQ(written(once), once);
+  const ProblemsReading reading = read_problems_text(once, "p.toml");
+  ASSERT_TRUE(reading.listed) << reading.problems.front() << once;
+  EXPECT_EQ(reading.listed->version, "7");
+  std::vector<std::string> reasons;
+  for (const ListedProblem& problem : reading.listed->problems) {
+    reasons.push_back(problem.reason);
+  }
+  EXPECT_EQ(reasons,
+            (std::vector<std::string>{"of another", "of a case", "of a step", "of some", ""}))
+      << once;
+  EXPECT_EQ(reading.listed->problems[1].runs.the_case, "swing");
+  EXPECT_EQ(reading.listed->problems[2].runs.step, 0.01);
+  EXPECT_TRUE(reading.listed->problems[3].in_some);
+  EXPECT_EQ(reading.listed->problems[4].kind, "energy");
+  // the gate takes the new one, and says that its reason is wanted
+  add_verdicts(report, *reading.listed);
+  const std::string gate = gate_text(report, *reading.listed, broken_rows(report, *reading.listed));
+  EXPECT_NE(gate.find("1 of 5 listed problems have no reason in the file yet: e row energy."),
+            std::string::npos)
+      << gate;
+  EXPECT_NE(gate.find("The gate holds"), std::string::npos) << gate;
 }
 
 TEST(ListedProblems, EachOfSeveralPatternsMustNameSomethingThatIsThere) {

@@ -109,6 +109,21 @@ TEST(Gate, TakesTheListThatTheProgramHasWritten) {
   const Benched again = benched(read);
   EXPECT_EQ(again.outcome.code, 0) << again.outcome.output;
   EXPECT_EQ(word_of(again.report), "listed problem");
+  // another engine is added to it
+  benched({"bouncing-ball", "--engines", bad_engine("no-restitution"), "--steps", "1e-3",
+           "--list-problems", file});
+  EXPECT_NE(content_of(file).find("engine = \"bouncy\""), std::string::npos) << content_of(file);
+  EXPECT_NE(content_of(file).find("engine = \"no-restitution\""), std::string::npos);
+}
+
+TEST(ListedProblems, AFileThatCannotBeReadIsNotWrittenOver) {
+  const TemporaryFolder out;
+  const std::string file = out.file("problems.toml", "schema = 2\n[[problem]]\n").string();
+  const Benched bad = benched({"bouncing-ball", "--engines", "exact", "--list-problems", file});
+  EXPECT_EQ(bad.outcome.code, 2);
+  EXPECT_NE(bad.outcome.errors.find("problem[0].engine: is missing"), std::string::npos)
+      << bad.outcome.errors;
+  EXPECT_EQ(content_of(file), "schema = 2\n[[problem]]\n");
 }
 
 TEST(Gate, ARunThatDivergesBreaksItUnlessThatIsListed) {

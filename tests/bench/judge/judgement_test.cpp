@@ -217,6 +217,39 @@ TEST(Course, IsOfTheRatiosAsTheStepFalls) {
   EXPECT_EQ(course_of({}, {}), Course::untold);
 }
 
+TEST(StepNeeded, SaysWhereAnyStepDoesAndWhereThePlainSchemeHasAnotherLaw) {
+  EXPECT_FALSE(step_needed(reference_of("bouncing-ball"), usual_part).longest);
+  const StepNeeded any = step_needed(reference_of("bouncing-ball"), 0.5);
+  EXPECT_TRUE(any.longest);
+  EXPECT_DOUBLE_EQ(any.safe, 0.02);
+  const auto of_beam = [](ImpactLaw law, bool one_restitution) {
+    Case beam = reference_of("level-beam").the_case;
+    if (one_restitution) {
+      beam.cables[1].restitution = beam.cables[0].restitution;
+    }
+    return step_needed(solve_cases({beam}, law).front(), usual_part);
+  };
+  const StepNeeded in_turn = of_beam(ImpactLaw::sequential, false);
+  ASSERT_TRUE(in_turn.unlike);
+  EXPECT_EQ(in_turn.safe, 0.0);
+  EXPECT_TRUE(of_beam(ImpactLaw::poisson, false).unlike);
+  // with one restitution for all cables the law of Poisson is the plain scheme's
+  const StepNeeded poisson = of_beam(ImpactLaw::poisson, true);
+  EXPECT_FALSE(poisson.unlike);
+  EXPECT_GT(poisson.safe, 0.0);
+}
+
+TEST(Predictable, ImpactsNextToTheCaptureSpeedCannotBeRead) {
+  ReferenceCase reference = reference_of("bouncing-ball");
+  const std::vector<ExactHit> hits = exact_hits(reference, reference.solution.end_time());
+  ASSERT_GT(hits.size(), 2U);
+  double& capture = reference.the_case.cables.front().capture_speed;
+  capture = 0.5 * (hits[1].speed + hits[2].speed);
+  const std::size_t far = readable_impacts(reference, 1e-3);
+  capture = 0.999 * hits[1].speed;
+  EXPECT_EQ(readable_impacts(reference, 1e-3), far - 1);
+}
+
 TEST(StepNeeded, IsLargeOfAHeavyLoadAndSmallOfAFastRod) {
   const StepNeeded load = step_needed(reference_of("crane-load"), usual_part);
   EXPECT_DOUBLE_EQ(load.safe, 0.01);

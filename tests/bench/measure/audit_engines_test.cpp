@@ -190,7 +190,7 @@ TEST(Audit, FindsNothingInTheControlWhateverTheCase) {
       const bench::Rebounds rebounds = bench::rebounds_of(audit.impacts);
       EXPECT_FALSE(rebounds.wrong()) << reference.the_case.name << ' ' << words_of(rebounds);
       EXPECT_TRUE(
-          bench::findings({{reference.the_case.name, "exact", "sampled", &audit, step}}).empty());
+          bench::findings({{reference.the_case.name, "exact", "sampled", step, &audit}}).empty());
     }
   }
 }

@@ -94,7 +94,8 @@ Audits audits_of(const std::function<Trajectory(const ReferenceCase&)>& run_of,
   }
   std::vector<AuditedRun> runs;
   for (std::size_t index = 0; index < references().size(); ++index) {
-    runs.push_back({references()[index].the_case.name, "planted", "model", &result.runs[index]});
+    runs.push_back(
+        {references()[index].the_case.name, "planted", "model", 0.0, &result.runs[index]});
   }
   result.findings = findings(runs);
   return result;

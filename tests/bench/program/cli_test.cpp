@@ -59,6 +59,16 @@ INSTANTIATE_TEST_SUITE_P(
                  "step 0 must be a finite number above 0 [s]"},
         BadUsage{"NegativeStep", with(bench_ball, {"--steps=-1e-3"}),
                  "step -0.001 must be a finite number above 0 [s]"},
+        BadUsage{"WithinNothing", with(bench_ball, {"--within", "0"}),
+                 "--within 0: must be a part of the shortest cable above 0 and below 1, such as "
+                 "0.01, or in percent, such as 1%"},
+        BadUsage{"WithinLess", with(bench_ball, {"--within=-1 %"}), "--within -1 %: must be"},
+        BadUsage{"WithinASpace", with(bench_ball, {"--within", "1 %"}), "--within 1 %: must be"},
+        BadUsage{"WithinMore", with(bench_ball, {"--within", "200%"}), "--within 200%: must be"},
+        BadUsage{"WithinAll", with(bench_ball, {"--within", "1"}), "--within 1: must be"},
+        BadUsage{"WithinNan", with(bench_ball, {"--within", "nan"}), "--within nan: must be"},
+        BadUsage{"WithinHex", with(bench_ball, {"--within", "0x1p-3"}), "--within 0x1p-3: must"},
+        BadUsage{"WithinEmpty", with(bench_ball, {"--within", ""}), "--within \"\": must be"},
         BadUsage{"NanStep", with(bench_ball, {"--steps", "nan"}),
                  "step nan must be a finite number"},
         BadUsage{
@@ -417,6 +427,56 @@ TEST(Engines, AreListedWithVersionsAndModels) {
       EXPECT_FALSE(engine.at("models").empty());
     }
   }
+}
+
+// bench --within
+
+Outcome within(const std::string& the_case, const std::string& engines, const std::string& part,
+               const std::vector<std::string>& more = {}, const std::string& shell = "") {
+  return program(with({"bench", the_case, "--engines", engines, "--within", part}, more), shell);
+}
+
+TEST(Within, SaysWhichStepEachModelNeedsAndWhatWasTriedInVain) {
+  const Outcome outcome = within("bouncing-ball", "exact," + bad_engine("no-restitution"), "1%");
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  for (const char* part :
+       {"bouncing-ball: 1 % of the shortest cable is 0.02 m, over the first 3 s. A step-by-step "
+        "model needs steps of 0.01 s; 0.02 s often do.\n",
+        "locates its impacts: 0 % off at 0.01 s", "none of 0.02 to 0.005 s: ",
+        " % off at the shortest\n", "\nNo step above 0.02 s was tried.\n"}) {
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << part << outcome.output;
+  }
+  const Outcome any = within("bouncing-ball", "exact", "50%");
+  EXPECT_NE(any.output.find("For a step-by-step model any step up to 0.02 s does.\n"),
+            std::string::npos)
+      << any.output;
+}
+
+TEST(Within, ForetellsNoStepUnderALawThatThePlainSchemeDoesNotFollow) {
+  const Outcome outcome = within("level-beam", "exact", "1%", {"--law", "sequential"});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("Which step a step-by-step model needs is not known: the plain "
+                                "scheme follows the law simultaneous, and the law sequential "
+                                "resolves the impact at "),
+            std::string::npos)
+      << outcome.output;
+}
+
+TEST(Within, FailsIfNoModelCouldBeMeasured) {
+  const Outcome outcome = within("bouncing-ball", bad_engine("segfault"), "1%");
+  EXPECT_EQ(outcome.code, 1) << outcome.output;
+  EXPECT_NE(outcome.output.find("crashed: SIGSEGV"), std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.errors,
+            "tautline: bouncing-ball: no run of any model came to the end: the table says why\n");
+}
+
+TEST(Within, AnInterruptedSearchPrintsWhatItFound) {
+  const Outcome outcome = within("bouncing-ball", "exact," + bad_engine("hang"), "1%",
+                                 {"--jobs", "1"}, "timeout --signal=INT 5");
+  EXPECT_NE(outcome.code, 0);
+  EXPECT_NE(outcome.output.find("exact   event "), std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.errors,
+            "tautline: interrupted: of bouncing-ball, 3 of 4 models are searched\n");
 }
 
 }  // namespace

@@ -180,7 +180,6 @@ TEST(Scorecard, VerdictsAreCountedRunByRunAndTheWorstIsSaid) {
   EXPECT_EQ(tally.of(Word::problem), 1U);
   EXPECT_EQ(tally.runs(), report.runs.size());
   EXPECT_EQ(tally_text(tally), "problem in 1 of 3");
-  EXPECT_EQ(sentence_of(tally), "of 3 runs, 1 has a problem and 2 are sound.");
 }
 
 /// A path straight down and up, from one of `heights` [m] to the next in a quarter of a second.

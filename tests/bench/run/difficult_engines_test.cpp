@@ -46,8 +46,8 @@ TEST(DifficultEngines, AreCleanRows) {
                             run["model"].get<std::string>() + " on " +
                             run["case"].get<std::string>();
     const std::string status = run["status"];
-    EXPECT_TRUE(
-        std::set<std::string>({"finished", "stopped", "diverged", "failed", "unsupported"}).contains(status))
+    EXPECT_TRUE(std::set<std::string>({"finished", "stopped", "diverged", "failed", "unsupported"})
+                    .contains(status))
         << row << ": " << status;
     EXPECT_EQ(status == "finished", run["reason"].get<std::string>().empty()) << row;
   }

@@ -323,6 +323,9 @@ void Expectation::follow() {
   }
   speed_ = fastest;
   acceleration_ = the_case.gravity.norm();
+  for (const ExactHit& hit : exact_hits(reference_, end_)) {
+    change_ = std::max(change_, hit.change);
+  }
   for (const double time : times) {
     const State state = solution.at(time);
     speed_ = std::max(speed_, state.velocity.norm());

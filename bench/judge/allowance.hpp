@@ -104,10 +104,12 @@ class Expectation {
   [[nodiscard]] double rounding_at(double time, double step) const;
 
   /// The fastest that the body or an attachment point moves, or a cable closes, in the exact motion
-  /// [m/s]; the largest acceleration of the body; and of an attachment point by its spin [m/s^2].
+  /// [m/s]; the largest acceleration of the body, of an attachment point by its spin, and
+  /// ExactHit::change of an impact [m/s^2].
   [[nodiscard]] double speed() const { return speed_; }
   [[nodiscard]] double acceleration() const { return acceleration_; }
   [[nodiscard]] double turning() const { return turning_; }
+  [[nodiscard]] double change() const { return change_; }
   /// The farthest that the body is from the origin [m].
   [[nodiscard]] double extent() const { return extent_; }
 
@@ -120,6 +122,7 @@ class Expectation {
   double speed_ = 0.0;         //
   double acceleration_ = 0.0;  //
   double turning_ = 0.0;       //
+  double change_ = 0.0;        //
   double extent_ = 0.0;        //
   AlongMotion tangent_;        // [m / s], A for a step of one second
   AlongMotion of_cables_;      // [m / s], the same of the attachment points

@@ -67,17 +67,26 @@ std::optional<StaysTaut> stays_taut(const Expectation& expectation, const Allowa
   return std::nullopt;
 }
 
-/// The end of the stretch in which rounding alone is to blame [s]: a start on taut cables has none.
-double end_of_flight(const Solution& solution) {
+/// The end of the stretch in which rounding alone is to blame [s]: a start on taut cables has none,
+/// and where impacts accumulate, an engine may end them a little before.
+double end_of_flight(const ReferenceCase& reference) {
+  const Solution& solution = reference.solution;
+  if (!solution.arcs().front().taut.empty()) {
+    return 0.0;
+  }
   const double taut = first_taut(solution);
-  return taut == solution.end_time() && !solution.arcs().front().taut.empty() ? 0.0 : taut;
+  const std::vector<ExactHit> hits = exact_hits(reference, taut);
+  const auto slow = std::find_if(hits.begin(), hits.end(), [](const ExactHit& hit) {
+    return hit.speed < RecordOptions().slowest;
+  });
+  return slow != hits.end() ? slow->time : taut;
 }
 
 Following following(const Expectation& expectation, const Allowance& allowance,
                     const Trajectory& run, std::string_view precision) {
   const ReferenceCase& reference = expectation.reference();
   const double shortest = shortest_cable(reference.the_case);
-  const double taut = end_of_flight(reference.solution);
+  const double taut = end_of_flight(reference);
   Following result;
   result.located = locates(run);
   double worst = 0.0;
@@ -218,8 +227,9 @@ Judgement judge(const Expectation& expectation, const Trajectory& run,
   result.overstretch = run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
                                           floats * expectation.extent() * std::sqrt(steps));
   const double start = std::abs(energy(the_case, the_case.initial));
-  const double force = the_case.body.mass * acceleration;                       // [N]
-  const double far = std::max(shortest_cable(the_case), expectation.extent());  // [m]
+  const double force =
+      the_case.body.mass * std::max(expectation.acceleration(), expectation.change());  // [N]
+  const double far = std::max(shortest_cable(the_case), expectation.extent());          // [m]
   result.energy =
       largest_rise(the_case, run) / (force * expectation.speed() * run.step + 1e-9 * start +
                                      1e-6 * kinetic_energy(the_case.body, the_case.initial) +

@@ -16,23 +16,51 @@ namespace {
 /// No more bounces of a ladder are told: nobody climbs them.
 constexpr std::size_t longest_ladder = 300;
 
-/// True where no other cable pulled in the impact's steps or in the step after them, and the run
-/// has this step: a contact that another impact or the end of the run cuts off is not read.
-bool alone(const Trajectory& run, std::size_t index) {
-  constexpr double margin = 1.01;  // steps
+/// Steps that a body is held after the one that stopped it: a soft contact takes several steps to
+/// stop it, and two phases of one impact two.
+constexpr std::size_t least_held = 4;
+
+/// True where a step stops the body and the steps that follow hold it: nothing came back, which the
+/// first step says.
+bool sticks(const Case& the_case, const RecordedImpact& impact) {
+  constexpr double still_closing = 0.1;  // [-], of the speed
+  const double speed = -impact.rate_before;
+  const double e = restitution(the_case.cables[impact.cable], impact.rate_before);
+  return e >= asking && impact.steps >= least_held && impact.rate_first > -still_closing * speed &&
+         impact.rate_first < lost_part * e * speed &&
+         (impact.shared || impact.rate_after < lost_part * e * speed);
+}
+
+constexpr double margin = 1.01;  // steps
+
+/// True where no impact of another cable begins up to `over` [s], or at the instant of this one.
+bool none_follows(const Trajectory& run, std::size_t index, double over) {
   const std::vector<RecordedImpact>& impacts = run.impacts;
-  const RecordedImpact& impact = impacts[index];
-  const double over = impact.ended + margin * run.step;
-  if (impact.shared || (impact.steps > 0 && over > run.points.back().time) ||
-      (index > 0 && impacts[index - 1].time == impact.time)) {
-    return false;
-  }
   for (std::size_t next = index + 1; next < impacts.size() && impacts[next].time <= over; ++next) {
-    if (impacts[next].cable != impact.cable) {
+    if (impacts[next].cable != impacts[index].cable) {
       return false;
     }
   }
-  return true;
+  return index == 0 || impacts[index - 1].time != impacts[index].time;
+}
+
+/// True where no other cable pulled in the impact's steps or in the step after them, and the run
+/// has this step: a contact that another impact or the end of the run cuts off is not read.
+bool alone(const Trajectory& run, std::size_t index) {
+  const RecordedImpact& impact = run.impacts[index];
+  const double over = impact.ended + margin * run.step;
+  return !impact.shared && (impact.steps == 0 || over <= run.points.back().time) &&
+         none_follows(run, index, over);
+}
+
+/// The same of the steps in which a body is stopped and held; later ones say nothing of it.
+bool stopped_alone(const Trajectory& run, std::size_t index) {
+  const RecordedImpact& impact = run.impacts[index];
+  const auto before = run.impacts.begin() + static_cast<std::ptrdiff_t>(index);
+  return none_follows(run, index, impact.time + static_cast<double>(least_held) * run.step) &&
+         std::none_of(run.impacts.begin(), before, [&](const RecordedImpact& earlier) {
+           return earlier.cable != impact.cable && earlier.ended + margin * run.step >= impact.time;
+         });
 }
 
 /// `momentum` less what a step explains, as a part of `impulse`.
@@ -82,18 +110,6 @@ bool bounces_straight(const ReferenceCase& reference) {
   });
 }
 
-/// True where a step stops the body and the steps that follow hold it: nothing came back, and
-/// the many steps do not change this reading. A soft contact takes several steps to stop it, and
-/// two phases of one impact two.
-bool sticks(const Case& the_case, const RecordedImpact& impact) {
-  constexpr std::size_t least_steps = 4;
-  constexpr double still_closing = 0.1;  // [-], of the speed
-  const double speed = -impact.rate_before;
-  const double e = restitution(the_case.cables[impact.cable], impact.rate_before);
-  return e >= asking && impact.steps >= least_steps && impact.rate_first > -still_closing * speed &&
-         std::max(impact.rate_first, impact.rate_after) < lost_part * e * speed;
-}
-
 }  // namespace
 
 double doubt_of_rates(const Cable& cable, double speed, double change) {
@@ -122,15 +138,20 @@ std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const
   const double end = reference.solution.end_time();
   std::vector<AuditedImpact> result;
   for (std::size_t index = 0; index < run.impacts.size(); ++index) {
-    const RecordedImpact& recorded = run.impacts[index];
-    if (recorded.time > end || !alone(run, index)) {
+    RecordedImpact recorded = run.impacts[index];
+    const bool stuck = sticks(the_case, recorded) && stopped_alone(run, index);
+    if (recorded.time > end || !(stuck || alone(run, index))) {
       continue;
+    }
+    if (stuck) {  // of its first step alone
+      recorded.rate_after = recorded.rate_first;
+      recorded.after = recorded.before;
+      recorded.stray.setZero();
     }
     State after = recorded.before;
     after.velocity = recorded.after.velocity;
     after.spin = recorded.after.spin;
-    const double steps =
-        sticks(the_case, recorded) ? 1.0 : std::max(1.0, static_cast<double>(recorded.steps));
+    const double steps = stuck ? 1.0 : std::max(1.0, static_cast<double>(recorded.steps));
     const double floor =
         steps * run.step * change_of_rates(the_case, recorded.cable, recorded.before, after);
     AuditedImpact impact = audited(the_case, recorded, floor);

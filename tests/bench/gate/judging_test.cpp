@@ -78,8 +78,8 @@ TEST(Verdict, OfARunWithoutAProblemIsSoundWhereEnoughCanBeTold) {
   EXPECT_EQ(verdict_of(report_of(few)).word, Word::too_few);
   const auto untold = [](RunRow& run) { run.judgement->following.ratio.reset(); };
   EXPECT_EQ(verdict_of(report_of(untold)).word, Word::too_few);
-  const auto marginal = [](RunRow& run) { run.judgement->following.ratio = 1.7; };
-  EXPECT_EQ(verdict_of(report_of(marginal)).word, Word::too_few);
+  const auto marginal = [](RunRow& run) { run.judgement->following.ratio = 1.9; };
+  EXPECT_EQ(verdict_of(report_of(marginal)).word, Word::sound);
 }
 
 TEST(Verdict, EachPartOfAJudgementIsAProblemOfItsKind) {

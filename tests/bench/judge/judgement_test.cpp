@@ -126,9 +126,10 @@ TEST(Judgement, FindsARiseOfEnergyOutsideContactsAlone) {
 }
 
 TEST(Judgement, FindsAWrongGravityAndASpinThatFades) {
-  const Judgement heavy = judged(standard, [](Trajectory& run) {
+  const double weight = reference_of(standard).the_case.gravity.norm();
+  const Judgement heavy = judged(standard, [weight](Trajectory& run) {
     for (Point& point : run.points) {
-      point.state.velocity.y() -= 0.01 * 9.81 * point.time;
+      point.state.velocity.y() -= 0.01 * weight * point.time;
     }
   });
   EXPECT_NEAR(heavy.flight, 0.01, 1e-6);

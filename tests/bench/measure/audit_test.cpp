@@ -216,7 +216,7 @@ TEST(Rebounds, InProportionToTheirSpeedAreOff) {
 TEST(Rebounds, WithAnErrorThatIsSmallAreKept) {
   const Rebounds kept = rebounds_with(
       [](std::size_t index, const Case& the_case, RecordedImpact& impact) {
-        const double off = index % 2 == 0 ? 0.004 : -0.004;
+        const double off = index % 2 == 0 ? 0.0015 : -0.0015;
         rebound(the_case, impact, requested(the_case, impact) + off);
       },
       fine_step);

@@ -43,8 +43,8 @@ class EventAdapter {
   static constexpr Rounding float_rounding = {3e-7, 3e-6};
 };
 
-/// What a gap is rounded against [m]: the cable's length, and far from the origin the body's
-/// distance from it, as the coordinates of a pose have no more digits there.
+/// The length that a gap is rounded against [m]: the cable's length, and far from the origin the
+/// body's distance from it, as the coordinates of a pose have no more digits there.
 [[nodiscard]] inline double gap_scale(const Cable& cable, const State& state) {
   return std::max(cable.length, state.position.norm());
 }

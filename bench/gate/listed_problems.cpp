@@ -165,7 +165,8 @@ ProblemsReading read_problems_file(const std::filesystem::path& path, const Prob
 
 ListedProblems shipped_problems() {
   // the tests read it: what ships is sound
-  return read_problems_text(shipped_problems_text, "problems.toml, built in").listed.value();
+  return read_problems_text(shipped_problems_text, std::string(shipped_problems_file))
+      .listed.value();
 }
 
 const ListedProblem* ListedProblems::find(const RunKey& run, std::string_view kind) const {

@@ -59,6 +59,9 @@ struct ProblemNames {
                                                  const std::string& source_name,
                                                  const ProblemNames& names = {});
 
+/// The name of the shipped list, which is about more engines than most reports.
+inline constexpr std::string_view shipped_problems_file = "problems.toml, built in";
+
 /// bench/gate/problems.toml as it was when the program was built.
 [[nodiscard]] ListedProblems shipped_problems();
 

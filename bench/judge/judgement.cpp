@@ -82,6 +82,16 @@ double end_of_flight(const ReferenceCase& reference) {
   return slow != hits.end() ? slow->time : taut;
 }
 
+/// When a cable first acts in the exact motion [s]; after its end if none does.
+double first_contact(const ReferenceCase& reference) {
+  const Solution& solution = reference.solution;
+  if (!solution.arcs().front().taut.empty()) {
+    return 0.0;
+  }
+  const std::vector<Event>& events = solution.events();
+  return events.empty() ? std::numeric_limits<double>::infinity() : events.front().time;
+}
+
 Following following(const Expectation& expectation, const Allowance& allowance,
                     const Trajectory& run, std::string_view precision) {
   const ReferenceCase& reference = expectation.reference();
@@ -89,6 +99,8 @@ Following following(const Expectation& expectation, const Allowance& allowance,
   const double taut = end_of_flight(reference);
   Following result;
   result.located = locates(run);
+  // a free flight alone says nothing of cables
+  const bool tells = allowance.until > first_contact(reference);
   double worst = 0.0;
   for (const Point& point : run.points) {
     if (point.time > allowance.until) {
@@ -102,7 +114,7 @@ Following following(const Expectation& expectation, const Allowance& allowance,
         std::max(worst, (point.state.position - reference.solution.at(point.time).position).norm());
     const double grown = rounding_of(precision) * expectation.rounding_at(point.time, run.step);
     const double allowed = allowance.at(point.time) + least_part * shortest;
-    if (!result.ratio || worst > *result.ratio * allowed) {
+    if (tells && (!result.ratio || worst > *result.ratio * allowed)) {
       result.ratio = worst / allowed;
       result.time = point.time;
       result.error = worst;
@@ -168,7 +180,7 @@ double off_in_flight(const Case& the_case, const Trajectory& run, double slack, 
       const Vec2 gained = last.state.velocity - from->state.velocity;
       const double turned = arm * std::abs(last.state.spin - from->state.spin);
       const double off = std::max((gained - time * the_case.gravity).norm(), turned);
-      worst = std::max(worst, (off - rounding * std::sqrt(time / run.step)) / time);
+      worst = std::max(worst, (off - rounding * time / run.step) / time);
     }
     from = std::find_if(over, end, flies);
   }
@@ -222,7 +234,7 @@ Judgement judge(const Expectation& expectation, const Trajectory& run,
   const double weight = the_case.gravity.norm();
   const double slack = 4.0 * run.step * static_cast<double>(run.stride) * speed +
                        floats * expectation.extent() * steps;  // [m]
-  result.flight = off_in_flight(the_case, run, slack, 4.0 * floats * expectation.speed()) /
+  result.flight = off_in_flight(the_case, run, slack, 2.0 * floats * expectation.speed()) /
                   ((weight > 0.0 ? weight : acceleration) + tiny);
   result.overstretch = run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
                                           floats * expectation.extent() * std::sqrt(steps));

@@ -47,7 +47,15 @@ Course course_over_cases(const Runs& runs) {
         worst_first.begin());
     worst = std::min(worst, place);
   }
-  return worst < worst_first.size() ? worst_first.at(worst) : Course::untold;
+  if (worst == worst_first.size()) {
+    return Course::untold;
+  }
+  const bool located = std::all_of(runs.begin(), runs.end(), [](const JudgedRun* run) {
+    return run->judgement->following.located || !run->judgement->following.ratio;
+  });
+  // a model whose steps meet no impact can be near, not exact
+  return worst_first.at(worst) == Course::exact && !located ? Course::as_good
+                                                            : worst_first.at(worst);
 }
 
 void add_run(const JudgedRun& run, ModelJudgement& model) {
@@ -90,11 +98,17 @@ ModelJudgement model_of(const Runs& runs) {
     }
   }
   model.rebounds = rebounds_of(impacts, stuck);
-  // a fault of one case does not drown in the impacts of others
+  // a fault of one case does not drown in the impacts of others, nor faults of several make a new
+  // one
+  const bool pooled = model.rebounds.wrong() && model.rebounds.word != Rebound::scatters;
   for (const JudgedRun* run : runs) {
-    if (run->step == model.step && !model.rebounds.wrong()) {
-      const Rebounds& of_run = run->judgement->rebounds;
-      model.rebounds = of_run.wrong() ? of_run : model.rebounds;
+    const Rebounds& of_run = run->judgement->rebounds;
+    const bool plainer =
+        !model.rebounds.wrong() ||
+        (of_run.word != Rebound::scatters &&
+         (model.rebounds.word == Rebound::scatters || of_run.off > model.rebounds.off));
+    if (!pooled && run->step == model.step && of_run.wrong() && plainer) {
+      model.rebounds = of_run;
     }
   }
   model.course = course_over_cases(runs);

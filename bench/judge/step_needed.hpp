@@ -19,6 +19,11 @@ struct StepNeeded {
   /// The first impact that the law of the exact motion resolves otherwise than the plain scheme
   /// [s], whose law is `simultaneous`: with one before `until` the plain scheme says nothing.
   std::optional<double> unlike;
+
+  /// `step`, which is `safe` or `typical`, where the plain scheme says it.
+  [[nodiscard]] std::optional<double> known(double step) const {
+    return unlike ? std::nullopt : std::optional(step);
+  }
 };
 
 /// The largest steps with an error of `part` [-] of the shortest cable of `reference` at most, over

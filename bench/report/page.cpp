@@ -257,9 +257,10 @@ std::string lead_paragraph(const Report& report) {
     }
   }
   return fmt::format(
-      "<p class=\"lead-in\">{} simulate a body on cables that are slack or taut, in {} whose exact "
+      "<p class=\"lead-in\">{} {} a body on cables that are slack or taut, in {} whose exact "
       "motion is known. Each is compared with it; the worst comes first.</p>\n",
-      counted(engines.size(), "physics engine"), counted(report.cases.size(), "case"));
+      counted(engines.size(), "physics engine"), engines.size() == 1 ? "simulates" : "simulate",
+      counted(report.cases.size(), "case"));
 }
 
 /// Which step each case needs.

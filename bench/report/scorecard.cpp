@@ -108,11 +108,13 @@ ModelCard model_card(const Report& report, const std::string& engine, const Mode
   card.maker = model.maker;
   std::map<double, Runs, std::greater<>> by_step;
   std::size_t failed = 0;
+  card.unsupported = true;
   for (const RunRow& run : report.runs) {
     if (run.key.engine == engine && run.key.model == model.name) {
       by_step[run.key.step].push_back(&run);
       card.verdicts.add(run);
       failed += did_its_work(run.status) ? 0U : 1U;
+      card.unsupported = card.unsupported && run.status == Status::unsupported;
       for (const Problem& problem : run.verdict ? run.verdict->problems : std::vector<Problem>()) {
         if (problem.listed && std::find(card.listed.begin(), card.listed.end(), problem.reason) ==
                                   card.listed.end()) {
@@ -382,8 +384,10 @@ std::vector<Scorecard> worst_first_scorecards(const Report& report) {
 EngineWords words_of(const Scorecard& card) {
   std::vector<ModelCard> wrong;
   std::size_t kept = 0;
+  std::size_t unsupported = 0;
   for (const ModelCard& model : card.models) {
     kept += model.may_be_used() ? 1U : 0U;
+    unsupported += model.unsupported ? 1U : 0U;
     if (!model.wrong.empty()) {
       wrong.push_back(model);
     }
@@ -405,12 +409,18 @@ EngineWords words_of(const Scorecard& card) {
     return out;
   }
   out.model = card.use ? card.use->model : card.models.empty() ? "" : card.models.front().model;
-  if (kept == card.models.size()) {
+  const std::size_t done = card.models.size() - unsupported;
+  if (kept == done && kept > 0) {
     out.word = out.word == Word::too_few ? Word::sound : out.word;
     out.fault = fmt::format("No problem found in {}.", counted(kept, "model"));
-  } else {
-    out.fault = fmt::format("Too few impacts to judge {} of {}.", card.models.size() - kept,
-                            counted(card.models.size(), "model"));
+  } else if (done > 0) {
+    out.fault =
+        fmt::format("Too few impacts to judge {} of {}.", done - kept, counted(done, "model"));
+  }
+  if (unsupported > 0) {
+    out.fault +=
+        fmt::format("{}{} not supported here.", done > 0 ? " " : "",
+                    unsupported == 1 ? "1 model is" : fmt::format("{} models are", unsupported));
   }
   return out;
 }

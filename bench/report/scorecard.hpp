@@ -35,6 +35,7 @@ struct ModelCard {
   std::vector<std::string> listed;       // why problems of it are listed, each once
   std::vector<Setup> setups;             // in falling step
   Tally verdicts;
+  bool unsupported = false;  // its engine does none of the runs
 
   /// It keeps the restitution, follows the exact motion as well as its step can, and nothing else
   /// is wrong with it.

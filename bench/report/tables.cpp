@@ -271,6 +271,15 @@ Table cases_table(const Report& report) {
   return table;
 }
 
+/// A step of StepNeeded: a dash where it is not known.
+Cell step_cell(const std::optional<double>& step) {
+  Cell cell = number_cell(step, as_count);
+  if (step && *step < shortest_needed) {
+    cell.text = "below " + number_text(shortest_needed, as_count);
+  }
+  return cell;
+}
+
 Table steps_table(const Report& report) {
   std::vector<Column> columns = {word_column("case", "case"),
                                  number_column("safe", "s", "step for 1 %", "safe"),
@@ -284,8 +293,8 @@ Table steps_table(const Report& report) {
   Table table(std::move(columns));
   for (const CaseRow& row : report.cases) {
     const StepNeeded& needed = row.step_needed;
-    std::vector<Cell> cells = {word_cell(row.name), number_cell(needed.safe, as_count),
-                               number_cell(needed.typical, as_count),
+    std::vector<Cell> cells = {word_cell(row.name), step_cell(needed.known(needed.safe)),
+                               step_cell(needed.known(needed.typical)),
                                number_cell(needed.until, fixed(2))};
     for (const double step : report.options.steps) {
       const Predictable* const found = find_by(row.predictable, &Predictable::step, step);

@@ -83,8 +83,10 @@ void fields(Visitor& visit, StepNeeded& needed) {
       "a plain correct scheme is off by over shifts of its first step");
   visit("part", needed.part, "of the shortest cable [-]");
   visit("until", needed.until, "up to here [s]");
-  visit("safe", needed.safe, "by the worst of the shifts [s]");
-  visit("typical", needed.typical, "by their mean [s]");
+  visit("safe", needed.safe,
+        "by the worst of the shifts [s]; below 1e-5 a guess; 0 where the law of impact leaves it "
+        "unknown");
+  visit("typical", needed.typical, "by their mean [s], the same");
 }
 
 template <class Visitor>

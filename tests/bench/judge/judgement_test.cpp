@@ -115,7 +115,7 @@ TEST(Judgement, FindsARiseOfEnergyOutsideContactsAlone) {
     return [=](Trajectory& run) {
       for (Point& point : run.points) {
         if (point.time > from && point.time < until) {
-          point.state.velocity *= 2.0;
+          point.state.velocity *= 4.0;
         }
       }
     };
@@ -139,6 +139,28 @@ TEST(Judgement, FindsAWrongGravityAndASpinThatFades) {
     }
   });
   EXPECT_GT(fading.flight, most_flight);
+}
+
+TEST(Judgement, LeavesWhatFloatsRoundToOneSideInFlight) {
+  const ReferenceCase reference = reference_of(standard);
+  const Expectation expectation(reference);
+  Trajectory run = exact_run(reference, 1e-3);
+  const double half_ulp = 6e-8 * expectation.speed();
+  for (std::size_t step = 0; step < run.points.size(); ++step) {
+    run.points[step].state.velocity.y() -= half_ulp * static_cast<double>(step);
+  }
+  const std::vector<AuditedImpact> impacts = audited_impacts(reference, run);
+  EXPECT_GT(judge(expectation, run, impacts, "float64").flight, 1e-5);
+  EXPECT_EQ(judge(expectation, run, impacts, "float32").flight, 0.0);
+}
+
+TEST(Judgement, TellsNothingOfAFreeFlight) {
+  ReferenceCase reference = reference_of("bouncing-ball");
+  reference.the_case.duration = 0.1;
+  reference = solve_cases({reference.the_case}, ImpactLaw::simultaneous).front();
+  const Expectation expectation(reference);
+  const Trajectory run = exact_run(reference, 1e-3);
+  EXPECT_FALSE(judge(expectation, run, {}, "float64").following.ratio);
 }
 
 TEST(Judgement, FindsACableThatIsTooLong) {
@@ -206,6 +228,44 @@ TEST(Allowance, OfTwoCablesStruckTogetherIsJudgedByTheLawThatStrikesThemTogether
   const double first = together.solution.events().front().time;
   EXPECT_GT(Expectation(together).allowance(1e-4).until, first - 1e-4);
   EXPECT_LT(Expectation(in_turn).allowance(1e-4).until, first - 1e-4);
+}
+
+/// A run with these impacts, each with what it asks for and what comes back.
+struct RunOf {
+  RunAudit audit;
+  Judgement judgement;
+
+  RunOf(const std::vector<std::pair<double, double>>& impacts, bool located) {
+    for (const auto& [asked, got] : impacts) {
+      AuditedImpact impact;
+      impact.speed = 1.0;
+      impact.requested = asked;
+      impact.effective = got;
+      impact.steps = 1;
+      audit.impacts.push_back(impact);
+    }
+    judgement.rebounds = rebounds_of(audit.impacts);
+    judgement.following.ratio = 0.01;
+    judgement.following.located = located;
+  }
+  [[nodiscard]] JudgedRun in(const std::string& name) const {
+    return {name, "engine", "model", 1e-3, &audit, &judgement};
+  }
+};
+
+TEST(Course, IsExactOnlyOfRunsThatLocateTheirImpacts) {
+  const RunOf blind({{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}}, false);
+  const RunOf seeing({{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}}, true);
+  EXPECT_EQ(models_of({blind.in("a")}).front().course, Course::as_good);
+  EXPECT_EQ(models_of({seeing.in("a")}).front().course, Course::exact);
+  EXPECT_EQ(models_of({seeing.in("a"), blind.in("b")}).front().course, Course::as_good);
+}
+
+TEST(Model, OfTwoFaultsHasOneAndNoMixture) {
+  const RunOf high({{0.0, 0.16}, {0.0, 0.16}, {0.0, 0.16}}, false);
+  const RunOf lost({{0.8, 0.0}, {0.8, 0.8}, {0.8, 0.8}, {0.8, 0.8}}, false);
+  EXPECT_EQ(models_of({high.in("a"), lost.in("b")}).front().rebounds.word, Rebound::off);
+  EXPECT_EQ(models_of({lost.in("b"), high.in("a")}).front().rebounds.word, Rebound::off);
 }
 
 TEST(Course, IsOfTheRatiosAsTheStepFalls) {

@@ -115,7 +115,7 @@ TEST(Judgement, FindsARiseOfEnergyOutsideContactsAlone) {
     return [=](Trajectory& run) {
       for (Point& point : run.points) {
         if (point.time > from && point.time < until) {
-          point.state.velocity *= 4.0;
+          point.state.velocity *= 2.0;
         }
       }
     };

@@ -67,7 +67,7 @@
     const off = looks[word] === 'problem' ? own.filter(({ e }) => looks[e[0]] === 'problem') : [];
     const shown = off.length > 0
       ? least(off, (run) => run.step, ({ e }) => Number(e[0] !== word),
-        ({ e: [, asked, got] }) => (deviation === undefined ? -asked : Math.abs(got - asked - deviation)))
+        ({ e: [, asked, got] }) => Math.round(100 * Math.abs(got - asked - (deviation ?? -1))), ({ e }) => -e[1])
       : least(own, ({ e }) => Number(e[1] === 0), (run) => run.step, ({ e }) => e[0], ({ e }) => -e[1]);
     const other = shown && use !== wanted ? runs.find((run) => run.model === use && run.case === shown.case && run.step === shown.step) : null;
     return shown ? [shown, ...(other ? [other] : [])] : [];

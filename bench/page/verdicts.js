@@ -53,15 +53,24 @@
       : { look: 'too-few-to-tell', text: `Too few impacts to judge ${few} of ${runsOf(runs.length)}.` };
   }
 
-  /// The runs that the bars are of: of the model that is off the most, at its smallest step, and of the
-  /// recommended one in the same case.
+  /// The first of `runs` by these numbers of theirs, the least first.
+  const least = (runs, ...numbers) => [...runs].sort((a, b) => numbers.reduce((found, of) => found || of(a) - of(b), 0))[0];
+
+  /// The runs that the bars are of: of the model that the sentence is of, and of the recommended one in the
+  /// same case. What is off over all cases is shown where it is off the same way, by about as much; what is
+  /// not, in a case that asks for a rebound: two bars of 0 look like an engine that does not throw back.
   function runsOf({ engine, model, use }) {
     const runs = report.runs.filter((run) => run.e && run.engine === engine && filter.fits(run));
     const wanted = runs.some((run) => run.model === model) ? model : runs[0]?.model;
-    const off = ({ e: [word, asked, got] }) => (looks[word] === 'problem' ? 10 : 0) + Math.abs(got - asked);
-    const [worst] = runs.filter((run) => run.model === wanted).sort((a, b) => a.step - b.step || off(b) - off(a));
-    const other = worst && use !== wanted ? runs.find((run) => run.model === use && run.case === worst.case && run.step === worst.step) : null;
-    return worst ? [worst, ...(other ? [other] : [])] : [];
+    const own = runs.filter((run) => run.model === wanted);
+    const [word, deviation] = report.models.find((one) => one.engine === engine && one.model === wanted)?.e ?? [];
+    const off = looks[word] === 'problem' ? own.filter(({ e }) => looks[e[0]] === 'problem') : [];
+    const shown = off.length > 0
+      ? least(off, (run) => run.step, ({ e }) => Number(e[0] !== word),
+        ({ e: [, asked, got] }) => Math.round(100 * Math.abs(got - asked - (deviation ?? -1))), ({ e }) => -e[1])
+      : least(own, ({ e }) => Number(e[1] === 0), (run) => run.step, ({ e }) => e[0], ({ e }) => -e[1]);
+    const other = shown && use !== wanted ? runs.find((run) => run.model === use && run.case === shown.case && run.step === shown.step) : null;
+    return shown ? [shown, ...(other ? [other] : [])] : [];
   }
 
   function draw() {

@@ -178,7 +178,7 @@ std::string legend_html(const ImpactStills& stills) {
         "<figcaption>\n<p>A cable does nothing until it is taut. Then it throws the body back with "
         "a "
         "part of its speed, the restitution: 1 is all of it, 0 is none.</p>\n<p>The largest error "
-        "of a rebound found here: {}</p>\n"
+        "of a rebound that three stills can show: {}</p>\n"
         "<p class=\"pair\"><span class=\"is-exact\">exact motion</span> <span "
         "class=\"is-engine\">{} {}</span></p>\n<p class=\"note\">One start, case <code>{}</code>, "
         "step {:g}{}. <a href=\"#replay\">Play both</a></p>\n</figcaption>\n",
@@ -199,9 +199,10 @@ std::string legend_html(const ImpactStills& stills) {
 constexpr double visible_error = 0.05;
 
 /// Up to its impact a run is where the exact motion is, within this part of what the case covers
-/// [-]; after it the two are seen to part by so much.
+/// [-]; after it the two are seen to part by so much, better by more.
 constexpr double same_place = 0.01;
 constexpr double parted = 0.02;
+constexpr double well_parted = 0.04;
 
 /// A run's impact is the exact one that it is later or earlier than by no more of its steps.
 constexpr double late_steps = 5.0;
@@ -226,12 +227,12 @@ std::optional<double> next_after(const std::vector<double>& times, double time) 
 }
 
 /// The run's impact at `place` with the exact motion beside it; none where the two are not at one
-/// place up to it, or do not part visibly after it, or no cable is slack by `least_slack` before
-/// it, of its length.
+/// place up to it, or do not part by `least_apart` of what the case covers before the next exact
+/// one, or no cable is slack by `least_slack` before it, of its length.
 std::optional<ImpactStills> pair_of(const CaseRow& the_case, const RunRow& run,
                                     const ImpactColumns& impacts, const DrawnPath& path,
                                     const EventColumns& events, const DrawnPath& exact,
-                                    std::size_t place, double least_slack) {
+                                    std::size_t place, double least_slack, double least_apart) {
   const std::size_t index = impacts.cable[place];
   const std::vector<double> of_cable = exact_impacts(events, index);
   if (index >= the_case.geometry.size() || of_cable.empty()) {
@@ -247,9 +248,7 @@ std::optional<ImpactStills> pair_of(const CaseRow& the_case, const RunRow& run,
   const std::vector<double> all = exact_impacts(events, {});
   const auto found = std::lower_bound(all.begin(), all.end(), time);
   const double before = found != all.begin() ? *std::prev(found) : 0.0;
-  const double end = std::min(std::max(next_after(all, time).value_or(the_case.horizon),
-                                       next_after(impacts.time, mine).value_or(the_case.horizon)),
-                              the_case.horizon);
+  const double end = std::min(next_after(all, time).value_or(2 * time - before), the_case.horizon);
   std::array<double, 3> times = {slackest(the_case, exact, before, time), time, time};
   for (int instant = 1; instant <= instants; ++instant) {
     const double later = time + (end - time) * instant / instants;
@@ -261,16 +260,17 @@ std::optional<ImpactStills> pair_of(const CaseRow& the_case, const RunRow& run,
   if (distance(path, exact, times[0]) > same || distance(path, exact, time) > same ||
       least_gap(the_case, exact, times[0]) < least_slack ||
       least_gap(the_case, path, times[0]) < least_slack ||
-      distance(path, exact, times[2]) < parted * the_case.extent) {
+      distance(path, exact, times[2]) < least_apart * the_case.extent) {
     return std::nullopt;
   }
   return ImpactStills{&the_case, &run, &impacts, path, exact, index, place, times};
 }
 
 /// The impact of an engine that is off the most, of the runs whose rebounds are off and of the
-/// impacts that can be read; none where no error is seen. `least_slack`: see pair_of.
+/// impacts that can be read; none where no error is seen. `least_slack` and `least_apart`: see
+/// pair_of.
 std::optional<ImpactStills> worst_pair(const Report& report, const Replay& replay,
-                                       double least_slack) {
+                                       double least_slack, double least_apart) {
   std::optional<ImpactStills> worst;
   double largest = visible_error;
   for (std::size_t run = 0; run < report.runs.size(); ++run) {
@@ -290,8 +290,8 @@ std::optional<ImpactStills> worst_pair(const Report& report, const Replay& repla
       if (-impacts->rate_before[place] < slowest || restitution_error(*impacts, place) <= largest) {
         continue;
       }
-      if (auto pair =
-              pair_of(*the_case, row, *impacts, drawn, of_case.events, exact, place, least_slack)) {
+      if (auto pair = pair_of(*the_case, row, *impacts, drawn, of_case.events, exact, place,
+                              least_slack, least_apart)) {
         largest = restitution_error(*impacts, place);
         worst = std::move(pair);
       }
@@ -321,22 +321,32 @@ struct Place {
 /// Points of the way a body came.
 constexpr int trail_points = 60;
 
+/// The instant of a point of the way from one instant to another.
+double trail_time(double from, double until, int point) {
+  return from + (until - from) * point / trail_points;
+}
+
 /// The end of a cable on the body [m].
 Vec2 end_of(const CableRow& cable, const Pose& pose) {
   return attachment_point(State{.position = pose.centre, .angle = pose.angle},
                           Cable{.attachment = cable.attachment});
 }
 
-/// Room for the anchors and for each body at every still.
+/// Room for the anchors, for each body at every still and for the ways between them.
 Place place_of_stills(const ImpactStills& stills) {
   std::vector<Vec2> points;
   for (const CableRow& cable : stills.the_case->geometry) {
     points.push_back(cable.anchor);
-    for (const double time : stills.times) {
-      for (const DrawnPath* path : {&stills.path, stills.exact ? &*stills.exact : &stills.path}) {
+  }
+  for (const DrawnPath* path : {&stills.path, stills.exact ? &*stills.exact : &stills.path}) {
+    for (const CableRow& cable : stills.the_case->geometry) {
+      for (const double time : stills.times) {
         points.push_back(end_of(cable, pose_at(*path, time)));
-        points.push_back(pose_at(*path, time).centre);
       }
+    }
+    for (int point = 0; point <= trail_points; ++point) {
+      const double time = trail_time(stills.times.front(), stills.times.back(), point);
+      points.push_back(pose_at(*path, time).centre);
     }
   }
   Vec2 low = points.front();
@@ -416,8 +426,7 @@ std::string body_svg(const CaseRow& the_case, const Pose& pose, const Place& pla
 std::string trail_svg(const DrawnPath& path, double from, double until, const Place& place) {
   std::string points;
   for (int point = 0; point <= trail_points; ++point) {
-    const double time = from + (until - from) * point / trail_points;
-    const Vec2 at = place(pose_at(path, time).centre);
+    const Vec2 at = place(pose_at(path, trail_time(from, until, point)).centre);
     points += fmt::format("{}{:.1f} {:.1f}", points.empty() ? "M" : "L", at.x(), at.y());
   }
   return "<path class=\"trail\" d=\"" + points + "\"></path>";
@@ -438,9 +447,11 @@ std::string motion_svg(const ImpactStills& stills, const DrawnPath& path, std::s
 }  // namespace
 
 std::optional<ImpactStills> impact_stills(const Report& report, const Replay& replay) {
-  for (const double least_slack : {visible_gap, -1.0}) {  // better a slack cable before it
-    if (auto stills = worst_pair(report, replay, least_slack)) {
-      return stills;
+  for (const double least_apart : {well_parted, parted}) {
+    for (const double least_slack : {visible_gap, -1.0}) {  // better a slack cable before it
+      if (auto stills = worst_pair(report, replay, least_slack, least_apart)) {
+        return stills;
+      }
     }
   }
   for (const bool of_control : {true, false}) {

@@ -1,8 +1,9 @@
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import test from 'node:test';
-import { benchPage, drawAll, onSharedPage, settled, withPage } from './browser.mjs';
+import { benchPage, drawAll, onSharedPage, reportOf, settled, withPage, withText } from './browser.mjs';
+import { withReport } from './page.mjs';
 
 const chip = (page, name) => page.locator('.engine-filter button', { hasText: new RegExp(`^${name}$`) });
 /// The engines in the shown rows of a table, of its plain bodies.
@@ -60,6 +61,30 @@ test('each engine of the first screen has bars of the restitution asked and got,
     }
   }
 }));
+
+/// `page` with these numbers instead of its own: of its runs [case, engine, model, asked, word, got], and of its models.
+function withBars(page, rows, models) {
+  const report = reportOf(page);
+  const [one] = report.cases;
+  const restitution = (asked) => one.geometry.map((cable) => ({ ...cable, restitution: asked }));
+  const asked = new Map(rows.map((row) => [row[0], row[3]]));
+  return withReport(readFileSync(page, 'utf8'), { ...report, models,
+    cases: [...report.cases, ...[...asked].map(([name, e]) => ({ ...one, name, geometry: restitution(e) }))],
+    runs: rows.map(([name, engine, model, , word, got]) => ({ ...report.runs[0], case: name, engine, model, step: 0.001, e: [word, got] })) });
+}
+
+test('the bars are of a case that is off like the sentence, or of one that asks for a rebound, and are rounded once', async () => {
+  const { chipmunk, ode } = Object.fromEntries(await onSharedPage(async ({ page }) => (await firstScreen(page)).map(({ engine, model }) => [engine, model])));
+  const text = withBars(benchPage(), [['keeps', 'chipmunk', chipmunk, 0, 0, 0.4], ['far', 'chipmunk', chipmunk, 0.5, 1, 0.9],
+    ['near', 'chipmunk', chipmunk, 0, 1, 0.1455], ['lost', 'chipmunk', chipmunk, 0.9, 3, 1.045],
+    ['falls', 'ode', ode, 0, 0, 0], ['less', 'ode', ode, 0.3, 0, 0.3], ['more', 'ode', ode, 0.7, 0, 0.7], ['few', 'ode', ode, 0.8, 2, 0.8]],
+  [{ engine: 'chipmunk', model: chipmunk, e: [1, 0.15] }, { engine: 'ode', model: ode, e: [0, 0] }]);
+  await withText(text, async ({ page }) => {
+    const shown = Object.fromEntries((await firstScreen(page)).map(({ engine, head, bars }) => [engine, [head.split(/[ ,]/)[2], bars]]));
+    assert.deepEqual(shown, { chipmunk: ['near', [['asked', 0, 'asked'], [chipmunk, 0.15, 'problem']]],
+      ode: ['more', [['asked', 0.7, 'asked'], [ode, 0.7, 'sound']]] });
+  });
+});
 
 test('model, case and step reach the sentences, the bars, the slopes and the causes; what is of all says so', () => onSharedPage(async ({ page }) => {
   const before = await firstScreen(page);

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { basename } from 'node:path';
 import test from 'node:test';
-import { drawAll, pages, withPage } from './browser.mjs';
+import { benchPage, drawAll, pages, withPage } from './browser.mjs';
 
 /// The least contrast of text, by WCAG 2 (level AA).
 const leastContrast = 4.5;
@@ -17,6 +17,20 @@ for (const [file, name, width] of each([400, 1024, 1600])) {
         !body.hidden && body.querySelector('.main-svg').getBoundingClientRect().right
           > element.getBoundingClientRect().right + 1).map(([id]) => id));
       assert.deepEqual(cut, []);
+    }, { width });
+  });
+}
+
+for (const width of [400, 800]) {
+  test(`at ${width} px the verdict on each model is on the screen, and the caption above it`, async () => {
+    await withPage(benchPage(), async ({ page }) => {
+      const edges = await page.evaluate(() => [...document.querySelectorAll('#scorecards-table :is(caption, th[scope="row"], th[data-key="verdict"], td.verdict)')]
+        .map((cell) => cell.getBoundingClientRect()).filter((box) => box.width > 0).map((box) => [box.left, box.right]));
+      assert.ok(edges.length > 4);
+      assert.deepEqual(edges.filter(([left, right]) => left < 0 || right > width), []);
+      const order = await page.evaluate(() => [...document.querySelectorAll('#scorecards-table thead th')]
+        .sort((a, b) => a.getBoundingClientRect().left - b.getBoundingClientRect().left).map((cell) => cell.dataset.key));
+      assert.deepEqual(order.slice(0, 3), ['engine', 'model', 'verdict']);
     }, { width });
   });
 }

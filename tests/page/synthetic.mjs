@@ -162,6 +162,7 @@ export function synthetic({ cases = ['breakwater/one', 'breakwater/two'], engine
         settled: { exact: 0, found: 0 }, metrics: Object.fromEntries(Object.entries(metrics).map(([name, value]) =>
           [name, { median: value, worst: value }])) };
     }),
+    models: models.map(({ engine, model }) => ({ engine, model, e: [0, 0] })),
     convergence: models.map(({ engine, model }, which) => ({ engine, model, cases: cases.length, cases_at_rounding: 0,
       slope: engine === 'exact' ? null : { smallest: 0.9, median: 1 + (which % 2), largest: 2.1 } })),
     findings: [{ engine: 'bullet64', model: 'row', kind: 'threshold', sentence: 'bounces slower than 0.2 m/s are lost',

@@ -94,12 +94,16 @@ Columns columns_of(ImpactColumns impacts) {
 
 Json json_of(const ShownImpacts& impacts) { return columns_of(impacts.columns).values; }
 
-/// The restitution that a run has, as a bar shows it: a word (0 kept, 1 off, 2 too few impacts to
-/// tell, 3 some are lost, 4 scattered), and the restitution got [-], where the cables of the case
-/// ask for one; none of a run that has no one number for it.
-std::optional<std::vector<double>> shown_rebound(const CaseRow& the_case, const RunRow& row) {
-  constexpr int bar_digits = 3;
+/// The word on restitution as a bar shows it: 0 kept, 1 off, 2 too few impacts to tell, 3 some are
+/// lost, 4 scattered.
+double bar_word(Rebound word) {
   constexpr std::array words = {0.0, 1.0, 3.0, 3.0, 4.0, 1.0, 2.0};  // by Rebound
+  return words.at(static_cast<std::size_t>(word));
+}
+
+/// The restitution that a run has, as a bar shows it: a word, and the restitution got [-], where
+/// the cables of the case ask for one; none of a run that has no one number for it.
+std::optional<std::vector<double>> shown_rebound(const CaseRow& the_case, const RunRow& row) {
   std::optional<double> asked = the_case.geometry.front().restitution;
   for (const CableRow& cable : the_case.geometry) {
     asked = cable.restitution == asked ? asked : std::nullopt;
@@ -112,8 +116,7 @@ std::optional<std::vector<double>> shown_rebound(const CaseRow& the_case, const 
     return std::nullopt;
   }
   const double got = rebounds.word == Rebound::none ? 0.0 : *asked + *rebounds.deviation;
-  return std::vector<double>{words.at(static_cast<std::size_t>(rebounds.word)),
-                             rounded(got, bar_digits)};
+  return std::vector<double>{bar_word(rebounds.word), got};
 }
 
 /// A run as the charts draw it.
@@ -141,6 +144,21 @@ void fields(Visitor& visit, ShownRun& run) {
   visit.unless_missing("cost", run.cost,
                        [](auto& inside, std::vector<double>& cost) { inside("cost", cost); });
   visit.if_any("e", run.rebound);
+}
+
+/// The restitution of a model over all cases: a word, and by how much it is off where it is by one
+/// number [-].
+struct ShownModel {
+  std::string engine;
+  std::string model;
+  std::vector<double> rebound;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, ShownModel& model) {
+  visit("engine", model.engine);
+  visit("model", model.model);
+  visit("e", model.rebound);
 }
 
 /// An engine by its name, with those of its models.
@@ -177,6 +195,7 @@ struct PageData {
   Replay replay;         // of it, thinned
   std::vector<ShownEngine> engines;
   std::vector<ShownSummary> summary;
+  std::vector<ShownModel> models;
   std::vector<ShownRun> runs;
 };
 
@@ -186,6 +205,7 @@ void fields(Visitor& visit, PageData& page) {
   visit("engines", page.engines);
   visit.drawn("cases", page.report.cases, page.replay.cases);
   visit("summary", page.summary);
+  visit("models", page.models);
   visit("convergence", page.report.convergence);
   visit("findings", page.report.findings);
   visit("causes", page.report.causes);
@@ -210,6 +230,7 @@ PageData page_data(const Report& report, const Replay& replay) {
       drawable(replay, report.cases.size(), report.runs.size(), page_impacts(report.runs.size())),
       {},
       {},
+      {},
       {}};
   for (const EngineRow& engine : report.engines) {
     ShownEngine& shown = page.engines.emplace_back(ShownEngine{engine.name, {}});
@@ -219,6 +240,13 @@ PageData page_data(const Report& report, const Replay& replay) {
   }
   for (const SummaryRow& row : report.summary) {
     page.summary.push_back({row.key, row.cases, row.failed, ShownErrors(row.metrics)});
+  }
+  for (const ModelJudgement& judged : report.models) {
+    const Rebounds& rebounds = judged.rebounds;
+    page.models.push_back({judged.engine, judged.model, {bar_word(rebounds.word)}});
+    if (rebounds.deviation) {
+      page.models.back().rebound.push_back(*rebounds.deviation);
+    }
   }
   const std::map<RunKey, std::vector<double>> costs = costs_of(report);
   for (std::size_t place = 0; place < report.runs.size(); ++place) {
@@ -282,7 +310,8 @@ Json drawn_impacts(const ImpactColumns& impacts) {
 
 std::string page_json(const Report& report, const Replay& replay) {
   Json json = object_of(page_data(report, replay));
-  for (const char* key : {"runs", "summary", "causes", "context"}) {  // not what the replay reads
+  for (const char* key :
+       {"runs", "summary", "models", "causes", "context"}) {  // not what the replay reads
     round_for_charts(json.at(key));
   }
   json["metrics"] = metrics_json();

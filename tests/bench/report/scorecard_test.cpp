@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -285,6 +286,44 @@ TEST(Picture, AnErrorIsShownBesideTheExactMotionFromTheSameStart) {
       << html;
   EXPECT_NE(html.find("asked: <b>0.75</b>; got: <b>0.625</b>"), std::string::npos) << html;
   EXPECT_NE(html.find("0.3 m apart"), std::string::npos) << html;
+}
+
+TEST(Picture, ThePairEndsAtTheNextExactImpactAndItsWaysAreWithinTheFrame) {
+  Report report = bouncing_report();
+  Replay replay = beside_the_exact(report, 0.0);
+  report.runs[0].judgement->rebounds.word = Rebound::off;
+  report.cases.front().horizon = 3.0;
+  // the two are apart the most long after 1 s, and between the stills lower than at any of them
+  replay.runs[1].path = replay.cases[0].path =
+      path_through({-1.0, -0.6, -2.0, -2.9, -2.0, -2.0, -2.0, -2.0, -2.0, -2.0, -2.0, -2.0, -2.0});
+  replay.runs[0].path =
+      path_through({-1.0, -0.6, -2.0, -2.9, -1.4, -1.4, -1.4, -1.4, -0.2, -0.2, -0.2, -0.2, -0.2});
+  for (const std::vector<double>& again : {std::vector<double>{1.0}, std::vector<double>{}}) {
+    EventColumns& events = replay.cases[0].events;
+    events = {{0.5}, {"impact"}, {{0}}, {2.0}, 0};
+    for (const double time : again) {
+      events = {{0.5, time}, {"impact", "impact"}, {{0}, {0}}, {2.0, 1.0}, 0};
+    }
+    const auto stills = impact_stills(report, replay);
+    ASSERT_TRUE(stills && stills->exact);
+    EXPECT_GT(stills->times[2], 0.5);
+    EXPECT_LE(stills->times[2], 1.0);
+    const std::string svg = still_svg(*stills, 2);
+    std::size_t ways = 0;
+    for (std::size_t at = svg.find("class=\"trail\""); at != std::string::npos;
+         at = svg.find("class=\"trail\"", at + 1), ++ways) {
+      const std::size_t from = svg.find('M', at);
+      std::string points = svg.substr(from, svg.find('"', from) - from);
+      std::replace_if(
+          points.begin(), points.end(), [](char c) { return c == 'M' || c == 'L'; }, ' ');
+      std::istringstream words(points);
+      for (double x = 0.0, y = 0.0; words >> x >> y;) {
+        EXPECT_GE(y, 0.0) << svg;
+        EXPECT_LE(y, 190.0) << svg;
+      }
+    }
+    EXPECT_EQ(ways, 2U);
+  }
 }
 
 TEST(Picture, ARunThatHasPartedBeforeItsImpactIsNoPair) {

@@ -190,7 +190,8 @@ std::string problems_file_of(const Report& report, const ListedProblems& before,
   for (const ListedProblem& problem : before.problems) {
     out += is_gone(problem, report) ? "" : entry_of(problem);
   }
-  for (auto& [key, problem] : added) {
+  for (auto& entry : added) {
+    ListedProblem& problem = entry.second;
     problem.in_some = std::any_of(report.runs.begin(), report.runs.end(), [&](const RunRow& run) {
       return problem.runs.holds(run.key) && !shows(run, problem.kind);
     });

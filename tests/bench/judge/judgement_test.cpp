@@ -249,7 +249,7 @@ struct RunOf {
     judgement.following.located = located;
   }
   [[nodiscard]] JudgedRun in(const std::string& name) const {
-    return {name, "engine", "model", 1e-3, &audit, &judgement};
+    return {{name, "engine", "model", 1e-3, &audit}, &judgement};
   }
 };
 

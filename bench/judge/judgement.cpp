@@ -76,10 +76,10 @@ double end_of_flight(const ReferenceCase& reference) {
   }
   const double taut = first_taut(solution);
   const std::vector<ExactHit> hits = exact_hits(reference, taut);
-  const auto slow = std::find_if(hits.begin(), hits.end(), [](const ExactHit& hit) {
+  const auto first_slow = std::find_if(hits.begin(), hits.end(), [](const ExactHit& hit) {
     return hit.speed < RecordOptions().slowest;
   });
-  return slow != hits.end() ? slow->time : taut;
+  return first_slow != hits.end() ? first_slow->time : taut;
 }
 
 /// When a cable first acts in the exact motion [s]; after its end if none does.

@@ -31,7 +31,7 @@ bool sticks(const Case& the_case, const RecordedImpact& impact) {
          (impact.shared || impact.rate_after < lost_part * e * speed);
 }
 
-constexpr double margin = 1.01;  // steps
+constexpr double step_and_rounding = 1.01;  // steps
 
 /// True where no impact of another cable begins up to `over` [s], or at the instant of this one.
 bool none_follows(const Trajectory& run, std::size_t index, double over) {
@@ -48,7 +48,7 @@ bool none_follows(const Trajectory& run, std::size_t index, double over) {
 /// has this step: a contact that another impact or the end of the run cuts off is not read.
 bool alone(const Trajectory& run, std::size_t index) {
   const RecordedImpact& impact = run.impacts[index];
-  const double over = impact.ended + margin * run.step;
+  const double over = impact.ended + step_and_rounding * run.step;
   return !impact.shared && (impact.steps == 0 || over <= run.points.back().time) &&
          none_follows(run, index, over);
 }
@@ -59,7 +59,8 @@ bool stopped_alone(const Trajectory& run, std::size_t index) {
   const auto before = run.impacts.begin() + static_cast<std::ptrdiff_t>(index);
   return none_follows(run, index, impact.time + static_cast<double>(least_held) * run.step) &&
          std::none_of(run.impacts.begin(), before, [&](const RecordedImpact& earlier) {
-           return earlier.cable != impact.cable && earlier.ended + margin * run.step >= impact.time;
+           return earlier.cable != impact.cable &&
+                  earlier.ended + step_and_rounding * run.step >= impact.time;
          });
 }
 

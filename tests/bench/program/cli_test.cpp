@@ -472,7 +472,7 @@ TEST(Within, FailsIfNoModelCouldBeMeasured) {
 
 TEST(Within, AnInterruptedSearchPrintsWhatItFound) {
   const Outcome outcome = within("bouncing-ball", "exact," + bad_engine("hang"), "1%",
-                                 {"--jobs", "1"}, "timeout --signal=INT 5");
+                                 {"--jobs", "1"}, "timeout --signal=INT 30");
   EXPECT_NE(outcome.code, 0);
   EXPECT_NE(outcome.output.find("exact   event "), std::string::npos) << outcome.output;
   EXPECT_EQ(outcome.errors,

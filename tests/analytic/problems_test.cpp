@@ -124,6 +124,15 @@ std::vector<Broken> broken_cases() {
         "cable 1: overstretched at the start by 1.1570660511172846 m: its ends are "
         "2.6570660511172846 m apart, its length is 1.5 m; a length of 2.6570660511172846 m would "
         "do"}},
+      {"ShorterThanItsCoordinatesAreRounded",
+       [](Case& c) {
+         c.cables.resize(1);
+         c.cables[0].anchor = c.initial.position = Vec2(-1e20, -1e20);
+         c.cables[0].attachment = Vec2(0.0, 0.0);
+         c.cables[0].length = 1e-60;
+       },
+       {"cable 0: length 1e-60 m is less than the rounding of its ends' coordinates, "
+        "31401.849173675502 m: nothing says which way it pulls"}},
       {"CannotReach",
        [](Case& c) { c.cables[0].length = c.cables[1].length = 0.5; },
        {"cables 0 and 1 cannot reach: their anchors are 2 m apart, lengths and body span only 1.2 "

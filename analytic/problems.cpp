@@ -196,12 +196,13 @@ class Checker {
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       const Cable& cable = case_.cables[index];
       const double distance = (attachment_point(case_.initial, cable) - cable.anchor).norm();
-      const double rounding = few_roundings * rounding_of_gap(cable, case_.initial);
-      if (cable.length > 0.0 && few_roundings * cable.length < rounding) {
+      const double rounding = rounding_of_gap(cable, case_.initial);
+      if (cable.length > 0.0 && cable.length < rounding) {
         add(cable_name(index) + ": length " + text(cable.length) +
-            " m is less than the rounding of its ends' coordinates, " +
-            text(rounding / few_roundings) + " m: nothing says which way it pulls");
-      } else if (cable.length - distance < -std::max(gap_rounding * cable.length, rounding)) {
+            " m is less than the rounding of its ends' coordinates, " + text(rounding) +
+            " m: nothing says which way it pulls");
+      } else if (cable.length - distance <
+                 -std::max(gap_rounding * cable.length, few_roundings * rounding)) {
         add(cable_name(index) + ": overstretched at the start by " + text(distance - cable.length) +
             " m: its ends are " + text(distance) + " m apart, its length is " + text(cable.length) +
             " m; a length of " + text(distance) + " m would do");

@@ -75,8 +75,8 @@ BasicCase<Real> breakwater(const BasicBreakwater<Real>& parameters, const std::s
   result.initial = initial;
   result.duration = duration;
   if (limits == ChapterLimits::on) {
-    result.angle_limit = 2 * atan(one);  // pi / 2, section 5.2.2.2
-    result.ceiling = h + b;              // Eqs. 5.22 and 5.23
+    result.angle_limit = pi<Real>() / 2;  // section 5.2.2.2
+    result.ceiling = h + b;               // Eqs. 5.22 and 5.23
   }
   return result;
 }

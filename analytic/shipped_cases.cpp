@@ -51,7 +51,7 @@ Case plate_four_cables() {
 Case tilted_breakwater() {
   Case result = breakwater(table_5_1().front().parameters, "tilted-gravity");
   constexpr double tilt = 0.2;  // [rad]
-  result.gravity = Vec2(std::sin(tilt), -std::cos(tilt));
+  result.gravity = Vec2(sin(tilt), -cos(tilt));
   return result;
 }
 

@@ -12,7 +12,7 @@ namespace tautline {
 /// The shortest decimal that reads back equal.
 [[nodiscard]] inline std::string text(double value) {
   std::array<char, 32> buffer{};
-  const auto [end, error] = std::to_chars(buffer.begin(), buffer.end(), value);
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return {buffer.begin(), end};
 }
 

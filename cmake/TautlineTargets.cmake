@@ -17,8 +17,8 @@ function(tautline_target target)
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON
     POSITION_INDEPENDENT_CODE ON)
-  # a contracted multiply-add rounds once where the source rounds twice: same input, same bits, on
-  # every machine, needs it off
+  # A contracted multiply-add rounds once where the source rounds twice. Same input, same bits, on every
+  # machine, needs it off (tests/analytic/benchmarks/same-bits).
   target_compile_options(${target} PRIVATE
     -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
     -Wnon-virtual-dtor -Woverloaded-virtual

@@ -87,7 +87,10 @@ std::optional<BasicCableVector<Real>> solve_lcp(
     }
     const BasicCableVector<Real> w = m * z + q;
     const BasicCableVector<Real> pull = m.diagonal().cwiseProduct(z);  // z in the units of w
-    const Real violation = max(Real(0), max(Real(-w.minCoeff()), Real(-pull.minCoeff())));
+    Real violation(0);
+    for (Eigen::Index row = 0; row < q.size(); ++row) {
+      violation = max(violation, max(Real(-w[row]), Real(-pull[row])));
+    }
     if (violation < smallest) {
       smallest = violation;
       best = z.cwiseMax(Real(0));

@@ -74,8 +74,7 @@ using CableViews = std::array<CableView, max_cables>;
 
 /// All cables at the pose of `state`.
 [[nodiscard]] inline CableViews cable_views(const Case& the_case, const State& state) {
-  const double sine = std::sin(state.angle);
-  const double cosine = std::cos(state.angle);
+  const auto [cosine, sine] = heading(state.angle);
   CableViews result;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     result[index] = CableView(the_case.cables[index], state.position, sine, cosine);

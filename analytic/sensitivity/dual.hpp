@@ -61,20 +61,11 @@ struct Dual {
 
   friend Dual abs(const Dual& a) { return a.value < 0 ? -a : a; }
   friend Dual sqrt(const Dual& a) {
-    using std::sqrt;
     const Real root = sqrt(a.value);
     return {root, a.slopes / (2 * root)};
   }
-  friend Dual sin(const Dual& a) {
-    using std::cos;
-    using std::sin;
-    return {sin(a.value), a.slopes * cos(a.value)};
-  }
-  friend Dual cos(const Dual& a) {
-    using std::cos;
-    using std::sin;
-    return {cos(a.value), -a.slopes * sin(a.value)};
-  }
+  friend Dual sin(const Dual& a) { return {sin(a.value), a.slopes * cos(a.value)}; }
+  friend Dual cos(const Dual& a) { return {cos(a.value), -a.slopes * sin(a.value)}; }
 };
 
 /// `cable` for calculations with duals; its numbers are constants.

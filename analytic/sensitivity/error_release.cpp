@@ -23,7 +23,7 @@ double tension(const Case& the_case, const State& state, CableSet pulling, std::
 }
 
 /// Differences whose rounding and curvature balance [-].
-const double part = std::cbrt(epsilon<double>());
+const double part = root(epsilon<double>(), 3);
 
 /// d value / d state, by differences.
 template <class Value>

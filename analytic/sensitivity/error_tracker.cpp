@@ -197,7 +197,7 @@ double ErrorTracker::period_error(const Repetition& again) const {
   const StateVector weighted = along_motion(again.period).cwiseProduct(rate);
   const double square = weighted.dot(own.topLeftCorner<6, 6>() * weighted);
   const double late = std::sqrt(std::max(square, 0.0)) / weighted.dot(rate);
-  return std::hypot((turns_back ? 2.0 : 1.0) * late, one_rounding * again.period);
+  return Vec2((turns_back ? 2.0 : 1.0) * late, one_rounding * again.period).norm();
 }
 
 /// The weights that compare changes of a state with those of a time: of masses and, for rates, of
@@ -255,7 +255,7 @@ double ErrorTracker::period_drift(const Repetition& again) const {
 /// What the periods of a motion that repeats come to, one after the other: the same error each.
 void ErrorTracker::repeat(const Repetition& again) {
   const auto& arcs = solution_.arcs();
-  result_.period_error_ = std::hypot(period_error(again), period_drift(again));
+  result_.period_error_ = Vec2(period_error(again), period_drift(again)).norm();
   double fastest = 0.0;
   double turning = 0.0;
   for (std::size_t arc = again.first; arc < arcs.size(); ++arc) {

@@ -65,7 +65,7 @@ Real difference_step(const BasicCase<Real>& the_case, const BasicState<Real>& st
   for (const std::size_t index : hit) {
     slowest = min(slowest, Real(abs(gap_rate(the_case.cables[index], state))));
   }
-  return min(Real(pow(Real(epsilon<Real>()), Real(1) / 3)), Real(slowest / fastest / 1000));
+  return min(root(epsilon<Real>(), 3), Real(slowest / fastest / 1000));
 }
 
 /// The derivative of any law's resolved impact, by central differences. Their steps keep the rates

@@ -43,8 +43,7 @@ Real reach(const std::vector<Eigen::Matrix<Real, 3, 6>>& series) {
   for (std::size_t k = series.size() - 2; k < series.size(); ++k) {
     const Real last = series[k].cwiseAbs().maxCoeff();
     if (last > 0) {
-      result =
-          min(result, Real(pow(Real(truncation<Real>() / last), Real(1) / static_cast<double>(k))));
+      result = min(result, root(Real(truncation<Real>() / last), static_cast<double>(k)));
     }
   }
   return result;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "tautline/detail/scalar.hpp"
+
 namespace tautline {
 
 /// A function of place between two ends, x = middle + half cos(phase), as the sum over j of a_j
@@ -27,8 +29,8 @@ class CosineSum {
     static const Nodes result = [] {
       Nodes made{};
       for (std::size_t k = 0; k < terms; ++k) {
-        made.cosine[k] = std::cos(angle(2 * k + 1));
-        made.sine[k] = std::sin(angle(2 * k + 1));
+        made.cosine[k] = cos(angle(2 * k + 1));
+        made.sine[k] = sin(angle(2 * k + 1));
       }
       return made;
     }();
@@ -63,7 +65,7 @@ class CosineSum {
     double sum = coefficients_[0] * phase;
     for (std::size_t j = 1; j < terms; ++j) {
       const auto times = static_cast<double>(j);
-      sum += coefficients_[j] * std::sin(times * phase) / times;
+      sum += coefficients_[j] * sin(times * phase) / times;
     }
     return sum;
   }
@@ -116,7 +118,7 @@ class CosineSum {
       std::array<Values, terms> made{};
       for (std::size_t k = 0; k < terms; ++k) {
         for (std::size_t j = 0; j < terms; ++j) {
-          made[k][j] = (j == 0 ? 1.0 : 2.0) / terms * std::cos(angle(j * (2 * k + 1)));
+          made[k][j] = (j == 0 ? 1.0 : 2.0) / terms * cos(angle(j * (2 * k + 1)));
         }
       }
       return made;
@@ -128,10 +130,10 @@ class CosineSum {
   [[nodiscard]] std::array<double, 2> slope_and_bend(double phase) const {
     double slope = 0.0;
     double bend = 0.0;
-    const double twice = 2.0 * std::cos(phase);
+    const double twice = 2.0 * cos(phase);
     // sines and cosines of multiples of the phase, each from the two before
     double sine_before = 0.0;
-    double sine = std::sin(phase);
+    double sine = sin(phase);
     double cosine_before = 1.0;
     double cosine = twice / 2.0;
     for (std::size_t j = 1; j < terms; ++j) {

@@ -38,18 +38,19 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Eigen::Matrix<Real, Eigen::Dynamic, 3> series_from(
     const Eigen::Matrix<Real, Eigen::Dynamic, 3>& series, const Real& start) {
-  using Columns = Eigen::Matrix<Real, 4, Eigen::Dynamic>;  // of three numbers, and a zero for speed
   const Eigen::Index terms = series.rows();
-  Columns given = Columns::Zero(4, terms);
-  given.template topRows<3>() = series.transpose();
-  Columns from = Columns::Zero(4, terms);
-  for (Eigen::Index left = terms; left-- > 0;) {  // what is there, times start + the new time
-    for (Eigen::Index k = terms - 1 - left; k > 0; --k) {
-      from.col(k) = from.col(k - 1) + start * from.col(k);
+  using Series = Eigen::Matrix<Real, Eigen::Dynamic, 3>;
+  Series backwards = Series::Zero(terms, 3);  // the last coefficient first
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    Real* const from = backwards.col(axis).data();
+    for (Eigen::Index left = terms; left-- > 0;) {  // what is there, times start + the new time
+      for (Eigen::Index k = left; k + 1 < terms; ++k) {
+        from[k] = from[k + 1] + start * from[k];
+      }
+      from[terms - 1] = series(left, axis) + start * from[terms - 1];
     }
-    from.col(0) = given.col(left) + start * from.col(0);
   }
-  return from.template topRows<3>().transpose();
+  return backwards.colwise().reverse();
 }
 
 /// `arc` from `low` [s] after its start on, but for its instants.
@@ -130,7 +131,7 @@ class ReturnWatch {
     if (!turns_) {
       return {way.x(), way.y(), Real(0)};
     }
-    const Real full_turn = Real(8) * atan(Real(1));  // [rad]
+    const Real full_turn = 2 * pi<Real>();  // [rad]
     const Real angle = to.angle - from.angle;
     return {way.x(), way.y(), Real(angle - full_turn * round(Real(angle / full_turn)))};
   }

@@ -57,7 +57,8 @@ class Watch {
       return std::nullopt;
     }
     const double half_period = pace.mean() * std::numbers::pi;
-    const double phase = std::acos(std::clamp(-way->middle / way->half, -1.0, 1.0));
+    const double cosine = std::clamp(-way->middle / way->half, -1.0, 1.0);
+    const double phase = atan2(sqrt((1.0 - cosine) * (1.0 + cosine)), cosine);
     const double since = pace.integral(phase);  // or until: the turning point at phase 0
     // a start at rest is no turning point to those who follow
     const double until = speed_ == 0.0 ? half_period : speed_ > 0.0 ? since : half_period - since;
@@ -215,7 +216,7 @@ class Watch {
                                 (k + 1 == CosineSum::terms || values[k] >= values[k + 1]);
         if (is_maximum) {
           const double phase = tensions[row].sum.phase_of_maximum(k);
-          const auto point = curve_.at(way.middle + way.half * std::cos(phase), along.points[k]);
+          const auto point = curve_.at(way.middle + way.half * cos(phase), along.points[k]);
           const double there = point ? tensions_at(*point, energy_at(*point))[row] : 0.0;
           result = std::max({result, values[k], there});
         }

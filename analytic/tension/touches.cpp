@@ -22,7 +22,8 @@ constexpr double near_zero = 1e-2;
 /// A square of a sine up to this is that of a dead point [-]: three quarters of the digits.
 template <class Real>
 Real rounding_of_zero() {
-  return pow(epsilon<Real>(), Real(3) / 4);
+  const Real half = sqrt(epsilon<Real>());
+  return half * sqrt(half);
 }
 
 /// Something that depends on the state along an arc, as a function of the time since its start.

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -131,7 +132,9 @@ double Random::uniform(double low, double high) {
 }
 
 double Random::log_uniform(double low, double high) {
-  return std::exp(uniform(std::log(low), std::log(high)));
+  const double drawn = std::exp(uniform(std::log(low), std::log(high)));
+  // without the digits that depend on the processor, so that all draw the same systems
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(drawn) & ~std::uint64_t{0xffffffff});
 }
 
 Vec2 Random::in_square(double half_width) {

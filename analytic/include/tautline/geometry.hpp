@@ -39,6 +39,9 @@ struct Heading {
   Real sine;    // and its y
 };
 
+/// At `angle` [rad], by arithmetic alone.
+[[nodiscard]] Heading<double> compute_heading(double angle);
+
 /// At `angle` [rad]. Every cable asks, for every question about a pose: the last answer is kept.
 template <class Real>
 [[nodiscard]] Heading<Real> heading(const Real& angle) {
@@ -46,7 +49,7 @@ template <class Real>
     static thread_local constinit double last = 0.0;
     static thread_local constinit Heading<double> kept{1.0, 0.0};
     if (std::bit_cast<std::uint64_t>(angle) != std::bit_cast<std::uint64_t>(last)) {
-      kept = {cos(angle), sin(angle)};
+      kept = compute_heading(angle);
       last = angle;
     }
     return kept;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 namespace tautline {
@@ -13,18 +14,43 @@ namespace tautline {
 
 // What a call abs(x) in this namespace finds for a double; for other scalars their own is found.
 using std::abs;
-using std::atan;
-using std::atan2;
 using std::copysign;
-using std::cos;
 using std::isfinite;
 using std::isnan;
 using std::max;
 using std::min;
-using std::pow;
 using std::round;
-using std::sin;
 using std::sqrt;
+
+// Those above round as IEEE 754 says, or not at all. The other functions of <cmath> differ in their
+// last digits from one library to the next, and with one library from one processor to the next.
+// Here they are made of arithmetic alone for a double: the same input gives the same bits
+// everywhere. (elementary.cpp)
+
+[[nodiscard]] double sin(
+    double angle);  // [rad], of any size, to three roundings; NaN unless finite
+[[nodiscard]] double cos(double angle);  // the same
+/// The angle [rad] of the vector (x, y), -pi to pi, to four roundings; as std::atan2 where both are
+/// zero. Requires finite numbers.
+[[nodiscard]] double atan2(double y, double x);
+/// The root of `value`, >= 0, of a `degree` [-] > 0, to 1e-9 of it; infinity of infinity.
+[[nodiscard]] double root(double value, double degree);
+
+/// That root to the digits of `Real`.
+template <class Real>
+[[nodiscard]] Real root(const Real& value, double degree) {
+  return pow(value, Real(1) / degree);
+}
+
+/// Half the circumference of the unit circle [rad].
+template <class Real>
+[[nodiscard]] Real pi() {
+  if constexpr (std::is_same_v<Real, double>) {
+    return std::numbers::pi;
+  } else {
+    return 4 * atan(Real(1));
+  }
+}
 
 /// The type of the number in `Real`: itself, where it is not several side by side.
 template <class Real>

@@ -52,13 +52,24 @@ std::optional<toml::table> parse_toml(std::string_view text, FileProblems& wrong
   if (!wrong.empty()) {
     return std::nullopt;
   }
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
+  const auto refuse = [&](const toml::parse_error& error) {
     wrong.add(error.source().begin.line, "column " + std::to_string(error.source().begin.column) +
                                              ": not TOML: " + printable(error.description()));
     return std::nullopt;
+  };
+#if TOML_EXCEPTIONS
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    return refuse(error);
   }
+#else  // WebAssembly
+  toml::parse_result result = toml::parse(text);
+  if (!result) {
+    return refuse(result.error());
+  }
+  return std::move(result).table();
+#endif
 }
 
 std::size_t line_of(const toml::node* node) {

@@ -1,7 +1,8 @@
-#include "bench/base/atomic_file.hpp"
+#include <nlohmann/json.hpp>
+
 #include "bench/base/text.hpp"
 #include "bench/base/value.hpp"
-#include "tautline/case_file.hpp"
+#include "tautline/case_text.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -68,18 +69,41 @@ namespace tautline {
 
 std::string write_case(const Case& the_case) { return bench::case_text(the_case); }
 
-std::vector<std::string> write_case(const Case& the_case, const std::filesystem::path& path) {
-  const std::string text = bench::case_text(the_case);
-  std::vector<std::string> wrong = read_case_text(text, path.native()).problems;
-  if (!wrong.empty()) {
-    return wrong;
+std::string write_case_json(const Case& the_case) {
+  using Json = nlohmann::ordered_json;
+  const auto pair = [](const Vec2& value) -> Json { return {value.x(), value.y()}; };
+  Json json;
+  json["name"] = the_case.name;
+  json["duration"] = the_case.duration;
+  json["gravity"] = pair(the_case.gravity);
+  if (the_case.angle_limit) {
+    json["angle_limit"] = *the_case.angle_limit;
   }
-  try {
-    bench::write_file(path, text);
-  } catch (const bench::FileError& error) {
-    return {error.what()};
+  if (the_case.ceiling) {
+    json["ceiling"] = *the_case.ceiling;
   }
-  return {};
+  json["body"] = {{"mass", the_case.body.mass}, {"inertia", the_case.body.inertia}};
+  json["cables"] = Json::array();
+  for (const Cable& cable : the_case.cables) {
+    Json& entry = json["cables"].emplace_back();
+    entry["anchor"] = pair(cable.anchor);
+    entry["attachment"] = pair(cable.attachment);
+    entry["length"] = cable.length;
+    entry["restitution"] = cable.restitution;
+    if (cable.capture_speed != 0.0) {  // exactly: the default
+      entry["capture_speed"] = cable.capture_speed;
+    }
+    for (const RestitutionPoint& point : cable.restitution_table) {
+      entry["restitution_table"].push_back({point.speed, point.restitution});
+    }
+  }
+  const State& start = the_case.initial;
+  json["initial"] = {{"position", pair(start.position)},
+                     {"angle", start.angle},
+                     {"velocity", pair(start.velocity)},
+                     {"spin", start.spin}};
+  // a name that is not UTF-8 is not written as it is: nothing is thrown
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace tautline

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "bench/ensemble/quantity.hpp"
+#include "bench/cases/quantity.hpp"
 #include "bench/ensemble/random.hpp"
 
 namespace tautline::bench {

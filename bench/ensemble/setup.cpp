@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "bench/base/text.hpp"
+#include "bench/cases/quantity.hpp"
 #include "bench/ensemble/draw.hpp"
-#include "bench/ensemble/quantity.hpp"
 
 namespace tautline::bench {
 

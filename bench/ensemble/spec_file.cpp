@@ -13,7 +13,7 @@
 #include "bench/base/text.hpp"
 #include "bench/base/value.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/ensemble/quantity.hpp"
+#include "bench/cases/quantity.hpp"
 #include "bench/run/record.hpp"
 #include "tautline/case.hpp"
 #include "tautline/detail/scalar.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bench/base/text.hpp"
+#include "bench/cases/quantity.hpp"
 #include "bench/ensemble/output/atlas.hpp"
-#include "bench/ensemble/quantity.hpp"
 #include "bench/page/document.hpp"
 #include "bench/plot/svg.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases/quantity.hpp"
 #include "bench/ensemble/draw.hpp"
-#include "bench/ensemble/quantity.hpp"
 #include "bench/ensemble/random.hpp"
 #include "bench/ensemble/spec_file.hpp"
 

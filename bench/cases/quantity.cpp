@@ -1,4 +1,4 @@
-#include "bench/ensemble/quantity.hpp"
+#include "bench/cases/quantity.hpp"
 
 #include <array>
 #include <cassert>

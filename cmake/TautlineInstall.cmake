@@ -1,5 +1,5 @@
-# What `cmake --install` puts where: two libraries with their headers for a user of the package, who
-# needs Eigen alone, and a third that reads case files, with toml++; cables for a user's own Bullet or ODE,
+# What `cmake --install` puts where: three libraries with their headers for a user of the package, who
+# needs Eigen alone; a shared library with a header of C, which needs nothing; cables for a user's own Bullet or ODE,
 # who needs not even that; the program; the plug-ins (see tautline_engine_module). The components become
 # packages in TautlinePackages.cmake; what names none belongs to the program.
 include(CMakePackageConfigHelpers)
@@ -22,6 +22,24 @@ install(DIRECTORY
   ${cases_headers} analytic/include/ engines/interface/include/ engines/adapter/include/ engines/cables/include/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+if(TARGET tautline_c)
+  install(TARGETS tautline_c
+    EXPORT tautlineCTargets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+      COMPONENT library
+      NAMELINK_COMPONENT development)
+  install(FILES languages/c/include/tautline/tautline.h
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tautline COMPONENT development)
+  # relative to the file itself, so that the tree may be moved
+  cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX
+    BASE_DIRECTORY "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" OUTPUT_VARIABLE up)
+  set(TAUTLINE_PC_PREFIX "\${pcfiledir}/${up}")
+  configure_file(languages/c/tautline.pc.in "${PROJECT_BINARY_DIR}/generated/tautline.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/generated/tautline.pc"
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+  install(FILES languages/c/tautline.3
+    DESTINATION ${CMAKE_INSTALL_MANDIR}/man3 COMPONENT development)
+endif()
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(FILES bench/gate/problems.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
@@ -68,6 +86,9 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/generated/tautlineConfig
 set(exports tautlineTargets tautlineCableTargets)
 if(TARGET tautline_cases)
   list(APPEND exports tautlineCasesTargets)
+endif()
+if(TARGET tautline_c)
+  list(APPEND exports tautlineCTargets)
 endif()
 foreach(targets IN LISTS exports)
   install(EXPORT ${targets} NAMESPACE tautline:: DESTINATION ${TAUTLINE_INSTALL_CMAKEDIR}

@@ -2,6 +2,7 @@
 # archive of all, which runs where it is unpacked, and a Debian package of each:
 #
 #   tautline             the program with its exact engine
+#   libtautline0         the exact solver as functions of C
 #   tautline-dev         headers, libraries, cables, CMake package, examples
 #   tautline-engine-...  the plug-ins of an engine, in either precision; they bring the engine
 #   tautline-mpi         ensembles in several processes
@@ -107,8 +108,14 @@ tautline_debian_package(development tautline-dev "cables for Bullet and ODE, exa
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # the cables need neither, the libraries do
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
-if(TARGET tautline_cases)
-  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libtomlplusplus-dev")
+if(TARGET tautline_c)
+  get_target_property(abi tautline_c SOVERSION)
+  tautline_debian_package(library libtautline${abi} "exact motion of rigid bodies on slack cables, for C"
+    "The exact solver of tautline as functions of C, which every language can"
+    "call. The header and the manual page are in tautline-dev.")
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libtautline${abi} ${same_version}")
 endif()
 # the program's package has the guide to the cables
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "tautline ${same_version}")

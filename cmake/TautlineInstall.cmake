@@ -37,8 +37,16 @@ if(TARGET tautline_c)
   configure_file(languages/c/tautline.pc.in "${PROJECT_BINARY_DIR}/generated/tautline.pc" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/generated/tautline.pc"
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
-  install(FILES languages/c/tautline.3
-    DESTINATION ${CMAKE_INSTALL_MANDIR}/man3 COMPONENT development)
+  # `man tautline_solve` finds the page of all functions
+  set(manual "${PROJECT_BINARY_DIR}/generated/man3")
+  file(COPY languages/c/tautline.3 DESTINATION "${manual}")
+  file(STRINGS languages/c/include/tautline/tautline.h declarations REGEX "^TAUTLINE_API ")
+  foreach(declaration IN LISTS declarations)
+    string(REGEX MATCH "tautline_[a-z_]+\\(" name "${declaration}")
+    string(REPLACE "(" "" name "${name}")
+    file(WRITE "${manual}/${name}.3" ".so man3/tautline.3\n")
+  endforeach()
+  install(DIRECTORY "${manual}/" DESTINATION ${CMAKE_INSTALL_MANDIR}/man3 COMPONENT development)
 endif()
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

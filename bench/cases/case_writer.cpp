@@ -1,5 +1,3 @@
-#include <nlohmann/json.hpp>
-
 #include "bench/base/text.hpp"
 #include "bench/base/value.hpp"
 #include "tautline/case_text.hpp"
@@ -62,6 +60,62 @@ std::string case_text(const Case& the_case) {
   return text;
 }
 
+/// The members of a JSON object; numbers, pairs and strings are written as in TOML.
+class Members {
+ public:
+  void add(std::string_view key, const std::string& value) {
+    text_ += (text_.empty() ? "{\"" : ", \"") + std::string(key) + "\": " + value;
+  }
+  [[nodiscard]] std::string text() const { return text_ + "}"; }
+
+ private:
+  std::string text_;
+};
+
+std::string cable_json(const Cable& cable) {
+  Members members;
+  members.add("anchor", pair(cable.anchor));
+  members.add("attachment", pair(cable.attachment));
+  members.add("length", number(cable.length));
+  members.add("restitution", number(cable.restitution));
+  if (cable.capture_speed != 0.0) {  // exactly: the default
+    members.add("capture_speed", number(cable.capture_speed));
+  }
+  if (!cable.restitution_table.empty()) {
+    members.add("restitution_table", pairs(cable.restitution_table));
+  }
+  return members.text();
+}
+
+std::string case_json(const Case& the_case) {
+  Members body;
+  body.add("mass", number(the_case.body.mass));
+  body.add("inertia", number(the_case.body.inertia));
+  std::string cables;
+  for (const Cable& cable : the_case.cables) {
+    cables += (cables.empty() ? "[" : ", ") + cable_json(cable);
+  }
+  Members initial;
+  initial.add("position", pair(the_case.initial.position));
+  initial.add("angle", number(the_case.initial.angle));
+  initial.add("velocity", pair(the_case.initial.velocity));
+  initial.add("spin", number(the_case.initial.spin));
+  Members all;
+  all.add("name", toml_string(the_case.name));
+  all.add("duration", number(the_case.duration));
+  all.add("gravity", pair(the_case.gravity));
+  if (the_case.angle_limit) {
+    all.add("angle_limit", number(*the_case.angle_limit));
+  }
+  if (the_case.ceiling) {
+    all.add("ceiling", number(*the_case.ceiling));
+  }
+  all.add("body", body.text());
+  all.add("cables", cables + "]");
+  all.add("initial", initial.text());
+  return all.text();
+}
+
 }  // namespace
 }  // namespace tautline::bench
 
@@ -69,41 +123,6 @@ namespace tautline {
 
 std::string write_case(const Case& the_case) { return bench::case_text(the_case); }
 
-std::string write_case_json(const Case& the_case) {
-  using Json = nlohmann::ordered_json;
-  const auto pair = [](const Vec2& value) -> Json { return {value.x(), value.y()}; };
-  Json json;
-  json["name"] = the_case.name;
-  json["duration"] = the_case.duration;
-  json["gravity"] = pair(the_case.gravity);
-  if (the_case.angle_limit) {
-    json["angle_limit"] = *the_case.angle_limit;
-  }
-  if (the_case.ceiling) {
-    json["ceiling"] = *the_case.ceiling;
-  }
-  json["body"] = {{"mass", the_case.body.mass}, {"inertia", the_case.body.inertia}};
-  json["cables"] = Json::array();
-  for (const Cable& cable : the_case.cables) {
-    Json& entry = json["cables"].emplace_back();
-    entry["anchor"] = pair(cable.anchor);
-    entry["attachment"] = pair(cable.attachment);
-    entry["length"] = cable.length;
-    entry["restitution"] = cable.restitution;
-    if (cable.capture_speed != 0.0) {  // exactly: the default
-      entry["capture_speed"] = cable.capture_speed;
-    }
-    for (const RestitutionPoint& point : cable.restitution_table) {
-      entry["restitution_table"].push_back({point.speed, point.restitution});
-    }
-  }
-  const State& start = the_case.initial;
-  json["initial"] = {{"position", pair(start.position)},
-                     {"angle", start.angle},
-                     {"velocity", pair(start.velocity)},
-                     {"spin", start.spin}};
-  // a name that is not UTF-8 is not written as it is: nothing is thrown
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string write_case_json(const Case& the_case) { return bench::case_json(the_case); }
 
 }  // namespace tautline

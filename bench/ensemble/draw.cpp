@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <functional>
@@ -44,12 +45,20 @@ SobolPoints& sobol_points(std::size_t dimensions) {
   return *kept;
 }
 
+/// The quantile of the standard normal distribution at `part` in (0, 1). Its logarithms are made of
+/// integers: those of the C library differ from one processor to the next.
+double normal_quantile(double part) {
+  using Wide = boost::multiprecision::cpp_bin_float_double_extended;
+  return static_cast<double>(
+      boost::math::quantile(boost::math::normal_distribution<Wide>(0, 1), Wide(part)));
+}
+
 /// What a number in (0, 1) means.
 double value_at(const Distribution& distribution, double centre, double part) {
   const std::vector<double>& numbers = distribution.numbers;
   switch (distribution.kind) {
     case Distribution::Kind::normal:
-      return boost::math::quantile(boost::math::normal(centre, numbers.front()), part);
+      return centre + numbers.front() * normal_quantile(part);
     case Distribution::Kind::uniform:
       return numbers[0] + (numbers[1] - numbers[0]) * part;
     case Distribution::Kind::list:

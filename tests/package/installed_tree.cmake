@@ -81,6 +81,39 @@ foreach(example IN LISTS EXAMPLES)
   run("${WORK_DIR}/page_${engine}/build/${example}")
 endforeach()
 
+# the C interface serves a project of C by CMake and by pkg-config, and needs no Eigen
+if(C_INTERFACE)
+  set(impacts "impact at 1.000000000 s\nimpact at 2.000000000 s\n")
+  set(ball "${WORK_DIR}/ball.toml")
+  execute_process(COMMAND "${prefix}/${PROGRAM}" cases bouncing-ball OUTPUT_FILE "${ball}"
+    COMMAND_ERROR_IS_FATAL ANY)
+  file(WRITE "${WORK_DIR}/c/CMakeLists.txt" "cmake_minimum_required(VERSION 3.22)
+project(c LANGUAGES C)
+find_package(tautline REQUIRED COMPONENTS c)
+add_executable(c \"${SOURCE_DIR}/languages/c/example.c\")
+target_link_libraries(c PRIVATE tautline::c)
+")
+  build_project("${WORK_DIR}/c" "${WORK_DIR}/c/build" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON
+    "-DCMAKE_C_FLAGS=${FLAGS}")
+  file(GLOB_RECURSE pc "${prefix}/*/tautline.pc")
+  cmake_path(GET pc PARENT_PATH folder)
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}"
+      pkg-config --cflags --libs tautline
+    OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags} ${FLAGS}")
+  cmake_path(GET folder PARENT_PATH libraries)
+  run("${C_COMPILER}" "${SOURCE_DIR}/languages/c/example.c" -o "${WORK_DIR}/c/by_pkg_config" ${flags}
+    "-Wl,-rpath,${libraries}")
+  foreach(program IN ITEMS build/c by_pkg_config)
+    execute_process(COMMAND "${WORK_DIR}/c/${program}" "${ball}"
+      OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+    string(FIND "${said}" "${impacts}" found)
+    if(NOT found EQUAL 0)
+      message(FATAL_ERROR "the ball falls for 1 s and again for 1 s, ${program} says\n${said}")
+    endif()
+  endforeach()
+endif()
+
 # no link of a page or of the site is dead, and what the pages name is there
 find_program(python python3)
 if(python)

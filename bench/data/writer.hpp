@@ -139,4 +139,24 @@ Json json_of(const Row& row) {
   return object_of(row);
 }
 
+/// `object` with a line for each of its values, and for each element where that is a list: an event
+/// by itself is read at a glance, and indents would nearly double what a long motion takes.
+[[nodiscard]] inline std::string in_lines(const Json& object) {
+  std::string result;
+  for (const auto& [key, value] : object.items()) {
+    result += (result.empty() ? "{\n  " : ",\n  ") + Json(key).dump() + ": ";
+    if (!value.is_array() || value.empty()) {
+      result += value.dump();
+      continue;
+    }
+    const char* before = "[\n    ";
+    for (const Json& element : value) {
+      result += before + element.dump();
+      before = ",\n    ";
+    }
+    result += "\n  ]";
+  }
+  return result + "\n}\n";
+}
+
 }  // namespace tautline::bench

@@ -12,6 +12,7 @@ namespace tautline::bench {
 // it runs while `app` parses, and `code`, which must outlive `app`, gets its exit code.
 
 void add_solve(CLI::App& app, int& code);
+void add_vector(CLI::App& app, int& code);
 void add_run(CLI::App& app, int& code);
 void add_bench(CLI::App& app, int& code, const std::string& command_line);  // as it was typed
 void add_merge(CLI::App& app, int& code, const std::string& command_line);

@@ -20,8 +20,7 @@ namespace {
 using namespace tautline::bench;
 
 constexpr const char* first_steps =
-    "tautline solve bouncing-ball           an exact motion, solved now\n"
-    "tautline bench --engine ./mine.so      compare engines with it, yours too";
+    "tautline solve bouncing-ball           an exact motion, solved now";
 
 /// A word in single quotes, for a shell.
 std::string quoted(const std::string& word) {
@@ -54,6 +53,7 @@ std::string help_of(const CLI::App* app, const std::string& /*name*/, CLI::AppFo
 
 void add_commands(CLI::App& app, int& code, const std::string& command_line) {
   add_solve(app, code);
+  add_vector(app, code);
   add_run(app, code);
   add_bench(app, code, command_line);
   add_merge(app, code, command_line);

@@ -290,30 +290,6 @@ void fields(Visitor& visit, SolutionRow& solution) {
   visit.if_any("certificate", solution.certificate);
 }
 
-namespace {
-
-/// `object` with a line for each of its values, and for each element where that is a list: an event
-/// by itself is read at a glance, and indents would nearly double what a long motion takes.
-std::string in_lines(const Json& object) {
-  std::string result;
-  for (const auto& [key, value] : object.items()) {
-    result += (result.empty() ? "{\n  " : ",\n  ") + Json(key).dump() + ": ";
-    if (!value.is_array() || value.empty()) {
-      result += value.dump();
-      continue;
-    }
-    const char* before = "[\n    ";
-    for (const Json& element : value) {
-      result += before + element.dump();
-      before = ",\n    ";
-    }
-    result += "\n  ]";
-  }
-  return result + "\n}\n";
-}
-
-}  // namespace
-
 std::vector<std::string> sample_problems(const Solution& solution,
                                          std::span<const double> sample_times) {
   std::vector<std::string> result;

@@ -78,6 +78,9 @@ endif()
 install(DIRECTORY engines/protocol/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/protocol
   PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE PATTERN node_modules EXCLUDE
   REGEX "protocol/README.md$" EXCLUDE)
+# test vectors with their readers, to copy; their page is among the documents
+install(DIRECTORY tests/vectors/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/vectors
+  PATTERN .clang-format EXCLUDE PATTERN __pycache__ EXCLUDE REGEX "vectors/README.md$" EXCLUDE)
 # projects of their own, to copy: each finds this tree with find_package(tautline)
 foreach(example IN ITEMS own_engine bullet_crane ode_crane)
   install(DIRECTORY engines/examples/${example} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples

@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t most_at_a_time = 200;
 constexpr std::size_t least_at_a_time = 16;
 constexpr std::size_t shares_of_a_thread = 8;
-constexpr std::size_t most_threads = 256;
 
 /// What the caller wants of each case.
 struct Wanted {
@@ -147,6 +146,8 @@ class Sweep {
 };
 
 #ifdef TAUTLINE_C_THREADS
+constexpr std::size_t most_threads = 256;
+
 std::size_t threads_for(std::int32_t asked) {
   const std::size_t threads =
       asked > 0 ? static_cast<std::size_t>(asked) : std::thread::hardware_concurrency();

@@ -1,5 +1,5 @@
-// What the C interface costs: a call in which nothing happens, a million states, and a sweep compared
-// with solve_batch of the same cases in one thread.
+// What the C interface costs: a call in which nothing happens, a million states, and a sweep
+// compared with solve_batch of the same cases in one thread.
 
 #include <benchmark/benchmark.h>
 

@@ -18,7 +18,7 @@ constexpr double too_much = 0.05;
 constexpr double guard_of_forks = 0.25;
 
 /// Two impacts this many steps apart, or more, are never in the same step.
-constexpr double apart = 2.0;
+constexpr double steps_apart = 2.0;
 
 /// Instants of an arc at which a near miss is looked for.
 constexpr int looks = 64;
@@ -68,7 +68,7 @@ void add_swaps(const Case& the_case, const Solution& solution, const Allowed& al
       const double unsure =
           allowed.at(before->time) / before_speed + allowed.at(event.time) / speed;
       limits.push_back(
-          {before->time, (event.time - before->time) / (apart + guard_of_forks * unsure)});
+          {before->time, (event.time - before->time) / (steps_apart + guard_of_forks * unsure)});
     }
     before = &event;
     before_speed = speed;

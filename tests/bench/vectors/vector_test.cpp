@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-Case shipped(const std::string& name) {
+Case vector_case(const std::string& name) {
   for (const Case& the_case : shipped_cases()) {
     if (the_case.name == name) {
       return the_case;
@@ -105,7 +105,7 @@ TEST(Vectors, KeepTheirSchemaAndTheTextHasTheSameNumbers) {
 }
 
 TEST(Vectors, AStepThatCannotJudgeARowJudgesNoneAfterIt) {
-  Case the_case = shipped("breakwater/1910121100");
+  Case the_case = vector_case("breakwater/1910121100");
   the_case.duration = 3.0;
   const bench::Vector vector = vector_of(the_case);
   double before = std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ TEST(Vectors, AStepThatCannotJudgeARowJudgesNoneAfterIt) {
 }
 
 TEST(Vectors, GrowthGoesOnAfterTwoCablesAreHitAtOnce) {
-  Case the_case = shipped("level-beam");
+  Case the_case = vector_case("level-beam");
   the_case.duration = 0.55;
   const Solution solution = solve(the_case);
   const bench::Growth growth(the_case, solution, ImpactLaw::simultaneous);

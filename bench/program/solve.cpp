@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <memory>
 
@@ -15,6 +14,7 @@
 #include "bench/plot/svg.hpp"
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/patience.hpp"
 #include "bench/program/solve_files.hpp"
 #include "bench/solution/certify.hpp"
 #include "bench/solution/many_digits.hpp"
@@ -178,20 +178,6 @@ SampleTimes times_for(const SolveCommand& command, const Case& the_case) {
   }
   return result;
 }
-
-/// Says on standard error with how many digits the motion is solved next, where it takes long.
-class PatienceNote {
- public:
-  void operator()(int digits) const {
-    constexpr std::chrono::seconds long_enough{1};
-    if (std::chrono::steady_clock::now() - begin_ >= long_enough) {
-      fmt::print(stderr, "tautline: going on with numbers of {} digits\n", digits);
-    }
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 /// A motion that was given up is a failure, though what is told of it is right.
 int exit_code(Ending ending) {

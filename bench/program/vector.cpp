@@ -5,6 +5,7 @@
 
 #include "bench/program/commands.hpp"
 #include "bench/program/common.hpp"
+#include "bench/program/patience.hpp"
 #include "bench/vectors/solve_vector.hpp"
 #include "bench/vectors/vector_output.hpp"
 
@@ -53,7 +54,9 @@ int vector_command(const VectorCommand& command) {
   if (complain(problems(*the_case))) {
     return exit_usage;
   }
-  const VectorReading reading = vector_of(*the_case, command.options);
+  VectorOptions options = command.options;
+  options.on_attempt = PatienceNote();
+  const VectorReading reading = vector_of(*the_case, options);
   if (!reading.vector) {
     complain({reading.problem});
     return exit_failed;

@@ -142,6 +142,9 @@ struct Rows {
 };
 
 Rows rows_with(const Case& the_case, const VectorOptions& options, int digits) {
+  if (options.on_attempt) {
+    options.on_attempt(digits);
+  }
   const Digits precision(static_cast<unsigned>(digits));
   const BasicCase<Multi> in_many = in_digits(the_case);
   SolveOptions solve_options;

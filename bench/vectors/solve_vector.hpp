@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -12,8 +13,9 @@ namespace tautline::bench {
 /// What `tautline vector` was asked.
 struct VectorOptions {
   ImpactLaw law = ImpactLaw::simultaneous;
-  int samples = 40;       // about this many, at equal intervals
-  double slowest = 1e-3;  // [m/s]: impacts that close slower have no row
+  int samples = 40;                          // about this many, at equal intervals
+  double slowest = 1e-3;                     // [m/s]: impacts that close slower have no row
+  std::function<void(int)> on_attempt = {};  // called with the digits of each solution before it
 };
 
 /// The vector of a case, or a sentence that says why there is none.

@@ -15,8 +15,34 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
   }
 }
 
-/// Turns each pair of `mark` around words into an element. A mark beside blanks is none: "a * b".
-void mark_up(std::string& text, std::string_view mark, const std::string& element) {
+/// What `markdown_text` writes a backslash before. In a text that is being marked up the byte of
+/// its place is there instead, from 1 on, which no printable text has.
+constexpr std::string_view harmless = "|<>`*[]!&#";
+
+std::string with_hidden(std::string_view text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const std::size_t place =
+        text[at] == '\\' && at + 1 < text.size() ? harmless.find(text[at + 1]) : harmless.npos;
+    at += place != harmless.npos ? 1U : 0U;
+    result += place != harmless.npos ? static_cast<char>(place + 1) : text[at];
+  }
+  return result;
+}
+
+std::string with_shown(const std::string& text, std::string (*shown)(std::string_view one)) {
+  std::string result;
+  for (const char& one : text) {
+    const bool hidden = one > 0 && static_cast<std::size_t>(one) <= harmless.size();
+    result +=
+        hidden ? shown(harmless.substr(static_cast<std::size_t>(one) - 1, 1)) : std::string(1, one);
+  }
+  return result;
+}
+
+/// Turns each pair of `mark` around words into `form`, an element. A mark beside blanks is none:
+/// "a * b".
+void mark_up(std::string& text, std::string_view mark, const char* form) {
   const auto blank = [&](std::size_t at) { return at >= text.size() || text[at] == ' '; };
   std::size_t at = text.find(mark);
   while (at != std::string::npos) {
@@ -30,7 +56,7 @@ void mark_up(std::string& text, std::string_view mark, const std::string& elemen
       continue;
     }
     const std::string inner = text.substr(start, end - start);
-    const std::string marked = fmt::format("<{0}>{1}</{0}>", element, inner);
+    const std::string marked = fmt::format(fmt::runtime(form), inner);
     text.replace(at, end + mark.size() - at, marked);
     at = text.find(mark, at + marked.size());
   }
@@ -118,11 +144,23 @@ std::string html_text(std::string_view text, std::size_t longest) {
 
 std::string html_prose(std::string_view text) {
   constexpr std::size_t longest_paragraph = 4000;
-  std::string result = html_text(text, longest_paragraph);
-  mark_up(result, "`", "code");
-  mark_up(result, "**", "strong");
-  mark_up(result, "*", "em");
-  return result;
+  std::string result = xml_text(with_hidden(printable(text, longest_paragraph)));
+  mark_up(result, "`", "<code>{}</code>");
+  mark_up(result, "**", "<strong>{}</strong>");
+  mark_up(result, "*", "<em>{}</em>");
+  return with_shown(result, xml_text);
+}
+
+std::string plain_prose(std::string_view text) {
+  std::string result = with_hidden(text);
+  for (const char* const mark : {"`", "**", "*"}) {
+    mark_up(result, mark, "{}");
+  }
+  return with_shown(result, [](std::string_view one) { return std::string(one); });
+}
+
+std::string verbatim(std::string_view text, std::size_t longest) {
+  return markdown_text(printable(text, longest));
 }
 
 std::string html_json(std::string json) {

@@ -14,8 +14,15 @@ namespace tautline::bench {
 /// `longest` bytes, with what HTML, a terminal or an editor would read as its own made harmless.
 [[nodiscard]] std::string html_text(std::string_view text, std::size_t longest = quotable_length);
 
-/// The same of a text with **strong**, *stressed* and `code` words, as our Markdown has them.
+/// The same of a text with **strong**, *stressed* and `code` words, as our Markdown has them; a
+/// character after a backslash marks nothing.
 [[nodiscard]] std::string html_prose(std::string_view text);
+
+/// That text without its marks.
+[[nodiscard]] std::string plain_prose(std::string_view text);
+
+/// `text` from elsewhere as a part of such a text: on one line, with nothing marked.
+[[nodiscard]] std::string verbatim(std::string_view text, std::size_t longest = quotable_length);
 
 /// `json` as the content of a script element: a script cannot end inside it.
 [[nodiscard]] std::string html_json(std::string json);

@@ -208,6 +208,13 @@ void Table::add(Row row) {
   rows_.push_back(std::move(row));
 }
 
+void Table::cut(std::size_t most, const std::string& what) {
+  if (rows_.size() > most) {
+    rest_ = fmt::format("and {} more{}\n", rows_.size() - most, what);
+    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(most), rows_.end());
+  }
+}
+
 std::string Table::markdown() const {
   Line headings;
   std::transform(columns_.begin(), columns_.end(), std::back_inserter(headings.cells),
@@ -276,8 +283,9 @@ std::string Table::plain(const TerminalStyle& style) const {
       left_out += (left_out.empty() ? "" : ", ") + plain_heading(column);
     }
   }
-  return left_out.empty() ? result
-                          : result + wrapped("not shown at this width: " + left_out, style.width);
+  return result +
+         (left_out.empty() ? "" : wrapped("not shown at this width: " + left_out, style.width)) +
+         rest_;
 }
 
 std::string markdown_text(const std::string& text) {

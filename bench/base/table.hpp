@@ -86,6 +86,10 @@ class Table {
   requires std::is_same_v<Words, std::vector<std::string>>
   void add(const Words& words) { add(std::vector<Cell>(words.begin(), words.end())); }
 
+  /// Keeps the first `most` rows. A terminal shows below them how many more there are: "and 3 more"
+  /// and `what`.
+  void cut(std::size_t most, const std::string& what = "");
+
   [[nodiscard]] bool empty() const { return rows_.empty(); }
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
@@ -102,6 +106,7 @@ class Table {
  private:
   std::vector<Column> columns_;
   std::vector<Row> rows_;
+  std::string rest_;  // of rows that were cut, on a terminal
 };
 
 /// `text` with the characters that Markdown and HTML read as their own made harmless, on one line.

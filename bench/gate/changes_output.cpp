@@ -10,7 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "bench/base/table.hpp"
+#include "bench/base/document.hpp"
+#include "bench/base/html.hpp"
 #include "bench/base/text.hpp"
 #include "bench/data/describer.hpp"
 #include "bench/gate/changes_fields.hpp"
@@ -24,21 +25,18 @@ using Cells = std::vector<std::string>;
 /// Rows of one kind that anyone reads; the JSON has them all.
 constexpr std::size_t most_rows = 100;
 
-/// One section: a table whose first `left` columns and last `words` hold words; "" without rows.
+/// Adds `rows`, of which there are `count`, in a table whose first `left` columns and last `words`
+/// hold words. `what` they are, if there are more.
 template <class Row>
-std::string section(const std::string& title, const std::vector<Row>& rows, const Cells& headings,
-                    std::size_t left, std::size_t words, Cells (*cells_of)(const Row& row),
-                    const TerminalStyle& style) {
-  if (rows.empty()) {
-    return "";
-  }
+void add(Document& out, const std::string& title, std::size_t count, const std::vector<Row>& rows,
+         const Cells& headings, std::size_t left, std::size_t words,
+         Cells (*cells_of)(const Row& row), const std::string& what = "") {
   Table table(headings, left, words);
-  for (std::size_t index = 0; index < std::min(most_rows, rows.size()); ++index) {
-    table.add(cells_of(rows[index]));
+  for (const Row& row : rows) {
+    table.add(cells_of(row));
   }
-  const std::string rest =
-      rows.size() > most_rows ? fmt::format("and {} more\n", rows.size() - most_rows) : "";
-  return fmt::format("{} ({}):\n{}{}\n", title, rows.size(), table.plain(style), rest);
+  table.cut(most_rows, what);
+  out.titled(std::move(table), "", fmt::format("{} ({})", title, count));
 }
 
 Cells run_cells(const RunKey& run) {
@@ -80,17 +78,15 @@ Cells cost_cells(const CostChange& change) {
           fmt::format("{:.2f}", change.factor)};
 }
 
-std::string status_changes(const std::string& title, const std::vector<StatusChange>& rows,
-                           const TerminalStyle& style) {
-  return section(title, rows, {"engine", "model", "case", "step", "before", "after", "reason"}, 3,
-                 3, status_cells, style);
+void add_statuses(Document& out, const std::string& title, const std::vector<StatusChange>& rows) {
+  add(out, title, rows.size(), rows,
+      {"engine", "model", "case", "step", "before", "after", "reason"}, 3, 3, status_cells);
 }
 
-std::string metrics(const std::string& title, const std::vector<MetricChange>& rows,
-                    const TerminalStyle& style) {
-  return section(title, rows,
-                 {"engine", "model", "case", "step", "metric", "before", "after", "factor", "unit"},
-                 3, 1, metric_cells, style);
+void add_metrics(Document& out, const std::string& title, const std::vector<MetricChange>& rows) {
+  add(out, title, rows.size(), rows,
+      {"engine", "model", "case", "step", "metric", "before", "after", "factor", "unit"}, 3, 1,
+      metric_cells);
 }
 
 /// Runs of one engine and model over some steps and cases.
@@ -129,34 +125,22 @@ Cells group_cells(const RunGroup& group) {
 }
 
 /// How many runs, of which engines, models and steps; one that is alone by its name.
-std::string counted_runs(const std::string& title, const std::vector<RunKey>& runs,
-                         const TerminalStyle& style) {
-  if (runs.empty()) {
-    return "";
-  }
-  Table table({"engine", "model", "steps", "cases", "runs"}, 4);
-  const std::vector<RunGroup> groups = groups_of(runs);
-  for (std::size_t index = 0; index < std::min(most_rows, groups.size()); ++index) {
-    table.add(group_cells(groups[index]));
-  }
-  const std::string rest =
-      groups.size() > most_rows
-          ? fmt::format("and {} more engines and models\n", groups.size() - most_rows)
-          : "";
-  return fmt::format("{} ({}):\n{}{}\n", title, runs.size(), table.plain(style), rest);
+void add_runs(Document& out, const std::string& title, const std::vector<RunKey>& runs) {
+  add(out, title, runs.size(), groups_of(runs), {"engine", "model", "steps", "cases", "runs"}, 4, 0,
+      group_cells, " engines and models");
 }
 
 /// Tables that anyone reads; the JSON has them all.
 constexpr std::size_t most_tables = 20;
 
-std::string reports_text(const Trend& trend, const TerminalStyle& style) {
+Table reports_table(const Trend& trend) {
   Table table({"report", "runs", "tautline", "started", "file"}, 0, 3);
   for (std::size_t index = 0; index < trend.reports.size(); ++index) {
     const TrendReport& report = trend.reports[index];
     table.add({std::to_string(index + 1), std::to_string(report.runs), printable(report.version),
                printable(report.started), printable(report.name)});
   }
-  return table.plain(style);
+  return table;
 }
 
 /// A line for each report; the metric stands at the first.
@@ -205,24 +189,25 @@ std::string changes_sentence(const Changes& changes) {
                      counted(changes.compared, "run"), counted(bad, "change"), gone, good, beyond);
 }
 
-std::string missing_text(const Changes& changes, const TerminalStyle& style) {
-  return status_changes("New failures", changes.new_failures, style) +
-         counted_runs("Runs that are gone", changes.only_before, style);
+void add_missing(Document& out, const Changes& changes) {
+  add_statuses(out, "New failures", changes.new_failures);
+  add_runs(out, "Runs that are gone", changes.only_before);
 }
 
 std::string changes_text(const Changes& changes, const TerminalStyle& style) {
-  return section("Versions that differ", changes.versions, {"what", "before", "after"}, 3, 0,
-                 version_cells, style) +
-         status_changes("New failures", changes.new_failures, style) +
-         metrics("Worse", changes.got_worse, style) +
-         counted_runs("Runs that are gone", changes.only_before, style) +
-         status_changes("Failures that are gone", changes.recovered, style) +
-         metrics("Better", changes.got_better, style) +
-         counted_runs("New runs", changes.only_after, style) +
-         counted_runs("Not compared, the case is not the same", changes.other_case, style) +
-         section("Costs of a step, which are noisy and judge nothing", changes.costs,
-                 {"engine", "model", "step", "cases", "factor"}, 2, 0, cost_cells, style) +
-         wrapped(changes_sentence(changes), style.text);
+  Document out;
+  add(out, "Versions that differ", changes.versions.size(), changes.versions,
+      {"what", "before", "after"}, 3, 0, version_cells);
+  add_statuses(out, "New failures", changes.new_failures);
+  add_metrics(out, "Worse", changes.got_worse);
+  add_runs(out, "Runs that are gone", changes.only_before);
+  add_statuses(out, "Failures that are gone", changes.recovered);
+  add_metrics(out, "Better", changes.got_better);
+  add_runs(out, "New runs", changes.only_after);
+  add_runs(out, "Not compared, the case is not the same", changes.other_case);
+  add(out, "Costs of a step, which are noisy and judge nothing", changes.costs.size(),
+      changes.costs, {"engine", "model", "step", "cases", "factor"}, 2, 0, cost_cells);
+  return out.paragraph(changes_sentence(changes)).plain(style);
 }
 
 std::string trend_text(const Trend& trend, bool all, const TerminalStyle& style) {
@@ -233,29 +218,29 @@ std::string trend_text(const Trend& trend, bool all, const TerminalStyle& style)
   for (const TrendRow& row : trend.rows) {
     moving += row.moves() ? 1U : 0U;
     if (all || row.moves()) {
-      Table& table = tables.try_emplace(row.key, headings, 3).first->second;
-      add_points(table, row);
+      add_points(tables.try_emplace(row.key, headings, 3).first->second, row);
     }
   }
-  std::string result = reports_text(trend, style) + "\n";
+  Document out;
+  out.table(reports_table(trend), "", "");
   std::size_t shown = 0;
-  for (const auto& [key, table] : tables) {
+  for (auto& [key, table] : tables) {
     if (!all && ++shown > most_tables) {
-      result +=
-          fmt::format("and {} more tables: --all prints them\n\n", tables.size() - most_tables);
+      out.paragraph(
+          fmt::format("and {} more tables: --all prints them", tables.size() - most_tables));
       break;
     }
-    result += fmt::format("{} {}, step {:g} s\n{}\n", printable(key.engine), printable(key.model),
-                          key.step, table.plain(style));
+    out.heading(2, verbatim(fmt::format("{} {}, step {:g} s", key.engine, key.model, key.step)));
+    out.table(std::move(table), "", "");
   }
-  const std::string counted = fmt::format(
-      "{} of {} metrics of an engine, model and step move from one report to the next{}. Worse and "
-      "better are runs since the report before.",
-      moving, trend.rows.size(), all || moving == trend.rows.size() ? "" : "; --all prints all");
-  return result + missing_text(trend.latest, style) + wrapped(counted, style.text) +
-         wrapped(fmt::format("From report {} to {}: {}", trend.reports.size() - 1,
-                             trend.reports.size(), changes_sentence(trend.latest)),
-                 style.text);
+  add_missing(out, trend.latest);
+  out.list({fmt::format("{} of {} metrics of an engine, model and step move from one report to the "
+                        "next{}. Worse and better are runs since the report before.",
+                        moving, trend.rows.size(),
+                        all || moving == trend.rows.size() ? "" : "; --all prints all"),
+            fmt::format("From report {} to {}: {}", trend.reports.size() - 1, trend.reports.size(),
+                        changes_sentence(trend.latest))});
+  return out.plain(style);
 }
 
 std::string changes_json(const Changes& changes) { return text_of(json_of(changes)); }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "bench/base/terminal.hpp"
+#include "bench/base/document.hpp"
 #include "bench/gate/changes.hpp"
 #include "bench/gate/trend.hpp"
 
@@ -16,8 +16,8 @@ namespace tautline::bench {
 [[nodiscard]] std::string changes_text(const Changes& changes,
                                        const TerminalStyle& style = unlimited);
 
-/// The runs that newly fail, and those that are gone; "" without any.
-[[nodiscard]] std::string missing_text(const Changes& changes, const TerminalStyle& style);
+/// Adds the runs that newly fail, and those that are gone, if there are any.
+void add_missing(Document& out, const Changes& changes);
 
 /// Its last line: how many changes.
 [[nodiscard]] std::string changes_sentence(const Changes& changes);

@@ -59,15 +59,11 @@ constexpr std::size_t most_broken = 100;
 
 std::string table_of(const std::vector<BrokenRow>& rows) {
   Table table({"engine", "model", "case", "step", "kind", "what"}, 5, 1);
-  for (std::size_t index = 0; index < std::min(most_broken, rows.size()); ++index) {
-    const BrokenRow& row = rows[index];
+  for (const BrokenRow& row : rows) {
     table.add({row.engine, row.model, row.the_case, row.step, row.kind, row.what});
   }
-  const std::string rest =
-      rows.size() > most_broken
-          ? fmt::format("and {} more, all in the report\n", rows.size() - most_broken)
-          : "";
-  return table.plain() + "\n" + rest;
+  table.cut(most_broken, ", all in the report");
+  return table.plain() + "\n";
 }
 
 /// "3 sound, 1 listed problem"

@@ -77,6 +77,7 @@
   /// A button at the end of each row's name, once, when its table comes into view: thousands of
   /// buttons would make the page slow to open.
   function lead(table, columns) {
+    if (!table) { return; }  // a report without runs
     const add = (body) => {
       for (const row of body.rows) {
         const first = row.cells[0];
@@ -98,7 +99,6 @@
     }, { rootMargin: '200px' });
     seen.observe(table);
   }
-
   tautline.leadOn = { lead, command, folder, open };
   lead(document.getElementById('answers-table'), ['engine', 'model', 'step']);
   lead(document.getElementById('cases-table'), ['case', 'title', 'engine', 'model', 'step']);

@@ -13,9 +13,6 @@ namespace tautline::bench {
 
 // What the tables of a report have in common.
 
-/// The engine that is the exact solution itself; its rows stand apart.
-inline constexpr const char* control = "exact";
-
 /// A column of words that a page can sort by `key`.
 [[nodiscard]] Column word_column(std::string heading, std::string key);
 

@@ -27,6 +27,9 @@ namespace tautline::bench {
 /// in a file for each case next to it.
 inline constexpr std::size_t most_cases_in_page = 1;
 
+/// The engine that is the exact solution itself; its rows stand apart.
+inline constexpr const char* control = "exact";
+
 /// The number of the report's form: its key `schema`.
 inline constexpr int report_schema = 6;
 

@@ -11,6 +11,8 @@
 #include <tuple>
 #include <utility>
 
+#include "bench/base/document.hpp"
+#include "bench/base/html.hpp"
 #include "bench/base/listed.hpp"
 #include "bench/base/statistics.hpp"
 #include "bench/base/text.hpp"
@@ -19,9 +21,12 @@
 #include "bench/plot/svg.hpp"
 #include "bench/report/columns.hpp"
 #include "bench/report/words.hpp"
+#include "tautline_bench_report_words.inc"
 
 namespace tautline::bench {
 namespace {
+
+using namespace fmt::literals;
 
 constexpr std::array makers_in_order = {Maker::engine, Maker::by_hand, Maker::tautline};
 
@@ -321,7 +326,7 @@ std::string scope_line(const Report& report, std::size_t engines) {
       listed(report.options.steps, [](double step) { return number_text(step, as_count); });
   return fmt::format(
       "{} on {}, at steps {} s, each run judged from the exact motion of its case by tautline "
-      "{}{}.\n\n",
+      "{}{}.",
       counted(report.cases.size(), "case"), counted(engines, "engine"), joined(steps, "and"),
       markdown_text(printable(report.version)), report.complete ? "" : " (INCOMPLETE)");
 }
@@ -449,18 +454,7 @@ Cell brief_cell(const std::optional<double>& value) {
 Table models_table(const Report& report) { return table_of(models_of_all(scorecards(report))); }
 
 std::string how_to_read_models() {
-  return fmt::format(
-      "*Cable*: whose it is. **As shipped** is a joint, a limit, a contact or a solver that the "
-      "engine has; **made by hand** is built with the engine's parts; with **tautline's driver** "
-      "the engine flies and solves, and tautline finds the instants. *Restitution*: over the "
-      "impacts whose speed leaves it to be read at this step, and from which speed on that is. "
-      "*Position*: the error against what a plain correct scheme of the same step may be off by, "
-      "up "
-      "to the instant until which it can be told; its course as the step falls. *Verdict*: the "
-      "worst of all runs, and how many have it. *Off*: the position error over the first impacts, "
-      "of the shortest cable's length, median over the cases; good enough is {:g} %. *Cost*: "
-      "processor time of a simulated second. Words and numbers are those of the smallest step.",
-      100.0 * good_enough);
+  return fmt::format(words::how_to_read_models, "good_enough"_a = 100.0 * good_enough);
 }
 
 std::string percent_text(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
@@ -499,25 +493,24 @@ std::string card_name(const std::string& engine) {
 
 std::string summary_markdown(const Report& report) {
   const std::vector<Scorecard> cards = worst_first_scorecards(report);
-  std::string out;
-  for (const Scorecard& card : cards) {
-    out += fmt::format("- **{}**: {}\n", markdown_text(printable(card.engine)),
-                       markdown_text(sentence_of(card)));
-  }
-  out += (out.empty() ? "" : "\n") + scope_line(report, cards.size());
+  Document out;
+  out.list(listed(cards, [](const Scorecard& card) {
+    return fmt::format("**{}**: {}", verbatim(card.engine), markdown_text(sentence_of(card)));
+  }));
+  out.paragraph(scope_line(report, cards.size()));
   std::vector<ModelCard> models = models_of_all(cards);
   if (models.empty()) {
-    return out + "No engine has a run.\n";
+    return out.paragraph("No engine has a run.").markdown();
   }
   std::stable_sort(models.begin(), models.end(), graver);
   const std::size_t all = models.size();
   models.resize(std::min(all, most_summary_rows));
-  out += table_of(models).markdown();
+  out.table(table_of(models), "", "");
   if (all > most_summary_rows) {
-    out += fmt::format("\nand {}, in report.md and index.html.\n",
-                       counted(all - most_summary_rows, "further model"));
+    out.paragraph(fmt::format("and {}, in report.md and index.html.",
+                              counted(all - most_summary_rows, "further model")));
   }
-  return out + "\n" + how_to_read_models() + "\n";
+  return out.paragraph(how_to_read_models()).markdown();
 }
 
 }  // namespace tautline::bench

@@ -14,9 +14,12 @@
 #include "bench/report/scorecard.hpp"
 #include "bench/report/words.hpp"
 #include "bench/solution/cable_words.hpp"
+#include "tautline_bench_report_words.inc"
 
 namespace tautline::bench {
 namespace {
+
+using namespace fmt::literals;
 
 /// A member of what may not be there.
 template <class Struct>
@@ -306,13 +309,37 @@ Table steps_table(const Report& report) {
   return table;
 }
 
-std::string how_to_read_steps() {
-  return fmt::format(
-      "The largest step with which a step-by-step model stays within {:g} % of the shortest cable, "
-      "over the first {:g} s or to the end of the exact motion. *Safe*: at worst over shifts of "
-      "the first step; *typical*: in the mean. Models by events need no such step. `tautline bench "
-      "CASE --within 1%` finds the step of each model.",
-      100.0 * usual_part, usual_window);
+/// The model of the control that gives only what a model with fixed steps gives.
+constexpr const char* sampled = "sampled";
+
+Table sampled_table(const Report& report) {
+  std::map<double, const SummaryRow*, std::greater<>> rows;
+  for (const SummaryRow& row : report.summary) {
+    if (row.key.engine == control && row.key.model == sampled) {
+      rows.emplace(row.key.step, &row);
+    }
+  }
+  std::vector<Column> columns = {word_column("metric", ""), word_column("unit", "")};
+  for (const auto& [step, row] : rows) {
+    columns.push_back(
+        number_column(fmt::format("step {}", number_text(step, as_count)), "", "", ""));
+  }
+  Table table(std::move(columns));
+  for (std::size_t place = 0; place < metric_list().size(); ++place) {
+    const Metric& metric = metric_list()[place];
+    std::vector<Cell> cells = {in_words(metric.name), shown_unit(metric, report)};
+    bool any = false;
+    for (const auto& [step, row] : rows) {
+      const auto& value = row->metrics.at(place);
+      any = any || (value && value->worst != 0.0);
+      cells.push_back(
+          number_cell(value ? std::optional(value->worst) : std::nullopt, metric.digits));
+    }
+    if (any) {
+      table.add(std::move(cells));
+    }
+  }
+  return table;
 }
 
 Table certified_table(const Report& report) {
@@ -446,10 +473,9 @@ std::string distributions_paragraph(const Report& report) {
     settled = fmt::format(" The exact motion settles ({}) at {:.3f} {} in the median.",
                           statistic.heading, *statistic.median, statistic.unit);
   }
-  return fmt::format(
-      "{} draws of {}, every number of the start normal about the case's own with a standard "
-      "deviation of {:g}.{} Every D above {:.2f} would have been called a difference.",
-      of.draws, printable(of.the_case), of.deviation, settled, visible_in(of));
+  return fmt::format(words::distributions, "draws"_a = of.draws,
+                     "the_case"_a = printable(of.the_case), "deviation"_a = of.deviation,
+                     "settled"_a = settled, "visible"_a = visible_in(of));
 }
 
 Table answers_table(const Report& report) {

@@ -28,21 +28,16 @@ namespace tautline::bench {
 /// What was drawn and what the exact motions do, in sentences; "" in a report without draws.
 [[nodiscard]] std::string distributions_paragraph(const Report& report);
 
-/// How to read the table.
-inline constexpr const char* how_to_read_distributions =
-    "Beyond its horizon one motion says nothing about an engine, a distribution does. Each number "
-    "is D, the largest distance between the distribution functions of the engine and of the "
-    "exact motion (Kolmogorov and Smirnov): 0 for the same, 1 for apart; in brackets where the two "
-    "cannot be told apart, by D or by the energy distance, in all tests of the table together.";
-
 /// What the exact solutions say of every case.
 [[nodiscard]] Table cases_table(const Report& report);
 
 /// The step that each case needs, by its worst and by its mean shift, and until when a model with
 /// each of the suite's steps can follow it.
 [[nodiscard]] Table steps_table(const Report& report);
-/// How to read it, in a sentence or two; marked up as in Markdown.
-[[nodiscard]] std::string how_to_read_steps();
+
+/// The control's own errors where it is only sampled, by metric and step; those that are zero
+/// throughout are left out.
+[[nodiscard]] Table sampled_table(const Report& report);
 
 /// Until when digits of the exact solutions are right; empty where none was compared with many.
 [[nodiscard]] Table certified_table(const Report& report);

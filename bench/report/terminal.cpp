@@ -13,6 +13,7 @@
 #include "bench/report/scorecard.hpp"
 #include "bench/report/tables.hpp"
 #include "bench/report/words.hpp"
+#include "tautline_bench_report_words.inc"
 
 namespace tautline::bench {
 namespace {
@@ -212,7 +213,7 @@ std::string report_summary(const Report& report, bool all, const TerminalStyle& 
     if (report.distributions) {
       out += "\n" + distributions_table(report).plain(style) + "\n" +
              wrapped(distributions_paragraph(report), style.text) +
-             wrapped(how_to_read_distributions, style.text);
+             wrapped(words::how_to_read_distributions, style.text);
     }
   }
   const Table failures = failures_table(report);

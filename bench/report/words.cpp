@@ -3,72 +3,111 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <set>
 
+#include "bench/base/html.hpp"
 #include "bench/base/listed.hpp"
+#include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/report/report.hpp"
+#include "tautline_bench_report_words.inc"
 
 namespace tautline::bench {
 namespace {
+
+using namespace fmt::literals;
 
 std::string shown_text(std::string_view text) { return printable(text, longest_sentence); }
 
 std::string megabytes(double bytes) { return fmt::format("{:.0f} MB", bytes / 1e6); }
 
-constexpr const char* about_control =
-    "The **exact** engine is the control: the exact motion goes through the same loop and the same "
-    "comparison as every engine. Its `event` model names its impacts, as the engines' `event` "
-    "models do. Its `sampled` model gives only the state and the impulses of each step, as models "
-    "with fixed steps do. What `sampled` misses, no comparison at that step can see, and its e "
-    "error is what gravity does within a step to velocities that are exact.";
+/// The smallest and the largest of some numbers.
+struct Range {
+  double smallest;
+  double largest;
+};
 
-constexpr const char* about_horizon =
-    "The **horizon** is the instant at which an error of 1e-12 at the start of the exact motion "
-    "can have grown to 1e-3. It follows, to first order, from the derivative of the state along "
-    "the motion. Beyond the horizon a difference says nothing about an engine.";
+/// The median errors up to the horizon at the smallest step, of the control or of the others; none
+/// without a number.
+std::optional<Range> median_errors(const Report& report, bool of_control) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const SummaryRow& row : report.summary) {
+    step = std::min(step, row.key.step);
+  }
+  const auto place = place_of("horizon_position_error");
+  std::optional<Range> result;
+  for (const SummaryRow& row : report.summary) {
+    const auto& error = row.metrics.at(place.value());
+    if (row.key.step == step && (row.key.engine == control) == of_control && error &&
+        error->median) {
+      const double value = *error->median;
+      result = result ? Range{std::min(result->smallest, value), std::max(result->largest, value)}
+                      : Range{value, value};
+    }
+  }
+  return result;
+}
 
-constexpr const char* about_settling =
-    "**Settling** has three definitions. *Last impact > v* is the instant of the last impact that "
-    "closes faster than v. There is none where the exact motion does not lock before its horizon: "
-    "beyond it one motion is a draw of many. A run has none if it stopped before. The *lock* is "
-    "the instant at which the final set of cables becomes taut in the exact motion; *later "
-    "impacts* are those of the run after it. The *swing* is the motion that is left. Its energy "
-    "counts from the equilibrium; a run has a mean over the last period. Its amplitude is half the "
-    "range of the angle; a run has it from its samples. A run without a whole period after the "
-    "lock has no swing.";
+/// How the runs ended; what did not happen is not said.
+std::string endings_sentence(const Report& report) {
+  const auto count = [&](auto... statuses) {
+    return std::count_if(report.runs.begin(), report.runs.end(),
+                         [&](const RunRow& run) { return ((run.status == statuses) || ...); });
+  };
+  std::vector<std::string> parts = {fmt::format("{} ran to the end", count(Status::finished))};
+  if (const auto stopped = count(Status::stopped); stopped > 0) {
+    parts.push_back(fmt::format("{} stopped where the engine goes no further", stopped));
+  }
+  if (const auto bad = count(Status::failed, Status::diverged); bad > 0) {
+    parts.push_back(fmt::format("{} failed or diverged", bad));
+  }
+  if (const auto refused = count(Status::unsupported); refused > 0) {
+    parts.push_back(fmt::format("{} the engine does not support", refused));
+  }
+  return joined(parts, "and") + ".";
+}
 
-constexpr const char* about_restitution =
-    "**Restitution** is the rebound rate of a cable over its closing rate. It is measured at each "
-    "counted impact of a single step, up to the exact lock. Both rates are of the engine's "
-    "velocities, before and after the step, at the pose before it. The *e error* is the largest "
-    "distance from the cable's own restitution.";
+std::string errors_sentence(const Report& report) {
+  const auto engines = median_errors(report, false);
+  const auto exact = median_errors(report, true);
+  if (!engines) {
+    return "";
+  }
+  const std::string control_error =
+      !exact ? ""
+      : exact->largest == 0.0
+          ? words::no_control_error
+          : fmt::format(words::control_error, "error"_a = number_text(exact->largest, as_error));
+  return fmt::format(words::errors, "least"_a = number_text(engines->smallest, as_error),
+                     "most"_a = number_text(engines->largest, as_error),
+                     "control"_a = control_error);
+}
 
-constexpr const char* about_energy =
-    "**Overstretch** is the largest length of a cable beyond its own, and **energy gain** the "
-    "largest rise of the energy above the start. Both are taken over every step of a run; a model "
-    "with fixed steps is also looked at after the exact motion has ended. A scheme whose "
-    "velocities belong to the middle of a step shows an offset of half a step of gravity here, "
-    "even if it gains nothing.";
-
-constexpr const char* about_cost =
-    "**Cost** is the processor time of one step, in units of one closed-form flight with its gaps. "
-    "Both are measured side by side in the same process, over the first second of the motion, "
-    "which "
-    "is repeated; the median counts. The start of a simulation does not.";
-
-constexpr const char* about_stops =
-    "A run *stopped* if its own simulation ended it; the simulation says why. Some engines do not "
-    "follow the motion on taut cables, others can go no further. Such a run is compared up to its "
-    "stop. It is a failure only if it stopped well before both the horizon and the first taut "
-    "cable "
-    "of the exact motion.";
-
-constexpr const char* about_verdicts =
-    "A **verdict** says what is wrong with one run, from the exact motion of its own case: no "
-    "table "
-    "of limits by case, engine or model has a part in it. Over all cases the worst verdict is "
-    "shown, and how many runs have it.";
+/// "2 cases on 3 engines with 7 models, at steps 0.01 and 0.001 s: 42 runs (40 of engines, 2 of the
+/// control)".
+std::string scope_words(const Report& report) {
+  std::set<std::string> engines;
+  std::set<std::pair<std::string, std::string>> models;
+  for (const SummaryRow& row : report.summary) {
+    engines.insert(row.key.engine);
+    models.emplace(row.key.engine, row.key.model);
+  }
+  const std::vector<std::string> steps =
+      listed(report.options.steps, [](double step) { return number_text(step, as_count); });
+  const auto controls = std::count_if(report.runs.begin(), report.runs.end(),
+                                      [](const RunRow& run) { return run.key.engine == control; });
+  const auto all = static_cast<std::ptrdiff_t>(report.runs.size());
+  return fmt::format(
+      "{} on {} with {}, at {} of {} s: {}{}", counted(report.cases.size(), "case"),
+      counted(engines.size(), "engine"), counted(models.size(), "model"),
+      steps.size() == 1 ? "a step" : "steps", joined(steps, "and"),
+      counted(report.runs.size(), "run"),
+      controls == 0 || controls == all
+          ? ""
+          : fmt::format(" ({} of engines, {} of the control)", all - controls, controls));
+}
 
 }  // namespace
 
@@ -79,37 +118,21 @@ std::string in_words(std::string_view name) {
 }
 
 std::vector<std::string> how_to_read(const Report& report) {
-  return {
-      about_control,
-      fmt::format("A **position error** is the largest distance from the exact position. *Early* "
-                  "goes up to impact {} of the exact motion and ends before the next, *to the "
-                  "horizon* up to the predictability horizon. Over all cases the tables give the "
-                  "median and the worst.",
-                  report.options.early_impacts),
-      about_horizon,
-      fmt::format("**Impacts** are counted if they are faster than {:g} m/s. An impact of the run "
-                  "and an exact one are *matched* if they are on the same cable and each is the "
-                  "other's nearest in time.",
-                  report.options.count_speed),
-      about_settling,
-      about_restitution,
-      about_energy,
-      about_cost,
-      about_stops,
-      about_verdicts + (" " + verdict_words()),
-  };
+  return {words::about_control,
+          fmt::format(words::about_position, "impacts"_a = report.options.early_impacts),
+          words::about_horizon,
+          fmt::format(words::about_impacts, "speed"_a = report.options.count_speed),
+          words::about_settling,
+          words::about_restitution,
+          words::about_energy,
+          words::about_cost,
+          words::about_stops,
+          fmt::format(words::about_verdicts, "verdicts"_a = verdict_words())};
 }
 
 std::string_view meaning_of(Word word) {
-  constexpr std::array meanings = {
-      "three impacts or more could be read and all keep the restitution, the position is as good "
-      "as "
-      "the step allows, and nothing else is wrong",
-      "something is wrong, and a person has listed it with the reason",
-      "something is wrong, and it is not listed",
-      "nothing is wrong, but too few impacts could be read, or the position could not be judged, "
-      "to "
-      "say more"};
+  constexpr std::array<std::string_view, all_words.size()> meanings = {
+      words::sound, words::listed_problem, words::problem, words::too_few};
   return meanings.at(static_cast<std::size_t>(word));
 }
 
@@ -122,29 +145,44 @@ std::string verdict_words() {
 }
 
 std::string followed_text(const Following& following) {
-  return following.ratio
-             ? fmt::format(
-                   "position up to {:.3g} s: {:.2g} m off at worst, {:.2g} times what a plain "
-                   "scheme of this step may be",
-                   following.until, following.error, *following.ratio)
-             : "position: cannot be told at this step";
+  return following.ratio ? fmt::format(words::followed, "until"_a = following.until,
+                                       "error"_a = following.error, "ratio"_a = *following.ratio)
+                         : "position: cannot be told at this step";
 }
 
-std::string how_to_read_causes() {
-  return "The exact motion is restarted from the run's own state before and after each flight, "
-         "impact and stretch on taut cables. The difference is what the run did wrong in between. "
-         "The exact motion carries all differences to one instant. There each is a part of the "
-         "deviation, and along the deviation the parts add up to it. Instants are tried after "
-         "impacts 1, 2, 4, 8 and 16 of the exact motion, up to the horizon, and at the end of a "
-         "run with fewer impacts. Taken is the last at which amplification is no more than a tenth "
-         "of all parts, or, if there is none, the first at which it is no more than half. A share "
-         "is the size of a part over the sum of the sizes of all, and in the table the mean over "
-         "the "
-         "cases, so that a row adds up to 1. *Covered* is the instant as a part of the "
-         "predictability "
-         "horizon, the median over the cases: what happens later, such as slow impacts that are "
-         "lost "
-         "to a threshold, has no share.";
+std::string answer_text(const Report& report) {
+  std::string text = fmt::format("{}, each compared with the exact motion of its case. {}",
+                                 scope_words(report), endings_sentence(report));
+  if (!report.complete) {
+    text +=
+        fmt::format(" **This report is incomplete: {} {} planned.**",
+                    counted(report.planned_runs, "run"), report.planned_runs == 1 ? "was" : "were");
+  }
+  if (const std::string errors = errors_sentence(report); !errors.empty()) {
+    text += " " + errors;
+  }
+  std::vector<std::string> missing;
+  for (const EngineRow& engine : report.engines) {
+    if (engine.problem) {
+      missing.push_back(verbatim(engine.name));
+    }
+  }
+  if (!missing.empty()) {
+    text += " Not compared: " + joined(missing, "and") + ", for the reasons below.";
+  }
+  return text;
+}
+
+std::string lead_sentence(const Report& report) {
+  std::set<std::string> engines;
+  for (const RunRow& run : report.runs) {
+    if (run.key.engine != control) {
+      engines.insert(run.key.engine);
+    }
+  }
+  return fmt::format(words::lead_in, "engines"_a = counted(engines.size(), "physics engine"),
+                     "simulate"_a = engines.size() == 1 ? "simulates" : "simulate",
+                     "cases"_a = counted(report.cases.size(), "case"));
 }
 
 std::string evidence_text(const Finding& finding) {
@@ -167,11 +205,9 @@ std::string stopped_sentence(const Report& report) {
   }
   const std::vector<std::string> models = listed(
       reasons, [](const auto& one) { return fmt::format("{} ({})", one.first, one.second); });
-  return fmt::format(
-      "{} of {} stopped before the end. This is no failure, and such a run is compared up to "
-      "there. "
-      "Stopped: {}.",
-      count, counted(report.runs.size(), "run"), joined(models, "and"));
+  return fmt::format(words::stopped, "count"_a = count,
+                     "runs"_a = counted(report.runs.size(), "run"),
+                     "models"_a = joined(models, "and"));
 }
 
 std::vector<Fact> context_facts(const Report& report) {

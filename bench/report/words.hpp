@@ -31,8 +31,11 @@ inline constexpr std::size_t longest_sentence = 1000;
 /// by, up to 2.3 s".
 [[nodiscard]] std::string followed_text(const Following& following);
 
-/// How to read the table of causes, in a paragraph.
-[[nodiscard]] std::string how_to_read_causes();
+/// What was compared and what was found, in a paragraph.
+[[nodiscard]] std::string answer_text(const Report& report);
+
+/// What the page is about, for one who has never seen it.
+[[nodiscard]] std::string lead_sentence(const Report& report);
 
 /// What a finding is drawn from: "17 impacts of 3 runs".
 [[nodiscard]] std::string evidence_text(const Finding& finding);

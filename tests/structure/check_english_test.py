@@ -28,6 +28,10 @@ class CheckEnglish(Planted):
         self.assertEqual(self.says("check-english", 1), 'check-english: README.md:3 has "whatever": for any, at every\n'
                          "check-english: 1 such words in README.md, 0 at most\ncheck-english: 2 breaches\n")
 
+    def test_names_a_word_in_a_sentence_that_a_room_prints(self):
+        self.write("bench/gate/words.md", "## planted\n\nWhatever the case.\n")
+        self.assertIn('bench/gate/words.md:3 has "Whatever": for any, at every\n', self.says("check-english", 1))
+
     def test_takes_a_quoted_word_and_an_address_for_no_comment(self):
         self.write("bench/planted.cpp", 'auto planted = "https://example.org/of/it";\n' * 400)
         self.says("check-english", 0)

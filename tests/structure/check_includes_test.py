@@ -35,6 +35,13 @@ class CheckIncludes(Planted):
         self.assertIn("bench/base/planted.cpp: a comment names gone_away.hpp, which does not exist\n",
                       self.breaches())
 
+    def test_names_words_that_nothing_prints(self):
+        self.write("bench/gate/words.md", "# Planted\n\n## said\n\nOnce.\n\n## unsaid\n\nNever.\n")
+        self.write("bench/gate/planted.cpp", "auto planted = words::said;\n")
+        found = self.breaches()
+        self.assertIn("bench/gate/words.md: no source of bench/gate/ prints words::unsaid\n", found)
+        self.assertNotIn("words::said", found)
+
     def test_names_a_word_of_the_plane_in_what_serves_every_kind_of_case(self):
         self.write("analytic/loop/planted.hpp", "// its angle\nauto planted = state.angle;\n")
         self.write("analytic/planted.hpp", "auto planted = state.angle;\n")

@@ -8,7 +8,7 @@
 namespace tautline::bench {
 namespace {
 
-Column words(const std::string& heading) {
+Column words_column(const std::string& heading) {
   Column column;
   column.heading = heading;
   column.numbers = false;
@@ -55,7 +55,7 @@ Cell verdict_cell(const Comparison& one, bool brief) {
 }  // namespace
 
 Table summary_table(const EnsembleReport& report) {
-  Table table({words("statistic"), words("setup"), numbers("n"), numbers("none", 3),
+  Table table({words_column("statistic"), words_column("setup"), numbers("n"), numbers("none", 3),
                numbers("median"), numbers("low"), numbers("high"), numbers("5 %", 2),
                numbers("95 %", 2), numbers("mean", 1), numbers("deviation", 1)});
   const Findings& findings = report.findings;
@@ -92,9 +92,9 @@ Table summary_table(const EnsembleReport& report) {
 }
 
 Table comparison_table(const EnsembleReport& report, bool brief) {
-  Table table({words("setup"), words("statistic"), numbers("D"), numbers("E"), numbers("p"),
-               numbers("median change", 1), numbers("visible", 2), numbers("shift", 3),
-               words("verdict")});
+  Table table({words_column("setup"), words_column("statistic"), numbers("D"), numbers("E"),
+               numbers("p"), numbers("median change", 1), numbers("visible", 2),
+               numbers("shift", 3), words_column("verdict")});
   const Findings& findings = report.findings;
   std::size_t last = 0;
   for (const Comparison& one : findings.comparisons) {
@@ -123,20 +123,6 @@ std::string ensemble_text(const EnsembleReport& report, const TerminalStyle& sty
     out += wrapped(sentence, style.text);
   }
   return out;
-}
-
-std::string ensemble_markdown(const EnsembleReport& report) {
-  std::string out = "# Ensemble\n\n" + markdown_text(ensemble_title(report)) + "\n\n";
-  for (const std::string& sentence : ensemble_sentences(report)) {
-    out += "- " + markdown_text(sentence) + "\n";
-  }
-  const Table comparisons = comparison_table(report);
-  if (!comparisons.empty()) {
-    out += "\n## Compared with exact\n\n" + comparisons.markdown() + "\n" +
-           how_to_read_comparisons + "\n";
-  }
-  return out + "\n## Distributions\n\n" + summary_table(report).markdown() + "\n" +
-         how_to_read_summaries + "\n";
 }
 
 }  // namespace tautline::bench

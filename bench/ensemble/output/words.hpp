@@ -38,18 +38,4 @@ struct EnsembleReport {
 /// "last impact > 0.01 m/s [s]".
 [[nodiscard]] std::string statistic_title(const Statistic& statistic);
 
-/// How to read the tables.
-inline constexpr const char* how_to_read_summaries =
-    "The median lies between low and high with 95 % confidence, for any distribution. Draws "
-    "without "
-    "a value (none) count as the largest.";
-inline constexpr const char* how_to_read_comparisons =
-    "D is the largest distance between the distribution functions (Kolmogorov and Smirnov), E the "
-    "energy distance as a share of the largest it could be: both 0 for the same, 1 for samples "
-    "apart. p is the smaller of the two probabilities of such a distance by chance, corrected for "
-    "all tests together (Holm). Visible is the smallest D that this many draws would show as a "
-    "difference, and the shift of all values that would make it: a true shift of just that size "
-    "is seen about half of the time. n is called too small if no difference was found and visible "
-    "is above 0.25.";
-
 }  // namespace tautline::bench

@@ -19,6 +19,7 @@
 #include "bench/report/columns.hpp"
 #include "bench/report/scorecard.hpp"
 #include "bench/report/words.hpp"
+#include "tautline_bench_trend_words.inc"
 
 namespace tautline::bench {
 
@@ -56,17 +57,6 @@ void fields(Visitor& visit, VersionTrends& trends) {
 }
 
 namespace {
-
-/// How to read the tables of changes, and those of each model and step.
-constexpr const char* how_to_read_moves =
-    "Since: the first version in which the number changed beyond noise and tolerance. Newest "
-    "first. Before and after are of the case that changed most; runs is how many changed.";
-constexpr const char* how_to_read_costs =
-    "Since: the first version in which the cost changed by more than its noise. Newest first. "
-    "Factor is the cost after over the cost before, the median over the cases.";
-constexpr const char* how_to_read_setups = "Medians over the cases that all versions have.";
-constexpr const char* how_to_read_their_cost =
-    " Cost is processor time of a simulated second; it is noisy and judges nothing.";
 
 /// By how much a metric changed [-]: 1 not at all, otherwise more, whichever way; infinity where a
 /// factor says nothing.
@@ -234,10 +224,9 @@ Table versions_table(const VersionTrend& versions) {
 std::vector<TitledTable> setup_tables(const Trend& trend) {
   return listed(setups_of(trend), [&](const auto& one) {
     const auto& [key, setup] = one;
-    return TitledTable{fmt::format("{}, step {:g} s", printable(key.model), key.step),
-                       table_of(trend, setup),
-                       fmt::format("{}{}", how_to_read_setups,
-                                   setup.cost != nullptr ? how_to_read_their_cost : "")};
+    return TitledTable{
+        fmt::format("{}, step {:g} s", printable(key.model), key.step), table_of(trend, setup),
+        setup.cost != nullptr ? words::how_to_read_setups_and_costs : words::how_to_read_setups};
   });
 }
 
@@ -247,61 +236,49 @@ std::string words_below(const std::vector<TitledTable>& tables, std::size_t inde
   return index + 1 < tables.size() && tables[index + 1].how_to_read == words ? "" : words;
 }
 
-std::string markdown_of(const std::vector<TitledTable>& tables) {
-  std::string out;
-  for (std::size_t index = 0; index < tables.size(); ++index) {
-    const std::string words = words_below(tables, index);
-    out += fmt::format("### {}\n\n{}\n{}", markdown_text(tables[index].title),
-                       tables[index].table.markdown(), words.empty() ? "" : words + "\n\n");
-  }
-  return out;
-}
-
-std::string text_of(const std::vector<TitledTable>& tables, const TerminalStyle& style) {
-  std::string out;
-  for (std::size_t index = 0; index < tables.size(); ++index) {
-    const std::string words = words_below(tables, index);
-    out += fmt::format("{}:\n{}\n{}", tables[index].title, tables[index].table.plain(style),
-                       words.empty() ? "" : wrapped(words, style.text) + "\n");
-  }
-  return out;
-}
-
-constexpr std::string_view page_title = "Accuracy and cost over versions";
-
 /// The tables, with names that begin with `id`, and how to read them.
-std::string tables_html(const std::vector<TitledTable>& tables, const std::string& id) {
-  std::string out;
+Document document_of(const std::vector<TitledTable>& tables, const std::string& id) {
+  Document out;
   for (std::size_t index = 0; index < tables.size(); ++index) {
-    out += html_table(tables[index].table, fmt::format("{}-{}", id, index), tables[index].title);
-    if (const std::string words = words_below(tables, index); !words.empty()) {
-      out += fmt::format("<p class=\"note\">{}</p>\n", words);
-    }
+    out.titled(tables[index].table, fmt::format("{}-{}", id, index),
+               markdown_text(tables[index].title));
+    out.paragraph(words_below(tables, index), "note");
   }
   return out;
 }
 
-std::string chart_html(const VersionTrend& versions) {
-  return figure_html({"tautline-trend-" + versions.engine,
-                      "Error and cost of " + versions.engine + " over its versions",
-                      version_svg(versions), version_csv(versions)});
+/// One engine; `all` has each model and step over the versions, too.
+Document document_of(const VersionTrend& versions, bool all) {
+  const std::string& id = versions.engine;
+  Document out;
+  out.paragraph(markdown_text(newest_sentence(versions)), "answer");
+  out.table(versions_table(versions), id + "-versions",
+            "Worse and better are changes since the version before.");
+  if (const std::optional<Trend>& trend = versions.trend) {
+    const std::string shows = "Error and cost of " + id + " over its versions";
+    out.add(document_of(change_tables(*trend), id + "-changes"));
+    out.html(
+        figure_html({"tautline-trend-" + id, shows, version_svg(versions), version_csv(versions)}));
+    out.in(Medium::markdown).paragraph(fmt::format("![{}]({})", shows, chart_name(id)));
+    if (all) {
+      out.fold("Every model and step", document_of(setup_tables(*trend), id + "-setups"));
+    }
+    Document missing;
+    add_missing(missing, trend->latest);
+    out.in(Medium::terminal).add(missing);
+  }
+  return Document().section(id, markdown_text(version_title(versions)), out);
 }
 
-std::string section(const VersionTrend& versions) {
-  const std::string id = html_text(versions.engine);
-  std::string out = fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n<p class=\"answer\">{}</p>\n",
-                                id, html_text(version_title(versions)),
-                                html_text(newest_sentence(versions), longest_sentence)) +
-                    html_table(versions_table(versions), id + "-versions",
-                               "Worse and better are changes since the version before.");
-  if (const std::optional<Trend>& trend = versions.trend) {
-    out += tables_html(change_tables(*trend), id + "-changes");
-    out += chart_html(versions);
-    out += "<details class=\"fold\"><summary>Every model and step</summary>\n" +
-           tables_html(setup_tables(*trend), id + "-setups") + "</details>\n";
+Document document_of(const std::vector<VersionTrend>& trends) {
+  Document out;
+  for (const VersionTrend& versions : trends) {
+    out.add(document_of(versions, true));
   }
-  return out + "</section>\n";
+  return out;
 }
+
+constexpr const char* page_title = "Accuracy and cost over versions";
 
 }  // namespace
 
@@ -337,10 +314,10 @@ bool newest_is_worse(const VersionTrend& versions) {
 
 std::vector<TitledTable> change_tables(const Trend& trend) {
   std::vector<TitledTable> tables = {
-      {"Worse", moves_table(version_moves(trend, &Changes::got_worse)), how_to_read_moves},
-      {"Better", moves_table(version_moves(trend, &Changes::got_better)), how_to_read_moves},
+      {"Worse", moves_table(version_moves(trend, &Changes::got_worse)), words::how_to_read_moves},
+      {"Better", moves_table(version_moves(trend, &Changes::got_better)), words::how_to_read_moves},
       {"Costs of a step, which are noisy and judge nothing", costs_table(trend),
-       how_to_read_costs}};
+       words::how_to_read_costs}};
   std::erase_if(tables, [](const TitledTable& one) { return one.table.empty(); });
   return tables;
 }
@@ -368,46 +345,25 @@ std::string newest_sentence(const VersionTrend& versions) {
 std::string chart_name(const std::string& engine) { return "trend-" + engine + ".svg"; }
 
 std::string version_text(const VersionTrend& versions, bool all, const TerminalStyle& style) {
-  std::string out =
-      wrapped(version_title(versions), style.text) + versions_table(versions).plain(style) + "\n";
-  if (const std::optional<Trend>& trend = versions.trend) {
-    out += text_of(change_tables(*trend), style);
-    out += all ? text_of(setup_tables(*trend), style) : "";
-    out += missing_text(trend->latest, style);
-  }
-  return out + wrapped(newest_sentence(versions), style.text);
+  return document_of(versions, all).plain(style);
 }
 
 std::string version_markdown(const std::vector<VersionTrend>& trends) {
-  std::string out = "# Accuracy and cost over versions\n";
-  for (const VersionTrend& versions : trends) {
-    out +=
-        fmt::format("\n## {}\n\n{}\n\n{}\n", markdown_text(version_title(versions)),
-                    markdown_text(newest_sentence(versions)), versions_table(versions).markdown());
-    if (versions.trend) {
-      out += markdown_of(change_tables(*versions.trend));
-      out += fmt::format("![Error and cost of {0} over its versions]({1})\n\n", versions.engine,
-                         chart_name(versions.engine));
-      out += markdown_of(setup_tables(*versions.trend));
-    }
-  }
-  return out;
+  return fmt::format("# {}\n\n{}", page_title, document_of(trends).markdown());
 }
 
 std::string version_html(const std::vector<VersionTrend>& trends, const PageAssets& assets) {
-  std::string out = fmt::format("<header>\n<h1>{}</h1>\n</header>\n<main>\n", page_title);
-  for (const VersionTrend& versions : trends) {
-    out += section(versions);
-  }
   PageAssets style_alone;
   style_alone.style = assets.style;
-  return html_document({.title = page_title,
-                        .content = out + "</main>\n",
-                        .command = "tautline trend",
-                        .data_id = "trend-data",
-                        .data = html_json(version_trends_json(trends)),
-                        .scripts = assets.figure_scripts},
-                       style_alone);
+  return html_document(
+      {.title = page_title,
+       .content = fmt::format("<header>\n<h1>{}</h1>\n</header>\n<main>\n{}</main>\n", page_title,
+                              document_of(trends).html()),
+       .command = "tautline trend",
+       .data_id = "trend-data",
+       .data = html_json(version_trends_json(trends)),
+       .scripts = assets.figure_scripts},
+      style_alone);
 }
 
 std::string version_trends_json(const std::vector<VersionTrend>& trends) {

@@ -12,10 +12,13 @@
 #include "bench/tools/reproduce/checks.hpp"
 #include "bench/tools/reproduce/source.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline_bench_reproduce_words.inc"
 
 namespace tautline::bench {
 
 namespace {
+
+using namespace fmt::literals;
 
 /// The columns of `motion_data`.
 namespace motion_column {
@@ -128,39 +131,22 @@ struct Caption {
   std::string_view chapter;  // what the text says of it
 };
 
-constexpr std::string_view of_size =
-    "The chapter sees no significant difference between the two radii, but for the size of the "
-    "region and its sharper point at the bottom when r = 1.5.";
-constexpr std::string_view of_flatness =
-    "The chapter says that the bottom of the region becomes flatter as a, b and r grow.";
-constexpr std::string_view of_rotation =
-    "The chapter says that rotations become smaller and fewer as a grows from 0.1 to 0.3, because "
-    "the moment of inertia grows.";
-constexpr std::string_view of_restitution =
-    "The chapter sees no characteristic difference as e falls from 1 to 0.5.";
-constexpr std::string_view of_elastic =
-    "The chapter notes that the rotation passes pi/2, its limit, as no energy is lost; its time "
-    "scale differs from the next three figures.";
-constexpr std::string_view of_point =
-    "The chapter shows the same trajectory twice, once by the formulas of the point mass and once "
-    "by those of the rigid body without dimensions.";
-
 constexpr Caption captions[] = {
-    {"5.6", Plot::trajectory, "1910121100", of_size},
-    {"5.7", Plot::trajectory, "2910121100", of_size},
-    {"5.8", Plot::trajectory, "1911121100", of_flatness},
-    {"5.9", Plot::trajectory, "2911121100", of_flatness},
-    {"5.10", Plot::trajectory, "1921121100", of_flatness},
-    {"5.11", Plot::trajectory, "2921121100", of_flatness},
-    {"5.12", Plot::rotation, "1911121100", of_rotation},
-    {"5.13", Plot::rotation, "1921121100", of_rotation},
-    {"5.14", Plot::rotation, "1931121100", of_rotation},
-    {"5.15", Plot::impacts, "1110121100", of_elastic},
-    {"5.16", Plot::impacts, "1910121100", of_restitution},
-    {"5.17", Plot::impacts, "1710121100", of_restitution},
-    {"5.18", Plot::impacts, "1510121100", of_restitution},
-    {"5.19", Plot::trajectory, "1900461100", of_point},
-    {"5.20", Plot::trajectory, "1900461100", of_point},
+    {"5.6", Plot::trajectory, "1910121100", words::of_size},
+    {"5.7", Plot::trajectory, "2910121100", words::of_size},
+    {"5.8", Plot::trajectory, "1911121100", words::of_flatness},
+    {"5.9", Plot::trajectory, "2911121100", words::of_flatness},
+    {"5.10", Plot::trajectory, "1921121100", words::of_flatness},
+    {"5.11", Plot::trajectory, "2921121100", words::of_flatness},
+    {"5.12", Plot::rotation, "1911121100", words::of_rotation},
+    {"5.13", Plot::rotation, "1921121100", words::of_rotation},
+    {"5.14", Plot::rotation, "1931121100", words::of_rotation},
+    {"5.15", Plot::impacts, "1110121100", words::of_elastic},
+    {"5.16", Plot::impacts, "1910121100", words::of_restitution},
+    {"5.17", Plot::impacts, "1710121100", words::of_restitution},
+    {"5.18", Plot::impacts, "1510121100", words::of_restitution},
+    {"5.19", Plot::trajectory, "1900461100", words::of_point},
+    {"5.20", Plot::trajectory, "1900461100", words::of_point},
 };
 
 /// "5.6" as "figure_5_06": sorted by name is sorted by number.
@@ -193,52 +179,41 @@ std::string end_sentence(const ChapterStudy& study, const ChapterCase& solved) {
   const auto& lock = solved.settling.lock;
   const double start = energy(solved.the_case, solved.the_case.initial);
   if (!lock) {
-    return fmt::format(
-        "**The chapter's run stops at its limit of pi/2, at t = {:.4f}; the exact motion goes "
-        "on.** "
-        "No cable ever stays taut, and the energy is {:.6f} at t = {:g} as at the start.",
-        study.limit_time, energy(solved.the_case, solved.solution.at(solved.solution.end_time())),
-        solved.solution.end_time());
+    const double end = solved.solution.end_time();
+    return fmt::format(words::goes_on, "limit"_a = study.limit_time,
+                       "energy"_a = energy(solved.the_case, solved.solution.at(end)),
+                       "end"_a = end);
   }
   if (lock->rests) {
-    return fmt::format(
-        "**The chapter's motion ends with an impact at t = {:.6f}; the exact one goes on until it "
-        "comes to rest at t = {:.4f}.**",
-        last_printed_impact(), lock->time);
+    return fmt::format(words::rests, "last"_a = last_printed_impact(), "rest"_a = lock->time);
   }
-  return fmt::format(
-      "**From t = {:.4f} on both cables are taut, which the chapter takes for settled; the body "
-      "swings on without end:** amplitude {:.4f} rad, period {:.4f}, energy {:.6f}, which is "
-      "{:.1f} % of the {:.3f} it started with.",
-      lock->time, lock->swing->amplitude, lock->swing->period, lock->swing->energy,
-      100.0 * lock->swing->energy / start, start);
+  return fmt::format(words::swings_on, "time"_a = lock->time,
+                     "amplitude"_a = lock->swing->amplitude, "period"_a = lock->swing->period,
+                     "energy"_a = lock->swing->energy,
+                     "percent"_a = 100.0 * lock->swing->energy / start, "start"_a = start);
 }
 
 /// What the motion shows on the point that the chapter makes.
 std::string finding(const ChapterStudy& study, const ChapterCase& solved, Plot plot) {
   const Breakwater& p = solved.parameters;
   if (plot == Plot::impacts) {
-    return fmt::format("{} impacts are faster than {:g}, the fastest {:.4f}. ",
-                       impact_count(solved.the_case, solved.solution, counted_speed), counted_speed,
-                       fastest_impact(solved));
+    return fmt::format(words::fast_impacts,
+                       "impacts"_a = impact_count(solved.the_case, solved.solution, counted_speed),
+                       "speed"_a = counted_speed, "fastest"_a = fastest_impact(solved));
   }
+  const std::string angle = fmt::format("{:.4f}", largest_angle(solved));
   if (plot == Plot::rotation) {
-    return fmt::format("Inertia {:.4f}, largest |theta| {:.4f} rad. ", solved.the_case.body.inertia,
-                       largest_angle(solved));
+    return fmt::format("Inertia {:.4f}, largest |theta| {} rad.", solved.the_case.body.inertia,
+                       angle);
   }
-  std::string result =
-      fmt::format("At angle 0 the boundaries meet at {:.1f} degrees{}. ",
-                  corner_angle(p) * 180.0 / std::numbers::pi, p.b > 0.0 ? ", for any b" : "");
-  if (p.a > 0.0) {
-    result += fmt::format("The largest |theta| is {:.4f} rad. ", largest_angle(solved));
-  } else {
-    const double difference = largest_difference(study.at(solved.number), study.rigid_point);
-    result +=
-        difference == 0.0
-            ? "The motions of Figs. 5.19 and 5.20 are the same to the last bit. "
-            : fmt::format("The motions of Figs. 5.19 and 5.20 differ by up to {:g}. ", difference);
-  }
-  return result;
+  const double difference =
+      p.a > 0.0 ? 0.0 : largest_difference(study.at(solved.number), study.rigid_point);
+  return fmt::format("At angle 0 the boundaries meet at {:.1f} degrees{}. {}",
+                     corner_angle(p) * 180.0 / std::numbers::pi, p.b > 0.0 ? ", for any b" : "",
+                     p.a > 0.0 ? fmt::format("The largest |theta| is {} rad.", angle)
+                     : difference == 0.0
+                         ? words::same_motions
+                         : fmt::format(words::different_motions, "difference"_a = difference));
 }
 
 ChapterFigure figure(const ChapterStudy& study, const Caption& caption) {
@@ -249,7 +224,7 @@ ChapterFigure figure(const ChapterStudy& study, const Caption& caption) {
   result.case_number = caption.number;
   result.file = stem(caption.figure) + ".csv";
   result.chapter = caption.chapter;
-  result.truth = finding(study, solved, caption.plot) + end_sentence(study, solved);
+  result.truth = finding(study, solved, caption.plot) + " " + end_sentence(study, solved);
   result.marks = marks(study, solved);
   const auto& [r, e, a, b, shape, initial, duration] = solved.parameters;
   const std::string body = fmt::format("r = {}, e = {}, a = {}, b = {}", r, e, a, b);

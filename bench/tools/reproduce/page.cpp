@@ -1,79 +1,73 @@
-// The source chapter as a page: its errors first, its tables, its figures.
-#include "bench/tools/reproduce/output.hpp"
-
+// The source chapter as a page and in Markdown: its errors, its tables, its figures.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 #include <variant>
 
+#include "bench/base/document.hpp"
 #include "bench/base/html.hpp"
-#include "bench/base/table.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/page/document.hpp"
+#include "bench/tools/reproduce/output.hpp"
 #include "bench/tools/reproduce/source.hpp"
+#include "tautline_bench_reproduce_words.inc"
 
 namespace tautline::bench {
 namespace {
 
-constexpr std::string_view title = "The source chapter, computed again";
+using namespace fmt::literals;
 
-std::string prose(const std::string& text) { return html_prose(typeset(text)); }
+constexpr const char* title = "The source chapter, computed again";
 
-std::string header(const ChapterReport& report, bool charts) {
-  std::string out =
-      fmt::format("<header>\n<h1>{}</h1>\n<p>{}</p>\n", title, prose(report.introduction));
+constexpr const char* contents =
+    "<nav aria-label=\"Sections\">\n<a href=\"#wrong\">What it got wrong</a>\n"
+    "<a href=\"#reading\">How to read it</a>\n<a href=\"#tables\">Tables</a>\n"
+    "<a href=\"#figures\">Figures</a>\n<a href=\"#holds\">What holds</a>\n</nav>\n";
+
+Document header(const ChapterReport& report, bool charts) {
+  Document out;
+  out.html(fmt::format("<h1>{}</h1>\n", title)).paragraph(report.introduction);
   for (const Correction& one : report.corrections) {
-    if (one.main) {
-      out += fmt::format("<p class=\"answer\">What it missed: {} {}</p>\n", prose(one.right),
-                         prose(one.shown));
+    out.paragraph(one.main ? fmt::format("What it missed: {} {}", one.right, one.shown) : "",
+                  "answer");
+  }
+  return out.paragraph(charts ? "" : words::no_charts, "note");
+}
+
+/// On a page what the chapter missed altogether is first, the rest in its order.
+Document corrections(const ChapterReport& report, bool holds) {
+  const char* const checked = holds ? "Checked" : "Right";
+  std::string main;
+  std::string others;
+  std::string markdown;
+  int count = 0;
+  for (const auto& [is_so, where, chapter, right, shown, numbers, list, is_main] :
+       report.corrections) {
+    if (is_so == holds) {
+      (is_main ? main : others) += fmt::format(
+          "<li><strong>{}.</strong> {}<br>{}: {}<br><span class=\"evidence\">{}</span></li>\n",
+          html_text(where), html_prose(chapter), checked, html_prose(right), html_prose(shown));
+      markdown +=
+          fmt::format("{}{}. **{}.** {}\n   - {}: {}\n   - Shown: {}", count == 0 ? "" : "\n",
+                      count + 1, where, chapter, checked, right, shown);
+      ++count;
     }
   }
-  if (!charts) {
-    out +=
-        "<p class=\"note\">Charts are not in this build of tautline: it was made without Plotly. "
-        "Their data are in the folder <code>chapter</code>.</p>\n";
-  }
-  return out + "</header>\n";
+  Document out;
+  out.html("<ol class=\"corrections\">\n" + main + others + "</ol>\n");
+  out.in(Medium::markdown).paragraph(markdown);
+  return holds ? Document().section("holds", "What was checked and holds", std::move(out))
+               : Document().section("wrong", "What the chapter got wrong", std::move(out));
 }
 
-std::string list(const std::vector<std::string>& sentences) {
-  std::string items;
-  for (const std::string& sentence : sentences) {
-    items += fmt::format("<li>{}</li>\n", prose(sentence));
-  }
-  return "<ul>\n" + items + "</ul>\n";
-}
-
-std::string contents() {
-  return "<nav aria-label=\"Sections\">\n<a href=\"#wrong\">What it got wrong</a>\n"
-         "<a href=\"#reading\">How to read it</a>\n<a href=\"#tables\">Tables</a>\n"
-         "<a href=\"#figures\">Figures</a>\n<a href=\"#holds\">What holds</a>\n</nav>\n";
-}
-
-std::string correction_item(const Correction& one) {
-  return fmt::format(
-      "<li><strong>{}.</strong> {}<br>{}: {}<br><span class=\"evidence\">{}</span></li>\n",
-      html_text(one.where), prose(one.chapter), one.holds ? "Checked" : "Right", prose(one.right),
-      prose(one.shown));
-}
-
-/// What the chapter missed altogether first, the rest in its order.
-std::string corrections(std::vector<Correction> list, bool holds) {
-  std::stable_partition(list.begin(), list.end(), [](const Correction& one) { return one.main; });
-  std::string out;
-  for (const Correction& one : list) {
-    out += one.holds == holds ? correction_item(one) : "";
-  }
-  return "<ol class=\"corrections\">\n" + out + "</ol>\n";
-}
-
-std::string reading_section(const ChapterReport& report) {
-  std::string out =
-      "<section id=\"reading\">\n<h2>How to read it</h2>\n" + list(report.conventions);
-  out += "<h3>Case numbers</h3>\n<p>A case number spells its case, digit by digit.</p>\n";
-  out += html_table(case_number_table(), "case-number",
-                    "The number of the standard case, digit by digit.");
-  return out + list(case_number_rules()) + "</section>\n";
+Document reading(const ChapterReport& report) {
+  Document out;
+  out.list(report.conventions);
+  out.in(Medium::markdown).heading(2, "Case numbers").in(Medium::page).heading(3, "Case numbers");
+  out.paragraph(words::case_numbers);
+  out.table(case_number_table(), "case-number", "The number of the standard case, digit by digit.");
+  return out.list(case_number_rules());
 }
 
 Cell table_cell(const ChapterCell& cell, const ChapterColumn& column) {
@@ -108,12 +102,12 @@ std::string id_of(std::string name) {
   return name;
 }
 
-std::string table_html(const ChapterTable& table) {
+Table table_of(const ChapterTable& table) {
   std::vector<Column> columns;
   for (const auto& [name, unit, format] : table.columns) {
     Column column;
     column.heading = name;
-    column.unit = typeset(unit);
+    column.unit = unit;
     column.numbers = holds_numbers(table, columns.size());
     columns.push_back(std::move(column));
   }
@@ -132,20 +126,24 @@ std::string table_html(const ChapterTable& table) {
     }
     shown.add(std::move(cells));
   }
-  // short: a caption is as wide as its table, and a narrow screen is not
-  const std::string caption = table.name + ".";
-  return "<h3>" + prose(table.title) + "</h3>\n" + html_table(shown, id_of(table.name), caption) +
-         fmt::format("<p class=\"note\">Data: <a href=\"chapter/{0}\">{0}</a></p>\n",
-                     html_text(table.file)) +
-         "<div class=\"notes\">\n" + list(table.notes) + "</div>\n";
+  return shown;
 }
 
-std::string tables_section(const ChapterReport& report) {
-  std::string out = "<section id=\"tables\">\n<h2>Its tables</h2>\n";
+Document tables(const ChapterReport& report) {
+  Document out;
   for (const ChapterTable& table : report.tables) {
-    out += table_html(table);
+    out.in(Medium::markdown).heading(2, table.name).in(Medium::page).heading(3, table.title);
+    out.in(Medium::markdown)
+        .paragraph(fmt::format("{0} Data: [{1}](chapter/{1}).", table.title, table.file));
+    // short: a caption is as wide as its table, and a narrow screen is not
+    out.table(table_of(table), id_of(table.name), table.name + ".");
+    out.html(
+        fmt::format("<p class=\"note\">Data: <a href=\"chapter/{0}\">{0}</a></p>\n"
+                    "<div class=\"notes\">\n",
+                    html_text(table.file)));
+    out.list(table.notes).html("</div>\n");
   }
-  return out + "</section>\n";
+  return out;
 }
 
 std::string figure_html(const ChapterFigure& figure, bool charts) {
@@ -157,18 +155,38 @@ std::string figure_html(const ChapterFigure& figure, bool charts) {
       "<figure>\n{}<figcaption><b>Fig. {}.</b> {}. Data: <a href=\"chapter/{}\">{}</a><br>"
       "{}<br><i>In truth:</i> {}</figcaption>\n</figure>\n",
       charts ? plot : "", figure.number, html_text(figure.title), figure.file, figure.file,
-      prose(figure.chapter), prose(figure.truth));
+      html_prose(figure.chapter), html_prose(figure.truth));
 }
 
-std::string figures_section(const ChapterReport& report, bool charts) {
-  std::string out =
-      "<section id=\"figures\">\n<h2>Its figures</h2>\n<p>Figures 5.1 to 5.5 are drawings of the "
-      "geometry. Boundaries are those of the centre of mass at angle 0; with the angle they "
-      "move.</p>\n<div class=\"figures\">\n";
+Document figures_on_page(const ChapterReport& report, bool charts) {
+  Document out;
+  out.paragraph(words::figures_of_page);
+  out.html("<div class=\"figures\">\n");
   for (const ChapterFigure& figure : report.figures) {
-    out += figure_html(figure, charts);
+    out.html(figure_html(figure, charts));
   }
-  return out + "</div>\n</section>\n";
+  return Document().section("figures", "Its figures", out.html("</div>\n"));
+}
+
+Document figures_in_markdown(const ChapterReport& report) {
+  Table files({"figure", "plots", "data", "boundaries"}, 4);
+  for (const ChapterFigure& figure : report.figures) {
+    files.add(
+        {figure.number, figure.title, figure.file, figure.boundary ? figure.boundary->file : dash});
+  }
+  Document out;
+  out.paragraph(words::figures).table(std::move(files), "", "");
+  out.paragraph(fmt::format(words::figure_data, "step"_a = figure_step));
+  for (auto figure = report.figures.begin(); figure != report.figures.end();) {
+    const std::string& said = figure->chapter;
+    std::vector<std::string> truths;
+    for (; figure != report.figures.end() && figure->chapter == said; ++figure) {
+      truths.push_back(
+          fmt::format("Fig. {}, case {}. {}", figure->number, figure->case_number, figure->truth));
+    }
+    out.paragraph(said + " In truth:").list(truths);
+  }
+  return Document().section("", "Figures 5.6 to 5.20", std::move(out));
 }
 
 }  // namespace
@@ -178,7 +196,8 @@ std::string typeset(std::string text) {
     std::string_view spelt;
     std::string_view set;
   };
-  constexpr Sign signs[] = {{"<=", "≤"}, {">=", "≥"}, {"^2", "²"}, {"sqrt(", "√("}};
+  constexpr Sign signs[] = {{"<=", "≤"},    {">=", "≥"}, {"&lt;=", "≤"},
+                            {"&gt;=", "≥"}, {"^2", "²"}, {"sqrt(", "√("}};
   for (const auto& [spelt, set] : signs) {
     for (std::size_t at = text.find(spelt); at != std::string::npos; at = text.find(spelt, at)) {
       text.replace(at, spelt.size(), set);
@@ -189,15 +208,22 @@ std::string typeset(std::string text) {
 
 std::string chapter_page(const ChapterReport& report, const PageAssets& assets) {
   const bool charts = !assets.plotly.empty();
-  std::string content = header(report, charts) + contents() + "<main>\n";
-  content += "<section id=\"wrong\">\n<h2>What the chapter got wrong</h2>\n" +
-             corrections(report.corrections, false) + "</section>\n";
-  content += reading_section(report) + tables_section(report) + figures_section(report, charts);
-  content += "<section id=\"holds\">\n<h2>What was checked and holds</h2>\n" +
-             corrections(report.corrections, true) + "</section>\n</main>\n";
+  Document main;
+  main.add(corrections(report, false)).section("reading", "How to read it", reading(report));
+  main.section("tables", "Its tables", tables(report)).add(figures_on_page(report, charts));
+  main.add(corrections(report, true));
+  std::string content = typeset(fmt::format("<header>\n{}</header>\n{}<main>\n{}</main>\n",
+                                            header(report, charts).html(), contents, main.html()));
   return html_document({title, std::move(content), "tautline reproduce", "chapter-data",
                         chapter_page_data(report), assets.chapter_scripts},
                        assets);
+}
+
+std::string chapter_markdown(const ChapterReport& report) {
+  Document out;
+  out.paragraph(report.introduction).add(reading(report)).add(tables(report));
+  out.add(figures_in_markdown(report)).add(corrections(report, false));
+  return fmt::format("# {}\n\n{}", title, out.add(corrections(report, true)).markdown());
 }
 
 }  // namespace tautline::bench

@@ -10,30 +10,13 @@
 #include "bench/tools/reproduce/source.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
+#include "tautline_bench_reproduce_words.inc"
 
 namespace tautline::bench {
 
 namespace {
 
-std::string introduction() {
-  return fmt::format(
-      "The source is {}. It solves its cases with a fixed time step of 0.01 and impacts located to "
-      "1e-6. Here are its tables and the data of its figures from the exact motion, and what the "
-      "exact motion says of its claims.",
-      source_chapter);
-}
-
-std::vector<std::string> conventions() {
-  return {
-      "Lengths are in S, half the distance of the anchors; times in sqrt(S/g), speeds in sqrt(gS), "
-      "energies in mgS from the equilibrium, angles in radians. g1 = 0 is the right cable (cable "
-      "1), g2 = 0 the left (cable 0).",
-      fmt::format("The motions are solved in {} decimal digits, as a neighbouring start may end "
-                  "elsewhere. Impacts on several cables follow the simultaneous law.",
-                  chapter_digits),
-      "Everything here is computed by `tautline reproduce`; only the chapter's own digits are "
-      "copied."};
-}
+using namespace fmt::literals;
 
 /// What becomes of a case, in one word or two.
 std::string outcome(const ChapterCase& solved) {
@@ -114,12 +97,9 @@ std::string last_impact_note(const ChapterStudy& study) {
   const auto& events = point.solution.events();
   const auto next = std::find_if(events.begin(), events.end(),
                                  [&](const Event& event) { return event.time > time; });
-  return fmt::format(
-      "The printed *last impact* ends nothing: by its own digits the body still slides along the "
-      "right boundary at speed {:.3f}, with energy {:.4f}. The exact motion has no event at that "
-      "instant, but one at t = {:.6f} and the next at t = {:.6f}; it comes to rest at t = {:.4f}.",
-      speed, speed * speed / 2 + value(3), std::prev(next)->time, next->time,
-      point.settling.lock->time);
+  return fmt::format(words::ends_nothing, "speed"_a = speed,
+                     "energy"_a = speed * speed / 2 + value(3), "before"_a = std::prev(next)->time,
+                     "next"_a = next->time, "rest"_a = point.settling.lock->time);
 }
 
 /// Parameters and starts, and what becomes of them.
@@ -163,13 +143,10 @@ ChapterTable starts_table(const ChapterStudy& study) {
       fmt::format(
           "*h off by* is printed less exact: at most {:.2f} of half a unit of its last digit.",
           worst_h),
-      fmt::format("*Impacts* counts those that close faster than {:g}. *Lock* is the instant from "
-                  "which on the cables stay taut, the limit of the last accumulation of impacts, "
-                  "within {:.0e}; *swing energy* is counted from the equilibrium.",
-                  counted_speed, uncertainty),
-      fmt::format("Case 1110121100 loses no energy and never locks: its numbers are those of the "
-                  "first {:g} time units, beyond the chapter's rotation limit at t = {:.4f}.",
-                  study.at("1110121100").the_case.duration, study.limit_time)};
+      fmt::format(words::columns_of_starts, "speed"_a = counted_speed,
+                  "uncertainty"_a = uncertainty),
+      fmt::format(words::elastic_case, "until"_a = study.at("1110121100").the_case.duration,
+                  "limit"_a = study.limit_time)};
   return table;
 }
 
@@ -246,8 +223,7 @@ ChapterTable states_table(const ChapterStudy& study) {
   table.notes = {
       fmt::format("*Error* is printed less exact; {} of {} numbers are right to the last digit.",
                   right, compared),
-      "The chapter prints each row twice, for its point mass and for its rigid body without "
-      "dimensions, with the same digits; the angle and spin of the second are 0, as in truth.",
+      words::printed_twice,
       fmt::format("Up to t = 15 there are {} impacts, which the chapter locates to 1e-6 in g.",
                   std::count_if(point.solution.events().begin(), point.solution.events().end(),
                                 [](const Event& event) { return event.time < 15.0; })),
@@ -278,7 +254,11 @@ std::vector<double> table_5_3_errors(const ChapterStudy& study, std::string_view
 }
 
 ChapterReport chapter_report(const ChapterStudy& study) {
-  return {introduction(), conventions(), chapter_tables(study), chapter_figures(study),
+  return {fmt::format(words::introduction, "source"_a = source_chapter),
+          {words::units, fmt::format(words::how_solved, "digits"_a = chapter_digits),
+           words::how_computed},
+          chapter_tables(study),
+          chapter_figures(study),
           chapter_corrections(study)};
 }
 

@@ -54,7 +54,7 @@ struct NumberList {
 
 /// Something that the chapter says and that was checked.
 struct Correction {
-  bool holds;            // false: it is not so, or not quite
+  bool holds = false;    // or it is not so, or not quite
   std::string where;     // "Eq. 5.66", "Section 5.8.1"
   std::string chapter;   // what it says
   std::string right;     // what is right

@@ -292,7 +292,7 @@ TEST(Motion, IsReadAsThePageReadsIt) {
 TEST(Motion, TheEventsOfTheExactMotionAreCounted) {
   const ReferenceCase reference = reference_of(shipped_cases().front());
   const EventColumns events = exact_replay(reference).events;
-  EXPECT_EQ(events.time.size(), std::min(reference.solution.events().size(), most_impacts));
+  EXPECT_EQ(events.time.size(), std::min(reference.solution.events().size(), most_drawn));
   EXPECT_EQ(events.time.size() + events.left_out, reference.solution.events().size());
 }
 

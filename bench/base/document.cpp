@@ -37,11 +37,9 @@ Document& Document::table(Table table, const std::string& id, const std::string&
 
 Document& Document::titled(Table table, const std::string& id, const std::string& title) {
   const bool has_rows = !table.empty();
-  return push(has_rows, {.kind = Kind::table,
-                         .text = title,
-                         .id = id,
-                         .level = 3,
-                         .table = std::move(table)});
+  return push(
+      has_rows,
+      {.kind = Kind::table, .text = title, .id = id, .level = 3, .table = std::move(table)});
 }
 
 Document& Document::section(const std::string& id, const std::string& heading, Document inside,
@@ -55,8 +53,7 @@ Document& Document::section(const std::string& id, const std::string& heading, D
 }
 
 Document& Document::fold(const std::string& summary, Document inside, const std::string& id) {
-  return push(true,
-              {.kind = Kind::fold, .text = summary, .id = id, .inside = {std::move(inside)}});
+  return push(true, {.kind = Kind::fold, .text = summary, .id = id, .inside = {std::move(inside)}});
 }
 
 Document& Document::html(const std::string& html) {

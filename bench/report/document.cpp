@@ -336,7 +336,8 @@ void add_control(Document& out, const Report& report) {
     return;
   }
   Table table = sampled_table(report);
-  out.paragraph(table.empty() ? words::control : fmt::format("{} {}", words::control, words::sampled));
+  out.paragraph(table.empty() ? words::control
+                              : fmt::format("{} {}", words::control, words::sampled));
   out.table(std::move(table), "sampled-table",
             "Worst over the cases of `exact sampled`, the exact motion seen at steps.");
 }
@@ -364,10 +365,11 @@ Document trust_section(const Report& report) {
 Document steps_section(const Report& report) {
   Document out;
   if (const Table table = steps_table(report); !table.empty()) {
-    out.section("steps", "Which step does a case need?",
-                Document().table(in_units_of(report, table), "steps-table",
-                                 fmt::format(words::how_to_read_steps, "part"_a = 100.0 * usual_part,
-                                             "window"_a = usual_window)));
+    out.section(
+        "steps", "Which step does a case need?",
+        Document().table(in_units_of(report, table), "steps-table",
+                         fmt::format(words::how_to_read_steps, "part"_a = 100.0 * usual_part,
+                                     "window"_a = usual_window)));
   }
   return out;
 }
@@ -375,8 +377,9 @@ Document steps_section(const Report& report) {
 Document replay_section() {
   Document out;
   out.paragraph(words::replay);
-  out.html("<div id=\"replay-app\">\n<p class=\"no-script\">The replay needs script. The motion of a "
-           "run is in <code>trajectory.csv</code> in its folder.</p>\n</div>\n");
+  out.html(
+      "<div id=\"replay-app\">\n<p class=\"no-script\">The replay needs script. The motion of a "
+      "run is in <code>trajectory.csv</code> in its folder.</p>\n</div>\n");
   return Document().section("replay", "Replay", std::move(out));
 }
 

@@ -291,7 +291,7 @@ VectorReading vector_of(const Case& the_case, const VectorOptions& options) {
       break;
     }
     few = std::move(many);
-    if (digits > enough_digits) {
+    if (digits + digits / 2 > enough_digits) {
       return none(fmt::format("{} digits do not decide how the motion goes on from t = {:.6g}.",
                               digits, difference.value_or(0.0)) +
                   shorter);

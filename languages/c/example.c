@@ -1,4 +1,4 @@
-/* Prints the impacts of a case file, or what is wrong with it.
+/* Prints the events of a case file, or what is wrong with it.
  *   cc example.c $(pkg-config --cflags --libs tautline) && ./a.out CASE.toml */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,6 +13,10 @@ int main(int argc, char** argv) {
   }
   const size_t length = fread(text, 1, sizeof text, file);
   fclose(file);
+  if (length == sizeof text) {
+    fprintf(stderr, "%s is longer than 1048575 bytes\n", argv[1]);
+    return 2;
+  }
 
   tautline_case* the_case = tautline_case_from_text(text, length, argv[1]);
   tautline_motion* motion = NULL;
@@ -30,6 +34,7 @@ int main(int argc, char** argv) {
     tautline_problems(the_case, text, sizeof text);
     fprintf(stderr, "%s\n", text);
   }
+  if (time == NULL || kind == NULL) status = TAUTLINE_OUT_OF_MEMORY;
   free(time);
   free(kind);
   tautline_motion_free(motion);

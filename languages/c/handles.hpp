@@ -62,10 +62,13 @@ namespace tautline::c {
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 inline constexpr std::size_t coordinate_count = 6;  // of the only kind of case
 
-/// The status of what `act` returns or throws. WebAssembly has no exceptions: it ends where memory
-/// is missing.
+/// The status of what `act` returns or throws. A program without exceptions ends where memory is
+/// missing.
 template <class Act>
 std::int32_t guarded(const Act& act) noexcept {
+#ifndef __cpp_exceptions
+  return act();
+#else
   try {
     return act();
   } catch (const std::bad_alloc&) {
@@ -75,6 +78,7 @@ std::int32_t guarded(const Act& act) noexcept {
   } catch (...) {
     return TAUTLINE_BROKEN;
   }
+#endif
 }
 
 /// The size of a struct in the first version of the library that had it [bytes]. A struct that has

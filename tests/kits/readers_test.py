@@ -89,6 +89,10 @@ class Reader:
             self.assertEqual(code, 0, said)
             self.assertTrue(said.startswith(f"right: {due} rows asked"), said)
 
+    def test_takes_the_start_twice_and_a_blank_line(self):
+        rows = text(exact_samples("central-half")[1])
+        self.assertEqual(self.run_on("central-half", rows.split("\n")[0] + "\n" + rows + "\n")[0], 0)
+
     def test_names_the_instant_and_the_impact_from_which_on_a_motion_is_wrong(self):
         rows = exact_samples("central-half")[1]
         wrong = [row if row[0] < 0.5 else [row[0], row[1], row[2] + 0.01, *row[3:]] for row in rows]

@@ -62,10 +62,11 @@ Twice.
 
 TEST(Document, IsAPageWithNothingMarkedUpThatComesFromElsewhere) {
   const std::string page = document().html();
-  EXPECT_TRUE(page.starts_with("<section id=\"part\">\n<h2>A part</h2>\n<p class=\"answer\">"
-                               "<strong>A</strong> name: &lt;o*e&gt; *x*.</p>\n"
-                               "<ul class=\"reading\">\n<li>one <em>word</em></li>\n"
-                               "<li><code>two</code></li>\n</ul>\n<h3>Lower</h3>\n"))
+  EXPECT_TRUE(
+      page.starts_with("<section id=\"part\">\n<h2>A part</h2>\n<p class=\"answer\">"
+                       "<strong>A</strong> name: &lt;o*e&gt; *x*.</p>\n"
+                       "<ul class=\"reading\">\n<li>one <em>word</em></li>\n"
+                       "<li><code>two</code></li>\n</ul>\n<h3>Lower</h3>\n"))
       << page;
   EXPECT_NE(page.find("<caption id=\"some-table-caption\">A caption.</caption>"), page.npos);
   EXPECT_NE(page.find("</div>\n<hr>\n</section>\n<details class=\"fold\" id=\"more\">"

@@ -20,11 +20,11 @@ int main(int count, char** words) {
         step > longest * (1 + 1e-9)) continue; /* no row, or none that can judge such a step */
     while (a[0] < 0 || b[0] < row[0] - 1e-9 * step) {
       if (!fgets(line, sizeof line, samples)) return printf("wrong: no sample at t = %g or later\n", row[0]), 1;
-      if (line[0] == '#') continue;
+      if (line[0] == '#' || !line[strspn(line, " \t\r\n")]) continue;
       memcpy(a, b, sizeof a);
       if (sscanf(line, "%lf%lf%lf%lf", b, b + 1, b + 2, b + 3) != 4) return unusable("a sample is not `time x y angle`");
     }
-    const double part = fmin(1, (row[0] - a[0]) / (b[0] - a[0])), allowed = 2 * step * fastest * growth;
+    const double part = b[0] > a[0] ? fmin(1, (row[0] - a[0]) / (b[0] - a[0])) : 1, allowed = 2 * step * fastest * growth;
     double by[4];
     for (int i = 1; i < 4; i++) by[i] = a[i] + part * (b[i] - a[i]) - row[i];
     const double off = hypot(hypot(by[1], by[2]), radius * by[3]);

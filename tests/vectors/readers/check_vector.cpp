@@ -23,12 +23,13 @@ int main(int count, char** words) {
     if (found != 7 || step > longest * (1 + 1e-9)) continue;  // no row, or none that can judge such a step
     while (a[0] < 0 || b[0] < row[0] - 1e-9 * step) {
       if (!std::getline(samples, next)) return std::printf("wrong: no sample at t = %g or later\n", row[0]), 1;
-      if (next[0] == '#') continue;
+      if (next[0] == '#' || next.find_first_not_of(" \t\r") == next.npos) continue;
       a = b;
       const int numbers = std::sscanf(next.c_str(), "%lf%lf%lf%lf", &b[0], &b[1], &b[2], &b[3]);
       if (numbers != 4) return unusable("not `time x y angle`: " + next);
     }
-    const double part = std::fmin(1, (row[0] - a[0]) / (b[0] - a[0])), allowed = 2 * step * fastest * growth;
+    const double part = b[0] > a[0] ? std::fmin(1, (row[0] - a[0]) / (b[0] - a[0])) : 1,
+                 allowed = 2 * step * fastest * growth;
     const auto by = [&](int i) { return a[i] + part * (b[i] - a[i]) - row[i]; };
     const double off = std::hypot(by(1), by(2), radius * by(3));
     const char* wrong = "wrong: at t = %g it is %.2g m off, %.2g m are allowed; the impact before is at t = %g\n";

@@ -12,7 +12,7 @@ export function check(vector, samples, step) {
     if (!(step <= longest * (1 + 1e-9))) break; // such a step cannot be judged here, nor later
     while (place < samples.length && samples[place][0] < time - 1e-9 * step) ++place;
     if (place >= samples.length) return { right: false, sentence: `wrong: no sample at t = ${time} or later` };
-    const a = samples[place - 1], b = samples[place], part = Math.min(1, (time - a[0]) / (b[0] - a[0]));
+    const a = samples[place - 1], b = samples[place], part = b[0] > a[0] ? Math.min(1, (time - a[0]) / (b[0] - a[0])) : 1;
     const by = [1, 2, 3].map((i) => a[i] + part * (b[i] - a[i]) - state[i - 1]);
     const off = Math.hypot(by[0], by[1], vector.radius * by[2]), allowed = 2 * step * vector.fastest * growth;
     if (!(off <= allowed)) {

@@ -18,7 +18,7 @@ def check(vector, samples, step):
         if place >= len(samples):
             return False, f"no sample at t = {time:g} or later", asked
         a, b = samples[place - 1], samples[place]
-        part = min(1, (time - a[0]) / (b[0] - a[0]))
+        part = min(1, (time - a[0]) / (b[0] - a[0])) if b[0] > a[0] else 1
         by = [one + part * (other - one) - exact for one, other, exact in zip(a[1:], b[1:], pose)]
         off, allowed = math.hypot(by[0], by[1], vector["radius"] * by[2]), 2 * step * vector["fastest"] * row["growth"]
         if not off <= allowed:
@@ -30,7 +30,7 @@ def check(vector, samples, step):
 if __name__ == "__main__":
     try:
         rows = sys.stdin if sys.argv[2] == "-" else open(sys.argv[2])
-        steps = [tuple(map(float, line.split()[:4])) for line in rows if line[0] != "#"]
+        steps = [tuple(map(float, line.split()[:4])) for line in rows if line.strip() and line[0] != "#"]
         if min(map(len, steps), default=0) < 4:
             raise ValueError("a sample is not `time x y angle`")
         right, sentence, asked = check(json.load(open(sys.argv[1])), steps, float(sys.argv[3]))

@@ -10,7 +10,7 @@ fn numbers(words: &mut dyn Iterator<Item = &str>, count: usize) -> Found<Vec<f64
 fn check(path: &str, samples: &str, step: f64) -> Found<bool> {
     let (vector, samples) = (fs::read_to_string(path)?, fs::read_to_string(samples)?);
     if vector.lines().next() != Some("tautline-vector-1") { return Err("not a tautline-vector-1".into()); }
-    let mut samples = samples.lines().filter(|line| !line.starts_with('#')).map(|line| numbers(&mut line.split_whitespace(), 4));
+    let mut samples = samples.lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty()).map(|line| numbers(&mut line.split_whitespace(), 4));
     let (mut a, mut b) = (samples.next().ok_or("no samples")??, samples.next().ok_or("one sample")??);
     let (mut radius, mut fastest, mut worst, mut hit, mut asked) = (0.0, 0.0, 0.0_f64, 0.0, 0);
     for line in vector.lines() {
@@ -21,10 +21,10 @@ fn check(path: &str, samples: &str, step: f64) -> Found<bool> {
         let row = numbers(&mut words, 9)?; // time, x, y, angle, vx, vy, spin, growth, step
         if !(step <= row[8] * (1.0 + 1e-9)) { break; } // such a step cannot be judged here, nor later
         while b[0] < row[0] - 1e-9 * step {
-            let Some(next) = samples.next() else { println!("wrong: no sample at t = {} or later", row[0]); return Ok(false) };
+            let next = match samples.next() { Some(next) => next, None => { println!("wrong: no sample at t = {} or later", row[0]); return Ok(false) } };
             (a, b) = (b, next?);
         }
-        let (part, allowed) = (((row[0] - a[0]) / (b[0] - a[0])).min(1.0), 2.0 * step * fastest * row[7]);
+        let (part, allowed) = (if b[0] > a[0] { ((row[0] - a[0]) / (b[0] - a[0])).min(1.0) } else { 1.0 }, 2.0 * step * fastest * row[7]);
         let by = |i: usize| a[i] + part * (b[i] - a[i]) - row[i];
         let off = by(1).hypot(by(2)).hypot(radius * by(3));
         if !(off <= allowed) { println!("wrong: at t = {} it is {off:.1e} m off, {allowed:.1e} m are allowed; the impact before is at t = {hit}", row[0]); return Ok(false); }

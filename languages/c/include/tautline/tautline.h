@@ -13,7 +13,7 @@
  *
  * Rules for all functions
  * - A function that can fail returns TAUTLINE_OK or another tautline_status. It then has written
- *   nothing, unless its comment says more.
+ *   nothing, unless its comment says more; if memory is missing, some rows may have been written.
  * - No argument ends the program: not null, NaN, a wrong size or missing memory. A pointer must be
  *   null or point to as much as the comment says.
  * - Arrays belong to the caller. An output array that is null is skipped. Arrays have one row for
@@ -71,14 +71,15 @@ extern "C" {
 /* The result of a function: int32. */
 enum tautline_status {
   TAUTLINE_OK = 0,
-  TAUTLINE_NULL = 1,         /* an argument must not be null */
-  TAUTLINE_BAD_SIZE = 2,     /* the `size` of a struct is not right, or its unknown part is not 0 */
-  TAUTLINE_BAD_CASE = 3,     /* the case has problems: tautline_problems names them */
-  TAUTLINE_BAD_OPTION = 4,   /* see tautline_option_problems */
-  TAUTLINE_BAD_TIME = 5,     /* a time is NaN, below 0 or after the end of the motion */
-  TAUTLINE_BAD_RANGE = 6,    /* the rows are not all there, or no memory could hold as many */
-  TAUTLINE_UNKNOWN_NAME = 7, /* no number of the case has this name */
-  TAUTLINE_BAD_THREADS = 8,  /* the number of threads is below 0 */
+  TAUTLINE_NULL = 1,          /* an argument must not be null */
+  TAUTLINE_BAD_SIZE = 2,      /* the `size` of a struct other than the options is not right, or its
+                                 unknown part is not 0 */
+  TAUTLINE_BAD_CASE = 3,      /* the case has problems: tautline_problems names them */
+  TAUTLINE_BAD_OPTION = 4,    /* see tautline_option_problems; or a format that is unknown */
+  TAUTLINE_BAD_TIME = 5,      /* a time is NaN, below 0 or after the end of the motion */
+  TAUTLINE_BAD_RANGE = 6,     /* the rows are not all there, or no memory could hold as many */
+  TAUTLINE_UNKNOWN_NAME = 7,  /* no number of the case has this name */
+  TAUTLINE_BAD_THREADS = 8,   /* the number of threads is below 0 */
   TAUTLINE_OUT_OF_MEMORY = 9, /* memory is missing; nothing is lost, and the call may be repeated */
   TAUTLINE_BROKEN = 10        /* a mistake of the library: please report it */
 };

@@ -16,7 +16,7 @@ namespace {
 
 /// Cases that a thread takes at a time: many, so that its lanes stay full to the end, but not so
 /// many that other threads wait for the last.
-constexpr std::size_t most_at_a_time = 200;
+constexpr std::size_t most_at_a_time = 1000;
 constexpr std::size_t least_at_a_time = 16;
 constexpr std::size_t shares_of_a_thread = 8;
 
@@ -98,7 +98,8 @@ class Sweep {
   Sweep(std::size_t count, std::size_t threads, const SolveOptions& options, const Wanted& wanted,
         const CaseOf& case_of)
       : count_(count), options_(options), wanted_(wanted), case_of_(case_of) {
-    share_ = std::clamp(count / (threads * shares_of_a_thread), least_at_a_time, most_at_a_time);
+    const std::size_t shares = threads > 1 ? threads * shares_of_a_thread : 1;
+    share_ = std::clamp(count / shares, least_at_a_time, most_at_a_time);
   }
 
   /// Takes shares until none is left, or until something has failed in any thread.

@@ -13,8 +13,8 @@ Wide quantile(double part) {
   return boost::math::quantile(boost::math::normal_distribution<Wide>(0, 1), Wide(part));
 }
 
-/// True if the double next to `value` may be another after an error of `margin` units in the last of
-/// 64 bits.
+/// True if the double next to `value` may be another after an error of `margin` units in the last
+/// of 64 bits.
 bool in_doubt(long double value, std::uint64_t margin) {
   constexpr std::uint64_t below_double = (1U << 11U) - 1;  // 64 bits less the 53 of a double
   constexpr std::uint64_t between = 1U << 10U;             // two doubles
@@ -35,9 +35,10 @@ extern "C" __attribute__((visibility("default"))) void tautline_normal_quantiles
     const double* parts, std::size_t count, std::uint64_t margin, double* to) {
   for (std::size_t index = 0; index < count; ++index) {
     const auto fast = quantile<long double>(parts[index]);
-    to[index] = in_doubt(fast, margin)
-                    ? static_cast<double>(
-                          quantile<boost::multiprecision::cpp_bin_float_double_extended>(parts[index]))
-                    : static_cast<double>(fast);
+    to[index] =
+        in_doubt(fast, margin)
+            ? static_cast<double>(
+                  quantile<boost::multiprecision::cpp_bin_float_double_extended>(parts[index]))
+            : static_cast<double>(fast);
   }
 }

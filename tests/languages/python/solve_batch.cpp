@@ -1,5 +1,5 @@
-// What a motion costs in solve_batch, for languages/python/measure.py: prints seconds of processor time, the best of
-// three runs over as many starts of the standard case as its argument says.
+// What a motion costs in solve_batch, for languages/python/measure.py: prints seconds of processor
+// time, the best of three runs over as many starts of the standard case as its argument says.
 #include "tautline/solve_batch.hpp"
 
 #include <algorithm>

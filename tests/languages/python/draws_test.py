@@ -148,6 +148,15 @@ class Draws(unittest.TestCase):
         self.assertEqual(len(str(refused.exception).splitlines()), 3)
         with self.assertRaises(FileNotFoundError):
             tl.draws("no spec.toml")
+        with self.assertRaisesRegex(ValueError, "^/dev/zero: is longer than 1048576 bytes"):
+            tl.draws("/dev/zero")
+        with self.assertRaisesRegex(ValueError, "^spec: is nested too deep"):
+            tl.draws("x = " + "[" * 100000 + "\n")
+        with tempfile.NamedTemporaryFile() as file:
+            file.write(b"\xff")
+            file.flush()
+            with self.assertRaisesRegex(ValueError, "must be text in UTF-8"):
+                tl.draws(file.name)
 
 
 def shortest(number):

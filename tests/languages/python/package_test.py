@@ -86,6 +86,8 @@ class Cases(unittest.TestCase):
                 wrong()
         with self.assertRaisesRegex(ValueError, "mass: 1000.* must fit a double"):
             STANDARD.but(mass=10**400)
+        with self.assertRaisesRegex(ValueError, "mass: a large int must fit a double"):
+            STANDARD.but(mass=10**5000)
 
     def test_but_takes_fields_quantities_and_short_names(self):
         case = STANDARD.but(restitution=0.5, length_1=1.6, x=0.3, vy=-0.2, velocity_x=0.4, spin=1, duration=3, gravity_x=0.1,
@@ -314,8 +316,11 @@ class Motions(unittest.TestCase):
                      max_steps=2**31)
         self.assertEqual(len(str(refused.exception).splitlines()), 6, refused.exception)
         self.assertIn("law: 'newton' must be one of simultaneous, poisson, sequential, energetic", str(refused.exception))
-        with self.assertRaises(TypeError):
-            tl.solve(STANDARD, max_events=1.5)
+        for wrong in ({"max_events": 1.5}, {"completion_error": "1"}):
+            with self.assertRaises(TypeError):
+                tl.solve(STANDARD, **wrong)
+        with self.assertRaises(AttributeError):
+            tl.solve(STANDARD).case = BALL
         with self.assertRaises(ValueError) as refused:
             tl.solve(STANDARD.but(mass=-1, length_0=float("nan"), restitution_1=2, x=float("inf")))
         sentences = str(refused.exception).splitlines()

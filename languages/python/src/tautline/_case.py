@@ -26,7 +26,8 @@ LONGEST_TEXT = 1 << 20  # [bytes], of a case file
 _SET = object.__setattr__  # the one way into a frozen dataclass
 
 
-def _number(name: str, value: Any) -> float:
+def number(name: str, value: Any) -> float:
+    """A number as a double; anything else is an error that names it."""
     if type(value) is float:
         return value
     if not isinstance(value, (str, bytes, bytearray, bool)):
@@ -44,7 +45,7 @@ def _pair(name: str, value: Any) -> Pair:
         first, second = value
     except (TypeError, ValueError):
         raise TypeError(f"{name}: must be two numbers, is {shown(value)}") from None
-    return _number(name, first), _number(name, second)
+    return number(name, first), number(name, second)
 
 
 def _entries(name: str, value: Any) -> tuple[Any, ...]:
@@ -66,7 +67,7 @@ class State:
         for name in ("position", "velocity"):
             _SET(self, name, _pair(name, getattr(self, name)))
         for name in ("angle", "spin"):
-            _SET(self, name, _number(name, getattr(self, name)))
+            _SET(self, name, number(name, getattr(self, name)))
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -85,7 +86,7 @@ class Cable:
         for name in ("anchor", "attachment"):
             _SET(self, name, _pair(name, getattr(self, name)))
         for name in ("length", "restitution", "capture_speed"):
-            _SET(self, name, _number(name, getattr(self, name)))
+            _SET(self, name, number(name, getattr(self, name)))
         table = _entries("restitution_table", self.restitution_table)
         _SET(self, "restitution_table", tuple(_pair("restitution_table", point) for point in table))
         _SET(self, "taut", bool(self.taut))
@@ -137,10 +138,10 @@ class Case(_Native):
         _SET(self, "cables", cables)
         _SET(self, "gravity", _pair("gravity", self.gravity))
         for name in ("duration", "mass", "inertia"):
-            _SET(self, name, _number(name, getattr(self, name)))
+            _SET(self, name, number(name, getattr(self, name)))
         for name in ("angle_limit", "ceiling"):
             if getattr(self, name) is not None:
-                _SET(self, name, _number(name, getattr(self, name)))
+                _SET(self, name, number(name, getattr(self, name)))
 
     # ---- text
 
@@ -257,10 +258,10 @@ class Case(_Native):
             if name in own:
                 ours[name] = value
             elif name in ("gravity_x", "gravity_y"):
-                gravity = _with(gravity, name == "gravity_y", _number(name, value))
+                gravity = _with(gravity, name == "gravity_y", number(name, value))
             elif name in _OF_START and _OF_START[name][1] is not None:
                 pair, place = _OF_START[name]
-                initial = replace(initial, **{pair: _with(getattr(initial, pair), place == 1, _number(name, value))})
+                initial = replace(initial, **{pair: _with(getattr(initial, pair), place == 1, number(name, value))})
             elif name in start:
                 initial = replace(initial, **{name: value})
             elif name in of_cable:

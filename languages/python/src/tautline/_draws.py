@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from . import _library
-from ._case import _OF_START, Case, Source, unknown_quantity
+from ._case import _OF_START, LONGEST_TEXT, Case, Source, unknown_quantity
 from ._library import Doubles, shown
 
 MOST_DRAWS = 10_000_000
@@ -50,10 +50,19 @@ def draws(spec: Source, *, count: int | None = None, seed: int | None = None) ->
     if text is None:
         source = os.fspath(spec)
         folder = pathlib.Path(source).parent
-        text = pathlib.Path(source).read_text(encoding="utf-8")
+        with open(source, "rb") as file:
+            content = file.read(LONGEST_TEXT + 1)
+        if len(content) > LONGEST_TEXT:
+            raise ValueError(f"{source}: is longer than {LONGEST_TEXT} bytes")
+        try:
+            text = content.decode()
+        except UnicodeDecodeError:
+            raise ValueError(f"{source}: must be text in UTF-8") from None
     try:
         tables = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except RecursionError:
+        raise ValueError(f"{source}: is nested too deep") from None
+    except ValueError as error:
         raise ValueError(f"{source}: {error}") from None
     if count is not None:
         tables["count"] = count

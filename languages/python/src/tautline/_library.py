@@ -205,7 +205,10 @@ def doubles(name: str, values: npt.ArrayLike) -> Doubles:
 
 def shown(value: object) -> str:
     """A value for a sentence, cut where it is long."""
-    text = repr(value)
+    try:
+        text = repr(value)
+    except ValueError:  # an integer of thousands of digits
+        text = f"a large {type(value).__name__}"
     return text if len(text) <= 60 else text[:57] + "..."
 
 

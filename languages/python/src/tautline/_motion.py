@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library
-from ._case import Case
+from ._case import Case, number
 from ._library import C, Doubles, Flags, Handle, Options, SettlingNumbers, Summary, address, doubles, shown
 
 Names = npt.NDArray[np.str_]
@@ -37,7 +37,7 @@ def options_of(law: str, *, until_locked: bool, swing_ahead: bool, completion_er
         wrong.append(f"law: {shown(law)} {_LAW_SENTENCE}")
     for name, value in numbers.items():
         if value is not None:
-            value = float(value)
+            value = number(name, value)
             setattr(options, name, value)
             if value == 0.0:  # which the library takes for its default
                 wrong.append(f"{name} 0 must be above 0, or None for the default")
@@ -288,14 +288,13 @@ class Motion:
     `end_time` is a ValueError that names it. Several threads may use one motion.
     """
 
-    __slots__ = ("_events", "_handle", "_impacts", "_options", "_summary", "case")
+    __slots__ = ("_case", "_events", "_handle", "_impacts", "_options", "_summary")
 
-    case: Case
     _events: Events
     _impacts: Events
 
     def __init__(self, case: Case, options: Options | None = None) -> None:
-        self.case = case
+        self._case = case
         self._options = options
         pointer = ctypes.c_void_p()
         status = C["solve"](case._handle().pointer, options and ctypes.byref(options), ctypes.byref(pointer))
@@ -308,12 +307,17 @@ class Motion:
         _library.check(C["summarise"](self._handle.pointer, ctypes.byref(self._summary)))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _solved_again, (self.case, None if self._options is None else bytes(self._options))
+        return _solved_again, (self._case, None if self._options is None else bytes(self._options))
 
     def __repr__(self) -> str:
-        return (f"<Motion of {self.case.name}: {self._summary.impacts} impacts, {self.ending} at t = {self.end_time:.6g} s>")
+        return (f"<Motion of {self._case.name}: {self._summary.impacts} impacts, {self.ending} at t = {self.end_time:.6g} s>")
 
     # ---- the whole
+
+    @property
+    def case(self) -> Case:
+        """What was solved."""
+        return self._case
 
     @property
     def ending(self) -> str:
@@ -408,7 +412,7 @@ class Motion:
         try:
             return self._events
         except AttributeError:
-            self._events = _EventTable(self._handle, self._summary.events, self.case.coordinates, self._cables).events()
+            self._events = _EventTable(self._handle, self._summary.events, self._case.coordinates, self._cables).events()
             return self._events
 
     @property
@@ -462,11 +466,11 @@ class Motion:
 
     @property
     def _width(self) -> int:
-        return int(C["coordinates"](self.case._handle().pointer))
+        return int(C["coordinates"](self._case._handle().pointer))
 
     @property
     def _cables(self) -> int:
-        return len(self.case.cables)
+        return len(self._case.cables)
 
     def _ask(self, function: str, times: Doubles, *columns: int | None) -> None:
         wrong = ctypes.c_size_t()

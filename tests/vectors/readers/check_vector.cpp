@@ -28,10 +28,9 @@ int main(int count, char** words) {
       const int numbers = std::sscanf(next.c_str(), "%lf%lf%lf%lf", &b[0], &b[1], &b[2], &b[3]);
       if (numbers != 4) return unusable("not `time x y angle`: " + next);
     }
-    const double part = b[0] > a[0] ? std::fmin(1, (row[0] - a[0]) / (b[0] - a[0])) : 1,
-                 allowed = 2 * step * fastest * growth;
+    const double part = b[0] > a[0] ? std::fmin(1, (row[0] - a[0]) / (b[0] - a[0])) : 1;
     const auto by = [&](int i) { return a[i] + part * (b[i] - a[i]) - row[i]; };
-    const double off = std::hypot(by(1), by(2), radius * by(3));
+    const double off = std::hypot(by(1), by(2), radius * by(3)), allowed = 2 * step * fastest * growth;
     const char* wrong = "wrong: at t = %g it is %.2g m off, %.2g m are allowed; the impact before is at t = %g\n";
     if (!(off <= allowed)) return std::printf(wrong, row[0], off, allowed, hit), 1;
     worst = std::fmax(worst, off / allowed), ++asked, hit = kind == std::string("impact") ? row[0] : hit;

@@ -103,10 +103,7 @@ template <class Real>
 BasicSensitivity<Real>::BasicSensitivity(const BasicCase<Real>& the_case,
                                          const BasicSolution<BasicCase<Real>>& solution,
                                          ImpactLaw law)
-    : radius_(is_point_mass(the_case)
-                  ? Real(0)
-                  : Real(sqrt(Real(the_case.body.inertia / the_case.body.mass)))),
-      end_(solution.end_time()) {
+    : radius_(gyration_radius(the_case)), end_(solution.end_time()) {
   const std::vector<BasicArc<BasicCase<Real>>> arcs = solution.arcs_until(end_);
   std::span<const BasicEvent<BasicCase<Real>>> left(solution.events());
   Eigen::Matrix<Real, 6, 1> before = state_rate(arcs.front(), Real(0), solution.gravity());

@@ -55,6 +55,7 @@ std::optional<std::size_t> plausible_distance(std::string_view name, std::string
 struct Character {
   std::size_t bytes;
   bool legible;
+  bool sound = true;  // UTF-8
 };
 
 bool continues(unsigned char byte) { return (byte & 0xC0U) == 0x80U; }
@@ -76,19 +77,19 @@ Character first_character(std::string_view text) {
   }
   const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
   if (lead < 0xC2 || lead > 0xF4 || text.size() < bytes) {
-    return {1, false};
+    return {1, false, false};
   }
   std::uint32_t code = lead & (0x7FU >> bytes);
   for (std::size_t index = 1; index < bytes; ++index) {
     if (!continues(byte(index))) {
-      return {1, false};
+      return {1, false, false};
     }
     code = (code << 6U) | (byte(index) & 0x3FU);
   }
   constexpr std::array<std::uint32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   const bool sound = code >= least[bytes] && code <= 0x10FFFF && !surrogate;
-  return sound ? Character{bytes, is_legible(code)} : Character{1, false};
+  return sound ? Character{bytes, is_legible(code)} : Character{1, false, false};
 }
 
 std::string escaped(std::string_view bytes) {
@@ -167,6 +168,17 @@ std::string printable(std::string_view text, std::size_t longest) {
     text.remove_prefix(character.bytes);
   }
   return result;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const Character character = first_character(text);
+    if (!character.sound) {
+      return false;
+    }
+    text.remove_prefix(character.bytes);
+  }
+  return true;
 }
 
 std::uint64_t stable_hash(std::string_view text) {

@@ -35,6 +35,9 @@ inline constexpr std::size_t quotable_length = 160;
 /// than `longest` bytes is cut and ends in "...".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = quotable_length);
 
+/// True for text in UTF-8, also if it is empty.
+[[nodiscard]] bool is_utf8(std::string_view text);
+
 /// `text` with what XML and HTML read as their own made harmless.
 [[nodiscard]] std::string xml_text(std::string_view text);
 

@@ -1,14 +1,13 @@
 #include "bench/ensemble/draw.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <functional>
 #include <optional>
 
 #include "bench/cases/quantity.hpp"
+#include "bench/ensemble/normal.hpp"
 #include "bench/ensemble/random.hpp"
 
 namespace tautline::bench {
@@ -43,14 +42,6 @@ SobolPoints& sobol_points(std::size_t dimensions) {
     kept.emplace(dimensions);
   }
   return *kept;
-}
-
-/// The quantile of the standard normal distribution at `part` in (0, 1). Its logarithms are made of
-/// integers: those of the C library differ from one processor to the next.
-double normal_quantile(double part) {
-  using Wide = boost::multiprecision::cpp_bin_float_double_extended;
-  return static_cast<double>(
-      boost::math::quantile(boost::math::normal_distribution<Wide>(0, 1), Wide(part)));
 }
 
 /// What a number in (0, 1) means.

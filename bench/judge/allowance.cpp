@@ -59,14 +59,6 @@ StateVector vector_of(const State& state) {
   return result;
 }
 
-double closing_speed(const Case& the_case, const Event& event) {
-  double fastest = 0.0;
-  for (const std::size_t index : event.cables) {
-    fastest = std::max(fastest, -gap_rate(the_case.cables[index], event.before));
-  }
-  return fastest;
-}
-
 /// The derivative of the state after an impact by a delay of it: what `before` flies on by is
 /// resolved later, and `after` has flown less.
 StateVector by_delay(const ReferenceCase& reference, const Event& event) {
@@ -319,7 +311,7 @@ void Expectation::follow() {
   double spin = 0.0;     // [rad/s], the largest
   double angle = 1.0;    // [rad]
   for (const Event& event : solution.events()) {
-    fastest = std::max(fastest, closing_speed(the_case, event));
+    fastest = std::max(fastest, closing_speed(the_case, event.cables, event.before));
   }
   speed_ = fastest;
   acceleration_ = the_case.gravity.norm();
@@ -409,7 +401,7 @@ void Expectation::follow() {
     bool struck = false;
     for (; event < events.size() && events[event].time <= times[place]; ++event) {
       if (events[event].kind == EventKind::impact &&
-          closing_speed(the_case, events[event]) >= slow * fastest) {
+          closing_speed(the_case, events[event].cables, events[event].before) >= slow * fastest) {
         const StateVector delayed = by_delay(reference_, events[event]);
         parts_of_error.insert(parts_of_error.end() - 1, delayed);
         struck = true;

@@ -132,11 +132,8 @@ std::vector<Mark> impact_marks(const Case& the_case, const Solution& solution) {
     if (event.kind != EventKind::impact) {
       continue;
     }
-    double speed = 0.0;
-    for (const std::size_t index : event.cables) {
-      speed = std::max(speed, -gap_rate(the_case.cables[index], event.before));
-    }
-    marks.push_back({speed, event.time, event.before});
+    marks.push_back(
+        {closing_speed(the_case, event.cables, event.before), event.time, event.before});
   }
   std::stable_sort(marks.begin(), marks.end(),
                    [](const Mark& a, const Mark& b) { return a.speed > b.speed; });

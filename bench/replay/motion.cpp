@@ -69,15 +69,11 @@ std::vector<const RecordedImpact*> kept_impacts(const Trajectory& run, double co
 }
 
 /// Closing speed of the fastest cable of an impact [m/s]; none of another event.
-std::optional<double> closing_speed(const Case& the_case, const Event& event) {
+std::optional<double> impact_speed(const Case& the_case, const Event& event) {
   if (event.kind != EventKind::impact) {
     return std::nullopt;
   }
-  double fastest = 0.0;
-  for (const std::size_t index : event.cables) {
-    fastest = std::max(fastest, -gap_rate(the_case.cables[index], event.before));
-  }
-  return fastest;
+  return closing_speed(the_case, event.cables, event.before);
 }
 
 /// The events that the report has.
@@ -88,7 +84,7 @@ std::vector<const Event*> kept_events(const ReferenceCase& reference) {
   }
   keep_fastest(events, most_drawn, [&](const Event* event) {
     // what is no impact is rare and always kept
-    return closing_speed(reference.the_case, *event)
+    return impact_speed(reference.the_case, *event)
         .value_or(std::numeric_limits<double>::infinity());
   });
   return events;
@@ -234,7 +230,7 @@ CaseReplay exact_replay(const ReferenceCase& reference) {
     columns.kind.emplace_back(to_string(event->kind));
     const auto cables = event->cables.indices();
     columns.cables.emplace_back(cables.begin(), cables.end());
-    columns.rate.push_back(closing_speed(reference.the_case, *event));
+    columns.rate.push_back(impact_speed(reference.the_case, *event));
   }
   columns.left_out = reference.solution.events().size() - columns.time.size();
   return replay;

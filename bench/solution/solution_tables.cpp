@@ -61,10 +61,7 @@ std::vector<std::string> event_cells(const Case& the_case, const Solution& solut
   if (const Accumulation* const accumulation = accumulation_at(solution, event)) {
     return accumulation_cells(solution, uncertainty, event, *accumulation);
   }
-  double closing = 0.0;
-  for (const std::size_t index : event.cables) {
-    closing = std::max(closing, -gap_rate(the_case.cables[index], event.before));
-  }
+  const double closing = closing_speed(the_case, event.cables, event.before);
   const bool impact = event.kind == EventKind::impact;
   std::vector<std::string> cells = {
       right_fixed(event.time, errors.time, time_digits), std::string(to_string(event.kind)),

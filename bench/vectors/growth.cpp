@@ -46,14 +46,11 @@ State moved_by(const State& state, const StateColumn& change) {
 /// The cables of an impact that close, with their rates; the others are taut already.
 std::vector<std::pair<std::size_t, double>> closing_cables(const Case& the_case,
                                                            const Event& event) {
-  double fastest = 0.0;
-  for (const std::size_t index : event.cables) {
-    fastest = std::min(fastest, gap_rate(the_case.cables[index], event.before));
-  }
+  const double fastest = closing_speed(the_case, event.cables, event.before);
   std::vector<std::pair<std::size_t, double>> result;
   for (const std::size_t index : event.cables) {
     const double rate = gap_rate(the_case.cables[index], event.before);
-    if (rate < resting * fastest) {
+    if (rate < -resting * fastest) {
       result.emplace_back(index, rate);
     }
   }
@@ -62,12 +59,8 @@ std::vector<std::pair<std::size_t, double>> closing_cables(const Case& the_case,
 
 }  // namespace
 
-double turn_radius(const Case& the_case) {
-  return is_point_mass(the_case) ? 0.0 : std::sqrt(the_case.body.inertia / the_case.body.mass);
-}
-
 Growth::Growth(const Case& the_case, const Solution& solution, ImpactLaw law)
-    : case_(the_case), law_(law), radius_(turn_radius(the_case)) {
+    : case_(the_case), law_(law), radius_(gyration_radius(the_case)) {
   Directions start = Directions::Identity(6, 6);  // of size one in the metric
   start(2, 2) = start(5, 5) = radius_ > 0.0 ? 1.0 / radius_ : 0.0;
   parts_.push_back({0.0, start, Sensitivity(the_case, solution, law)});

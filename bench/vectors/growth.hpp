@@ -43,7 +43,4 @@ class Growth {
   std::vector<Part> parts_;  // in rising time, at least one
 };
 
-/// The radius of gyration [m] by which turns count in that metric; 0 for a point mass.
-[[nodiscard]] double turn_radius(const Case& the_case);
-
 }  // namespace tautline::bench

@@ -44,15 +44,6 @@ struct Notable {
 };
 
 template <class Real>
-Real closing_rate(const BasicCase<Real>& the_case, const BasicEvent<BasicCase<Real>>& event) {
-  Real fastest(0);
-  for (const std::size_t index : event.cables) {
-    fastest = max(fastest, Real(-gap_rate(the_case.cables[index], event.before)));
-  }
-  return fastest;
-}
-
-template <class Real>
 std::vector<Notable<Real>> notable_events(const BasicCase<Real>& the_case,
                                           const BasicSolution<BasicCase<Real>>& solution,
                                           double slowest) {
@@ -64,7 +55,8 @@ std::vector<Notable<Real>> notable_events(const BasicCase<Real>& the_case,
         limit->start == event.time) {
       time = limit++->time;
     }
-    if (event.kind != EventKind::impact || closing_rate(the_case, event) >= slowest) {
+    if (event.kind != EventKind::impact ||
+        closing_speed(the_case, event.cables, event.before) >= slowest) {
       result.push_back({time, &event});
     }
   }
@@ -122,7 +114,7 @@ VectorRow event_row(const BasicCase<Multi>& the_case, const VectorOptions& optio
     return row;
   }
   row.state = numbers_of(event.after, digits);
-  row.rate = nearest_double(closing_rate(the_case, event), digits);
+  row.rate = nearest_double(closing_speed(the_case, event.cables, event.before), digits);
   const std::array<double, 6> before = numbers_of(event.before, digits);
   row.velocity = {before[3], before[4], before[5]};
   if (indeterminate(options.law, the_case, event).empty()) {
@@ -302,7 +294,7 @@ VectorReading vector_of(const Case& the_case, const VectorOptions& options) {
   vector.law = options.law;
   vector.slowest = options.slowest;
   constexpr int digits_of_rule = 6;
-  vector.radius = turn_radius(the_case);
+  vector.radius = gyration_radius(the_case);
   vector.ends = few.locks ? "lock" : std::string(to_string(few.ending));
   vector.rows = std::move(few.rows);
   vector.fastest = rounded_to(fastest_of(vector.rows, vector.radius), digits_of_rule);

@@ -60,10 +60,7 @@ void add_swaps(const Case& the_case, const Solution& solution, const Allowed& al
     if (event.kind != EventKind::impact) {
       continue;
     }
-    double speed = 0.0;
-    for (const std::size_t index : event.cables) {
-      speed = std::max(speed, -gap_rate(the_case.cables[index], event.before));
-    }
+    const double speed = closing_speed(the_case, event.cables, event.before);
     if (before != nullptr && before->cables != event.cables) {
       const double unsure =
           allowed.at(before->time) / before_speed + allowed.at(event.time) / speed;

@@ -19,39 +19,23 @@ std::string lines_of(const std::vector<std::string>& sentences) {
   return lines;
 }
 
-namespace {
-
-/// True for text in UTF-8: with a mark at its start that is cut, the rest is legible as a whole.
-bool is_utf8(std::string_view text) {
-  std::size_t left = 0;
-  for (std::size_t index = 0; index < text.size(); ++index) {
-    const auto byte = static_cast<unsigned char>(text[index]);
-    const auto next = static_cast<unsigned char>(index + 1 < text.size() ? text[index + 1] : 0);
-    if (left > 0) {
-      if ((byte & 0xC0U) != 0x80U) {
-        return false;
-      }
-      --left;
-    } else if (byte >= 0x80U) {
-      const bool lead = byte >= 0xC2U && byte <= 0xF4U;
-      // neither longer than needed, nor a half of UTF-16, nor above the last character
-      const bool range = !(byte == 0xE0U && next < 0xA0U) && !(byte == 0xEDU && next > 0x9FU) &&
-                         !(byte == 0xF0U && next < 0x90U) && !(byte == 0xF4U && next > 0x8FU);
-      if (!lead || !range) {
-        return false;
-      }
-      left = byte >= 0xF0U ? 3 : byte >= 0xE0U ? 2 : 1;
-    }
-  }
-  return left == 0;
-}
-
-std::string wrong_size(const char* type, std::size_t first, const void* given) {
+std::string wrong_size(const char* type, std::size_t known, const void* given) {
   std::int32_t size = 0;
   std::memcpy(&size, given, sizeof size);
   return std::string(type) + ": size " + std::to_string(size) +
-         " is not that of the struct: " + "must be sizeof(" + type + "), " + std::to_string(first) +
+         " is not that of the struct: must be sizeof(" + type + "), " + std::to_string(known) +
          " in this version, and the members that it does not know 0";
+}
+
+namespace {
+
+/// The state of a row of the caller.
+State state_from(const double* row) {
+  State state;
+  for (const auto& coordinate : bench::coordinates(state)) {
+    coordinate.value = *row++;
+  }
+  return state;
 }
 
 /// Puts a case together from structs, with one sentence for each thing that is wrong.
@@ -93,10 +77,7 @@ class FromNumbers {
     }
     to.body = {from.mass, from.inertia};
     to.gravity = {from.gravity[0], from.gravity[1]};
-    const double* number = from.start;
-    for (const auto& coordinate : bench::coordinates(to.initial)) {
-      coordinate.value = *number++;
-    }
+    to.initial = state_from(from.start);
     to.duration = from.duration;
     if ((from.has & TAUTLINE_HAS_ANGLE_LIMIT) != 0) {
       to.angle_limit = from.angle_limit;
@@ -251,7 +232,7 @@ tautline_case* tautline_case_from_numbers(const tautline_planar_case* numbers,
   return new_case([&](tautline_case& to) {
     to.the_case.name = name != nullptr ? name : "case";
     FromNumbers(numbers, cables, cable_count, table, table_points).run(to);
-    if (to.the_case.name.empty() || !is_utf8(to.the_case.name)) {
+    if (to.the_case.name.empty() || !tautline::bench::is_utf8(to.the_case.name)) {
       to.problems = std::string("name: must be text in UTF-8 that is not empty") +
                     (to.problems.empty() ? "" : "\n") + to.problems;
     }
@@ -355,10 +336,7 @@ int32_t tautline_gaps(const tautline_case* the_case, const double* states, size_
     return TAUTLINE_BAD_RANGE;
   }
   for (std::size_t row = 0; row < count; ++row) {
-    tautline::State state;
-    for (const auto& coordinate : tautline::bench::coordinates(state)) {
-      coordinate.value = *states++;
-    }
+    const tautline::State state = state_from(states + row * coordinate_count);
     for (std::size_t cable = 0; cable < cables.size(); ++cable) {
       const std::size_t place = row * cables.size() + cable;
       if (gaps != nullptr) {

@@ -187,6 +187,9 @@ class Variation {
   std::vector<std::string> names_;  // as bench::set_quantity knows them
 };
 
+/// What is wrong with a struct of the caller whose `size` is not right; `known` is its size here.
+std::string wrong_size(const char* type, std::size_t known, const void* given);
+
 /// Sentences, one a line.
 std::string lines_of(const std::vector<std::string>& sentences);
 

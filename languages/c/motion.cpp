@@ -28,11 +28,7 @@ SolveOptions options_from(const tautline_options* from, std::vector<std::string>
   tautline_options given{};
   const std::size_t size = size_of(from);
   if (size == 0 || !take(from, size, given)) {
-    std::memcpy(&given.size, from, sizeof given.size);
-    wrong.push_back("tautline_options: size " + std::to_string(given.size) +
-                    " is not that of the struct: must be sizeof(tautline_options), " +
-                    std::to_string(sizeof given) +
-                    " in this version, and the members that it does not know 0");
+    wrong.push_back(wrong_size("tautline_options", sizeof given, from));
     return to;
   }
   const auto is_law = [&] { return given.law >= 0 && given.law <= TAUTLINE_ENERGETIC; };
@@ -89,6 +85,22 @@ std::int32_t at_times(const tautline_motion* motion, const double* times, std::s
     for (std::size_t index = 0; index < count; ++index) {
       row(index, times[index]);
     }
+    return TAUTLINE_OK;
+  });
+}
+
+/// Fills a struct of the caller with what `of` makes of a motion.
+template <class Struct, class Of>
+std::int32_t give_what(const tautline_motion* motion, Struct* to, const Of& of) {
+  if (motion == nullptr || to == nullptr) {
+    return TAUTLINE_NULL;
+  }
+  const std::size_t size = size_of(to);
+  if (size == 0) {
+    return TAUTLINE_BAD_SIZE;
+  }
+  return guarded([&] {
+    give(of(motion->the_case, motion->solution), to, size);
     return TAUTLINE_OK;
   });
 }
@@ -202,31 +214,11 @@ int32_t tautline_solve(const tautline_case* the_case, const tautline_options* op
 void tautline_motion_free(tautline_motion* motion) { delete motion; }
 
 int32_t tautline_summarise(const tautline_motion* motion, tautline_summary* to) {
-  if (motion == nullptr || to == nullptr) {
-    return TAUTLINE_NULL;
-  }
-  const std::size_t size = size_of(to);
-  if (size == 0) {
-    return TAUTLINE_BAD_SIZE;
-  }
-  return guarded([&] {
-    give(summary_of(motion->the_case, motion->solution), to, size);
-    return TAUTLINE_OK;
-  });
+  return give_what(motion, to, summary_of);
 }
 
 int32_t tautline_settle(const tautline_motion* motion, tautline_settling* to) {
-  if (motion == nullptr || to == nullptr) {
-    return TAUTLINE_NULL;
-  }
-  const std::size_t size = size_of(to);
-  if (size == 0) {
-    return TAUTLINE_BAD_SIZE;
-  }
-  return guarded([&] {
-    give(settling_of(motion->the_case, motion->solution), to, size);
-    return TAUTLINE_OK;
-  });
+  return give_what(motion, to, settling_of);
 }
 
 int32_t tautline_states(const tautline_motion* motion, const double* times, size_t count,

@@ -1,17 +1,11 @@
 // Normal numbers with the bits of `tautline ensemble`, for the package of Python.
-#include <boost/math/distributions/normal.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-namespace {
+#include "bench/ensemble/normal.hpp"
 
-/// The quantile of the standard normal distribution.
-template <class Wide>
-Wide quantile(double part) {
-  return boost::math::quantile(boost::math::normal_distribution<Wide>(0, 1), Wide(part));
-}
+namespace {
 
 /// True if the double next to `value` may be another after an error of `margin` units in the last
 /// of 64 bits.
@@ -34,11 +28,8 @@ bool in_doubt(long double value, std::uint64_t margin) {
 extern "C" __attribute__((visibility("default"))) void tautline_normal_quantiles(
     const double* parts, std::size_t count, std::uint64_t margin, double* to) {
   for (std::size_t index = 0; index < count; ++index) {
-    const auto fast = quantile<long double>(parts[index]);
-    to[index] =
-        in_doubt(fast, margin)
-            ? static_cast<double>(
-                  quantile<boost::multiprecision::cpp_bin_float_double_extended>(parts[index]))
-            : static_cast<double>(fast);
+    const auto fast = tautline::bench::normal_quantile_in<long double>(parts[index]);
+    to[index] = in_doubt(fast, margin) ? tautline::bench::normal_quantile(parts[index])
+                                       : static_cast<double>(fast);
   }
 }

@@ -320,6 +320,25 @@ template <class Real>
   return radius;
 }
 
+/// The radius of gyration [m], at which a turn weighs as much as a shift; 0 for a point mass, whose
+/// turn has no part in the motion.
+template <class Real>
+[[nodiscard]] Real gyration_radius(const BasicCase<Real>& the_case) {
+  return is_point_mass(the_case) ? Real(0)
+                                 : Real(sqrt(Real(the_case.body.inertia / the_case.body.mass)));
+}
+
+/// The speed [m/s] at which the fastest of `cables` closes; 0 where none does.
+template <class Real>
+[[nodiscard]] Real closing_speed(const BasicCase<Real>& the_case, CableSet cables,
+                                 const BasicState<Real>& state) {
+  Real fastest(0);
+  for (const std::size_t index : cables) {
+    fastest = max(fastest, Real(-gap_rate(the_case.cables[index], state)));
+  }
+  return fastest;
+}
+
 /// A bound of the speeds of the body's attachment points [m/s].
 template <class Real>
 [[nodiscard]] Real speed_scale(const BasicCase<Real>& the_case, const BasicState<Real>& state) {

@@ -125,7 +125,8 @@ Release release(const ChapterCase& solved, double angle) {
   if (impact == events.end()) {
     throw std::logic_error("the release keeps its cables taut");
   }
-  return {angle, slack->time, impact->time, closing_speed(the_case, *impact)};
+  return {angle, slack->time, impact->time,
+          closing_speed(the_case, impact->cables, impact->before)};
 }
 
 Share inertia_pairs_against(const ChapterStudy& study) {

@@ -276,7 +276,7 @@ Correction last_impact(const ChapterStudy& study) {
   const auto later = std::count_if(
       point.solution.events().begin(), point.solution.events().end(), [&](const Event& event) {
         return event.time > printed && event.kind == EventKind::impact &&
-               closing_speed(point.the_case, event) > counted_speed;
+               closing_speed(point.the_case, event.cables, event.before) > counted_speed;
       });
   return told(words::last_impact,
               {{"printed", {printed}},

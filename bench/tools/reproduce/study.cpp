@@ -122,25 +122,18 @@ ChapterStudy solve_chapter(const std::function<void(std::size_t)>& ended) {
   return {std::move(cases), std::move(rigid_point).value(), limit_time};
 }
 
-double closing_speed(const Case& the_case, const Event& event) {
-  double fastest = 0.0;
-  for (const std::size_t index : event.cables) {
-    fastest = std::max(fastest, -gap_rate(the_case.cables[index], event.before));
-  }
-  return fastest;
-}
-
 std::size_t impact_count(const Case& the_case, const Solution& solution, double speed) {
   return static_cast<std::size_t>(
       std::count_if(solution.events().begin(), solution.events().end(), [&](const Event& event) {
-        return event.kind == EventKind::impact && closing_speed(the_case, event) > speed;
+        return event.kind == EventKind::impact &&
+               closing_speed(the_case, event.cables, event.before) > speed;
       }));
 }
 
 double fastest_impact(const ChapterCase& solved) {
   double fastest = 0.0;
   for (const Event& event : solved.solution.events()) {
-    fastest = std::max(fastest, closing_speed(solved.the_case, event));
+    fastest = std::max(fastest, closing_speed(solved.the_case, event.cables, event.before));
   }
   return fastest;
 }

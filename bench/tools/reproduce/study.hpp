@@ -49,9 +49,6 @@ struct ChapterStudy {
 [[nodiscard]] std::size_t impact_count(const Case& the_case, const Solution& solution,
                                        double speed);
 
-/// The fastest closing rate of the event's cables just before it [sqrt(gS)], > 0 when closing.
-[[nodiscard]] double closing_speed(const Case& the_case, const Event& event);
-
 /// The fastest impact of the motion [sqrt(gS)].
 [[nodiscard]] double fastest_impact(const ChapterCase& solved);
 

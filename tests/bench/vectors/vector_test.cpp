@@ -9,6 +9,7 @@
 #include "bench/vectors/growth.hpp"
 #include "bench/vectors/solve_vector.hpp"
 #include "bench/vectors/vector_output.hpp"
+#include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 #include "tests/bench/program.hpp"
@@ -128,7 +129,7 @@ TEST(Vectors, GrowthGoesOnAfterTwoCablesAreHitAtOnce) {
   EXPECT_EQ(Sensitivity(the_case, solution).growth(time), std::numeric_limits<double>::infinity());
   ASSERT_TRUE(std::isfinite(growth.at(time)));
   // neighbours that are higher or faster hit both at once, too
-  const double radius = bench::turn_radius(the_case);
+  const double radius = gyration_radius(the_case);
   constexpr double change = 1e-6;
   double largest = 0.0;
   for (const bool faster : {false, true}) {

@@ -27,9 +27,10 @@ using std::sqrt;
 // Here they are made of arithmetic alone for a double: the same input gives the same bits
 // everywhere. (elementary.cpp)
 
-[[nodiscard]] double sin(
-    double angle);  // [rad], of any size, to three roundings; NaN unless finite
-[[nodiscard]] double cos(double angle);  // the same
+/// The sine of an `angle` [rad] of any size, to three roundings; NaN unless it is finite.
+[[nodiscard]] double sin(double angle);
+/// Its cosine likewise.
+[[nodiscard]] double cos(double angle);
 /// The angle [rad] of the vector (x, y), -pi to pi, to four roundings; as std::atan2 where both are
 /// zero. Requires finite numbers.
 [[nodiscard]] double atan2(double y, double x);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <toml++/toml.h>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "bench/base/problems.hpp"
+#include "bench/base/toml.hpp"
 #include "tautline/case.hpp"
 
 namespace tautline::bench {

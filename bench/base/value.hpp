@@ -1,12 +1,12 @@
 #pragma once
 
-#include <toml++/toml.h>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "bench/base/problems.hpp"
+#include "bench/base/toml.hpp"
 
 namespace tautline::bench {
 

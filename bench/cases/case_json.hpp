@@ -1,10 +1,10 @@
 #pragma once
 
-#include <toml++/toml.h>
 #include <optional>
 #include <string_view>
 
 #include "bench/base/problems.hpp"
+#include "bench/base/toml.hpp"
 
 namespace tautline::bench {
 

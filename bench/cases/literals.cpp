@@ -1,13 +1,13 @@
 #include "bench/cases/literals.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 #include <algorithm>
 #include <filesystem>
 #include <vector>
 
 #include "bench/base/input_file.hpp"
 #include "bench/base/problems.hpp"
+#include "bench/base/toml.hpp"
 #include "bench/base/value.hpp"
 #include "tautline/case_file.hpp"
 

@@ -199,6 +199,10 @@ const std::vector<BadInput> wrong_text = {
      {"ball.toml:2: column 17: not TOML: Error while parsing floating-point: "
       "'1e999' is not representable in 64 bits"}},
     {"ball\"", "\xff\"", {"ball.toml:1: column 8: not TOML: Encountered invalid utf-8 sequence"}},
+    {"20.0",
+     "2\u00e9",
+     {"ball.toml:2: column 13: not TOML: Error while parsing decimal integer: expected digit, "
+      "saw '\u00e9'"}},
     {"20.0", std::string("\0", 1), {"ball.toml:2: holds a zero byte: must be a text file (TOML)"}},
     {"\n[body]",
      "# " + std::string(5000, '-') + "\n[body]",

@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 
+import numpy as np
 import support
 from support import ROOT
 
@@ -55,6 +56,25 @@ class Readme(unittest.TestCase):
         code = re.search(r"```python\n(.*?)```", section, re.DOTALL)[1]
         self.assertLessEqual(len(code.splitlines()), 10)
         self.assertEqual(run(code), "[1.  2.  2.5]\n")
+
+    def test_of_a_vector_tells_right_from_wrong(self):
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        code = re.search(r"```python\n(.*?)```", text[text.index("In your own tests"):], re.DOTALL)[1]
+        self.assertLessEqual(len(code.splitlines()), 10)
+
+        def engine(of, step, **wrong):
+            motion = tl.solve(tl.Case.from_json(json.dumps(of)).but(**wrong))
+            times = np.arange(0, motion.end_time, step)
+            return [(time, *state[:3]) for time, state in zip(times, motion(times))]
+
+        def dull_engine(of, step):
+            return engine(of, step, restitution=0.4)
+
+        with contextlib.chdir(ROOT):
+            sys.path.append(str(ROOT / "tests/vectors/readers"))
+            exec(code, {"my_engine": engine})  # pylint: disable=exec-used
+            with self.assertRaisesRegex(AssertionError, r"^at t = .* m off"):
+                exec(code, {"my_engine": dull_engine})  # pylint: disable=exec-used
 
     def test_of_the_package_is_about_what_there_is(self):
         for name in re.findall(r"`(src/tautline/\w+\.\w+|\w+\.(?:py|cpp)|examples)`", (HERE / "README.md").read_text(encoding="utf-8")):

@@ -222,11 +222,12 @@ void add_growth(Vector& vector, const Solution& solution) {
   const double until = followed_until(vector.the_case, solution, vector.slowest, vector.rows);
   double largest = 1.0;
   constexpr int digits = 3;
-  constexpr double before = 1e-9;  // [-], of the time of a row
+  constexpr double beside = 1e-9;  // [-], of the time of a row
   for (VectorRow& row : vector.rows) {
     const double time = std::min(row.time, solution.end_time());
-    // a scheme may be a step late: just before an event the growth of the flight counts, too
-    largest = std::max({largest, growth.at(time), growth.at(time * (1.0 - before))});
+    // a scheme may be early or late: beside an event the growth of both sides counts
+    const double later = std::min(time * (1.0 + beside), solution.end_time());
+    largest = std::max({largest, growth.at(time * (1.0 - beside)), growth.at(later)});
     if (!(row.time <= until) || !std::isfinite(largest)) {
       return;
     }

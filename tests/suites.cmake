@@ -26,12 +26,14 @@ if(suites STREQUAL "")
   message(FATAL_ERROR "${PROGRAM} lists no tests")
 endif()
 
+# Left out is a suite whose every test skips itself. "0 tests passed" alone would hide one whose every test fails.
+set(skipped "\\[  PASSED  \\] 0 tests\\.\n(\\[  SKIPPED \\] [^\n]*\n?)+$")
 # the largest begin first, so that none is left over for one core at the end
 set(text "")
 foreach(suite IN LISTS suites)
   string(APPEND text
     "add_test([=[${PREFIX}${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*:*/${suite}.*-${WITHOUT}]=])\n"
     "set_tests_properties([=[${PREFIX}${suite}]=] PROPERTIES TIMEOUT ${TIMEOUT} COST ${tests_of_${suite}}\n"
-    "  SKIP_REGULAR_EXPRESSION [=[\\[  PASSED  \\] 0 tests]=])\n")
+    "  SKIP_REGULAR_EXPRESSION [=[${skipped}]=])\n")
 endforeach()
 file(WRITE "${LIST}" "${text}")

@@ -17,179 +17,234 @@ bool has_key(const toml::table* table, std::string_view key) {
   return table != nullptr && table->contains(key);
 }
 
+/// Makes `form` an array of two numbers.
+Form pair_form(Form form, const Range& range) {
+  form.kind = Form::Kind::array;
+  form.least = 2;
+  form.most = 2;
+  form.inside.push_back({.kind = Form::Kind::number, .range = range});
+  return form;
+}
+
 }  // namespace
 
-const Range any_number = {"a finite number", [](double x) { return std::isfinite(x); }, 0.0};
-const Range above_zero = {"a finite number above 0",
-                          [](double x) { return std::isfinite(x) && x > 0.0; }, 1.0};
-const Range zero_or_above = {"a finite number, 0 or above",
-                             [](double x) { return std::isfinite(x) && x >= 0.0; }, 0.0};
-const Range zero_to_one = {"in [0, 1]", [](double x) { return x >= 0.0 && x <= 1.0; }, 0.0};
+const Range any_number = {"a finite number", 0.0};
+const Range above_zero = {"a finite number above 0", 1.0, 0.0, {}, true};
+const Range zero_or_above = {"a finite number, 0 or above", 0.0, 0.0};
+const Range zero_to_one = {"in [0, 1]", 0.0, 0.0, 1.0};
+
+bool Range::holds(double number) const {
+  const bool low = least && (above ? number <= *least : number < *least);
+  const bool high = most && number > *most;
+  // whole: exactly, as it is an integer
+  return std::isfinite(number) && !low && !high && (!whole || number == std::floor(number));
+}
 
 StrictTable::StrictTable(const toml::table* table, std::string path, FileProblems& wrong)
     : table_(table), path_(std::move(path)), wrong_(&wrong) {}
 
-std::string StrictTable::text(std::string_view key) {
+std::string StrictTable::text(const Key& key) {
   std::string value = text_or_empty(key, "must be a string that is not empty");
-  const toml::node* node = find(key);
+  if (form_ != nullptr) {
+    form_->inside.back().not_empty = true;
+  }
+  const toml::node* node = find(key.name);
   if (node != nullptr && node->is_string() && value.empty()) {
-    refuse(*node, full_name(key), "must be a string that is not empty");
+    refuse(*node, full_name(key.name), "must be a string that is not empty");
   }
   return value;
 }
 
-std::string StrictTable::text_or_empty(std::string_view key, const std::string& right) {
-  const toml::node* node = find_required(key, right);
+std::string StrictTable::text_or_empty(const Key& key, const std::string& right) {
+  note(Form::Kind::text, key);
+  const toml::node* node = find_required(key.name, right);
   if (node == nullptr) {
     return "";
   }
   const auto* value = node->as_string();
   if (value == nullptr) {
-    refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
+    refuse(*node, full_name(key.name), "is " + type_name(*node) + ", " + right);
     return "";
   }
   return value->get();
 }
 
-std::optional<std::string> StrictTable::optional_text(std::string_view key) {
-  return find(key) != nullptr ? std::optional(text(key)) : std::nullopt;
+std::optional<std::string> StrictTable::optional_text(const Key& key) {
+  return if_there(key, [&] { return text(key); });
 }
 
-std::string StrictTable::one_of(std::string_view key, const std::vector<std::string>& words) {
-  const toml::node* node = find_required(key, "must be " + joined(words, "or"));
+std::string StrictTable::one_of(const Key& key, const std::vector<std::string>& words) {
+  if (Form* const form = note(Form::Kind::text, key)) {
+    form->words = words;
+  }
+  const toml::node* node = find_required(key.name, "must be " + joined(words, "or"));
   if (node == nullptr) {
     return "";
   }
   const auto* value = node->as_string();
   const std::string word = value != nullptr ? value->get() : "";
   if (std::find(words.begin(), words.end(), word) == words.end()) {
-    refuse(*node, full_name(key),
+    refuse(*node, full_name(key.name),
            "must be " + joined(words, "or") + suggestion(printable(word), words));
     return "";
   }
   return word;
 }
 
-std::optional<std::string> StrictTable::optional_one_of(std::string_view key,
+std::optional<std::string> StrictTable::optional_one_of(const Key& key,
                                                         const std::vector<std::string>& words) {
-  return find(key) != nullptr ? std::optional(one_of(key, words)) : std::nullopt;
+  return if_there(key, [&] { return one_of(key, words); });
 }
 
-bool StrictTable::flag(std::string_view key) {
-  const toml::node* node = find(key);
+bool StrictTable::flag(const Key& key) {
+  if (Form* const form = note(Form::Kind::flag, key)) {
+    form->required = false;
+  }
+  const toml::node* node = find(key.name);
   if (node != nullptr && !node->is_boolean()) {
-    refuse(*node, full_name(key), "is " + type_name(*node) + ", must be true or false");
+    refuse(*node, full_name(key.name), "is " + type_name(*node) + ", must be true or false");
   }
   return node != nullptr && node->value_or(false);
 }
 
-std::vector<std::string> StrictTable::texts(std::string_view key, const std::string& right) {
+std::vector<std::string> StrictTable::texts(const Key& key, const std::string& right,
+                                            const std::vector<std::string>& words) {
+  if (Form* const form = note(Form::Kind::array, key)) {
+    form->least = 1;
+    form->inside.push_back({.kind = Form::Kind::text, .not_empty = true, .words = words});
+  }
   std::vector<std::string> result;
-  const toml::node* node = find_required(key, right);
+  const toml::node* node = find_required(key.name, right);
   const toml::array* array = node != nullptr ? node->as_array() : nullptr;
   if (node != nullptr && (array == nullptr || array->empty())) {
-    refuse(*node, full_name(key), right);
+    refuse(*node, full_name(key.name), right);
   }
   for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
     const toml::node& entry = *array->get(index);
     if (const auto* value = entry.as_string(); value != nullptr && !value->get().empty()) {
       result.push_back(value->get());
     } else {
-      refuse(entry, full_name(key) + "[" + std::to_string(index) + "]",
+      refuse(entry, full_name(key.name) + "[" + std::to_string(index) + "]",
              "must be a string that is not empty");
     }
   }
   return result;
 }
 
-double StrictTable::number(std::string_view key, const Range& range, std::string_view unit) {
-  const toml::node* node = find_required(key, with_unit(range.right, unit));
-  return node != nullptr ? checked(*node, full_name(key), range, unit) : range.otherwise;
+std::optional<std::vector<std::string>> StrictTable::optional_texts(const Key& key,
+                                                                    const std::string& right) {
+  return if_there(key, [&] { return texts(key, right); });
 }
 
-std::optional<double> StrictTable::optional_number(std::string_view key, const Range& range,
+double StrictTable::number(const Key& key, const Range& range, std::string_view unit) {
+  if (Form* const form = note(Form::Kind::number, key, unit)) {
+    form->range = range;
+  }
+  const toml::node* node = find_required(key.name, with_unit(range.right, unit));
+  return node != nullptr ? checked(*node, full_name(key.name), range, unit) : range.otherwise;
+}
+
+std::optional<double> StrictTable::optional_number(const Key& key, const Range& range,
                                                    std::string_view unit) {
-  const toml::node* node = find(key);
-  return node != nullptr ? std::optional(checked(*node, full_name(key), range, unit))
-                         : std::nullopt;
+  return if_there(key, [&] { return number(key, range, unit); });
 }
 
-std::vector<double> StrictTable::numbers(std::string_view key, std::string_view unit,
+std::vector<double> StrictTable::numbers(const Key& key, std::string_view unit,
                                          const Range& range) {
+  if (Form* const form = note(Form::Kind::array, key, unit)) {
+    form->required = false;
+    form->least = 1;
+    form->inside.push_back({.kind = Form::Kind::number, .range = range});
+  }
   std::vector<double> result;
-  const toml::node* node = find(key);
+  const toml::node* node = find(key.name);
   const toml::array* array = node != nullptr ? node->as_array() : nullptr;
   if (node != nullptr && (array == nullptr || array->empty())) {
-    refuse(*node, full_name(key), with_unit("an array of at least one number", unit));
+    refuse(*node, full_name(key.name), with_unit("an array of at least one number", unit));
   }
   for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
-    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    const std::string name = full_name(key.name) + "[" + std::to_string(index) + "]";
     result.push_back(checked(*array->get(index), name, range, unit));
   }
   return result;
 }
 
-Vec2 StrictTable::pair(std::string_view key, std::string_view unit) {
-  const toml::node* node = find_required(key, with_unit("two numbers [x, y]", unit));
-  return node != nullptr ? checked_pair(*node, full_name(key), "[x, y]", unit) : Vec2(Vec2::Zero());
+Vec2 StrictTable::pair(const Key& key, std::string_view unit, const Range& range) {
+  if (Form* const form = note(Form::Kind::array, key, unit)) {
+    *form = pair_form(std::move(*form), range);
+  }
+  const toml::node* node = find_required(key.name, with_unit("two numbers [x, y]", unit));
+  return node != nullptr ? checked_pair(*node, full_name(key.name), "[x, y]", unit, range)
+                         : Vec2(Vec2::Zero());
 }
 
-std::optional<Vec2> StrictTable::optional_pair(std::string_view key, std::string_view unit,
+std::optional<Vec2> StrictTable::optional_pair(const Key& key, std::string_view unit,
                                                const Range& range) {
-  const toml::node* node = find(key);
-  return node != nullptr ? std::optional(checked_pair(*node, full_name(key), "[x, y]", unit, range))
-                         : std::nullopt;
+  return if_there(key, [&] { return pair(key, unit, range); });
 }
 
-std::vector<Vec2> StrictTable::pairs(std::string_view key, std::string_view form,
-                                     std::string_view unit) {
+std::vector<Vec2> StrictTable::pairs(const Key& key, std::string_view form, std::string_view unit) {
+  if (Form* const notes = note(Form::Kind::array, key, unit)) {
+    notes->required = false;
+    notes->least = 1;
+    notes->inside.push_back(pair_form({.meaning = std::string(form)}, any_number));
+  }
   std::vector<Vec2> result;
-  const toml::node* node = find(key);
+  const toml::node* node = find(key.name);
   if (node == nullptr) {
     return result;
   }
   const toml::array* array = node->as_array();
   if (array == nullptr || array->empty()) {
-    refuse(*node, full_name(key),
+    refuse(*node, full_name(key.name),
            (array == nullptr ? "is " + type_name(*node) : std::string("none given")) + ", " +
                with_unit("an array of pairs " + std::string(form), unit));
     return result;
   }
   for (std::size_t index = 0; index < array->size(); ++index) {
-    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    const std::string name = full_name(key.name) + "[" + std::to_string(index) + "]";
     result.push_back(checked_pair(*array->get(index), name, form, unit));
   }
   return result;
 }
 
-StrictTable StrictTable::table(std::string_view key) {
-  const toml::node* node = find(key);
-  if (node != nullptr && !node->is_table()) {
-    refuse(*node, full_name(key), "is " + type_name(*node) + ", must be a table");
+StrictTable StrictTable::table(const Key& key) {
+  if (Form* const form = note(Form::Kind::table, key)) {
+    return StrictTable(*form);
   }
-  return {node != nullptr ? node->as_table() : nullptr, full_name(key), *wrong_};
+  const toml::node* node = find(key.name);
+  if (node != nullptr && !node->is_table()) {
+    refuse(*node, full_name(key.name), "is " + type_name(*node) + ", must be a table");
+  }
+  return {node != nullptr ? node->as_table() : nullptr, full_name(key.name), *wrong_};
 }
 
-std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t most,
+std::vector<StrictTable> StrictTable::tables(const Key& key, std::size_t most,
                                              const std::string& right) {
+  if (Form* const form = note(Form::Kind::array, key)) {
+    form->least = 1;
+    form->most = most;
+    return {StrictTable(form->inside.emplace_back())};
+  }
   std::vector<StrictTable> result;
-  const toml::node* node = find_required(key, right);
+  const toml::node* node = find_required(key.name, right);
   const toml::array* array = node != nullptr ? node->as_array() : nullptr;
   if (node != nullptr && array == nullptr) {
-    refuse(*node, full_name(key), "is " + type_name(*node) + ", " + right);
+    refuse(*node, full_name(key.name), "is " + type_name(*node) + ", " + right);
   }
   if (array == nullptr) {
     return result;
   }
   if (array->empty()) {
-    refuse(*node, full_name(key), "none given, " + right);
+    refuse(*node, full_name(key.name), "none given, " + right);
   }
   if (array->size() > most) {
-    refuse(*array->get(most), full_name(key), std::to_string(array->size()) + " given, " + right);
+    refuse(*array->get(most), full_name(key.name),
+           std::to_string(array->size()) + " given, " + right);
   }
   for (std::size_t index = 0; index < std::min(most, array->size()); ++index) {
     const toml::node& entry = *array->get(index);
-    const std::string name = full_name(key) + "[" + std::to_string(index) + "]";
+    const std::string name = full_name(key.name) + "[" + std::to_string(index) + "]";
     if (const toml::table* table = entry.as_table()) {
       result.emplace_back(table, name, *wrong_);
     } else {
@@ -199,17 +254,25 @@ std::vector<StrictTable> StrictTable::tables(std::string_view key, std::size_t m
   return result;
 }
 
-std::vector<StrictTable> StrictTable::optional_tables(std::string_view key, std::size_t most,
+std::vector<StrictTable> StrictTable::optional_tables(const Key& key, std::size_t most,
                                                       const std::string& right) {
-  return find(key) != nullptr ? tables(key, most, right) : std::vector<StrictTable>();
+  if (form_ != nullptr) {
+    std::vector<StrictTable> described = tables(key, most, right);
+    form_->inside.back().required = false;
+    return described;
+  }
+  return find(key.name) != nullptr ? tables(key, most, right) : std::vector<StrictTable>();
 }
 
 std::vector<StrictTable> StrictTable::each(std::size_t most) {
+  if (form_ != nullptr) {
+    form_->each = most;
+  }
   if (find("each") == nullptr) {
     return {*this};
   }
   std::vector<StrictTable> entries =
-      tables("each", most, "must be tables, each with what tells it from the others");
+      tables({"each", ""}, most, "must be tables, each with what tells it from the others");
   for (StrictTable& entry : entries) {
     entry.common_ = table_;
     entry.common_path_ = path_;
@@ -245,6 +308,38 @@ void StrictTable::refuse_unknown_keys(const toml::table& table) {
   }
 }
 
+std::size_t StrictTable::count(const std::vector<std::string>& keys) {
+  if (form_ != nullptr) {
+    form_->either = keys;
+    return 1;
+  }
+  return static_cast<std::size_t>(std::count_if(
+      keys.begin(), keys.end(), [&](const std::string& key) { return find(key) != nullptr; }));
+}
+
+Form* StrictTable::note(Form::Kind kind, const Key& key, std::string_view unit) {
+  if (form_ == nullptr) {
+    return nullptr;
+  }
+  Form& form = form_->inside.emplace_back();
+  form.kind = kind;
+  form.key = key.name;
+  form.meaning = std::string(key.meaning) + (unit.empty() ? "" : " ") + std::string(unit);
+  form.required = key.name != with_;
+  form.with = form.required ? with_ : "";
+  return &form;
+}
+
+template <class Ask>
+auto StrictTable::if_there(const Key& key, const Ask& ask) -> std::optional<decltype(ask())> {
+  if (form_ != nullptr) {
+    static_cast<void>(ask());
+    form_->inside.back().required = false;
+    return std::nullopt;
+  }
+  return find(key.name) != nullptr ? std::optional(ask()) : std::nullopt;
+}
+
 const toml::node* StrictTable::find(std::string_view key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
     known_.emplace_back(key);
@@ -255,7 +350,7 @@ const toml::node* StrictTable::find(std::string_view key) {
 
 const toml::node* StrictTable::find_required(std::string_view key, const std::string& right) {
   const toml::node* node = find(key);
-  if (node == nullptr) {
+  if (node == nullptr && form_ == nullptr) {
     // the file itself has no line to point at
     wrong_->add(path_.empty() ? 0 : line_of(table_), full_name(key) + ": is missing, " + right);
   }

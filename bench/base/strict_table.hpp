@@ -6,67 +6,77 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/base/form.hpp"
 #include "bench/base/problems.hpp"
 #include "bench/base/toml.hpp"
 #include "tautline/case.hpp"
 
 namespace tautline::bench {
 
-/// Which numbers a key takes.
-struct Range {
-  std::string_view right;  // ends the sentence "must be ..."
-  bool (*holds)(double);   // false for what is not finite
-  double otherwise;        // a number in it: what a refused one is read as
-};
-extern const Range any_number;
-extern const Range above_zero;
-extern const Range zero_or_above;
-extern const Range zero_to_one;
-
 /// One table of a file, asked for its keys one by one. Each question that has no sound answer adds
-/// a finding and returns a default; keys nobody asked for are unknown.
+/// a finding and returns a default; keys nobody asked for are unknown. A table that is made from
+/// a form notes there what it is asked for, and answers with defaults. So the code that reads a
+/// file also describes it.
 class StrictTable {
  public:
   /// `path` is the table's full key, "" for the file itself; a `table` that is null lacks every
   /// key.
   StrictTable(const toml::table* table, std::string path, FileProblems& wrong);
+  explicit StrictTable(Form& form) : form_(&form) {}
 
-  [[nodiscard]] std::string text(std::string_view key);
+  [[nodiscard]] std::string text(const Key& key);
   /// A string that may be empty; `right` ends the sentence on another value.
-  [[nodiscard]] std::string text_or_empty(std::string_view key,
+  [[nodiscard]] std::string text_or_empty(const Key& key,
                                           const std::string& right = "must be a string");
-  [[nodiscard]] std::optional<std::string> optional_text(std::string_view key);
+  [[nodiscard]] std::optional<std::string> optional_text(const Key& key);
   /// A string that is one of `words`.
-  [[nodiscard]] std::string one_of(std::string_view key, const std::vector<std::string>& words);
-  [[nodiscard]] std::optional<std::string> optional_one_of(std::string_view key,
+  [[nodiscard]] std::string one_of(const Key& key, const std::vector<std::string>& words);
+  [[nodiscard]] std::optional<std::string> optional_one_of(const Key& key,
                                                            const std::vector<std::string>& words);
   /// true or false; false where the key is missing.
-  [[nodiscard]] bool flag(std::string_view key);
-  /// An array of at least one string that is not empty; `right` tells what it should hold.
-  [[nodiscard]] std::vector<std::string> texts(std::string_view key, const std::string& right);
-  [[nodiscard]] double number(std::string_view key, const Range& range, std::string_view unit);
-  [[nodiscard]] std::optional<double> optional_number(std::string_view key, const Range& range,
+  [[nodiscard]] bool flag(const Key& key);
+  /// An array of at least one string that is not empty; `right` tells what it should hold. `words`
+  /// are those that it may hold, if they are known: the caller refuses others.
+  [[nodiscard]] std::vector<std::string> texts(const Key& key, const std::string& right,
+                                               const std::vector<std::string>& words = {});
+  [[nodiscard]] std::optional<std::vector<std::string>> optional_texts(const Key& key,
+                                                                       const std::string& right);
+  [[nodiscard]] double number(const Key& key, const Range& range, std::string_view unit);
+  [[nodiscard]] std::optional<double> optional_number(const Key& key, const Range& range,
                                                       std::string_view unit);
   /// An array of numbers; empty where the key is missing.
-  [[nodiscard]] std::vector<double> numbers(std::string_view key, std::string_view unit,
+  [[nodiscard]] std::vector<double> numbers(const Key& key, std::string_view unit,
                                             const Range& range = any_number);
-  [[nodiscard]] Vec2 pair(std::string_view key, std::string_view unit);
-  [[nodiscard]] std::optional<Vec2> optional_pair(std::string_view key, std::string_view unit,
+  [[nodiscard]] Vec2 pair(const Key& key, std::string_view unit, const Range& range = any_number);
+  [[nodiscard]] std::optional<Vec2> optional_pair(const Key& key, std::string_view unit,
                                                   const Range& range = any_number);
-  [[nodiscard]] StrictTable table(std::string_view key);
-  [[nodiscard]] bool has(std::string_view key) { return find(key) != nullptr; }
+  [[nodiscard]] StrictTable table(const Key& key);
+
+  /// Calls `ask` if the table has `key`. The other keys that it asks for go with this one: without
+  /// it they are unknown.
+  template <class Ask>
+  void with(std::string_view key, const Ask& ask) {
+    with_ = key;
+    if (form_ != nullptr || find(key) != nullptr) {
+      ask();
+    }
+    with_ = "";
+  }
+
+  /// How many of `keys` the table has. It must have one of them: the caller refuses another number.
+  [[nodiscard]] std::size_t count(const std::vector<std::string>& keys);
 
   /// An array of pairs, such as [[0.0, 0.9], [1.0, 0.5]]; empty where the key is missing. `form`
   /// tells what the two numbers are.
-  [[nodiscard]] std::vector<Vec2> pairs(std::string_view key, std::string_view form,
+  [[nodiscard]] std::vector<Vec2> pairs(const Key& key, std::string_view form,
                                         std::string_view unit);
 
   /// One table for each of the 1 to `most` entries of an array; `right` tells what it should hold.
-  [[nodiscard]] std::vector<StrictTable> tables(std::string_view key, std::size_t most,
+  [[nodiscard]] std::vector<StrictTable> tables(const Key& key, std::size_t most,
                                                 const std::string& right);
 
   /// The same; none where the key is missing.
-  [[nodiscard]] std::vector<StrictTable> optional_tables(std::string_view key, std::size_t most,
+  [[nodiscard]] std::vector<StrictTable> optional_tables(const Key& key, std::size_t most,
                                                          const std::string& right);
 
   /// A table for each entry of the array `each`: what an entry does not say, this table says for
@@ -80,6 +90,11 @@ class StrictTable {
   void refuse_unknown_keys();
 
  private:
+  /// The note of a question; null where a file is read.
+  Form* note(Form::Kind kind, const Key& key, std::string_view unit = "");
+  /// The answer of `ask`; none where `key` is missing.
+  template <class Ask>
+  auto if_there(const Key& key, const Ask& ask) -> std::optional<decltype(ask())>;
   const toml::node* find(std::string_view key);
   const toml::node* find_required(std::string_view key, const std::string& right);
   double checked(const toml::node& node, const std::string& name, const Range& range,
@@ -90,11 +105,13 @@ class StrictTable {
   [[nodiscard]] std::string full_name(std::string_view key) const;
   void refuse_unknown_keys(const toml::table& table);
 
-  const toml::table* table_;
+  const toml::table* table_ = nullptr;
   std::string path_;
   const toml::table* common_ = nullptr;  // around an entry of `each`: says what that does not
   std::string common_path_;
-  FileProblems* wrong_;
+  FileProblems* wrong_ = nullptr;
+  Form* form_ = nullptr;   // takes notes; null where a file is read
+  std::string_view with_;  // the key that the next ones go with
   std::vector<std::string> known_;
 };
 

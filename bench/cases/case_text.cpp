@@ -10,6 +10,7 @@
 #include "bench/base/strict_table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/base/value.hpp"
+#include "bench/cases/case_form.hpp"
 #include "bench/cases/case_json.hpp"
 #include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
@@ -20,59 +21,78 @@ namespace {
 /// A cable, and whether it starts taut.
 std::pair<Cable, bool> read_cable(StrictTable& table) {
   Cable cable;
-  cable.anchor = table.pair("anchor", "[m]");
-  cable.attachment = table.pair("attachment", "[m]");
-  cable.length = table.number("length", above_zero, "[m]");
-  cable.restitution = table.number("restitution", zero_to_one, "");
+  cable.anchor = table.pair({"anchor", "the end in the world, x and y"}, "[m]");
+  cable.attachment = table.pair(
+      {"attachment", "the end on the body, from its centre of mass, in the body's frame"}, "[m]");
+  cable.length =
+      table.number({"length", "the length at which the cable is taut"}, above_zero, "[m]");
+  cable.restitution = table.number(
+      {"restitution", "the share of its closing rate with which the cable opens after an impact"},
+      zero_to_one, "");
   cable.capture_speed =
-      table.optional_number("capture_speed", zero_or_above, "[m/s]").value_or(0.0);
-  for (const Vec2& point : table.pairs("restitution_table", "[speed, restitution]", "[m/s, -]")) {
+      table
+          .optional_number(
+              {"capture_speed", "an impact slower than this has no rebound; default 0"},
+              zero_or_above, "[m/s]")
+          .value_or(0.0);
+  const Key by_speed = {"restitution_table",
+                        "replaces restitution: pairs of speed and restitution, in rising speed"};
+  for (const Vec2& point : table.pairs(by_speed, "[speed, restitution]", "[m/s, -]")) {
     cable.restitution_table.push_back({point.x(), point.y()});
   }
-  const bool taut = table.flag("taut");
+  const bool taut = table.flag(
+      {"taut", "true moves the body by the little that the typed digits leave to a taut cable"});
   table.refuse_unknown_keys();
   return {std::move(cable), taut};
 }
 
 Body read_body(StrictTable table) {
   Body body;
-  body.mass = table.number("mass", above_zero, "[kg]");
-  body.inertia = table.number("inertia", zero_or_above, "[kg m^2]");
+  body.mass = table.number({"mass", "the mass"}, above_zero, "[kg]");
+  body.inertia = table.number({"inertia", "about the centre of mass; 0 makes a point mass"},
+                              zero_or_above, "[kg m^2]");
   table.refuse_unknown_keys();
   return body;
 }
 
 State read_initial(StrictTable table) {
   State state;
-  state.position = table.pair("position", "[m]");
-  state.angle = table.optional_number("angle", any_number, "[rad]").value_or(0.0);
-  state.velocity = table.optional_pair("velocity", "[m/s]").value_or(Vec2(Vec2::Zero()));
-  state.spin = table.optional_number("spin", any_number, "[rad/s]").value_or(0.0);
+  state.position = table.pair({"position", "of the centre of mass, x and y"}, "[m]");
+  state.angle = table.optional_number({"angle", "anticlockwise; default 0"}, any_number, "[rad]")
+                    .value_or(0.0);
+  state.velocity =
+      table.optional_pair({"velocity", "of the centre of mass, x and y; default 0"}, "[m/s]")
+          .value_or(Vec2(Vec2::Zero()));
+  state.spin = table.optional_number({"spin", "anticlockwise; default 0"}, any_number, "[rad/s]")
+                   .value_or(0.0);
   table.refuse_unknown_keys();
   return state;
 }
 
 /// A case; adds its cables that start taut to `taut`.
-Case read_tables(const toml::table& file, FileProblems& wrong, CableSet& taut) {
+Case read_tables(StrictTable root, CableSet& taut) {
   const std::string cables_right =
       "must be 1 to " + std::to_string(max_cables) +
       " tables [[cables]], each with anchor, attachment, length and restitution";
-  StrictTable root(&file, "", wrong);
   Case result;
-  result.name = root.text("name");
-  result.duration = root.number("duration", above_zero, "[s]");
-  result.gravity = root.pair("gravity", "[m/s^2]");
-  result.angle_limit = root.optional_number("angle_limit", above_zero, "[rad]");
-  result.ceiling = root.optional_number("ceiling", any_number, "[m]");
-  result.body = read_body(root.table("body"));
-  for (StrictTable& table : root.tables("cables", max_cables, cables_right)) {
+  result.name = root.text({"name", "the name in tables and files"});
+  result.duration = root.number({"duration", "the run ends at this time"}, above_zero, "[s]");
+  result.gravity = root.pair({"gravity", "the acceleration, x and y"}, "[m/s^2]");
+  result.angle_limit = root.optional_number(
+      {"angle_limit", "the run ends when the body has turned to this angle, to either side"},
+      above_zero, "[rad]");
+  result.ceiling = root.optional_number(
+      {"ceiling", "the run ends when an attachment rises to this height"}, any_number, "[m]");
+  result.body = read_body(root.table({"body", "the rigid body"}));
+  const Key cables = {"cables", "1 to 8 cables without mass, slack or taut"};
+  for (StrictTable& table : root.tables(cables, max_cables, cables_right)) {
     auto [cable, starts_taut] = read_cable(table);
     if (starts_taut) {
       taut.insert(result.cables.size());
     }
     result.cables.push_back(std::move(cable));
   }
-  result.initial = read_initial(root.table("initial"));
+  result.initial = read_initial(root.table({"initial", "the start, at t = 0"}));
   root.refuse_unknown_keys();
   return result;
 }
@@ -137,6 +157,14 @@ std::size_t line_of_problem(const toml::table& file, const std::string& sentence
 }
 
 }  // namespace
+
+Form case_form() {
+  Form form;
+  CableSet taut;
+  static_cast<void>(read_tables(StrictTable(form), taut));
+  return form;
+}
+
 }  // namespace tautline::bench
 
 namespace tautline {
@@ -173,7 +201,7 @@ CaseReading read_case_text(std::string_view text, const std::string& source_name
   if (!file) {
     return {std::nullopt, wrong.sentences()};
   }
-  Case the_case = bench::read_tables(*file, wrong, taut);
+  Case the_case = bench::read_tables(bench::StrictTable(&*file, "", wrong), taut);
   bench::FileProblems notes(source_name);
   if (wrong.empty()) {  // rules that tie several keys together
     StartChange change = start_taut(the_case, taut);

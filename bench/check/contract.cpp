@@ -40,15 +40,18 @@ bool contains(std::span<const std::string> names, std::string_view name) {
 void read_exception(StrictTable& table, std::size_t line, std::span<const std::string> models,
                     std::string_view asked, FileProblems& wrong,
                     std::vector<Exception>& exceptions) {
-  const std::string engine = table.optional_text("engine").value_or("");
-  const std::string model = table.text("model");
-  const std::string reason = table.text("reason");
+  const std::string engine =
+      table.optional_text({"engine", "the engine that it is of; default all of the folder"})
+          .value_or("");
+  const std::string model = table.text({"model", "the model that it is of"});
+  const std::string reason = table.text({"reason", "why the model does not keep these claims"});
   const bool of_another = !asked.empty() && !engine.empty() && engine != asked;
   if (!of_another && !models.empty() && !contains(models, model)) {
     wrong.add(line, unknown("model", model, models));
   }
   const std::vector<std::string> known = contract_claims();
-  for (const std::string& name : table.texts("claims", "must be an array of claims")) {
+  const Key key = {"claims", "claims of `tautline check` that the model does not keep"};
+  for (const std::string& name : table.texts(key, "must be an array of claims", known)) {
     if (!contains(known, name)) {
       wrong.add(line, unknown("claim", name, known));
     } else if (!of_another) {
@@ -58,7 +61,23 @@ void read_exception(StrictTable& table, std::size_t line, std::span<const std::s
   table.refuse_unknown_keys();
 }
 
+std::vector<StrictTable> exceptions_in(StrictTable& root) {
+  return root.tables({"exception", "what a model of the engine is known not to keep"},
+                     most_exceptions, "must be tables with model, claims and reason");
+}
+
 }  // namespace
+
+Form contract_form() {
+  Form form;
+  StrictTable root(form);
+  FileProblems wrong("");
+  std::vector<Exception> exceptions;
+  for (StrictTable& table : exceptions_in(root)) {
+    read_exception(table, 0, {}, "", wrong, exceptions);
+  }
+  return form;
+}
 
 Contract read_contract(std::string_view text, const std::string& source_name,
                        std::span<const std::string> models, std::string_view engine) {
@@ -67,8 +86,7 @@ Contract read_contract(std::string_view text, const std::string& source_name,
   if (const std::optional<toml::table> file = parse_toml(text, wrong)) {
     StrictTable root(&*file, "", wrong);
     std::size_t index = 0;
-    for (StrictTable& table : root.tables("exception", most_exceptions,
-                                          "must be tables with model, claims and reason")) {
+    for (StrictTable& table : exceptions_in(root)) {
       const std::size_t line = line_of((*file)["exception"][index++].node());
       read_exception(table, line, models, engine, wrong, result.exceptions);
     }

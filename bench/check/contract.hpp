@@ -10,6 +10,8 @@
 
 namespace tautline::bench {
 
+struct Form;
+
 /// What the contract tests of the engines here ask beyond the claims: how near a model is to the
 /// exact motion. A contract file may name it; `tautline check` does not measure it.
 inline constexpr std::string_view accuracy_claim = "accuracy";
@@ -34,6 +36,9 @@ struct Contract {
 [[nodiscard]] Contract read_contract(std::string_view text, const std::string& source_name,
                                      std::span<const std::string> models,
                                      std::string_view engine = "");
+
+/// The keys of such a file.
+[[nodiscard]] Form contract_form();
 
 /// That of the file contract.toml in the folder of `plugin`; without exceptions where there is
 /// none.

@@ -30,37 +30,32 @@ constexpr std::size_t most_tables = 100;
 /// Points of one grid, which is drawn with a cell for each.
 constexpr double most_points = 1000;
 
-const Range whole_number = {"a whole number from 1 to 10000000",
-                            [](double x) {
-                              return x >= 1.0 && x <= static_cast<double>(most_draws) &&
-                                     x == std::floor(x);  // exactly: it is an integer
-                            },
-                            1.0};
-const Range seed_number = {"a whole number from 0 to 2^53",
-                           [](double x) { return x >= 0.0 && x <= 0x1p53 && x == std::floor(x); },
-                           1.0};
-const Range point_count = {
-    "a whole number from 2 to 1000",
-    [](double x) { return x >= 2.0 && x <= most_points && x == std::floor(x); }, 2.0};
+const Range whole_number = {"a whole number from 1 to 10000000", 1.0,   1.0,
+                            static_cast<double>(most_draws),     false, true};
+const Range seed_number = {"a whole number from 0 to 2^53", 1.0, 0.0, 0x1p53, false, true};
+const Range point_count = {"a whole number from 2 to 1000", 2.0, 2.0, most_points, false, true};
 
 // a case takes no larger numbers, and differences of such numbers are finite
-const Range case_number = {"a number from -1e20 to 1e20",
-                           [](double x) { return std::abs(x) <= largest_number; }, 0.0};
+const Range case_number = {"a number from -1e20 to 1e20", 0.0, -largest_number, largest_number};
 // of a pair: what is refused is compared with nothing
-const Range number_of_pair = {case_number.right, case_number.holds, not_a_number<double>()};
-const Range positive_number = {"above 0 and at most 1e20",
-                               [](double x) { return x > 0.0 && x <= largest_number; }, 1.0};
+const Range number_of_pair = {case_number.right, not_a_number<double>(), -largest_number,
+                              largest_number};
+const Range positive_number = {"above 0 and at most 1e20", 1.0, 0.0, largest_number, true};
 
 /// More would leave out bounces that the slower of the speeds asks for, in systems of sizes near
 /// one.
-const Range completion_error = {"above 0 and at most 1e-10",
-                                [](double x) { return x > 0.0 && x <= 1e-10; }, 1e-10};
+const Range completion_error = {"above 0 and at most 1e-10", 1e-10, 0.0, 1e-10, true};
+
+const Key completion_key = {
+    "completion", "about how much completing an accumulation may change the later velocities"};
+const Key seed_key = {"seed", "the seed of the random numbers"};
 
 /// `otherwise`: where none is given.
 ImpactLaw read_law(StrictTable& table, ImpactLaw otherwise) {
   const std::vector<std::string> names =
       listed<std::string>(impact_laws, [](ImpactLaw law) { return to_string(law); });
-  const std::optional<std::string> name = table.optional_one_of("law", names);
+  const std::optional<std::string> name = table.optional_one_of(
+      {"law", "the impact law of the exact motion; default simultaneous"}, names);
   const auto place = name ? std::find(names.begin(), names.end(), *name) : names.end();
   return place == names.end() ? otherwise
                               : impact_laws.at(static_cast<std::size_t>(place - names.begin()));
@@ -81,7 +76,8 @@ std::string from_folder_of(const std::filesystem::path& source, const std::strin
 std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source,
                               const std::optional<std::string>& other_case, FileProblems& wrong,
                               std::vector<std::string>& notes) {
-  std::string name = root.text("case");
+  std::string name = root.text(
+      {"case", "the name of a shipped case, or a case file, from the folder of this one"});
   if (name.ends_with(".toml")) {  // a shipped one has a '/', too
     name = from_folder_of(source, name);
   }
@@ -113,10 +109,10 @@ std::vector<double> evenly(const Vec2& ends, double points) {
   return values;
 }
 
-Vec2 rising_pair(StrictTable& table, std::string_view key) {
+Vec2 rising_pair(StrictTable& table, const Key& key) {
   Vec2 ends = table.optional_pair(key, "", number_of_pair).value_or(Vec2(0.0, 1.0));
   if (ends.x() >= ends.y()) {
-    table.refuse_value(key, "must be two numbers [low, high] with low below high");
+    table.refuse_value(key.name, "must be two numbers [low, high] with low below high");
   }
   return ends;
 }
@@ -124,23 +120,24 @@ Vec2 rising_pair(StrictTable& table, std::string_view key) {
 Distribution read_distribution(StrictTable& table) {
   using Kind = Distribution::Kind;
   std::vector<Distribution> given;
-  const auto has = [&](const char* kind) { return table.has(kind); };
-  const auto kinds = {"normal", "uniform", "list", "grid"};
-  const auto count = std::count_if(kinds.begin(), kinds.end(), has);
-  if (const auto deviation = table.optional_number("normal", positive_number, "")) {
+  const std::size_t count = table.count({"normal", "uniform", "list", "grid"});
+  const Key normal = {"normal", "normal draws: the standard deviation about the case's own value"};
+  if (const auto deviation = table.optional_number(normal, positive_number, "")) {
     given.push_back({Kind::normal, {*deviation}});
   }
-  if (table.has("uniform")) {
-    const Vec2 ends = rising_pair(table, "uniform");
+  table.with("uniform", [&] {
+    const Vec2 ends = rising_pair(table, {"uniform", "draws between two numbers [low, high]"});
     given.push_back({Kind::uniform, {ends.x(), ends.y()}});
-  }
-  if (auto values = table.numbers("list", "", case_number); !values.empty()) {
+  });
+  const Key list = {"list", "draws from these values, each as likely as the others"};
+  if (auto values = table.numbers(list, "", case_number); !values.empty()) {
     given.push_back({Kind::list, std::move(values)});
   }
-  if (table.has("grid")) {
-    const Vec2 ends = rising_pair(table, "grid");
-    given.push_back({Kind::grid, evenly(ends, table.number("points", point_count, ""))});
-  }
+  table.with("grid", [&] {
+    const Vec2 ends = rising_pair(table, {"grid", "points of a grid from [low, high]"});
+    const double points = table.number({"points", "how many values the grid has"}, point_count, "");
+    given.push_back({Kind::grid, evenly(ends, points)});
+  });
   if (count != 1) {
     table.refuse_value("quantities", "needs one of normal, uniform, list and grid; " +
                                          std::string(count == 0 ? "none is" : "several are") +
@@ -155,7 +152,8 @@ std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::strin
                                 std::set<std::string>& before) {
   std::vector<Varied> result;
   const auto chosen =
-      table.texts("quantities", "must be an array of names, such as [\"x\", \"y\"]");
+      table.texts({"quantities", "the numbers of the case that vary, each by itself"},
+                  "must be an array of names, such as [\"x\", \"y\"]", names);
   const Distribution distribution = read_distribution(table);
   for (const std::string& name : chosen) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -175,35 +173,38 @@ std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::strin
 ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& names,
                           const EnsembleSpec& spec) {
   ExactVariant result;
-  result.name = table.text("name");
+  result.name = table.text({"name", "the name of this exact motion"});
   const bool is_taken =
       result.name == "exact" || find_by(spec.exact, &ExactVariant::name, result.name) != nullptr;
   if (is_taken && !result.name.empty()) {
     table.refuse_value("name", "two are called " + printable(result.name));
   }
   result.law = read_law(table, spec.law);
-  if (const auto seed = table.optional_number("seed", seed_number, "")) {
+  if (const auto seed = table.optional_number(seed_key, seed_number, "")) {
     result.seed = static_cast<std::uint64_t>(*seed);
   }
-  result.quantity = table.optional_one_of("quantity", names).value_or("");
-  if (!result.quantity.empty()) {
-    result.factor = table.number("factor", case_number, "");
-  }
+  table.with("quantity", [&] {
+    result.quantity =
+        table.one_of({"quantity", "a number of the case that is another here"}, names);
+    result.factor =
+        table.number({"factor", "by which the quantity is multiplied"}, case_number, "");
+  });
   result.completion =
-      table.optional_number("completion", completion_error, "").value_or(spec.completion);
+      table.optional_number(completion_key, completion_error, "").value_or(spec.completion);
   table.refuse_unknown_keys();
   return result;
 }
 
 void read_engines(StrictTable table, const std::filesystem::path& source, EnsembleSpec& spec) {
   const std::string names = "must be an array of at least one name";
-  for (const std::string& name : table.texts("names", names)) {
+  for (const std::string& name : table.texts(
+           {"names", "names of engines, or paths of plug-ins, from the folder of this file"},
+           names)) {
     spec.engines.push_back(from_folder_of(source, name));
   }
-  if (table.has("models")) {
-    spec.models = table.texts("models", names);
-  }
-  spec.steps = table.numbers("steps", "[s]", positive_number);
+  spec.models = table.optional_texts({"models", "the models that run; default all"}, names)
+                    .value_or(std::vector<std::string>());
+  spec.steps = table.numbers({"steps", "the time steps; default [0.001]"}, "[s]", positive_number);
   if (spec.steps.empty()) {
     spec.steps = {1e-3};  // the middle one of those that `tautline bench` takes
   }
@@ -222,8 +223,12 @@ void read_engines(StrictTable table, const std::filesystem::path& source, Ensemb
 }
 
 void read_speeds(StrictTable& root, EnsembleSpec& spec) {
-  const Vec2 speeds = root.optional_pair("speeds", "[m/s]", number_of_pair)
-                          .value_or(Vec2(spec.speeds[0], spec.speeds[1]));
+  const Vec2 speeds =
+      root.optional_pair({"speeds",
+                          "two falling speeds: slower impacts are not counted; default "
+                          "[0.01, 0.001]"},
+                         "[m/s]", number_of_pair)
+          .value_or(Vec2(spec.speeds[0], spec.speeds[1]));
   spec.speeds = {speeds.x(), speeds.y()};
   if (speeds.x() <= speeds.y() || speeds.y() < 1e-3) {
     // RecordOptions::slowest: an engine's slower impacts are not kept
@@ -239,40 +244,50 @@ void check_count(StrictTable& root, const EnsembleSpec& spec) {
   }
 }
 
-EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& source,
+EnsembleSpec read_tables(StrictTable root, const std::filesystem::path& source,
                          const std::optional<std::string>& other_case, FileProblems& wrong,
                          std::vector<std::string>& notes) {
-  StrictTable root(&file, "", wrong);
   EnsembleSpec spec;
   Case any_case;  // in place of one that cannot be read: with every cable that is asked for
   any_case.cables.resize(max_cables);
   spec.the_case = read_case(root, source, other_case, wrong, notes).value_or(any_case);
   spec.the_case.duration =
-      root.optional_number("until", positive_number, "[s]").value_or(spec.the_case.duration);
-  spec.count =
-      static_cast<std::size_t>(root.optional_number("count", whole_number, "").value_or(1000.0));
+      root.optional_number({"until", "where every run ends; default the case's own duration"},
+                           positive_number, "[s]")
+          .value_or(spec.the_case.duration);
+  spec.count = static_cast<std::size_t>(
+      root.optional_number(
+              {"count", "the number of samples, at each point of a grid; default 1000"},
+              whole_number, "")
+          .value_or(1000.0));
   spec.seed =
-      static_cast<std::uint64_t>(root.optional_number("seed", seed_number, "").value_or(1.0));
-  spec.sampling = root.optional_one_of("sampling", {"random", "sobol"}) == "sobol"
+      static_cast<std::uint64_t>(root.optional_number(seed_key, seed_number, "").value_or(1.0));
+  spec.sampling = root.optional_one_of({"sampling",
+                                        "random, or sobol: evenly spread, for means with less "
+                                        "noise; default random"},
+                                       {"random", "sobol"}) == "sobol"
                       ? Sampling::sobol
                       : Sampling::random;
   spec.law = read_law(root, spec.law);
   read_speeds(root, spec);
   spec.completion =
-      root.optional_number("completion", completion_error, "").value_or(spec.completion);
+      root.optional_number(completion_key, completion_error, "").value_or(spec.completion);
   const std::vector<std::string> names = quantities_of(spec.the_case);
   std::set<std::string> quantities;
-  for (StrictTable& table : root.tables("vary", most_tables, "must be tables [[vary]]")) {
+  for (StrictTable& table : root.tables({"vary", "what differs between the samples"}, most_tables,
+                                        "must be tables [[vary]]")) {
     for (Varied& one : read_varied(table, names, quantities)) {
       spec.varied.push_back(std::move(one));
     }
   }
-  for (StrictTable& table : root.optional_tables("exact", most_tables, "must be [[exact]]")) {
+  for (StrictTable& table :
+       root.optional_tables({"exact", "further exact motions of the same samples"}, most_tables,
+                            "must be [[exact]]")) {
     spec.exact.push_back(read_variant(table, names, spec));
   }
-  if (root.has("engines")) {
-    read_engines(root.table("engines"), source, spec);
-  }
+  root.with("engines", [&] {
+    read_engines(root.table({"engines", "engines that run the same samples"}), source, spec);
+  });
   root.refuse_unknown_keys();
   if (wrong.empty()) {
     check_count(root, spec);
@@ -281,6 +296,14 @@ EnsembleSpec read_tables(const toml::table& file, const std::filesystem::path& s
 }
 
 }  // namespace
+
+Form spec_form() {
+  Form form;
+  FileProblems wrong("");
+  std::vector<std::string> notes;
+  static_cast<void>(read_tables(StrictTable(form), "", {}, wrong, notes));
+  return form;
+}
 
 SpecReading read_spec_file(const std::filesystem::path& path,
                            const std::optional<std::string>& other_case) {
@@ -301,7 +324,7 @@ SpecReading read_spec_text(std::string_view text, const std::filesystem::path& s
     return {std::nullopt, wrong.sentences()};
   }
   std::vector<std::string> notes;
-  EnsembleSpec spec = read_tables(*file, source, other_case, wrong, notes);
+  EnsembleSpec spec = read_tables(StrictTable(&*file, "", wrong), source, other_case, wrong, notes);
   if (!wrong.empty()) {
     return {std::nullopt, wrong.sentences()};
   }

@@ -10,6 +10,8 @@
 
 namespace tautline::bench {
 
+struct Form;
+
 /// What an ensemble is asked, or all that is wrong with its file.
 struct SpecReading {
   std::optional<EnsembleSpec> spec;  // present exactly when `problems` is empty
@@ -26,5 +28,8 @@ struct SpecReading {
 /// Reads its text; `source` names the file in the sentences, and its folder.
 [[nodiscard]] SpecReading read_spec_text(std::string_view text, const std::filesystem::path& source,
                                          const std::optional<std::string>& other_case = {});
+
+/// The keys of such a file.
+[[nodiscard]] Form spec_form();
 
 }  // namespace tautline::bench

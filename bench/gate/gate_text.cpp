@@ -176,7 +176,8 @@ std::string problems_file_of(const Report& report, const ListedProblems& before,
       }
     }
   }
-  std::string out = fmt::format(
+  std::string out = before.schema_line + (before.schema_line.empty() ? "" : "\n");
+  out += fmt::format(
       "# Problems that runs of these models are known to have. Say in each reason why it may "
       "stay;\n"
       "# `tautline bench --gate` reads them: other problems break it, and so do listed ones that "

@@ -25,7 +25,11 @@ constexpr std::size_t longest_problems_file = std::size_t{1} << 20U;
 constexpr std::size_t most_entries = 10'000;
 
 const Range right_schema = {"2, the form that this program reads: a list of problems, no limits",
-                            [](double x) { return x == problems_schema; }, problems_schema};
+                            problems_schema,
+                            problems_schema,
+                            problems_schema,
+                            false,
+                            true};
 
 /// Holds the patterns of a file against the names that there are.
 class Names {
@@ -101,27 +105,32 @@ class Names {
 
 ListedProblem read_problem(StrictTable& table, const Names& names) {
   ListedProblem problem;
-  problem.runs.engine = table.text("engine");
-  problem.runs.model = table.text("model");
-  problem.runs.the_case = table.optional_text("case").value_or("*");
-  problem.runs.step = table.optional_number("step", above_zero, "[s]");
+  problem.runs.engine =
+      table.text({"engine", "a pattern of names with * and ?, or several with | between them"});
+  problem.runs.model = table.text({"model", "a pattern, like engine"});
+  problem.runs.the_case =
+      table.optional_text({"case", "a pattern, like engine; default all cases"}).value_or("*");
+  problem.runs.step =
+      table.optional_number({"step", "the time step; default all steps"}, above_zero, "[s]");
   names.check(problem.runs, table);
-  problem.kind = table.one_of(
-      "kind", listed<std::string>(problem_kinds, [](std::string_view kind) { return kind; }));
-  problem.finding = table.optional_text("finding").value_or("");
-  problem.reason = table.text_or_empty("reason");
-  problem.in_some = table.flag("in_some");
+  problem.kind =
+      table.one_of({"kind", "what is wrong with the run"},
+                   listed<std::string>(problem_kinds, [](std::string_view kind) { return kind; }));
+  problem.finding =
+      table.optional_text({"finding", "what was found when it was listed"}).value_or("");
+  problem.reason = table.text_or_empty({"reason", "why it is so, and may stay"});
+  problem.in_some =
+      table.flag({"in_some", "true: only some of these runs show the problem; default false"});
   table.refuse_unknown_keys();
   return problem;
 }
 
-ListedProblems read_tables(const toml::table& file, const Names& names, FileProblems& findings) {
-  StrictTable root(&file, "", findings);
+ListedProblems read_tables(StrictTable root, const Names& names) {
   ListedProblems result;
-  static_cast<void>(root.number("schema", right_schema, ""));
-  result.version = root.text("version");
+  static_cast<void>(root.number({"schema", "the form of this file"}, right_schema, ""));
+  result.version = root.text({"version", "the version of this list, which reports name"});
   for (StrictTable& table : root.optional_tables(
-           "problem", most_entries,
+           {"problem", "problems that runs are known to have"}, most_entries,
            "must be tables [[problem]], each with engine, model, kind and reason")) {
     for (StrictTable& entry : table.each(most_entries)) {
       result.problems.push_back(read_problem(entry, names));
@@ -138,6 +147,13 @@ ListedProblems read_tables(const toml::table& file, const Names& names, FileProb
 
 }  // namespace
 
+Form problems_form() {
+  Form form;
+  const ProblemNames none;
+  static_cast<void>(read_tables(StrictTable(form), Names(none)));
+  return form;
+}
+
 ProblemsReading read_problems_text(std::string_view text, const std::string& source_name,
                                    const ProblemNames& names) {
   FileProblems findings(source_name);
@@ -145,11 +161,14 @@ ProblemsReading read_problems_text(std::string_view text, const std::string& sou
   if (!file) {
     return {std::nullopt, findings.sentences()};
   }
-  ListedProblems result = read_tables(*file, Names(names), findings);
+  ListedProblems result = read_tables(StrictTable(&*file, "", findings), Names(names));
   if (!findings.empty()) {
     return {std::nullopt, findings.sentences()};
   }
   result.file = source_name;
+  if (text.starts_with("#:schema ")) {
+    result.schema_line = text.substr(0, text.find('\n'));
+  }
   return {std::move(result), {}};
 }
 

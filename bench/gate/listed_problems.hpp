@@ -11,6 +11,8 @@
 
 namespace tautline::bench {
 
+struct Form;
+
 /// A problem that runs are known to have, which only a person can say: why it is so, and that it
 /// may stay.
 struct ListedProblem {
@@ -26,6 +28,7 @@ struct ListedProblems {
   std::string file;
   std::string version;
   std::vector<ListedProblem> problems;
+  std::string schema_line = {};  // "#:schema PATH", by which an editor finds the schema; may be ""
 
   /// The first that is about this problem of `run`; null without one.
   [[nodiscard]] const ListedProblem* find(const RunKey& run, std::string_view kind) const;
@@ -58,6 +61,9 @@ struct ProblemNames {
 [[nodiscard]] ProblemsReading read_problems_text(std::string_view text,
                                                  const std::string& source_name,
                                                  const ProblemNames& names = {});
+
+/// The keys of such a file.
+[[nodiscard]] Form problems_form();
 
 /// The name of the shipped list, which is about more engines than most reports.
 inline constexpr std::string_view shipped_problems_file = "problems.toml, built in";

@@ -24,6 +24,7 @@ void add_calibrate(CLI::App& app, int& code);
 void add_reproduce(CLI::App& app, int& code);
 void add_engines(CLI::App& app, int& code);
 void add_cases(CLI::App& app, int& code);
+void add_schema_command(CLI::App& app);
 void add_help(CLI::App& app, int& code);
 
 }  // namespace tautline::bench

@@ -65,6 +65,7 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
   add_reproduce(app, code);
   add_engines(app, code);
   add_cases(app, code);
+  add_schema_command(app);
   add_help(app, code);
 }
 

@@ -22,34 +22,39 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_engine_file = std::size_t{64} << 10U;  // [bytes]
 
 /// A path in the folder, as a key gives it.
-std::string path_inside(StrictTable& table, std::string_view key) {
+std::string path_inside(StrictTable& table, const Key& key) {
   std::string path = table.optional_text(key).value_or("");
   if (fs::path(path).is_absolute()) {
-    table.refuse_value(key, "must be relative to the folder of this file");
+    table.refuse_value(key.name, "must be relative to the folder of this file");
   }
   return path;
 }
 
-void read_tables(const toml::table& file, FileProblems& wrong, EngineFile& result) {
-  StrictTable root(&file, "", wrong);
-  result.name = root.text("name");
+void read_tables(StrictTable root, EngineFile& result) {
+  result.name = root.text({"name", "the engine's name: small letters, digits and hyphens"});
   if (result.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos) {
     root.refuse_value("name", "must be small letters, digits and hyphens");
   }
   result.command =
-      root.texts("command", "must be the words of a command, such as [\"node\", \"engine.mjs\"]");
-  result.package = root.optional_text("package").value_or("");
-  result.lock = path_inside(root, "lock");
-  result.installed = path_inside(root, "installed");
-  result.bring = root.optional_text("bring").value_or("");
-  result.versions = root.optional_text("versions").value_or("");
-  if (file.contains("shares")) {
-    const std::string right = "must be folders next to this one, such as [\"../common\"]";
-    result.shares = root.texts("shares", right);
-    if (!std::all_of(result.shares.begin(), result.shares.end(),
-                     [](const std::string& path) { return path.starts_with("../"); })) {
-      root.refuse_value("shares", right);
-    }
+      root.texts({"command", "the words of the command that starts it, run in this folder"},
+                 "must be the words of a command, such as [\"node\", \"engine.mjs\"]");
+  result.package =
+      root.optional_text({"package", "the package that the lock file pins"}).value_or("");
+  result.lock = path_inside(root, {"lock", "the lock file, in this folder"});
+  result.installed =
+      path_inside(root, {"installed", "a path in this folder: without it the engine is not here"});
+  result.bring =
+      root.optional_text({"bring", "the command that installs what is missing"}).value_or("");
+  result.versions =
+      root.optional_text({"versions", "of the package, those that this engine is made for: >=0.15"})
+          .value_or("");
+  const std::string right = "must be folders next to this one, such as [\"../common\"]";
+  result.shares =
+      root.optional_texts({"shares", "folders next to this one that it loads from"}, right)
+          .value_or(std::vector<std::string>());
+  if (!std::all_of(result.shares.begin(), result.shares.end(),
+                   [](const std::string& path) { return path.starts_with("../"); })) {
+    root.refuse_value("shares", right);
   }
   root.refuse_unknown_keys();
 }
@@ -67,6 +72,13 @@ bool is_on_path(const std::string& word) {
 }
 
 }  // namespace
+
+Form engine_form() {
+  Form form;
+  EngineFile nothing;
+  read_tables(StrictTable(form), nothing);
+  return form;
+}
 
 std::vector<fs::path> folders_of(std::string_view list) {
   std::vector<fs::path> folders;
@@ -86,7 +98,7 @@ EngineFile read_engine_file(const fs::path& file) {
   if (input.problem) {
     wrong.add(0, *input.problem);
   } else if (const auto table = parse_toml(input.content, wrong)) {
-    read_tables(*table, wrong, result);
+    read_tables(StrictTable(&*table, "", wrong), result);
   }
   result.problems = wrong.sentences();
   return result;

@@ -7,6 +7,8 @@
 
 namespace tautline::bench {
 
+struct Form;
+
 /// What an engine.toml says: how to start an engine in a process of its own.
 struct EngineFile {
   std::filesystem::path path;        // the file itself, absolute
@@ -27,6 +29,9 @@ struct EngineFile {
 
 /// Reads it; what is wrong with it becomes `problems`.
 [[nodiscard]] EngineFile read_engine_file(const std::filesystem::path& file);
+
+/// The keys of such a file.
+[[nodiscard]] Form engine_form();
 
 /// Why the engine cannot be started here, and what would bring it: a command that is not on PATH,
 /// or what is not installed. Empty if it can. Requires a file without problems; starts nothing.

@@ -277,6 +277,15 @@ std::vector<StrictTable> StrictTable::each(std::size_t most) {
     entry.common_ = table_;
     entry.common_path_ = path_;
   }
+  for (const auto& [key, node] : *table_) {
+    const auto has_own = [&, name = key.str()](const StrictTable& entry) {
+      return has_key(entry.table_, name);
+    };
+    if (!entries.empty() && std::all_of(entries.begin(), entries.end(), has_own)) {
+      refuse(node, full_name(printable(key.str())),
+             "every entry of each has its own, leave it out");
+    }
+  }
   return entries;
 }
 

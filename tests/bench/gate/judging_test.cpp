@@ -216,6 +216,8 @@ TEST(ListedProblems, AreKeptOfWhatDidNotRunAndDroppedOfWhatRanAndShowsThemNoMore
   };
   const std::string once = written(text);
   EXPECT_EQ(written(once), once);
+  const std::string for_editors = "#:schema ./problems.schema.json\n";
+  EXPECT_EQ(written(for_editors + text), for_editors + once);
   const ProblemsReading reading = read_problems_text(once, "p.toml");
   ASSERT_TRUE(reading.listed) << reading.problems.front() << once;
   EXPECT_EQ(reading.listed->version, "7");
@@ -280,6 +282,21 @@ TEST(ListedProblems, EveryMistakeOfAFileIsNamedWithLineKeyValueAndWhatWouldBeRig
         "is no longer asked for", "l.toml:10: knwon"}) {
     EXPECT_NE(all.find(part), std::string::npos) << part << "\n" << all;
   }
+}
+
+TEST(ListedProblems, AKeyThatEveryEntryOfEachHasIsRefusedInTheTableAroundThem) {
+  const auto problems = [](const std::string& other) {
+    return read_problems_text(
+               "schema = 2\nversion = \"1\"\n[[problem]]\nengine = \"e\"\nmodel = \"row\"\n"
+               "reason = \"r\"\neach = [\n  {kind = \"energy\", reason = \"own\"},\n  {" +
+                   other + "},\n]\n",
+               "l.toml")
+        .problems;
+  };
+  EXPECT_EQ(problems("kind = \"flight\""), std::vector<std::string>());
+  EXPECT_EQ(problems("kind = \"flight\", reason = \"too\""),
+            std::vector<std::string>{"l.toml:6: problem[0].reason = \"r\": every entry of each has "
+                                     "its own, leave it out"});
 }
 
 TEST(ListedProblems, WhatShipsIsSoundAndShort) {

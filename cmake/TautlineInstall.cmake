@@ -50,7 +50,8 @@ if(TARGET tautline_c)
 endif()
 if(TARGET tautline)
   install(TARGETS tautline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(FILES bench/gate/problems.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
+  install(FILES bench/gate/problems.toml bench/gate/problems.schema.json
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/tautline)
   # manual pages and shell completion, which the program has written
   install(DIRECTORY "${PROJECT_BINARY_DIR}/bench/share/" DESTINATION ${CMAKE_INSTALL_DATADIR})
 endif()

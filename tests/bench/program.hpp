@@ -16,6 +16,7 @@ struct Outcome {
 };
 
 using bench::test::content_of;
+using bench::test::file_as_json;
 using bench::test::TemporaryFolder;
 
 /// Runs `tautline` with these arguments. `shell` goes before it on the command line: "ulimit -f

@@ -4,14 +4,55 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "bench/base/value.hpp"
+
 namespace tautline::bench::test {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+nlohmann::json as_json(const toml::node& node) {
+  if (const toml::table* const table = node.as_table()) {
+    nlohmann::json object = nlohmann::json::object();
+    for (const auto& [key, value] : *table) {
+      object[std::string(key.str())] = as_json(value);
+    }
+    return object;
+  }
+  if (const toml::array* const array = node.as_array()) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const toml::node& value : *array) {
+      list.push_back(as_json(value));
+    }
+    return list;
+  }
+  if (const auto* const text = node.as_string()) {
+    return text->get();
+  }
+  if (const auto* const number = node.as_integer()) {
+    return number->get();
+  }
+  if (const auto* const number = node.as_floating_point()) {
+    const double value = number->get();
+    const bool whole = std::abs(value) <= 0x1p53 && value == std::floor(value);
+    // for JSON 2.0 is the integer 2, but valijson asks how it is stored
+    return whole ? nlohmann::json(static_cast<std::int64_t>(value)) : nlohmann::json(value);
+  }
+  if (const auto* const flag = node.as_boolean()) {
+    return flag->get();
+  }
+  return "a date or time";
+}
+
+}  // namespace
 
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = fs::temp_directory_path() / "tautline-test-XXXXXX";
@@ -73,6 +114,12 @@ std::string content_of(const fs::path& path) {
   std::ostringstream content;
   content << stream.rdbuf();
   return std::move(content).str();
+}
+
+nlohmann::json file_as_json(std::string_view text) {
+  FileProblems wrong("");
+  const auto file = parse_toml(text, wrong);
+  return file ? as_json(*file) : nlohmann::json();
 }
 
 }  // namespace tautline::bench::test

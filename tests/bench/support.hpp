@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,5 +36,8 @@ class TemporaryFolder {
 
 /// The content of a file.
 [[nodiscard]] std::string content_of(const std::filesystem::path& path);
+
+/// A TOML file as the JSON that a schema is about. Null for text that is not TOML.
+[[nodiscard]] nlohmann::json file_as_json(std::string_view text);
 
 }  // namespace tautline::bench::test

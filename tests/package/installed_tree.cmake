@@ -126,6 +126,16 @@ if(python)
   endforeach()
 endif()
 
+# an installed file names a schema that is there
+file(GLOB_RECURSE files "${prefix}/*.toml")
+foreach(file IN LISTS files)
+  file(STRINGS "${file}" first LIMIT_COUNT 1)
+  cmake_path(GET file PARENT_PATH folder)
+  if(first MATCHES "^#:schema (.+)$" AND NOT EXISTS "${folder}/${CMAKE_MATCH_1}")
+    message(FATAL_ERROR "${file} names ${CMAKE_MATCH_1}, which is not installed")
+  endif()
+endforeach()
+
 if(NOT PROGRAM)
   return()
 endif()

@@ -10,6 +10,7 @@
 #include "tautline/case_file.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
+#include "tests/bench/schema.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -222,6 +223,32 @@ INSTANTIATE_TEST_SUITE_P(Types, BadInputs, testing::ValuesIn(wrong_types));
 INSTANTIATE_TEST_SUITE_P(Keys, BadInputs, testing::ValuesIn(wrong_keys));
 INSTANTIATE_TEST_SUITE_P(Cases, BadInputs, testing::ValuesIn(wrong_cases));
 INSTANTIATE_TEST_SUITE_P(Text, BadInputs, testing::ValuesIn(wrong_text));
+
+/// How the changed file breaks the schema of case files; none where JSON cannot have its numbers.
+std::optional<std::string> broken_rules_of(const BadInput& input) {
+  static const auto schema = nlohmann::json::parse(test::content_of(TAUTLINE_CASE_SCHEMA));
+  const std::string text = changed(input);
+  const bool finite =
+      text.find("nan") == std::string::npos && text.find("inf") == std::string::npos;
+  const nlohmann::json file = test::file_as_json(text);
+  return finite && !file.is_null() ? std::optional(tautline::test::broken_rules(file, schema))
+                                   : std::nullopt;
+}
+
+TEST(CaseSchema, RefusesValuesTypesAndKeysAndLeavesRulesOfTheWholeCaseToTheReader) {
+  std::size_t refused = 0;
+  for (const auto& list : {wrong_values, wrong_types, wrong_keys}) {
+    for (const BadInput& input : list) {
+      const auto broken = broken_rules_of(input);
+      EXPECT_NE(broken, "") << input.place << " -> " << input.instead;
+      refused += broken ? 1U : 0U;
+    }
+  }
+  EXPECT_GE(refused, 25U);
+  for (const BadInput& input : wrong_cases) {
+    EXPECT_EQ(broken_rules_of(input), "") << input.place << " -> " << input.instead;
+  }
+}
 
 TEST(CaseText, EveryNumberHasItsRange) {
   const std::string all = "angle_limit = 1.5\nceiling = 9.5\n" + sound +

@@ -13,7 +13,7 @@ namespace tautline {
 [[nodiscard]] inline std::string text(double value) {
   std::array<char, 32> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.begin(), end};
+  return {buffer.data(), end};
 }
 
 [[nodiscard]] inline std::string cable_name(std::size_t index) {

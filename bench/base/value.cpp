@@ -1,7 +1,7 @@
 #include "bench/base/value.hpp"
 
 #include <algorithm>
-#include <sstream>
+#include <cstdlib>
 
 #include "bench/base/text.hpp"
 
@@ -28,6 +28,32 @@ void check_lines(std::string_view text, FileProblems& wrong) {
   }
 }
 
+// No streams: in the module of JavaScript they would be a sixth of it.
+
+/// At least `width` digits.
+std::string digits(unsigned value, std::size_t width) {
+  const std::string text = std::to_string(value);
+  return std::string(width - std::min(width, text.size()), '0') + text;
+}
+
+std::string date_text(const toml::date& date) {
+  return digits(date.year, 4) + "-" + digits(date.month, 2) + "-" + digits(date.day, 2);
+}
+
+std::string time_text(const toml::time& time) {
+  std::string fraction = "." + digits(time.nanosecond, 9);
+  fraction.resize(fraction.find_last_not_of("0.") + 1);
+  return digits(time.hour, 2) + ":" + digits(time.minute, 2) + ":" + digits(time.second, 2) +
+         fraction;
+}
+
+/// Of local time from UTC, in minutes.
+std::string offset_text(int minutes) {
+  const auto size = static_cast<unsigned>(std::abs(minutes));
+  return minutes == 0 ? "Z"
+                      : (minutes < 0 ? "-" : "+") + digits(size / 60, 2) + ":" + digits(size % 60, 2);
+}
+
 /// The value as the file has it: 1.2 or "text"; nothing for a table, which has lines of its own.
 std::string value_text(const toml::node& node) {
   if (const auto* text = node.as_string()) {
@@ -36,13 +62,24 @@ std::string value_text(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) {
     return shortest(number->get());
   }
-  std::ostringstream stream;
-  node.visit([&stream](const auto& value) {
-    if constexpr (toml::is_value<decltype(value)>) {
-      stream << value;
-    }
-  });
-  return printable(stream.str());
+  if (const auto* number = node.as_integer()) {
+    return std::to_string(number->get());
+  }
+  if (const auto* flag = node.as_boolean()) {
+    return flag->get() ? "true" : "false";
+  }
+  if (const auto* date = node.as_date()) {
+    return date_text(date->get());
+  }
+  if (const auto* time = node.as_time()) {
+    return time_text(time->get());
+  }
+  if (const auto* both = node.as_date_time()) {
+    const toml::date_time& instant = both->get();
+    return date_text(instant.date) + "T" + time_text(instant.time) +
+           (instant.offset ? offset_text(instant.offset->minutes) : "");
+  }
+  return "";
 }
 
 }  // namespace

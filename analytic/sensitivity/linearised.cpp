@@ -1,7 +1,5 @@
 #include "linearised.hpp"
 
-#include <Eigen/LU>
-
 #include "dual.hpp"
 #include "instantiate.hpp"
 #include "tautline/detail/projection.hpp"
@@ -24,6 +22,32 @@ BasicStateMatrix<Real> slopes(const BasicState<Dual<Real>>& state) {
   return result;
 }
 
+/// The inverse of a Delassus matrix of independent cables: positive definite, so Gauss and Jordan
+/// need no pivots. Eigen's own takes large matrices apart in blocks, 40 kB of code for dual
+/// numbers.
+template <class Number>
+BasicCableMatrix<Number> inverse_of(BasicCableMatrix<Number> matrix) {
+  const Eigen::Index size = matrix.rows();
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const Number pivot = matrix(k, k);
+    matrix(k, k) = Number(1);
+    for (Eigen::Index column = 0; column < size; ++column) {
+      matrix(k, column) /= pivot;
+    }
+    for (Eigen::Index row = 0; row < size; ++row) {
+      if (row == k) {
+        continue;
+      }
+      const Number factor = matrix(row, k);
+      matrix(row, k) = Number(0);
+      for (Eigen::Index column = 0; column < size; ++column) {
+        matrix(row, column) -= factor * matrix(k, column);
+      }
+    }
+  }
+  return matrix;
+}
+
 /// The impulses that turn the rates of `cables`, as Newton's law says, and the state after them.
 template <class Real>
 BasicImpact<BasicCase<Real>> rebound(const BasicCase<Real>& the_case, const BasicState<Real>& state,
@@ -34,8 +58,8 @@ BasicImpact<BasicCase<Real>> rebound(const BasicCase<Real>& the_case, const Basi
     q[row] *= 1 + restitution(the_case.cables[index], q[row]);
     ++row;
   }
-  const BasicCableMatrix<Real> inverse = delassus(the_case, state, cables).inverse();
-  BasicCableVector<Real> impulses = -inverse * q;
+  const BasicCableMatrix<Real> inverse = inverse_of(delassus(the_case, state, cables));
+  BasicCableVector<Real> impulses = -inverse.lazyProduct(q);
   BasicState<Real> after = with_impulses<Real>(the_case, state, cables, impulses);
   return {std::move(impulses), std::move(after)};
 }
@@ -152,16 +176,16 @@ BasicStateMatrix<Real> projection_derivative(const BasicCase<Real>& the_case,
     for (const std::size_t index : rows) {
       gaps[row++] = gap(dual_case.cables[index], now);
     }
-    const BasicCableMatrix<Number> inverse = delassus(dual_case, now, rows).inverse();
+    const BasicCableMatrix<Number> inverse = inverse_of(delassus(dual_case, now, rows));
     BasicState<Number> step;
     step.position = now.position;
     step.angle = now.angle;
-    step = with_impulses<Number>(dual_case, step, rows, -inverse * gaps);
+    step = with_impulses<Number>(dual_case, step, rows, -inverse.lazyProduct(gaps));
     now.position += step.velocity;
     now.angle += step.spin;
   }
-  const BasicCableMatrix<Number> inverse = delassus(dual_case, now, rows).inverse();
-  const BasicCableVector<Number> impulses = -inverse * gap_rates(dual_case, now, rows);
+  const BasicCableMatrix<Number> inverse = inverse_of(delassus(dual_case, now, rows));
+  const BasicCableVector<Number> impulses = -inverse.lazyProduct(gap_rates(dual_case, now, rows));
   return slopes(with_impulses<Number>(dual_case, now, rows, impulses));
 }
 

@@ -50,8 +50,9 @@ std::string time_text(const toml::time& time) {
 /// Of local time from UTC, in minutes.
 std::string offset_text(int minutes) {
   const auto size = static_cast<unsigned>(std::abs(minutes));
-  return minutes == 0 ? "Z"
-                      : (minutes < 0 ? "-" : "+") + digits(size / 60, 2) + ":" + digits(size % 60, 2);
+  return minutes == 0
+             ? "Z"
+             : (minutes < 0 ? "-" : "+") + digits(size / 60, 2) + ":" + digits(size % 60, 2);
 }
 
 /// The value as the file has it: 1.2 or "text"; nothing for a table, which has lines of its own.

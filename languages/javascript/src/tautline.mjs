@@ -435,6 +435,12 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
         if (array.length === count) return;
         throw new RangeError(`${quantities[k]} has ${array.length} values, ${quantities[0]} has ${count}: all must have as many`);
       });
+      for (const name of quantities) {
+        const [, index] = /^restitution(?:_(\d+))?$/.exec(name) ?? [null, -1], has_table = ({ restitution_table }) => restitution_table?.length > 0;
+        if (index !== -1 && the_case.cables.filter((_, k) => index === undefined || k === Number(index)).some(has_table)) {
+          throw new RangeError(`${name}: a cable has a restitution_table, which replaces it`);
+        }
+      }
       const at_times = Float64Array.from(times), width = at_times.length * WIDTH;
       const [summaries, settlings, states] = table(count, [[Uint8Array, size_of(SUMMARY)],
         settling ? [Uint8Array, size_of(SETTLING)] : null, width > 0 ? [Float64Array, width] : null],

@@ -1,8 +1,9 @@
-// What differs in the module. JavaScript writes and reads decimals for it, since the C++ library would bring tables as large
-// as a quarter of the module. Nothing is printed, and no exception is caught.
-#include "numbers.hpp"
+// What differs in the module. JavaScript writes and reads decimals for it, since the C++ library
+// would bring tables as large as a quarter of the module. Nothing is printed or thrown.
+#include "module.hpp"
 
 #include <cmath>
+#include <cstdarg>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -11,8 +12,7 @@
 
 #include "tautline/solve_batch.hpp"
 
-#define TAUTLINE_FROM_JAVASCRIPT(name) \
-  __attribute__((import_module("tautline"), import_name(name)))
+#define TAUTLINE_FROM_JAVASCRIPT(name) __attribute__((import_module("tautline"), import_name(name)))
 
 extern "C" {
 /// Writes `value` as std::to_chars does: to as many significant digits as asked, or for 0 to as
@@ -83,7 +83,8 @@ from_chars_result from_chars(const char* first, const char* last, double& value,
 
 }  // namespace std
 
-/// One after the other, to the same bits: the module has no vectors that could solve several at once.
+/// One after the other, to the same bits: the module has no vectors that could solve several at
+/// once.
 void tautline::solve_batch(std::span<const Case> cases, const SolveOptions& options,
                            const TakeSolution& take) {
   for (std::size_t index = 0; index < cases.size(); ++index) {
@@ -105,12 +106,22 @@ double strtod(const char* text, char** end) {
 float strtof(const char* /*text*/, char** /*end*/) { __builtin_trap(); }
 long double strtold(const char* /*text*/, char** /*end*/) { __builtin_trap(); }
 
-// Nothing is thrown for a case without problems, and no file is opened.
-void* __cxa_allocate_exception(std::size_t /*size*/) noexcept { __builtin_trap(); }
-void __cxa_throw(void* /*thrown*/, void* /*type*/, void (*/*destructor*/)(void*)) {
-  __builtin_trap();
+/// nlohmann's JSON quotes a control character by "<U+%.4X>", and nobody else calls this.
+int snprintf(char* to, std::size_t room, const char* /*format*/, ...) {
+  std::va_list words;
+  va_start(words, room);
+  const auto character = va_arg(words, unsigned);
+  va_end(words);
+  constexpr char hexadecimal[] = "0123456789ABCDEF";
+  char text[] = "<U+0000>";
+  text[5] = hexadecimal[character / 16 % 16];
+  text[6] = hexadecimal[character % 16];
+  std::memcpy(to, text, room < sizeof text ? 0 : sizeof text);
+  return static_cast<int>(sizeof text) - 1;
 }
-void __cxa_free_exception(void* /*thrown*/) noexcept { __builtin_trap(); }
+
+// Sentences of libc++abi before it ends the program: nobody would see them.
+void abort_message(const char* /*format*/, ...) { __builtin_trap(); }
 
 }  // extern "C"
 

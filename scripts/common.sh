@@ -43,11 +43,11 @@ fetch_from_npm() {
   fi
 }
 
-# build_preset <preset>
+# build_preset <preset> [-D...]
 build_preset() {
   fetch_from_npm bench/page "the report page will have no charts"
   say "configure and build ($1, in build/$1; the first time takes minutes)"
-  configure_preset "$1"
+  configure_preset "$@"
   quietly cmake --build "$root/build/$1"
 }
 

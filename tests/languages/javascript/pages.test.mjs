@@ -32,7 +32,7 @@ test("the README of the package runs", () => {
 test("the blocks of the guide run", () => {
   const [first, many, ...others] = blocks("docs/guides/javascript.md").filter(({ language }) => language === "js");
   assert.equal(others.length, 0);
-  assert.match(run(first.code), /^417 reached_duration 8\.12\d\d\nimpact \[ \d \] \d\.\d+ true\n-0\.05\n$/);
+  assert.match(run(first.code), /^417 reached_duration 8\.12\d\d\nimpact \[ \d \] \d\.\d+ true\n0\.07\n$/);
   assert.match(run(many.code), /^50 0\.8 locked\n$/);
 });
 

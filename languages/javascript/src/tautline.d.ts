@@ -352,7 +352,7 @@ export interface Tautline {
 }
 
 /**
- * Loads the module: tautline.wasm beside this file, unless `source` is its address, its bytes or the compiled module. In a
+ * Loads the module: tautline.wasm next to this file, unless `source` is its address, its bytes or the compiled module. In a
  * worker without a network, pass a WebAssembly.Module from the page by postMessage.
  */
 export function load(source?: URL | string | BufferSource | WebAssembly.Module): Promise<Tautline>;

@@ -87,7 +87,7 @@ async function compiled(source) {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** Loads the module, from beside this file unless `source` says otherwise. */
+/** Loads the module, from next to this file unless `source` says otherwise. */
 export async function load(source = new URL("./tautline.wasm", import.meta.url)) {
   const module = await compiled(source);
   const decoder = new TextDecoder(), encoder = new TextEncoder();

@@ -225,7 +225,7 @@ void add_growth(Vector& vector, const Solution& solution) {
   constexpr double beside = 1e-9;  // [-], of the time of a row
   for (VectorRow& row : vector.rows) {
     const double time = std::min(row.time, solution.end_time());
-    // a scheme may be early or late: beside an event the growth of both sides counts
+    // a scheme may be early or late: at an event the growth on both sides counts
     const double later = std::min(time * (1.0 + beside), solution.end_time());
     largest = std::max({largest, growth.at(time * (1.0 - beside)), growth.at(later)});
     if (!(row.time <= until) || !std::isfinite(largest)) {

@@ -201,18 +201,19 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
     return columns_of(form, copy_of(Uint8Array, at, size_of(form)));
   });
 
-  /** Calls `act` with the module's copy of a case. `of_text`: sentences name the text. */
+  /** Calls `act` with the module's copy of a case, which it keeps for the next call: most ask for the same case again. */
   function with_case(text, name, act) {
-    return with_room((room, copy) => {
-      const form = encoder.encode(text);
-      const handle = C.tautline_case_from_text(copy(form), form.length, copy(encoder.encode(`${name}\0`)));
-      try {
-        return act(handle);
-      } finally {
-        C.tautline_case_free(handle);
-      }
-    });
+    if (kept.text !== text || kept.name !== name) {
+      const handle = with_room((room, copy) => {
+        const form = encoder.encode(text);
+        return C.tautline_case_from_text(copy(form), form.length, copy(encoder.encode(`${name}\0`)));
+      });
+      C.tautline_case_free(kept.handle);
+      kept = { text, name, handle };
+    }
+    return act(kept.handle);
   }
+  let kept = { handle: 0 };
   const refuse = (wrong) => {
     if (wrong.length > 0) throw new RangeError(wrong.join("\n"));
   };

@@ -1,5 +1,6 @@
-// Solves the shipped cases and 1,000 random systems, and writes to standard output what the module must have to the same
-// bits: for each system a line of JSON, {"case": ..., "options": ..., "numbers": N}, and then N doubles.
+// Solves the shipped cases and 1,000 random systems, and writes to standard output what the module
+// must have to the same bits: for each system a line of JSON, {"case": ..., "options": ...,
+// "numbers": N}, and then N doubles.
 #include <array>
 #include <cmath>
 #include <cstdio>

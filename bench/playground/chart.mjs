@@ -1,0 +1,184 @@
+// The chart under the picture: energy, the spread of the fog and a strip for each cable over one axis of time.
+
+import { lastUpTo } from "./motion.mjs";
+import { sized } from "./scene.mjs";
+
+/// Heights [px] and margins of the plot, which the slider of the time shares.
+const ENERGY = 132, SPREAD = 46, STRIP = 20, AXIS = 24, GAP = 14, TOP = 10;
+export const MARGIN = { left: 66, right: 16 };
+
+export const heightOf = (cables, fog) => TOP + ENERGY + (fog ? GAP + SPREAD : 0) + GAP + cables * STRIP + AXIS;
+
+/// Round numbers from `low` to `high`, about `count` of them.
+function ticks(low, high, count) {
+  const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * [1, 2, 5, 10].find((one) => one * power >= rough * 0.999);
+  const all = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) all.push(+(k * step).toPrecision(12));
+  return all;
+}
+
+/// The range of the exact energy, and of the engine's as far as it does not dwarf that.
+function energyRange({ stairs }, run, time) {
+  let low = Infinity, high = -Infinity;
+  for (const one of stairs.energies) [low, high] = [Math.min(low, one), Math.max(high, one)];
+  const size = Math.max(high - low, 1e-3 * Math.abs(high), 1e-12), exact = [low, high];
+  if (run?.energies) {
+    for (const one of run.energies) {
+      if (Number.isFinite(one)) [low, high] = [Math.min(low, Math.max(one, exact[0] - 1.5 * size)), Math.max(high, Math.min(one, exact[1] + 1.5 * size))];
+    }
+  }
+  const room = 0.06 * Math.max(high - low, size);
+  return [low - room, high + room];
+}
+
+export class Chart {
+  #canvas;
+  #still = document.createElement("canvas");
+  #stillOf = [];
+
+  constructor(canvas) { this.#canvas = canvas; }
+
+  /// The time at `x` [px] from the left of the canvas.
+  timeAt(x, end) {
+    const width = this.#canvas.clientWidth - MARGIN.left - MARGIN.right;
+    return end * Math.min(1, Math.max(0, (x - MARGIN.left) / width));
+  }
+
+  draw(picture) {
+    const { context: g, width, height } = sized(this.#canvas);
+    const { motion, run, fog, colours, time, unit } = picture;
+    if (!motion || width === 0 || height === 0) return;
+    const ratio = devicePixelRatio || 1, of = [motion, run, fog, colours, width, height, ratio];
+    if (!of.every((one, i) => one === this.#stillOf[i])) {
+      this.#stillOf = of;
+      Object.assign(this.#still, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
+      const still = this.#still.getContext("2d");
+      still.setTransform(ratio, 0, 0, ratio, 0, 0);
+      this.#drawStill(still, picture, width, height);
+    }
+    g.drawImage(this.#still, 0, 0, width, height);
+    const x = MARGIN.left + ((width - MARGIN.left - MARGIN.right) * time) / motion.end;
+    Object.assign(g, { strokeStyle: colours.ink, lineWidth: 1 });
+    g.beginPath();
+    g.moveTo(Math.round(x) + 0.5, TOP - 4);
+    g.lineTo(Math.round(x) + 0.5, height - AXIS + 4);
+    g.stroke();
+  }
+
+  #drawStill(g, { the_case, motion, run, fog, colours, unit }, width, height) {
+    const right = width - MARGIN.right, bottom = height - AXIS, end = motion.end, cables = the_case.cables.length;
+    const X = (t) => MARGIN.left + ((right - MARGIN.left) * t) / end;
+    Object.assign(g, { font: `12px ${colours.sans}`, textBaseline: "middle", lineJoin: "round" });
+    const label = (text, y, colour = colours.muted) => Object.assign(g, { textAlign: "right", fillStyle: colour }).fillText(text, MARGIN.left - 8, y);
+    // what nobody can know
+    g.fillStyle = colours.shade;
+    for (const { from, until } of motion.unsure) g.fillRect(X(from), TOP - 4, X(Math.min(until, end)) - X(from), bottom - TOP + 8);
+    if (motion.horizon < end) { // its name on the side that has room
+      const x = X(motion.horizon), before = x > 0.5 * (MARGIN.left + right);
+      Object.assign(g, { fillStyle: colours.muted, textAlign: before ? "right" : "left" });
+      g.fillText("horizon", x + (before ? -5 : 5), TOP + 4);
+      g.fillRect(x, TOP - 4, 1, bottom - TOP + 8);
+    }
+    // the axis of time
+    Object.assign(g, { strokeStyle: colours.line, lineWidth: 1, fillStyle: colours.muted, textAlign: "center" });
+    for (const t of ticks(0, end, Math.max(2, Math.min(10, (right - MARGIN.left) / 70)))) {
+      g.beginPath();
+      g.moveTo(Math.round(X(t)) + 0.5, TOP);
+      g.lineTo(Math.round(X(t)) + 0.5, bottom + 4);
+      g.stroke();
+      g.fillText(String(t), X(t), bottom + 14);
+    }
+    label(`t${unit("s") && " [s]"}`, bottom + 14);
+    this.#drawEnergy(g, motion, run, colours, X, right, unit, label);
+    let y = TOP + ENERGY + GAP;
+    if (fog) {
+      this.#drawSpread(g, fog, colours, X, y, label);
+      y += SPREAD + GAP;
+    }
+    for (let cable = 0; cable < cables; ++cable) this.#drawStrip(g, { motion, run, colours, X, cable, cables, y: y + STRIP * cable, end, right, label });
+  }
+
+  #drawEnergy(g, motion, run, colours, X, right, unit, label) {
+    const [low, high] = energyRange(motion, run), bottom = TOP + ENERGY, Y = (e) => bottom - (ENERGY * (e - low)) / (high - low);
+    const marks = ticks(low, high, 3);
+    for (const one of marks) label(Math.abs(one) >= 1e5 || (one !== 0 && Math.abs(one) < 1e-3) ? one.toExponential(1) : String(one), Y(one));
+    g.save();
+    g.beginPath();
+    g.rect(MARGIN.left, TOP - 4, right - MARGIN.left, ENERGY + 8);
+    g.clip();
+    if (run?.energies) {
+      Object.assign(g, { strokeStyle: colours.engine, lineWidth: 1.6 });
+      g.setLineDash([5, 3]);
+      g.beginPath();
+      const every = Math.max(1, Math.floor(run.steps / 3000)); // as many as pixels
+      for (let i = 0; i <= run.steps; i += every) g.lineTo(X(i / run.rate), Math.max(-1e4, Math.min(1e4, Y(run.energies[i]))));
+      g.stroke();
+      g.setLineDash([]);
+    }
+    const { times, energies } = motion.stairs;
+    Object.assign(g, { strokeStyle: colours.exact, lineWidth: 2 });
+    g.beginPath();
+    times.forEach((t, i) => {
+      if (i > 0) g.lineTo(X(t), Y(energies[i - 1]));
+      g.lineTo(X(t), Y(energies[i]));
+    });
+    g.lineTo(X(motion.end), Y(energies.at(-1)));
+    g.stroke();
+    g.restore();
+    const name = `energy${unit("J") && " [J]"}`;
+    g.save();
+    Object.assign(g, { fillStyle: colours.ink, textAlign: "center" });
+    g.translate(9, TOP + ENERGY / 2);
+    g.rotate(-Math.PI / 2);
+    g.fillText(name, 0, 0);
+    g.restore();
+  }
+
+  /// How far the futures are apart, on a logarithmic axis.
+  #drawSpread(g, { spread, instants, end }, colours, X, top, label) {
+    let low = Infinity, high = -Infinity;
+    for (const one of spread) if (one > 0) [low, high] = [Math.min(low, one), Math.max(high, one)];
+    if (!(high > 0)) return;
+    const bounds = [Math.floor(Math.log10(low)), Math.max(Math.ceil(Math.log10(high)), Math.floor(Math.log10(low)) + 1)];
+    const Y = (value) => top + SPREAD - (SPREAD * (Math.log10(value) - bounds[0])) / (bounds[1] - bounds[0]);
+    for (const power of bounds) label(power === 0 ? "1" : `1e${power}`, Y(10 ** power));
+    Object.assign(g, { strokeStyle: colours.exact, lineWidth: 1.4 });
+    g.beginPath();
+    for (let i = 0; i < instants; ++i) if (spread[i] > 0) g.lineTo(X((end * i) / (instants - 1)), Y(spread[i]));
+    g.stroke();
+    g.save();
+    Object.assign(g, { fillStyle: colours.ink, textAlign: "center" });
+    g.translate(9, top + SPREAD / 2);
+    g.rotate(-Math.PI / 2);
+    g.fillText("spread", 0, 0);
+    g.restore();
+  }
+
+  /// Where a cable is taut, its impacts as tall as their impulse, and below them those of the engine.
+  #drawStrip(g, { motion, run, colours, X, cable, cables, y, right, label }) {
+    const bar = STRIP - 6;
+    label(`cable ${cable}`, y + bar / 2, colours.ink);
+    g.fillStyle = colours.line;
+    g.fillRect(MARGIN.left, y + bar, right - MARGIN.left, 1);
+    Object.assign(g, { fillStyle: colours.exact, globalAlpha: 0.38 });
+    for (const { start, end } of motion.stretches[cable]) g.fillRect(X(start), y + 2, Math.max(X(end) - X(start), 1), bar - 2);
+    Object.assign(g, { fillStyle: colours.hit, globalAlpha: 0.9 });
+    for (const { time, impulses } of motion.impacts) {
+      const tall = impulses[cable] > 0 ? 2 + (bar - 2) * Math.sqrt(impulses[cable] / motion.largest) : 0;
+      if (tall > 0) g.fillRect(X(time) - 0.6, y + bar - tall, 1.2, tall);
+    }
+    if (run?.impulses) {
+      Object.assign(g, { fillStyle: colours.engine, globalAlpha: 0.8 });
+      let drawn = -1;
+      for (let i = 0; i < run.steps; ++i) {
+        const x = Math.round(X((i + 1) / run.rate));
+        if (run.impulses[cables * i + cable] > 0 && x !== drawn && x <= right) g.fillRect(drawn = x, y + bar + 2, 1, 2);
+      }
+    }
+    g.globalAlpha = 1;
+  }
+}
+
+/// The fog's spread at a time.
+export const spreadAt = ({ spread, instants, end }, time) => spread[lastUpTo(Float64Array.from(spread, (_, i) => (end * i) / (instants - 1)), time)];

@@ -11,6 +11,9 @@ import { allow, pluck } from "./sound.mjs";
 import { atInstant, sentences, short } from "./words.mjs";
 
 const FUTURES = 150;
+/// The fog, which keeps a whole processor busy, waits until a hand has stopped for this time, and the engine runs at most
+/// once in it [ms]: the exact motion follows at once.
+const REST = 60;
 /// With less motion, how long an event is shown [ms].
 const EVENT_TIME = 700;
 /// The address and what is read out follow a change after this time [ms].
@@ -30,20 +33,20 @@ let engines = [], version = "";
 const page = {
   shipped: CASES, get state() { return state; }, get motion() { return motion; }, get engines() { return engines; },
   get impossible() { return impossible; },
-  draw: () => requestDraw(), address: () => spellState({ ...view, the_case: state.the_case }, CASES),
+  units: (unit) => units(unit), draw: () => requestDraw(), address: () => spellState({ ...view, the_case: state.the_case }, CASES),
   picture: () => ({ ...picture(), the_case: state.the_case }), grab, change, drop, cancel, set, say,
   open: (text, name) => solver.ask({ what: "read", text, name }, opened),
 };
 page.forms = formsOf(page);
 const units = (unit) => inUnits(state.the_case, unit);
-const chart = new Chart($("chart")), panel = new Panel($("panel"), page);
+const chart = new Chart($("chart"), requestDraw), panel = new Panel($("panel"), page);
 const panes = [new Pane($("far"), false, page), new Pane($("near"), true, page)];
 
 // ---- what is asked
 
 const solver = new Asker(SOLVER_SOURCE, { started: (data) => ({ version } = data), failed: tellProblem });
 const fogger = new Asker(SOLVER_SOURCE, { started: () => {}, failed: tellProblem });
-const runner = new Asker(ENGINES_SOURCE, { failed: tellProblem, started: (data) => {
+const runner = new Asker(ENGINES_SOURCE, { failed: tellProblem, pace: REST, started: (data) => {
   ({ engines } = data);
   panel.engines(engines);
   panel.show(state, units, false);
@@ -78,13 +81,16 @@ function ask({ moving = false, nudge = false, since } = {}) {
   });
 }
 
+let rest = 0;
 function show(next, moving) {
   const others = next.the_case.cables.length !== motion?.the_case.cables.length;
   motion = next;
   if (others || fresh) [run, fog] = [undefined, undefined];
   state.time = Math.min(state.time, motion.end);
   askEngine();
-  askFog();
+  clearTimeout(rest);
+  if (moving) rest = setTimeout(askFog, REST);
+  else askFog();
   arrange();
   if (fresh) {
     fresh = false;
@@ -385,7 +391,7 @@ $("close").addEventListener("click", () => {
   const close = $("scene").classList.toggle("close");
   $("close").setAttribute("aria-pressed", String(close));
 });
-new ResizeObserver(() => panes[1].repeat(panes.every(({ seen }) => seen))).observe($("near"));
+new ResizeObserver(() => panes[1].repeat($("near").clientWidth > 0 && $("far").clientWidth > 0)).observe($("near"));
 $("speed").addEventListener("change", ({ target }) => { speed = Number(target.value); });
 $("sound").addEventListener("change", ({ target }) => {
   sound = target.checked;
@@ -417,7 +423,6 @@ function retheme() {
   requestDraw();
 }
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
-new ResizeObserver(requestDraw).observe($("chart"));
 
 retheme();
 panel.show(state, units, true);

@@ -1,7 +1,7 @@
 // The chart under the picture: energy, the spread of the fog and a strip for each cable over one axis of time.
 
 import { lastUpTo } from "./motion.mjs";
-import { sized } from "./scene.mjs";
+import { cleared, sizeOf, Still, watch } from "./scene.mjs";
 
 /// Heights [px] and margins of the plot, which the slider of the time shares.
 const ENERGY = 132, SPREAD = 46, STRIP = 20, AXIS = 24, GAP = 14, TOP = 10;
@@ -18,46 +18,41 @@ function ticks(low, high, count) {
   return all;
 }
 
-/// The range of the exact energy, and of the engine's as far as it does not dwarf that.
-function energyRange({ stairs }, run, time) {
+/// The range of the exact energy, and of the engine's as far as it does not dwarf the motion's.
+function energyRange({ stairs, fastest }, run) {
   let low = Infinity, high = -Infinity;
   for (const one of stairs.energies) [low, high] = [Math.min(low, one), Math.max(high, one)];
-  const size = Math.max(high - low, 1e-3 * Math.abs(high), 1e-12), exact = [low, high];
+  const size = Math.max(high - low, fastest, 1e-12), exact = [low, high];
   if (run?.energies) {
     for (const one of run.energies) {
-      if (Number.isFinite(one)) [low, high] = [Math.min(low, Math.max(one, exact[0] - 1.5 * size)), Math.max(high, Math.min(one, exact[1] + 1.5 * size))];
+      if (Number.isFinite(one)) [low, high] = [Math.min(low, Math.max(one, exact[0] - size)), Math.max(high, Math.min(one, exact[1] + size))];
     }
   }
-  const room = 0.06 * Math.max(high - low, size);
+  const room = Math.max(0.06 * (high - low), 0.02 * size);
   return [low - room, high + room];
 }
 
 export class Chart {
   #canvas;
-  #still = document.createElement("canvas");
-  #stillOf = [];
+  #still = new Still();
 
-  constructor(canvas) { this.#canvas = canvas; }
+  /// `changed` hears of another size.
+  constructor(canvas, changed) {
+    this.#canvas = canvas;
+    watch(canvas, changed);
+  }
 
   /// The time at `x` [px] from the left of the canvas.
   timeAt(x, end) {
-    const width = this.#canvas.clientWidth - MARGIN.left - MARGIN.right;
+    const width = sizeOf(this.#canvas)[0] - MARGIN.left - MARGIN.right;
     return end * Math.min(1, Math.max(0, (x - MARGIN.left) / width));
   }
 
   draw(picture) {
-    const { context: g, width, height } = sized(this.#canvas);
-    const { motion, run, fog, colours, time, unit } = picture;
+    const [width, height] = sizeOf(this.#canvas), { motion, run, fog, colours, time } = picture;
     if (!motion || width === 0 || height === 0) return;
-    const ratio = devicePixelRatio || 1, of = [motion, run, fog, colours, width, height, ratio];
-    if (!of.every((one, i) => one === this.#stillOf[i])) {
-      this.#stillOf = of;
-      Object.assign(this.#still, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
-      const still = this.#still.getContext("2d");
-      still.setTransform(ratio, 0, 0, ratio, 0, 0);
-      this.#drawStill(still, picture, width, height);
-    }
-    g.drawImage(this.#still, 0, 0, width, height);
+    const g = cleared(this.#canvas, [width, height]);
+    this.#still.draw(g, [width, height], [motion, run, fog, colours], (on) => this.#drawStill(on, picture, width, height));
     const x = MARGIN.left + ((width - MARGIN.left - MARGIN.right) * time) / motion.end;
     Object.assign(g, { strokeStyle: colours.ink, lineWidth: 1 });
     g.beginPath();
@@ -66,8 +61,8 @@ export class Chart {
     g.stroke();
   }
 
-  #drawStill(g, { the_case, motion, run, fog, colours, unit }, width, height) {
-    const right = width - MARGIN.right, bottom = height - AXIS, end = motion.end, cables = the_case.cables.length;
+  #drawStill(g, { motion, run, fog, colours, unit }, width, height) {
+    const right = width - MARGIN.right, bottom = height - AXIS, end = motion.end, cables = motion.the_case.cables.length;
     const X = (t) => MARGIN.left + ((right - MARGIN.left) * t) / end;
     Object.assign(g, { font: `12px ${colours.sans}`, textBaseline: "middle", lineJoin: "round" });
     const label = (text, y, colour = colours.muted) => Object.assign(g, { textAlign: "right", fillStyle: colour }).fillText(text, MARGIN.left - 8, y);
@@ -101,7 +96,7 @@ export class Chart {
 
   #drawEnergy(g, motion, run, colours, X, right, unit, label) {
     const [low, high] = energyRange(motion, run), bottom = TOP + ENERGY, Y = (e) => bottom - (ENERGY * (e - low)) / (high - low);
-    const marks = ticks(low, high, 3);
+    const marks = ticks(low, high, 4);
     for (const one of marks) label(Math.abs(one) >= 1e5 || (one !== 0 && Math.abs(one) < 1e-3) ? one.toExponential(1) : String(one), Y(one));
     g.save();
     g.beginPath();
@@ -111,7 +106,7 @@ export class Chart {
       Object.assign(g, { strokeStyle: colours.engine, lineWidth: 1.6 });
       g.setLineDash([5, 3]);
       g.beginPath();
-      const every = Math.max(1, Math.floor(run.steps / 3000)); // as many as pixels
+      const every = Math.max(1, Math.floor(run.steps / (right - MARGIN.left))); // as many as pixels
       for (let i = 0; i <= run.steps; i += every) g.lineTo(X(i / run.rate), Math.max(-1e4, Math.min(1e4, Y(run.energies[i]))));
       g.stroke();
       g.setLineDash([]);

@@ -4,6 +4,9 @@
 import { endOf, startOf } from "./case.mjs";
 import { gyration, knobOf, tipOf, toScreen, toWorld, velocityOf } from "./scene.mjs";
 
+/// Attachments that are nearer to the centre of the body leave it to the hand [px].
+const NEAR = 26;
+
 /// A moved body is no longer on a cable that began taut.
 const slackened = (one) => one.cables.forEach((cable) => delete cable.taut);
 
@@ -64,7 +67,7 @@ const anchor = (cable) => ({
 });
 
 const attachment = (cable) => ({
-  cable,
+  cable, onBody: true,
   name: () => `attachment of cable ${cable}`,
   place: ({ the_case }) => endOf(the_case.cables[cable], startOf(the_case)),
   move(one, [x, y]) {
@@ -117,20 +120,24 @@ export class Handles {
     for (const { button } of this.#made) button.tabIndex = yes ? -1 : 0;
   }
 
-  /// Brings the buttons to where they belong.
-  place(picture) {
+  /// Brings the buttons to where they belong in a box of this size [px].
+  place(picture, [width, height]) {
     const { the_case, time, view } = picture, atStart = time === 0;
     const shape = the_case.cables.map(({ attachment: at }) => (Math.hypot(...at) > 0 ? 1 : 0)).join("") + (the_case.body.inertia > 0);
     if (shape !== this.#shape && !this.#held) {
       this.#shape = shape;
       this.#make(the_case);
     }
-    const { clientWidth: width, clientHeight: height } = this.#box, to = toScreen(view, width, height);
+    const to = toScreen(view, width, height);
     for (const { handle, button } of this.#made) {
       const [x, y] = handle.cable >= the_case.cables.length ? [NaN, NaN] : to(handle.place(picture));
       const seen = (handle.always || atStart) && (Boolean(this.#held) || (x >= 0 && x <= width && y >= 0 && y <= height));
       if (button.hidden === seen) button.hidden = !seen;
       if (!seen) continue;
+      if (handle.onBody) { // a finger that is to reach the body must not hit these; keys and the close view still reach them
+        const [bx, by] = to(the_case.initial.position);
+        button.style.pointerEvents = Math.hypot(x - bx, y - by) < NEAR ? "none" : "";
+      }
       if (handle === body) button.style.setProperty("--size", `${Math.max(52, 2 * gyration(the_case) * view.scale).toFixed(0)}px`);
       button.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
       if (!this.#held && document.activeElement === button) button.setAttribute("aria-label", `${handle.name()}, ${handle.says(the_case)}`);

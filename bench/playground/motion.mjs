@@ -34,10 +34,16 @@ export function motionOf(the_case, answer) {
     stairs.energies.push(energy(the_case, events.after.subarray(6 * i, 6 * i + 6)));
   }
   const tautAt = (time) => taut.reduce((set, one) => (one.start <= time && (time < one.end || one.end >= end_time) ? set | one.taut : set), 0);
-  return { ...answer, the_case, end, impacts, largest, stairs, tautAt,
+  let fastest = 0; // the largest kinetic energy, a scale for the chart
+  const { mass, inertia } = the_case.body;
+  for (let i = 3; i < states.length; i += 6) {
+    fastest = Math.max(fastest, 0.5 * (mass * (states[i] ** 2 + states[i + 1] ** 2) + inertia * states[i + 2] ** 2));
+  }
+  const isSure = (time) => unsure.every(({ from, until }) => time < from || time > until);
+  return { ...answer, the_case, end, impacts, largest, fastest, stairs, tautAt,
     moments: [...new Set(events.time)],
     horizon: unsure.length > 0 ? unsure[0].from : Infinity,
-    isSure: (time) => unsure.every(({ from, until }) => time < from || time > until),
+    isSure, sure: Uint8Array.from(times, (time) => (isSure(time) ? 1 : 0)),
     stretches: Array.from({ length: cables }, (_, cable) => joined(taut.filter((one) => (one.taut >> cable) & 1), end_time, end)),
     at(time) {
       const i = Math.min(lastUpTo(times, time), times.length - 2);

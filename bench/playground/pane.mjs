@@ -1,7 +1,7 @@
 // A view of the motion, with handles over it: from afar with the anchors, or close to the path.
 
 import { Handles } from "./handles.mjs";
-import { extent, fitted, Scene } from "./scene.mjs";
+import { extent, fitted, Scene, sizeOf, watch } from "./scene.mjs";
 
 /// A view moves to another one in this time [ms].
 const GLIDE = 220;
@@ -23,13 +23,13 @@ export class Pane {
     this.#canvas = box.querySelector("canvas");
     this.#scene = new Scene(this.#canvas);
     this.#handles = new Handles(box.querySelector(".handles"), { ...page, picture: () => ({ ...page.picture(), view: this.#view ?? this.#fitted() }) });
-    new ResizeObserver(() => {
+    watch(this.#canvas, () => {
       this.fit();
       page.draw();
-    }).observe(this.#canvas);
+    });
   }
 
-  get seen() { return this.#canvas.clientWidth > 0; }
+  get seen() { return sizeOf(this.#canvas)[0] > 0; }
 
   /// Handles that only repeat those of another pane are left out of what is read and stepped through.
   repeat(yes) { this.#handles.repeat(yes); }
@@ -38,12 +38,12 @@ export class Pane {
     if (!this.seen) return;
     this.#view ??= this.#fitted();
     this.#scene.draw({ ...picture, view: this.#view });
-    this.#handles.place({ ...picture, the_case, view: this.#view });
+    this.#handles.place({ ...picture, the_case, view: this.#view }, sizeOf(this.#canvas));
   }
 
   #fitted() {
     const { the_case, motion, impossible } = this.#page.picture();
-    return fitted(extent(motion && !impossible ? motion.the_case : the_case, motion, this.#close), Math.max(this.#canvas.clientWidth, 1), Math.max(this.#canvas.clientHeight, 1));
+    return fitted(extent(motion && !impossible ? motion.the_case : the_case, motion, this.#close), ...sizeOf(this.#canvas).map((one) => Math.max(one, 1)));
   }
 
   /// Shows all of the motion at once.

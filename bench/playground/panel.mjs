@@ -89,7 +89,7 @@ function makePoint(one) {
   for (const cable of one.cables) cable.attachment = [0, 0];
 }
 
-/// `page`: state, shipped, engines, address(), change(edit, options), set(values), open(file), exports(), say(text).
+/// `page`: state, shipped, engines, address(), units(unit), change(edit, options), set(values), open(file), exports(), say(text).
 export class Panel {
   #page;
   #sliders;
@@ -104,6 +104,7 @@ export class Panel {
   #fog = make("input", { type: "checkbox", id: "fog" });
   #apart = make("select", { id: "apart", "aria-label": "how far the starts are apart" }, ...APART.map((apart) => make("option", { value: apart }, apart.toExponential(0))));
   #out = make("textarea", { id: "export", readonly: "", rows: 9, spellcheck: "false", "aria-label": "the chosen form of this case" });
+  #every = make("details", { toggle: () => this.#showNumbers(this.#page.state.the_case, this.#page.units) });
   #take = make("details", { id: "take", toggle: () => this.showExport() });
   #form = "case file";
   #presets;
@@ -136,10 +137,11 @@ export class Panel {
         make("div", { class: "row" }, make("label", { class: "check" }, this.#fog, make("span", {}, "150 exact futures of starts that differ by up to")), this.#apart)),
       make("section", {}, make("h2", {}, "An engine on the same start"),
         make("div", { class: "pair" }, make("label", {}, make("span", {}, "model"), this.#engine), make("label", {}, make("span", {}, "step"), this.#rate)), this.#sentence),
-      make("details", {}, make("summary", {}, "Every number"), ...this.#groups, this.#cables,
-        make("div", { class: "chips" }, make("button", { type: "button", class: "chip", id: "add", click: () => page.change(addCable) }, "Add a cable"),
-          make("button", { type: "button", class: "chip", id: "point", click: () => page.change(makePoint) }, "Make it a point mass"))),
+      this.#every,
       this.#take);
+    this.#every.append(make("summary", {}, "Every number"), ...this.#groups, this.#cables,
+      make("div", { class: "chips" }, make("button", { type: "button", class: "chip", id: "add", click: () => page.change(addCable) }, "Add a cable"),
+        make("button", { type: "button", class: "chip", id: "point", click: () => page.change(makePoint) }, "Make it a point mass")));
     this.#take.append(make("summary", {}, "Take it with you"), this.#forms(), this.#out,
       make("div", { class: "chips" }, make("button", { type: "button", class: "chip", click: () => this.#copy() }, "Copy"),
         make("button", { type: "button", class: "chip", click: () => this.#save() }, "Save as a file")));
@@ -203,6 +205,10 @@ export class Panel {
     setTimeout(() => URL.revokeObjectURL(address), 1000);
   }
 
+  #showNumbers(the_case, units) {
+    for (const show of [...this.#fields, ...this.#ofCables]) show(the_case, units);
+  }
+
   /// The models that are here, once the worker has said so.
   engines(engines) {
     this.#engine.replaceChildren(make("option", { value: "" }, "none"), ...engines.map(({ name, version, models }) => make("optgroup", { label: `${name} ${version}` },
@@ -214,7 +220,7 @@ export class Panel {
     const { the_case } = state;
     for (const slider of this.#sliders) slider.show(the_case, units, fresh);
     if (the_case.cables.length !== this.#count) this.#makeCables(the_case.cables.length);
-    for (const show of [...this.#fields, ...this.#ofCables]) show(the_case, units);
+    if (this.#every.open) this.#showNumbers(the_case, units);
     this.#law.value = state.law;
     this.#law.disabled = the_case.cables.length === 1;
     this.#fog.checked = state.fog;

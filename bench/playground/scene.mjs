@@ -8,6 +8,8 @@ const FLASH = 0.16, TRAIL = 0.9;
 const STRAIGHT = 2e-3;
 /// Radii of impacts: of the smallest, and what the largest adds [px].
 const DOT = 1.1, MORE = 5.5;
+/// Points of the path that are nearer to the last one drawn are left out [px].
+const FINE = 0.8;
 
 /// The radius of a ring with the inertia of the body.
 export const gyration = ({ body: { mass, inertia } }) => Math.sqrt(inertia / mass);
@@ -73,15 +75,47 @@ export function knobOf(the_case, { scale }) {
   return [x + r * Math.sin(angle), y - r * Math.cos(angle)];
 }
 
-/// The size of a canvas on the page, and its context in those pixels.
-export function sized(canvas) {
-  const ratio = devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
-  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+const sizes = new WeakMap();
+
+/// Keeps the size of a canvas on the page, which is dear to ask for while something moves; `changed` hears of another.
+export function watch(canvas, changed) {
+  new ResizeObserver(() => {
+    sizes.set(canvas, [canvas.clientWidth, canvas.clientHeight]);
+    changed();
+  }).observe(canvas);
+}
+export const sizeOf = (canvas) => sizes.get(canvas) ?? [0, 0];
+
+/// A canvas of this size [px], empty, and its context in these pixels.
+export function cleared(canvas, [width, height]) {
+  const ratio = devicePixelRatio || 1, [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
   if (canvas.width !== w || canvas.height !== h) Object.assign(canvas, { width: w, height: h });
   const context = canvas.getContext("2d");
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
-  return { context, width, height };
+  return context;
+}
+
+/// What does not change from frame to frame. A canvas of its own keeps it once it has been drawn a few times: while a hand
+/// moves the copy would cost more than it saves.
+export class Still {
+  #canvas = document.createElement("canvas");
+  #drawn = [];
+  #times = 0;
+  #kept = [];
+
+  /// Draws by `paint(context)` what depends on `of` alone, onto `context` of this `size`.
+  draw(context, size, of, paint) {
+    const all = [...of, ...size, devicePixelRatio], same = (one) => all.every((each, i) => each === one[i]);
+    this.#times = same(this.#drawn) ? this.#times + 1 : 0;
+    this.#drawn = all;
+    if (this.#times > 3 && !same(this.#kept)) {
+      paint(cleared(this.#canvas, size));
+      this.#kept = all;
+    }
+    if (same(this.#kept)) context.drawImage(this.#canvas, 0, 0, ...size);
+    else paint(context);
+  }
 }
 
 const parabola = (a, control, b, n) => {
@@ -106,69 +140,64 @@ function hanging(a, b, length, [gx, gy]) {
   return at(low);
 }
 
-/// Draws on `canvas`. What does not move from frame to frame is kept on a second canvas.
+/// Draws on `canvas`.
 export class Scene {
   #canvas;
-  #still = document.createElement("canvas");
-  #stillOf = [];
+  #still = new Still();
 
   constructor(canvas) { this.#canvas = canvas; }
 
-  /// `picture`: {the_case, motion, run, fog, time, speed, view, colours, impossible}.
+  /// `picture`: {the_case, motion, run, fog, time, speed, view, colours, impossible, still, unit}.
   draw(picture) {
-    const { context: g, width, height } = sized(this.#canvas);
-    if (width === 0 || height === 0) return;
-    const to = toScreen(picture.view, width, height);
-    this.#drawStill(picture, width, height, to);
-    const { the_case, motion, run, fog, time, colours, impossible } = picture;
-    g.globalAlpha = impossible ? 0.25 : 1;
-    g.drawImage(this.#still, 0, 0, width, height);
-    g.globalAlpha = 1;
+    const [width, height] = sizeOf(this.#canvas), g = cleared(this.#canvas, [width, height]), to = toScreen(picture.view, width, height);
+    const { the_case, motion, run, fog, time, colours, impossible, view } = picture;
+    if (motion) this.#still.draw(g, [width, height], [motion, view, colours, impossible], (on) => drawPath(on, to, picture));
     if (impossible) {
       drawBody(g, to, picture, startOf(the_case), { colour: colours.hit, fill: 0.08, dash: [4, 4] }, (cable, end) =>
         (Math.hypot(end[0] - cable.anchor[0], end[1] - cable.anchor[1]) > cable.length ? { colour: colours.hit, width: 1.5, dash: [5, 4], straight: true }
           : { colour: colours.exact, width: 1 }));
     } else if (motion) {
-      if (fog) drawFog(g, to, picture);
+      const veiled = Boolean(fog) && drawFog(g, to, picture);
       if (run?.at) drawBody(g, to, picture, run.at(time), { colour: colours.engine, fill: 0, dash: [5, 4] }, () => ({ colour: colours.engine, width: 1, dash: [5, 4] }));
       drawTrail(g, to, picture);
-      drawExact(g, to, picture);
+      drawExact(g, to, picture, veiled);
     }
     if (time === 0) drawStart(g, to, picture);
     for (const { anchor } of the_case.cables) drawAnchor(g, to(anchor), the_case.gravity, colours);
     drawScale(g, picture, width, height);
   }
+}
 
-  /// The path and its impacts, paler where nothing is sure.
-  #drawStill({ motion, view, colours }, width, height, to) {
-    const of = [motion, view, colours, width, height, devicePixelRatio];
-    if (of.every((one, i) => one === this.#stillOf[i])) return;
-    this.#stillOf = of;
-    const ratio = devicePixelRatio || 1, g = this.#still.getContext("2d");
-    Object.assign(this.#still, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
-    if (!motion) return;
-    g.setTransform(ratio, 0, 0, ratio, 0, 0);
-    Object.assign(g, { lineWidth: 1, lineJoin: "round", strokeStyle: colours.exact });
-    const { times, states } = motion;
-    for (const [alpha, within] of [[0.2, (t) => !motion.isSure(t)], [0.62, motion.isSure]]) {
-      g.globalAlpha = alpha;
-      g.beginPath();
-      let before = false;
-      for (let i = 0; i < times.length; ++i) {
-        const on = within(times[i]);
-        if (on) g[before ? "lineTo" : "moveTo"](...to([states[6 * i], states[6 * i + 1]]));
-        before = on;
+/// The path and its impacts: paler where nothing is sure, and palest where it is that of another case.
+function drawPath(g, to, { motion, colours, impossible, view: { scale } }) {
+  const { times, states, sure } = motion, [left, top] = to([0, 0]);
+  Object.assign(g, { lineWidth: 1, strokeStyle: colours.exact, fillStyle: colours.hit, lineJoin: "bevel" });
+  for (const [alpha, within] of [[0.2, 0], [0.62, 1]]) {
+    g.globalAlpha = impossible ? 0.15 : alpha;
+    g.beginPath();
+    let on = false, lastX = 0, lastY = 0;
+    for (let i = 0; i < times.length; ++i) {
+      const x = left + scale * states[6 * i], y = top - scale * states[6 * i + 1];
+      if (sure[i] !== within) on = false;
+      else if (!on) {
+        g.moveTo(x, y);
+        [on, lastX, lastY] = [true, x, y];
+      } else if (Math.abs(x - lastX) + Math.abs(y - lastY) >= FINE) {
+        g.lineTo(x, y);
+        [lastX, lastY] = [x, y];
       }
-      g.stroke();
     }
-    g.fillStyle = colours.hit;
+    g.stroke();
+    g.beginPath();
     for (const { time, x, y, size } of motion.impacts) {
-      g.globalAlpha = motion.isSure(time) ? 0.62 : 0.2;
-      g.beginPath();
-      g.arc(...to([x, y]), DOT + MORE * Math.sqrt(size / motion.largest), 0, 2 * Math.PI);
-      g.fill();
+      if (motion.isSure(time) !== Boolean(within)) continue;
+      const at = to([x, y]), radius = DOT + MORE * Math.sqrt(size / motion.largest);
+      g.moveTo(at[0] + radius, at[1]);
+      g.arc(...at, radius, 0, 2 * Math.PI);
     }
+    g.fill();
   }
+  g.globalAlpha = 1;
 }
 
 function drawCable(g, to, { anchor, length }, end, gravity, { colour, width, dash = [], straight = false }) {
@@ -184,24 +213,29 @@ function drawCable(g, to, { anchor, length }, end, gravity, { colour, width, das
 }
 
 /// A disc with the inertia of the body, and its attachments as a bar or a plate. `look(cable, end, i)` of each cable.
-function drawBody(g, to, { the_case, view, colours }, state, { colour, fill, dash = [] }, look) {
+function drawBody(g, to, { the_case, view, colours }, state, { colour, fill, dash = [], veiled = false }, look) {
   const ends = the_case.cables.map((cable) => endOf(cable, state)), centre = to(state);
   if (!centre.every(Number.isFinite)) return;
   the_case.cables.forEach((cable, i) => drawCable(g, to, cable, ends[i], the_case.gravity, look(cable, ends[i], i)));
   const radius = Math.max(gyration(the_case) * view.scale, 5), corners = [...new Map(the_case.cables.map((cable, i) =>
     [cable.attachment.join(), { turn: Math.atan2(cable.attachment[1], cable.attachment[0]), at: to(ends[i]) }])).values()].sort((a, b) => a.turn - b.turn);
-  Object.assign(g, { strokeStyle: colour, fillStyle: colour, lineWidth: 1.4, lineJoin: "round" });
+  Object.assign(g, { strokeStyle: colour, fillStyle: colour, lineWidth: veiled ? 2.4 : 1.4, lineJoin: "round" });
   g.setLineDash(dash);
   g.beginPath();
   g.arc(...centre, radius, 0, 2 * Math.PI);
   if (fill > 0) {
+    if (veiled) { // the fog does not hide it
+      Object.assign(g, { fillStyle: colours.paper, globalAlpha: 0.7 });
+      g.fill();
+      g.fillStyle = colour;
+    }
     g.globalAlpha = fill; // the path shines through
     g.fill();
     g.globalAlpha = 1;
   }
   g.stroke();
   g.setLineDash([]);
-  g.lineWidth = 2.4;
+  g.lineWidth = veiled ? 3.4 : 2.4;
   g.beginPath();
   if (corners.length > 2) corners.forEach(({ at }) => g.lineTo(...at));
   else corners.forEach(({ at }) => { g.moveTo(...centre); g.lineTo(...at); });
@@ -218,12 +252,12 @@ function drawBody(g, to, { the_case, view, colours }, state, { colour, fill, das
   }
 }
 
-function drawExact(g, to, picture) {
+function drawExact(g, to, picture, veiled) {
   const { the_case, motion, time, speed, colours, still } = picture;
   const state = motion.at(time), taut = motion.tautAt(time);
   const hit = (i) => (still ? 0 : motion.impacts.reduce((most, one) => (one.time <= time && time - one.time < FLASH * speed && one.impulses[i] > 0
     ? Math.max(most, 1 - (time - one.time) / (FLASH * speed)) : most), 0));
-  drawBody(g, to, picture, state, { colour: colours.exact, fill: 0.14 }, (cable, end, i) => {
+  drawBody(g, to, picture, state, { colour: colours.exact, fill: 0.14, veiled }, (cable, end, i) => {
     const flash = hit(i), gap = cable.length - Math.hypot(end[0] - cable.anchor[0], end[1] - cable.anchor[1]);
     const holds = ((taut >> i) & 1) === 1 || gap < STRAIGHT * cable.length;
     return flash > 0 ? { colour: colours.hit, width: 1.6 + 2.4 * flash, straight: holds }
@@ -251,9 +285,11 @@ function drawTrail(g, to, { motion, time, speed, colours, still }) {
   g.globalAlpha = 1;
 }
 
-/// The futures at `time`: each one a ring and its bar, so faint that only many are seen.
-function drawFog(g, to, { the_case, fog: { count, instants, end, poses }, time, view, colours }) {
+/// The futures at `time`: each one a ring and its bar, so faint that only many are seen. While they are within a part of a
+/// pixel they are behind the body. Whether they are spread over more than that.
+function drawFog(g, to, { the_case, fog: { count, instants, end, poses, spread }, time, view, colours }) {
   const place = Math.min((time / end) * (instants - 1), instants - 1), i = Math.min(Math.floor(place), instants - 2), part = place - i;
+  if (Math.max(spread[i], spread[i + 1]) * view.scale < FINE / 4) return false;
   const radius = Math.max(gyration(the_case) * view.scale, 5), bars = the_case.cables.filter(({ attachment }) => Math.hypot(...attachment) > 0);
   Object.assign(g, { strokeStyle: colours.exact, fillStyle: colours.exact, lineWidth: 1 });
   const rings = new Path2D(), lines = new Path2D();
@@ -268,10 +304,11 @@ function drawFog(g, to, { the_case, fog: { count, instants, end, poses }, time, 
       lines.lineTo(...to(endOf(cable, pose)));
     }
   }
-  g.globalAlpha = 0.28;
+  g.globalAlpha = 0.2;
   g.stroke(rings);
   g.stroke(lines);
   g.globalAlpha = 1;
+  return Math.max(spread[i], spread[i + 1]) * view.scale > 2;
 }
 
 /// The arrow of the velocity, and the stem of the handle that turns.

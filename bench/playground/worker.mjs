@@ -5,8 +5,8 @@ import { load } from "tautline";
 
 /// Far more than a picture shows, and a few milliseconds of work: the page says where it stops.
 const limits = { max_events: 20000, max_steps: 20000 };
-/// Points of the path between its ends, besides those at events.
-const POINTS = 2000;
+/// Points of the path besides those at events; fewer while a hand moves.
+const [POINTS, FEWER] = [2000, 1000];
 /// Instants of the fog.
 const INSTANTS = 400;
 /// Starts are moved on all coordinates if no cable is nearer to its end than so many times their distance.
@@ -62,7 +62,7 @@ function solve({ the_case, law, whole }) {
   try {
     const { ending, end_time } = motion;
     const events = columns(motion.events, the_case.cables.length);
-    const times = instants(end_time, POINTS, events.time);
+    const times = instants(end_time, whole ? POINTS : FEWER, events.time);
     return { took, ending, end_time, events, times, states: motion.states(times), unsure: motion.unsure, energy: motion.summary.start_energy,
       taut: tautStretches(motion),
       ...(whole && { settling: motion.settling, toml: tautline.write(the_case, "toml"), json: tautline.write(the_case, "json"),
@@ -131,6 +131,9 @@ function read({ text, name }) {
   }
 }
 
+/// What is handed over and not copied.
+const buffers = (answer) => [...Object.values(answer), ...Object.values(answer.events ?? {})].filter(ArrayBuffer.isView).map(({ buffer }) => buffer);
+
 const answers = { solve, fog, read };
 
 onmessage = async ({ data }) => {
@@ -140,7 +143,8 @@ onmessage = async ({ data }) => {
     return;
   }
   try {
-    postMessage({ answer: answers[data.what](data) });
+    const answer = answers[data.what](data);
+    postMessage({ answer }, buffers(answer));
   } catch (error) {
     postMessage({ answer: { problems: error.message.split("\n") } });
   }

@@ -286,8 +286,8 @@ test('a finger drags and turns the body, and the page plays unless it is told to
     for (const part of [0.3, 0.6, 1]) await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(part) });
     await touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
   };
-  await swipe(/^turn/, 25, 0);
-  await page.waitForFunction(() => playground.motion.the_case.initial.angle > 0.1);
+  await swipe(/^turn/, -25, 0);
+  await page.waitForFunction(() => playground.motion.the_case.initial.angle < -0.1);
   await swipe(/^body/, -12, -24); // Chromium takes less than 15 px for a tap
   await page.waitForFunction(() => {
     const [x, y] = playground.motion.the_case.initial.position;

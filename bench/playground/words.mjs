@@ -43,9 +43,9 @@ function isSure({ horizon, unsure, end }, t) {
 
 /// Sentences on a motion.
 export function sentences(motion) {
-  const { the_case, impacts, ending, end_time, end } = motion, t = (value) => `${short(value)}${inUnits(the_case, "s")}`;
+  const { the_case, impacts, events, ending, end_time, end } = motion, t = (value) => `${short(value)}${inUnits(the_case, "s")}`;
   const count = impacts.length === 0 ? "No cable is hit" : `${impacts.length.toLocaleString("en")} impact${impacts.length > 1 ? "s" : ""}`;
-  return [`${count} in ${t(end)}.`, isSure(motion, t), settles(motion, the_case, t), ENDINGS[ending]?.(t(end_time))].filter(Boolean);
+  return [`${count} in ${t(end)}.`, isSure(motion, t), settles(motion, the_case, t), ENDINGS[ending]?.(t(/rest/.test(ending) && events.count > 0 ? events.time[events.count - 1] : end_time))].filter(Boolean);
 }
 
 /// What happens at an instant, for who steps from event to event.

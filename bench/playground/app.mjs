@@ -1,7 +1,7 @@
 // The page: what is asked of the workers, what is drawn, and what a hand changes.
 
 import { Asker } from "./asker.mjs";
-import { changedName, inUnits, readState, spellState, view } from "./case.mjs";
+import { changedName, inUnits, readState, SPEEDS, spellState, view } from "./case.mjs";
 import { Chart, heightOf, spreadAt } from "./chart.mjs";
 import { formsOf } from "./exports.mjs";
 import { motionOf, runOf } from "./motion.mjs";
@@ -25,7 +25,7 @@ const lessMotion = matchMedia("(prefers-reduced-motion: reduce)");
 let { state, problem, stays } = readState(location.hash, CASES);
 /// The motion that is shown, and the case that it is of; `impossible` is the sentence on another one that has none.
 let motion, run, fog, impossible, possible;
-let colours, speed = 1, playing = false, resume = false, sound = false;
+let colours, playing = false, resume = false, sound = false;
 /// Another case than before: the view and the sliders fit it as soon as its motion is there.
 let fresh = true, held = false;
 let engines = [], version = "";
@@ -137,7 +137,7 @@ function measure(name, start) {
 
 /// What is drawn: the case of the motion, and not the one that is asked for, unless that has none.
 function picture() {
-  return { the_case: impossible || !motion ? state.the_case : motion.the_case, motion, run: state.model === "" ? undefined : run, fog: state.fog ? fog : undefined, time: impossible ? 0 : state.time, speed,
+  return { the_case: impossible || !motion ? state.the_case : motion.the_case, motion, run: state.model === "" ? undefined : run, fog: state.fog ? fog : undefined, time: impossible ? 0 : state.time, speed: state.speed,
     colours, impossible, unit: units, still: lessMotion.matches };
 }
 
@@ -154,6 +154,7 @@ function draw() {
   chart.draw(now);
   if (!motion) return;
   const slider = $("time");
+  $("speed").value = state.speed;
   slider.max = motion.end;
   slider.value = state.time;
   slider.setAttribute("aria-valuetext", `t = ${short(state.time)}${units("s")}`);
@@ -278,7 +279,8 @@ function cancel() {
 function set({ engineModel, ...values }) {
   if (engineModel !== undefined) [values.engine, values.model] = engineModel === "" ? [state.engine, ""] : engineModel.split("/");
   state = { ...state, ...values };
-  if ("law" in values) ask();
+  if ("speed" in values) keepAddress();
+  else if ("law" in values) ask();
   else if (motion) {
     run = undefined;
     askEngine();
@@ -335,7 +337,7 @@ function play() {
     if (!playing) return;
     if (motion && !impossible) {
       const from = state.time;
-      state.time = Math.min(motion.end, from + (speed * Math.min(100, Math.max(0, now - before))) / 1000);
+      state.time = Math.min(motion.end, from + (state.speed * Math.min(100, Math.max(0, now - before))) / 1000);
       if (sound) ring(from, state.time);
       draw();
       if (state.time >= motion.end) return goTo(motion.end);
@@ -361,7 +363,7 @@ function standStill() {
     draw();
     if (state.time >= motion.end) return goTo(motion.end);
   }
-  timer = setTimeout(standStill, EVENT_TIME / speed);
+  timer = setTimeout(standStill, EVENT_TIME / state.speed);
   return undefined;
 }
 
@@ -392,7 +394,8 @@ $("close").addEventListener("click", () => {
   $("close").setAttribute("aria-pressed", String(close));
 });
 new ResizeObserver(() => panes[1].repeat($("near").clientWidth > 0 && $("far").clientWidth > 0)).observe($("near"));
-$("speed").addEventListener("change", ({ target }) => { speed = Number(target.value); });
+$("speed").append(...SPEEDS.map((one) => make("option", { value: one }, `× ${one}`)));
+$("speed").addEventListener("change", ({ target }) => set({ speed: Number(target.value) }));
 $("sound").addEventListener("change", ({ target }) => {
   sound = target.checked;
   if (sound) allow();

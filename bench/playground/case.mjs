@@ -11,12 +11,14 @@
 export const LAWS = ["simultaneous", "poisson", "sequential", "energetic"];
 /// Steps in a second of the engine.
 export const RATES = [60, 240, 1000];
+/// How fast the page plays.
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 /// How far the starts of the fog are apart.
 export const APART = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 export const MOST_CABLES = 8;
 
 /// What a page shows of a case unless its address says more. `model` is empty for no engine.
-export const view = { law: "simultaneous", engine: "planck", model: "rope", rate: 60, fog: true, apart: 1e-4, time: 0 };
+export const view = { law: "simultaneous", engine: "planck", model: "rope", rate: 60, fog: true, apart: 1e-4, speed: 1, time: 0 };
 
 /// The members of a case in one order, with the defaults of a case file written out.
 export function complete({ name, duration, gravity, angle_limit, ceiling, body, cables, initial }) {
@@ -57,12 +59,13 @@ export function shippedAs(one, shipped) {
 /// The address of a state, without its #.
 export function spellState(state, shipped) {
   const said = [shippedAs(state.the_case, shipped) ? `case=${state.the_case.name}` : spellCase(state.the_case)];
-  const { law, engine, model, rate, fog, apart, time } = state;
+  const { law, engine, model, rate, fog, apart, speed, time } = state;
   if (law !== view.law) said.push(`law=${law}`);
   if (engine !== view.engine || model !== view.model) said.push(`engine=${model === "" ? "none" : `${engine}/${model}`}`);
   if (rate !== view.rate) said.push(`rate=${rate}`);
   if (!fog) said.push("fog=0");
   if (apart !== view.apart) said.push(`apart=${spell(apart)}`);
+  if (speed !== view.speed) said.push(`speed=${spell(speed)}`);
   if (time > 0) said.push(`t=${spell(time)}`);
   return said.join("&");
 }
@@ -118,11 +121,16 @@ export function readState(address, shipped) {
     const all = (key) => pairs.filter(([one]) => one === key).map(([, text]) => text);
     const first = (key) => all(key)[0];
     const state = { ...view, the_case: readCase(first, all, shipped) };
+    const chosen = (key, choices) => {
+      const value = Number(first(key) ?? NaN);
+      if (choices.includes(value)) state[key] = value;
+    };
     if (LAWS.includes(first("law"))) state.law = first("law");
     if (first("engine") !== undefined) [state.engine, state.model = ""] = first("engine") === "none" ? ["planck"] : first("engine").split("/");
-    if (RATES.includes(Number(first("rate")))) state.rate = Number(first("rate"));
+    chosen("rate", RATES);
+    chosen("apart", APART);
+    chosen("speed", SPEEDS);
     state.fog = first("fog") !== "0";
-    if (APART.includes(Number(first("apart")))) state.apart = Number(first("apart"));
     if (first("t") !== undefined) state.time = Math.max(0, numbers("t", first("t"), 1)[0]);
     return { state, stays: first("t") !== undefined };
   } catch (error) {

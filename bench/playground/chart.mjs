@@ -159,17 +159,25 @@ export class Chart {
     Object.assign(g, { fillStyle: colours.exact, globalAlpha: 0.38 });
     for (const { start, end } of motion.stretches[cable]) g.fillRect(X(start), y + 2, Math.max(X(end) - X(start), 1), bar - 2);
     Object.assign(g, { fillStyle: colours.hit, globalAlpha: 0.9 });
+    g.beginPath();
     for (const { time, impulses } of motion.impacts) {
       const tall = impulses[cable] > 0 ? 2 + (bar - 2) * Math.sqrt(impulses[cable] / motion.largest) : 0;
-      if (tall > 0) g.fillRect(X(time) - 0.6, y + bar - tall, 1.2, tall);
+      if (tall > 0) g.rect(X(time) - 0.6, y + bar - tall, 1.2, tall);
     }
+    g.fill();
     if (run?.impulses) {
       Object.assign(g, { fillStyle: colours.engine, globalAlpha: 0.8 });
-      let drawn = -1;
-      for (let i = 0; i < run.steps; ++i) {
-        const x = Math.round(X((i + 1) / run.rate));
-        if (run.impulses[cables * i + cable] > 0 && x !== drawn && x <= right) g.fillRect(drawn = x, y + bar + 2, 1, 2);
+      g.beginPath();
+      for (let i = 0, from = -1; i <= run.steps; ++i) { // from where it pulls to where it lets go
+        const pulls = i < run.steps && run.impulses[cables * i + cable] > 0;
+        if (pulls && from < 0) from = i;
+        else if (!pulls && from >= 0) {
+          const x = X((from + 1) / run.rate);
+          if (x < right) g.rect(x, y + bar + 2, Math.max(1, Math.min(X(i / run.rate), right) - x), 2);
+          from = -1;
+        }
       }
+      g.fill();
     }
     g.globalAlpha = 1;
   }

@@ -91,26 +91,29 @@ function fog({ the_case, law, count, apart, end }) {
     [name, Float64Array.from({ length: count }, () => start[name] + apart * random.next().value)]));
   const times = Float64Array.from({ length: INSTANTS }, (_, i) => (end * i) / (INSTANTS - 1));
   const { states, end_time } = tautline.sweep(the_case, values, { law, ...limits, times });
-  const width = states.length / count / INSTANTS;
+  const width = states.length / count / INSTANTS, scale = [1, 1, Math.sqrt(the_case.body.inertia / the_case.body.mass)];
   const futures = { count, instants: INSTANTS, end, poses: new Float32Array(count * INSTANTS * 3), spread: new Float64Array(INSTANTS) };
+  const sums = new Float64Array(3 * INSTANTS), squares = new Float64Array(INSTANTS);
+  let solved = 0;
   for (let one = 0; one < count; ++one) {
-    for (let i = 0; i < INSTANTS; ++i) { // what has come to rest stays
-      const from = (one * INSTANTS + i) * width, to = (one * INSTANTS + i) * 3, ended = times[i] > end_time[one];
-      for (let k = 0; k < 3; ++k) futures.poses[to + k] = ended && i > 0 ? futures.poses[to + k - 3] : states[from + k];
+    const first = one * INSTANTS * width;
+    solved += Number.isFinite(states[first]) ? 1 : 0;
+    for (let i = 0, to = 3 * one * INSTANTS; i < INSTANTS; ++i, to += 3) {
+      const from = first + i * width, ended = i > 0 && times[i] > end_time[one]; // what has come to rest stays
+      for (let k = 0; k < 3; ++k) {
+        const value = ended ? futures.poses[to + k - 3] : states[from + k];
+        const off = scale[k] * (value - states[i * width + k]); // small numbers: few roundings
+        futures.poses[to + k] = value;
+        if (off === off) {
+          sums[3 * i + k] += off;
+          squares[i] += off * off;
+        }
+      }
     }
   }
-  const scale = [1, 1, Math.sqrt(the_case.body.inertia / the_case.body.mass)];
   for (let i = 0; i < INSTANTS; ++i) {
-    let variance = 0;
-    for (let k = 0; k < 3; ++k) {
-      let [n, sum, squares] = [0, 0, 0];
-      for (let one = 0; one < count; ++one) {
-        const off = states[(one * INSTANTS + i) * width + k] - states[i * width + k]; // small numbers: few roundings
-        if (Number.isFinite(off)) [n, sum, squares] = [n + 1, sum + off, squares + off * off];
-      }
-      variance += n > 1 ? (scale[k] ** 2 * Math.max(0, squares - (sum * sum) / n)) / n : NaN;
-    }
-    futures.spread[i] = Math.sqrt(variance);
+    const mean = (sums[3 * i] ** 2 + sums[3 * i + 1] ** 2 + sums[3 * i + 2] ** 2) / solved;
+    futures.spread[i] = Math.sqrt(Math.max(0, squares[i] - mean) / solved);
   }
   return { ...futures, took: performance.now() - began };
 }

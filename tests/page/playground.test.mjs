@@ -119,7 +119,7 @@ test('an address brings back every bit of a state', () => {
       cables: Array.from({ length: 1 + (i % 8) }, (_, k) => ({ anchor: pair(), attachment: pair(), length: random(), restitution: random(),
         ...(k % 2 && { capture_speed: random(), taut: k % 3 === 0 }), ...(k % 4 === 3 && { restitution_table: [pair(), pair()] }) })),
       initial: { position: pair(), angle: random(), velocity: pair(), spin: -0 } });
-    const state = { the_case, law: 'poisson', engine: 'planck', model: 'rope-bounce', rate: 1000, fog: false, apart: 1e-8, time: Math.abs(random()) };
+    const state = { the_case, law: 'poisson', engine: 'planck', model: 'rope-bounce', rate: 1000, fog: false, apart: 1e-8, speed: 0.25, time: Math.abs(random()) };
     const { state: back, problem } = readState(`#${spellState(state, shipped)}`, shipped);
     assert.equal(problem, undefined);
     assert.equal(bitsOf(numbers(back.the_case)), bitsOf(numbers(the_case)));
@@ -298,6 +298,7 @@ test('a finger drags and turns the body, and the page plays unless it is told to
 
 check('a drag is drawn and the fog is solved in time', `${standard}&t=0`, async (page) => {
   await drawn(page);
+  await page.evaluate(() => performance.clearMeasures());
   const [x, y] = await middleOf(page, /^body/);
   await page.mouse.move(x, y);
   await page.mouse.down();

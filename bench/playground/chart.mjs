@@ -1,6 +1,5 @@
 // The chart under the picture: energy, the spread of the fog and a strip for each cable over one axis of time.
 
-import { lastUpTo } from "./motion.mjs";
 import { cleared, sizeOf, Still, watch } from "./scene.mjs";
 
 /// Heights [px] and margins of the plot, which the slider of the time shares.
@@ -184,4 +183,4 @@ export class Chart {
 }
 
 /// The fog's spread at a time.
-export const spreadAt = ({ spread, instants, end }, time) => spread[lastUpTo(Float64Array.from(spread, (_, i) => (end * i) / (instants - 1)), time)];
+export const spreadAt = ({ spread, instants, end }, time) => spread[Math.min(instants - 1, Math.floor((time / end) * (instants - 1)))];

@@ -1,7 +1,7 @@
 // What the worker answers, as the picture and the chart ask it: a pose at a time, stretches, impacts.
 
 /// The index of the last of rising `times` that is no later than `time`; 0 if there is none.
-export function lastUpTo(times, time) {
+function lastUpTo(times, time) {
   let [low, high] = [0, times.length];
   while (low + 1 < high) {
     const half = (low + high) >> 1;

@@ -63,6 +63,10 @@
     title: label, id, on: { click: action } }, text);
   const play = button('Play', 'play or pause (space)', () => toggle(), 'replay-play');
 
+  /// The case in the live page, in reports that know where that is.
+  const live = report.live_page ? make('a', { class: 'replay-live' }, 'This case in the live page') : '';
+  const linkLive = () => live && live.setAttribute('href', `${report.live_page}#${state.system.live}`);
+
   function describe() {
     const at = (event) => Math.abs(event.time - state.time) < 1e-6;
     const told = state.motions.flatMap((one) => one.happenings.filter(at).map((event) =>
@@ -170,6 +174,7 @@
     times = eventTimes(state.motions);
     picture = scene(canvas, state.system, state.motions);
     slider.max = end();
+    linkLive();
     app.style.setProperty('--horizon', `${Math.min(100, 100 * state.system.horizon / end())}%`);
     keys.replaceChildren(...state.motions.map((one) => make('span', { class: 'key' },
       ...(one.reference ? [make('span', { class: 'sample exact', 'aria-hidden': 'true' })]
@@ -229,7 +234,7 @@
       button('Event \u2192', 'to the next event (Shift and arrow right)', () => toEvent(1), 'replay-next'),
       button('End', 'to the end (End)', () => show(end())),
       select('Speed', speeds, '1', (value) => { state.speed = Number(value); }).element, cable.element),
-    status, drawnAs,
+    status, live, drawnAs,
     make('p', { class: 'replay-keys' }, 'Keys: ', make('kbd', {}, 'space'), ' plays and pauses, ',
       make('kbd', {}, '\u2190'), ' ', make('kbd', {}, '\u2192'), ' move by a hundredth, with ',
       make('kbd', {}, 'Shift'), ' to the next event, ', make('kbd', {}, 'Home'), ' and ',

@@ -73,6 +73,7 @@ int bench_command(const BenchCommand& command) {
   auto [tree, manifest, result, report, replay] = run_request(request, command.command_line);
   const ResultsTarget target = {command.out, command.json, command.gate, request.listed,
                                 command.all};
+  report.live_page = command.playground;
   write_results(target, report, replay);
   print_results(target, report, what_was_done(request, result, report.context));
   if (result.interrupted) {

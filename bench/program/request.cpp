@@ -140,6 +140,7 @@ std::optional<double> within_of(const BenchCommand& command, std::vector<std::st
   for (const auto& [option, given] :
        {std::pair("--gate", command.gate.has_value()), std::pair("--json", !command.json.empty()),
         std::pair("--list-problems", !command.list_problems.empty()),
+        std::pair("--playground", !command.playground.empty()),
         std::pair("--shard", command.shard.has_value()), std::pair("--resume", command.resume),
         std::pair("--steps", !command.steps.empty()),
         std::pair("--until", command.until.has_value()),
@@ -301,6 +302,11 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
       ->capture_default_str();
   add_target(command, "--json", asked.json, "also write the report as JSON");
   add_schema(command, report_schema_json);
+  command
+      .add_option("--playground", asked.playground,
+                  "link each case of the report's replay to the live page at this address, such as "
+                  "../playground/index.html; scripts/playground makes one")
+      ->option_text("ADDRESS");
   command.add_option("--gate", asked.gate, gate_help)->option_text("FILE");
   add_target(command, "--list-problems", asked.list_problems,
              "write the list of problems that --gate reads");

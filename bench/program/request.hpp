@@ -36,6 +36,7 @@ struct BenchCommand {
   std::optional<std::string> within;  // "1%": search the largest steps that hold it
   bool all = false;                   // print every number, not sentences alone
   std::string json;
+  std::string playground;    // where the live page is, for links of the report; empty: nowhere
   std::string command_line;  // as it was typed, for the report
 };
 

@@ -182,6 +182,7 @@ struct CaseRow {
   std::vector<CableRow> geometry;
   double extent = 0.0;                   // [m], what the anchors and the exact motion cover
   std::optional<Eigen::Vector3d> start;  // x, y [m] and angle [rad]; in JSON that of its path
+  std::string live;                      // its address in the live page, not in JSON
   std::optional<std::string> motions;    // file beside the page with those of its runs; none: in it
   std::optional<CertifiedDigits> certified;  // none where it was not asked for
   std::vector<Predictable> predictable;      // for each step of the suite
@@ -368,6 +369,7 @@ struct Report {
   std::optional<ProblemsSource> listed;        // none without verdicts
   std::optional<Distributions> distributions;  // none where no draws were asked for
   Context context;
+  std::string live_page;  // where it is, for links of the page; empty: nowhere. Not in JSON
 };
 
 }  // namespace tautline::bench

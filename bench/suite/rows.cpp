@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <utility>
 
 #include "bench/base/text.hpp"
@@ -18,6 +20,53 @@ namespace {
 
 constexpr std::size_t longest_reason = 400;  // [bytes], with a line of what the engine printed
 constexpr std::size_t longest_escape = 4;    // [bytes], of a byte that cannot be shown
+
+std::string comma_separated(const std::vector<double>& values) {
+  std::string result;
+  for (const double value : values) {
+    result += (result.empty() ? "" : ",") + shortest(value);
+  }
+  return result;
+}
+
+/// Every number of a case as an address of the live page, which bench/playground/case.mjs reads.
+std::string live_address(const Case& the_case) {
+  std::string result = "name=";
+  for (const char letter : the_case.name) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    result +=
+        plain ? std::string(1, letter) : fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+  }
+  const auto add = [&](std::string_view key, const std::vector<double>& values) {
+    result += fmt::format("&{}={}", key, comma_separated(values));
+  };
+  const State& start = the_case.initial;
+  add("duration", {the_case.duration});
+  add("gravity", {the_case.gravity.x(), the_case.gravity.y()});
+  add("body", {the_case.body.mass, the_case.body.inertia});
+  add("start", {start.position.x(), start.position.y(), start.angle, start.velocity.x(),
+                start.velocity.y(), start.spin});
+  for (const Cable& cable : the_case.cables) {
+    add("cable", {cable.anchor.x(), cable.anchor.y(), cable.attachment.x(), cable.attachment.y(),
+                  cable.length, cable.restitution, cable.capture_speed});
+  }
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    std::vector<double> table = {static_cast<double>(index)};
+    for (const RestitutionPoint& point : the_case.cables[index].restitution_table) {
+      table.insert(table.end(), {point.speed, point.restitution});
+    }
+    if (table.size() > 1) {
+      add("table", table);
+    }
+  }
+  if (the_case.angle_limit) {
+    add("angle_limit", {*the_case.angle_limit});
+  }
+  if (the_case.ceiling) {
+    add("ceiling", {*the_case.ceiling});
+  }
+  return result;
+}
 
 /// How a run ended, and why if it did not finish.
 std::pair<Status, std::string> status(const ReferenceCase& reference, const RunReply& reply) {
@@ -135,6 +184,7 @@ CaseRow case_row(const Expectation& expectation, const CompareOptions& options,
   }
   row.extent = drawn_extent(reference);
   const State& start = the_case.initial;
+  row.live = live_address(the_case);
   row.start = Eigen::Vector3d(start.position.x(), start.position.y(), start.angle);
   for (const double step : steps) {
     const Allowance& allowance = expectation.allowance(step);

@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import test from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { readState, spellState } from '../../bench/playground/case.mjs';
 import { benchPage, drawAll, reportOf, withPage } from './browser.mjs';
 import { replay, settled } from './replay.mjs';
 
@@ -43,6 +44,18 @@ test('dragging the slider shows that instant, and the cursor of the plots follow
     return xaxis.l2p(at) - xaxis.l2p(0);
   }, time);
   assert.ok(Math.abs(moved - expected) < 1.5, `${moved} and ${expected} px`);
+}));
+
+test('a link leads to the case in the live page, with every bit of it', () => replay(async ({ page }) => {
+  const shipped = JSON.parse(readFileSync(new URL('../../languages/python/src/tautline/cases.json', import.meta.url), 'utf8'));
+  for (const { name } of reportOf(benchPage()).cases) {
+    await page.evaluate((one) => tautline.replay.chooseCase(one), name);
+    const [where, address] = (await page.locator('.replay-live').getAttribute('href')).split('#');
+    assert.equal(where, '../live.html');
+    const { state, problem } = readState(address, shipped);
+    assert.equal(problem, undefined);
+    assert.equal(spellState(state, shipped), `case=${name}`);
+  }
 }));
 
 test('stepping by event goes through the events of the exact path, forth and back', () => replay(async ({ page, time }) => {

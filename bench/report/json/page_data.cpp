@@ -314,6 +314,12 @@ std::string page_json(const Report& report, const Replay& replay) {
        {"runs", "summary", "models", "causes", "context"}) {  // not what the replay reads
     round_for_charts(json.at(key));
   }
+  if (!report.live_page.empty()) {
+    json["live_page"] = report.live_page;
+    for (std::size_t place = 0; place < report.cases.size(); ++place) {
+      json["cases"][place]["live"] = report.cases[place].live;
+    }
+  }
   json["metrics"] = metrics_json();
   json["impact_columns"] = columns_of(ImpactColumns()).names;
   return on_one_line(json);

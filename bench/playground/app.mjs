@@ -11,8 +11,8 @@ import { allow, pluck } from "./sound.mjs";
 import { atInstant, sentences, short } from "./words.mjs";
 
 const FUTURES = 150;
-/// The fog, which keeps a whole processor busy, waits until a hand has stopped for this time, and the engine runs at most
-/// once in it [ms]: the exact motion follows at once.
+/// What is not the motion itself waits until a hand has stopped for this time: how far it is sure, and the fog, which keeps
+/// a whole processor busy. The engine runs at most once in it [ms].
 const REST = 60;
 /// With less motion, how long an event is shown [ms].
 const EVENT_TIME = 700;
@@ -61,11 +61,14 @@ async function loadSolver() {
   fogger.say({ module });
 }
 
+let rest = 0;
 /// Asks for the motion of the state's case. `since` is the time of the hand's move that asks.
-/// `nudge`: the key that asked for what cannot be leaves the case as it was.
-function ask({ moving = false, nudge = false, since } = {}) {
+/// `whole`: with how far it is sure. `nudge`: what cannot be leaves the case as it was.
+function ask({ moving = false, whole = !moving, nudge = false, since } = {}) {
   const { the_case, law } = state;
-  solver.ask({ what: "solve", the_case, law, whole: !moving }, (answer) => {
+  clearTimeout(rest);
+  if (!whole) rest = setTimeout(() => ask({ moving, whole: true }), REST);
+  solver.ask({ what: "solve", the_case, law, whole }, (answer) => {
     if (answer.problems) {
       if (nudge && possible) state = { ...state, the_case: possible };
       else impossible = answer.problems[0];
@@ -73,7 +76,7 @@ function ask({ moving = false, nudge = false, since } = {}) {
     } else {
       [impossible, possible] = [undefined, the_case];
       tellProblem(problem);
-      show(motionOf(the_case, answer), moving);
+      show(motionOf(the_case, answer), moving, whole);
     }
     draw();
     measure("drag to picture", since);
@@ -81,16 +84,13 @@ function ask({ moving = false, nudge = false, since } = {}) {
   });
 }
 
-let rest = 0;
-function show(next, moving) {
+function show(next, moving, whole) {
   const others = next.the_case.cables.length !== motion?.the_case.cables.length;
   motion = next;
   if (others || fresh) [run, fog] = [undefined, undefined];
   state.time = Math.min(state.time, motion.end);
   askEngine();
-  clearTimeout(rest);
-  if (moving) rest = setTimeout(askFog, REST);
-  else askFog();
+  if (whole) askFog();
   arrange();
   if (fresh) {
     fresh = false;
@@ -264,7 +264,7 @@ function change(edit, { moving = false, nudge = false, since } = {}) {
 function drop() {
   held = false;
   if (impossible && possible) state = { ...state, the_case: possible };
-  ask();
+  ask({ nudge: true }); // the last move may not have been answered yet
   if (resume) play();
   resume = false;
 }

@@ -177,9 +177,10 @@ export class Handles {
   }
 
   #move(event, handle) {
+    const since = performance.now();
     if (!this.#held) {
       if (!this.#pressed || Math.hypot(event.clientX - this.#pressed[0], event.clientY - this.#pressed[1]) < 3) return; // a click
-      const [x, y] = this.#at(event), [hx, hy] = handle.place(this.#page.picture());
+      const [clientX, clientY] = this.#pressed, [x, y] = this.#at({ clientX, clientY }), [hx, hy] = handle.place(this.#page.picture());
       this.#held = [hx - x, hy - y];
       this.#page.grab(handle === body);
     }
@@ -187,7 +188,7 @@ export class Handles {
     this.#page.change((one) => {
       handle.move(one, [x + dx, y + dy], picture);
       handle.round(one, round);
-    }, { moving: true, since: event.timeStamp });
+    }, { moving: true, since });
   }
 
   #drop() {

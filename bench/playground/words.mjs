@@ -34,7 +34,8 @@ function settles({ settling, ending, isSure: sure }, the_case, t) {
 }
 
 /// How far the motion can be known.
-function isSure({ horizon, unsure, end }, t) {
+function isSure({ horizon, unsure, end, settling }, t) {
+  if (!settling) return ""; // the worker was not asked
   if (horizon === Infinity) return "Every digit drawn is sure.";
   const last = unsure.at(-1).until, more = unsure.length > 1 ? ", with pauses," : "";
   return last < end ? `From t = ${t(horizon)} to ${t(last)}${more} this is one of many motions that begin alike.`

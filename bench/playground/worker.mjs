@@ -52,7 +52,8 @@ function tautStretches({ arcs, end_time, summary: { repetition } }) {
   return all;
 }
 
-/// The motion of a case as the page draws it. `whole` also asks for what is not needed while a hand moves.
+/// The motion of a case as the page draws it. `whole` also asks for what waits until a hand rests: how far its numbers are
+/// sure takes longer than the motion.
 function solve({ the_case, law, whole }) {
   const problems = tautline.problems(the_case);
   if (problems.length > 0) return { problems };
@@ -63,7 +64,7 @@ function solve({ the_case, law, whole }) {
     const { ending, end_time } = motion;
     const events = columns(motion.events, the_case.cables.length);
     const times = instants(end_time, whole ? POINTS : FEWER, events.time);
-    return { took, ending, end_time, events, times, states: motion.states(times), unsure: motion.unsure, energy: motion.summary.start_energy,
+    return { took, ending, end_time, events, times, states: motion.states(times), unsure: whole ? motion.unsure : [], energy: motion.summary.start_energy,
       taut: tautStretches(motion),
       ...(whole && { settling: motion.settling, toml: tautline.write(the_case, "toml"), json: tautline.write(the_case, "json"),
         notes: tautline.notes(the_case) }) };

@@ -162,7 +162,7 @@ check('a place that cannot be is refused in the words of the solver, and a hand 
     const [x, y] = await middleOf(page, /^body/);
     await page.mouse.move(x, y);
     await page.mouse.down();
-    await page.mouse.move(x + 15, y - 10, { steps: 2 });
+    await page.mouse.move(x - 6, y - 10, { steps: 2 });
     await page.waitForFunction(() => playground.motion.the_case.name.endsWith('changed'));
     await page.mouse.move(x, y + 150, { steps: 2 });
     await page.waitForFunction(() => playground.impossible);
@@ -299,6 +299,11 @@ test('a finger drags and turns the body, and the page plays unless it is told to
 check('a drag is drawn and the fog is solved in time', `${standard}&t=0`, async (page) => {
   await drawn(page);
   await page.evaluate(() => performance.clearMeasures());
+  for (const apart of ['0.01', '0.000001', '0.01', '0.0001', '0.000001', '0.0001']) { // the first ones are still being compiled
+    await page.selectOption('#apart', apart);
+    await drawn(page);
+  }
+  const fogs = await page.evaluate(() => performance.getEntriesByName('fog').map(({ duration }) => duration).sort((a, b) => a - b));
   const [x, y] = await middleOf(page, /^body/);
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -308,13 +313,12 @@ check('a drag is drawn and the fog is solved in time', `${standard}&t=0`, async 
   }
   await page.mouse.up();
   await solved(page);
-  const [moves, fogs] = await page.evaluate(() => ['drag to picture', 'fog'].map((name) =>
-    performance.getEntriesByName(name).map(({ duration }) => duration).sort((a, b) => a - b)));
+  const moves = await page.evaluate(() => performance.getEntriesByName('drag to picture').map(({ duration }) => duration).sort((a, b) => a - b));
   const middle = (all) => all[all.length >> 1];
   const said = `drag to picture: ${middle(moves).toFixed(1)} ms in the middle of ${moves.length}, ${moves.at(-1).toFixed(1)} ms at most; `
     + `fog: ${middle(fogs).toFixed(0)} ms in the middle of ${fogs.length}`;
   console.log(said);
-  assert.ok(moves.length > 30 && fogs.length > 1, said);
+  assert.ok(moves.length > 20 && fogs.length > 1, said);
   if (process.env.TAUTLINE_MEASURE) {
     assert.ok(middle(moves) <= drag && middle(fogs) <= fog, said);
   }

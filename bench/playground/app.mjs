@@ -282,10 +282,13 @@ function set({ engineModel, ...values }) {
   if ("speed" in values) keepAddress();
   else if ("law" in values) ask();
   else if (motion) {
-    run = undefined;
-    askEngine();
-    if ("fog" in values || "apart" in values) fog = undefined;
-    askFog();
+    if ("fog" in values || "apart" in values) {
+      fog = undefined;
+      askFog();
+    } else {
+      run = undefined;
+      askEngine();
+    }
     arrange();
     tell(false);
     requestDraw();

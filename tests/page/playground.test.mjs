@@ -297,17 +297,19 @@ test('a finger drags and turns the body, and the page plays unless it is told to
 }, { width: 400, height: 800, hasTouch: true, isMobile: true }));
 
 check('a drag is drawn and the fog is solved in time', `${standard}&t=0`, async (page) => {
+  await page.setViewportSize({ width: 1280, height: 900 });
   await drawn(page);
   await page.evaluate(() => performance.clearMeasures());
-  for (const apart of ['0.01', '0.000001', '0.01', '0.0001', '0.000001', '0.0001']) { // the first ones are still being compiled
-    await page.selectOption('#apart', apart);
+  for (let i = 0; i < 6; ++i) { // the first ones are still being compiled
+    await page.uncheck('#fog');
+    await page.check('#fog');
     await drawn(page);
   }
-  const fogs = await page.evaluate(() => performance.getEntriesByName('fog').map(({ duration }) => duration).sort((a, b) => a - b));
+  const fogs = await page.evaluate(() => performance.getEntriesByName('fog').slice(-3).map(({ duration }) => duration).sort((a, b) => a - b));
   const [x, y] = await middleOf(page, /^body/);
   await page.mouse.move(x, y);
   await page.mouse.down();
-  for (let i = 1; i <= 40; ++i) {
+  for (let i = 1; i <= 30; ++i) {
     await page.mouse.move(x + 12 * Math.sin(i / 5), y - 8 + 8 * Math.cos(i / 5));
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
   }
@@ -318,7 +320,7 @@ check('a drag is drawn and the fog is solved in time', `${standard}&t=0`, async 
   const said = `drag to picture: ${middle(moves).toFixed(1)} ms in the middle of ${moves.length}, ${moves.at(-1).toFixed(1)} ms at most; `
     + `fog: ${middle(fogs).toFixed(0)} ms in the middle of ${fogs.length}`;
   console.log(said);
-  assert.ok(moves.length > 20 && fogs.length > 1, said);
+  assert.ok(moves.length > 10 && fogs.length > 1, said);
   if (process.env.TAUTLINE_MEASURE) {
     assert.ok(middle(moves) <= drag && middle(fogs) <= fog, said);
   }

@@ -43,7 +43,7 @@ function(tautline_target target)
     # fuzzers leave them to the preset `asan` in all folders.
     cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}"
       OUTPUT_VARIABLE room)
-    if(TAUTLINE_FUZZ OR room MATCHES "^(bench|tests)(/|$)")
+    if((TAUTLINE_FUZZ AND NOT TAUTLINE_TESTS) OR room MATCHES "^(bench|tests)(/|$)")
       target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,object-size)
     endif()
     # A program at a fixed address has nothing to relocate when it starts: the table of checked globals is
@@ -54,7 +54,9 @@ function(tautline_target target)
     # does not fit the integer it is converted to, a usual mistake in readers.
     if(TAUTLINE_FUZZ)
       target_compile_options(${target} PRIVATE
-        $<$<NOT:$<BOOL:$<TARGET_PROPERTY:TAUTLINE_UNSANITIZED>>>:-fsanitize=fuzzer-no-link,float-cast-overflow>)
+        $<$<NOT:$<BOOL:$<TARGET_PROPERTY:TAUTLINE_UNSANITIZED>>>:-fsanitize=fuzzer-no-link,float-cast-overflow>
+        # the compared values, too, cost more than all else: not where the same code runs all tests
+        $<$<BOOL:${TAUTLINE_TESTS}>:-fno-sanitize-coverage=trace-cmp,indirect-calls>)
     endif()
     # for tests that must be shorter, or cannot be, where what they call is sanitized
     target_compile_definitions(${target} PRIVATE TAUTLINE_SANITIZED=1)

@@ -29,6 +29,13 @@ test("the README of the package runs", () => {
   assert.match(run(code), /^\[ 1, 2, 2\.5 \]\nFloat64Array\(6\) \[[^\]]*\]\nInfinity true\n$/);
 });
 
+test("the block of the project's README runs", () => {
+  const [{ code }, ...others] = blocks("README.md");
+  assert.equal(others.length, 0);
+  assert.ok(code.split("\n").length <= 11);
+  assert.equal(run(code), "[ 1, 2, 2.5 ]\n");
+});
+
 test("the blocks of the guide run", () => {
   const [first, many, ...others] = blocks("docs/guides/javascript.md").filter(({ language }) => language === "js");
   assert.equal(others.length, 0);

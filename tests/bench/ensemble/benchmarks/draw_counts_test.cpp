@@ -12,9 +12,10 @@ namespace tautline::bench {
 namespace {
 
 /// [instructions per draw] of the standard case, whose motions to 20 s have some 900 impacts:
-/// 103,000 with Eigen's assertions when it was set; compilers differ by a tenth. Statistics that
-/// are looked up by their names at every impact take 300,000 more, and so do rates of every impact.
-constexpr double most_beside_the_motion = 135'000.0;
+/// 130,000 with Eigen's assertions and normal numbers of 64 bits; compilers differ by a tenth.
+/// Normal numbers by integers alone take 120,000 more, statistics that are looked up by their names
+/// at every impact 300,000, and so do rates of every impact.
+constexpr double most_beside_the_motion = 160'000.0;
 
 /// [instructions per draw], of that motion: 4,050,000 when it was set. Where the swing at its end
 /// is followed instead of told ahead it takes 930,000 more.

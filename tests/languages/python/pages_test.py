@@ -64,7 +64,7 @@ class Readme(unittest.TestCase):
 
         def engine(of, step, **wrong):
             motion = tl.solve(tl.Case.from_json(json.dumps(of)).but(**wrong))
-            times = np.arange(0, motion.end_time, step)
+            times = np.append(np.arange(0, motion.end_time, step), motion.end_time)
             return [(time, *state[:3]) for time, state in zip(times, motion(times))]
 
         def dull_engine(of, step):

@@ -13,7 +13,8 @@ function ticks(low, high, count) {
   const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
   const step = power * [1, 2, 5, 10].find((one) => one * power >= rough * 0.999);
   const all = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) all.push(+(k * step).toPrecision(12));
+  const first = Math.ceil(low / step - 1e-9); // may be too large for ++
+  for (let k = first; k * step <= high + 1e-9 * step && all.length < 100; ++k) all.push(+(k * step).toPrecision(12));
   return all;
 }
 

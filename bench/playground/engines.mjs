@@ -12,12 +12,15 @@ function restitution({ restitution: e, restitution_table: table = [], capture_sp
   return [[0, 0], [capture_speed, 0], [capture_speed, between ?? before?.[1] ?? above[0]?.[1] ?? e], ...above];
 }
 
+const MOST_STEPS = 2_000_000;
+
 /// The run of a model up to the end of the case: rows of states, and of the impulse of each cable in each step.
 function run({ the_case, engine, model, rate, law, end }) {
   const found = engines.get(engine)?.models.find(({ name }) => name === model);
   if (!found) throw new Unsupported(`this page has no model ${model} of ${engine}`);
   const cables = the_case.cables.map((cable) => ({ ...cable, restitution: restitution(cable) }));
   const step = 1 / rate, steps = Math.ceil(end * rate - 1e-9), began = performance.now();
+  if (!(steps <= MOST_STEPS)) throw new Unsupported(`${end} s are ${steps} steps: the page takes at most ${MOST_STEPS}`);
   const states = new Float64Array(6 * (steps + 1)), impulses = new Float64Array(cables.length * steps);
   const one = found.start({ ...the_case, cables }, { step, law, parameters: {} });
   let done = 0;

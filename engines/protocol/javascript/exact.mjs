@@ -25,6 +25,7 @@ export function samples([program, ...words], folder, the_case, { model, step }) 
     return result;
   });
   if (run.stopped) throw new Error(`stopped at ${run.stopped.time} s: ${run.stopped.reason}`);
+  if (run.steps.length !== count) throw new Error(`${run.steps.length} steps came back, ${count} were asked`);
   return [start.state, ...run.steps.map((row) => row.slice(0, 6))].map((row) => row.map(Number));
 }
 

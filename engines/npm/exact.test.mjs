@@ -21,4 +21,4 @@ for (const engine of engines) {
   test(`${engine}: 3 % of the restitution would be noticed`, () => assert.ok(late({ step: 1e-4, exact_case: dull_bar }) > 1));
 }
 
-if (engines.length === 0) test("engines on npm", { skip: "run: scripts/install-packages npm-engines" });
+test("there is an engine to compare", () => assert.notEqual(engines.length, 0, "run: scripts/install-packages npm-engines"));

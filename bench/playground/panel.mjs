@@ -165,7 +165,7 @@ export class Panel {
     const input = make("input", { type: "number", step: "any", "aria-label": label });
     const unitOf = make("i");
     input.addEventListener("input", () => {
-      if (Number.isFinite(input.valueAsNumber)) this.#page.change((one) => set(one, input.valueAsNumber), { typed: true });
+      if (Number.isFinite(input.valueAsNumber)) this.#page.change((one) => set(one, input.valueAsNumber));
     });
     list.push((one, units) => {
       if (input !== document.activeElement && input.value !== spell(get(one))) input.value = spell(get(one));

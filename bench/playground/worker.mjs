@@ -2,6 +2,7 @@
 // the fog, so that neither waits for the other.
 
 import { load } from "tautline";
+import { endOf } from "./case.mjs";
 
 /// Far more than a picture shows, and a few milliseconds of work: the page says where it stops.
 const limits = { max_events: 20000, max_steps: 20000 };
@@ -123,10 +124,11 @@ function fog({ the_case, law, count, apart, end }) {
 }
 
 /// The smallest gap at the start.
-function clearance({ cables, initial: { position: [x, y], angle } }) {
-  const c = Math.cos(angle), s = Math.sin(angle);
-  return Math.min(...cables.map(({ anchor, attachment: [u, v], length, taut }) =>
-    (taut ? 0 : length - Math.hypot(x + c * u - s * v - anchor[0], y + s * u + c * v - anchor[1]))));
+function clearance({ cables, initial: { position, angle } }) {
+  return Math.min(...cables.map((cable) => {
+    const [x, y] = endOf(cable, [...position, angle]);
+    return cable.taut ? 0 : cable.length - Math.hypot(x - cable.anchor[0], y - cable.anchor[1]);
+  }));
 }
 
 /// A case from the text of a file.

@@ -9,6 +9,7 @@
 
 #include "bench/base/text.hpp"
 #include "bench/cases/title.hpp"
+#include "bench/data/coordinates.hpp"
 #include "bench/judge/judgement.hpp"
 #include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/impact_match.hpp"
@@ -40,12 +41,14 @@ std::string live_address(const Case& the_case) {
   const auto add = [&](std::string_view key, const std::vector<double>& values) {
     result += fmt::format("&{}={}", key, comma_separated(values));
   };
-  const State& start = the_case.initial;
   add("duration", {the_case.duration});
   add("gravity", {the_case.gravity.x(), the_case.gravity.y()});
   add("body", {the_case.body.mass, the_case.body.inertia});
-  add("start", {start.position.x(), start.position.y(), start.angle, start.velocity.x(),
-                start.velocity.y(), start.spin});
+  std::vector<double> start;
+  for (const auto& coordinate : coordinates(the_case.initial)) {
+    start.push_back(coordinate.value);
+  }
+  add("start", start);
   for (const Cable& cable : the_case.cables) {
     add("cable", {cable.anchor.x(), cable.anchor.y(), cable.attachment.x(), cable.attachment.y(),
                   cable.length, cable.restitution, cable.capture_speed});

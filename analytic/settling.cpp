@@ -64,6 +64,9 @@ std::optional<BasicSwing<Real>> swing(const BasicCase<Real>& the_case,
   limited.max_steps = 20'000;  // steps of its series; a period of a usual swing takes a hundred
   limited.until_locked = true;
   free.duration = 256 * time_scale(the_case, state);  // near-critical swings are slow
+  if (!problems(in_double(free)).empty()) {  // such as an angle beyond what a start may have
+    return std::nullopt;
+  }
   const BasicSolution<BasicCase<Real>> solution = solve(free, limited);
   return passes_dead_point(free, solution, Real(0)) ? std::nullopt : solution.swing();
 }

@@ -205,14 +205,20 @@ std::vector<PeriodTension> period_tensions(const Case& the_case, const State& st
     period.initial.velocity *= faster;
     period.initial.spin *= faster;
     period.duration = swing.period;
+    return period;
+  };
+  const auto solved = [](const Case& period) {
     const Solution solution = solve(period);
     return std::pair(taut_phases(period, solution, Uncertainty(period, solution)),
                      energy(period, period.initial));
   };
-  constexpr double faster = 1.001;  // [-]
-  const auto [phases, energy] = over_period(1.0);
-  const auto [others, more] = over_period(faster);
+  const Case faster = over_period(1.001);
   std::vector<PeriodTension> result;
+  if (!problems(faster).empty()) {  // such as an angle beyond what a start may have
+    return result;
+  }
+  const auto [phases, energy] = solved(over_period(1.0));
+  const auto [others, more] = solved(faster);
   for (std::size_t index = 0; index < phases.size(); ++index) {
     PeriodTension found{phases[index].cable, phases[index].least.tension,
                         phases[index].largest.tension};

@@ -36,7 +36,7 @@ struct PeriodTension {
 
 /// Those of `cables` in the periodic motion `swing` on them, in which the body of `the_case` is at
 /// `state`. Its energy may be off by `energy_error` [J]; a motion of a little more energy shows
-/// what that does.
+/// what that does. None where numbers are too large to solve that one.
 [[nodiscard]] std::vector<PeriodTension> period_tensions(const Case& the_case, const State& state,
                                                          CableSet cables, const Swing& swing,
                                                          double energy_error);

@@ -127,6 +127,23 @@ TEST(Settling, WithoutImpactsThereIsNoLastOne) {
   EXPECT_FALSE(found.lock.has_value());
 }
 
+// by the end it has turned further than a case may begin, and more is not known of its swing
+TEST(Settling, OfABallThatTurnsTooFastToSolveOnSaysNoSwing) {
+  for (const double spin : {-1e20, 1e20}) {
+    Case ball;
+    ball.body = {5.0, 0.05};
+    ball.gravity = Vec2(0.0, -9.81);
+    ball.cables = {{Vec2(0.0, 0.0), Vec2(0.0, 0.0), 1.0, 0.0}};
+    ball.initial = {Vec2(0.0, -0.9), 0.0, Vec2(6.3, 0.0), spin};
+    ball.duration = 4.0;
+    const auto found = settling(ball, solve(ball));
+    EXPECT_FALSE(found.lock && found.lock->swing) << spin;
+    EXPECT_FALSE(found.lock && found.lock->permanent) << spin;
+    ball.initial.spin = std::copysign(1.0, spin);
+    EXPECT_TRUE(settling(ball, solve(ball)).last_impacts[0].time.has_value()) << spin;
+  }
+}
+
 TEST(Ledger, ClosesInEveryCaseOfTable51) {
   double worst = 0.0;
   for (const TableRow& row : table_5_1()) {

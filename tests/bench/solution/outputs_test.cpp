@@ -228,6 +228,17 @@ TEST(TautPhases, OfAPendulumHaveItsLeastAndItsLargestTension) {
   EXPECT_FALSE(phase.indeterminate);
 }
 
+TEST(TautPhases, OfASwingThatTurnsTooFastToBeSolvedAreNone) {
+  Case the_case = pendulum(1.0, 10.0);
+  const auto tensions = [&] {
+    return bench::period_tensions(the_case, the_case.initial, CableSet::of(0), {.period = 2.0},
+                                  0.0);
+  };
+  EXPECT_EQ(tensions().size(), 1U);
+  the_case.initial.spin = largest_number;  // one of more energy would be beyond it
+  EXPECT_TRUE(tensions().empty());
+}
+
 TEST(Plot, ThePathOfALongSwingIsAnArcOfItsCircle) {
   for (const double duration : {10.0, 250.0, 2500.0}) {
     const Case the_case = pendulum(1.2870022175866, duration);

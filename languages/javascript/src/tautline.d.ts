@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" />
 /**
  * The exact motion of rigid bodies on slack cables.
  *
@@ -7,7 +8,7 @@
  */
 
 /** Two numbers: x and y, or a speed and its restitution. */
-export type Pair = readonly [number, number];
+export type Pair = readonly number[] | Float64Array;
 
 /** A massless inextensible line from a point of the world to a point of the body. */
 export interface Cable {
@@ -351,11 +352,14 @@ export interface Tautline {
   sweep(the_case: Case, values: Readonly<Record<string, ArrayLike<number>>>, options?: SweepOptions): Sweep;
 }
 
+/** A compiled WebAssembly.Module, where the compiler knows one: TypeScript's library dom has it. */
+export type CompiledModule = typeof globalThis extends { WebAssembly: { Module: new (bytes: never) => infer Module } } ? Module : never;
+
 /**
  * Loads the module: tautline.wasm next to this file, unless `source` is its address, its bytes or the compiled module. In a
  * worker without a network, pass a WebAssembly.Module from the page by postMessage.
  */
-export function load(source?: URL | string | BufferSource | WebAssembly.Module): Promise<Tautline>;
+export function load(source?: string | { readonly href: string } | ArrayBuffer | ArrayBufferView | CompiledModule): Promise<Tautline>;
 
 /** The cables of a set, in rising order. */
 export function cables_of(set: number): number[];

@@ -33,42 +33,80 @@ const or_null = (number) => (Number.isNaN(number) ? null : number);
 
 // ---- Numbers as the C++ library writes them, which the module asks for
 
+/** The digits and the power of ten of `size` to as many `digits`. A tie goes to the even one; toExponential rounds it up. */
+function rounded(size, digits) {
+  const [exact, power] = size.toExponential(99).split("e"), all = exact.replace(".", ""); // a tie has at most 18 digits
+  const is_down = all[digits - 1] % 2 === 0 && /^50*$/.test(all.slice(digits));
+  const [mantissa, raised] = is_down ? [all.slice(0, digits), power] : size.toExponential(digits - 1).split("e");
+  return [mantissa.replace(".", "").replace(/(?!^)0+$/, ""), Number(raised)];
+}
+
 /** The shorter of 12.5 and 1.25e+01, or the form of printf's %g where the `digits` are given. */
 function number_text(value, digits) {
   if (!Number.isFinite(value)) return Number.isNaN(value) ? "nan" : value < 0 ? "-inf" : "inf";
-  const rounded = digits > 0 ? Number(value.toPrecision(digits)) : value;
-  const [mantissa, power] = Math.abs(rounded).toExponential().split("e"), exponent = Number(power);
-  const sign = rounded < 0 || Object.is(rounded, -0) ? "-" : "", all = mantissa.replace(".", "");
+  const size = Math.abs(value), sign = value < 0 || Object.is(value, -0) ? "-" : "";
+  const [shortest, power] = size.toExponential().split("e");
+  const [all, exponent] = digits > 0 ? rounded(size, digits) : [shortest.replace(".", ""), Number(power)];
+  const mantissa = all.length > 1 ? `${all[0]}.${all.slice(1)}` : all;
   const scientific = `${mantissa}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
-  const whole = () => (Math.abs(rounded) >= 2 ** 53 ? String(BigInt(Math.abs(rounded))) : all.padEnd(exponent + 1, "0"));
-  const fixed = exponent < 0 ? `0.${"0".repeat(-exponent - 1)}${all}`
-    : all.length > exponent + 1 ? `${all.slice(0, exponent + 1)}.${all.slice(exponent + 1)}` : whole();
-  const is_fixed = digits > 0 ? exponent >= -4 && exponent < digits : fixed.length <= scientific.length;
-  return sign + (is_fixed ? fixed : scientific);
+  const whole = () => (size >= 2 ** 53 && !(digits > 0) ? String(BigInt(size)) : all.padEnd(exponent + 1, "0"));
+  const fixed = () => (exponent < 0 ? `0.${"0".repeat(-exponent - 1)}${all}`
+    : all.length > exponent + 1 ? `${all.slice(0, exponent + 1)}.${all.slice(exponent + 1)}` : whole());
+  const is_fixed = digits > 0 ? exponent >= -4 && exponent < digits : fixed().length <= scientific.length;
+  return sign + (is_fixed ? fixed() : scientific);
 }
 
 // ---- Cases as text
 
-/** A value as JSON with the bits of its numbers: JSON.stringify makes null of NaN, and 0 of -0. Adds sentences to `wrong`. */
-function json(value, place, wrong) {
-  const refuse = (what) => (wrong.push(`${place}: is ${what}`), "null");
+/** A value in a sentence. */
+function shown(value) {
+  if (typeof value === "string") return JSON.stringify(value);
+  if (typeof value === "bigint") return `${value}n`;
+  if (typeof value === "function" || typeof value === "symbol") return `(a ${typeof value})`;
+  return typeof value !== "object" || value === null ? String(value) : Array.isArray(value) || ArrayBuffer.isView(value) ? "(an array)" : "(an object)";
+}
+const is_object = (value) => typeof value === "object" && value !== null && !Array.isArray(value) && !ArrayBuffer.isView(value);
+
+/**
+ * A value as JSON with the bits of its numbers: JSON.stringify makes null of NaN, and 0 of -0. Adds sentences to `wrong`.
+ * `around` are the objects that the value is in.
+ */
+function json(value, place, wrong, around = []) {
+  const refuse = (what) => (wrong.push(`${place || "the case"}: ${what}`), "null");
+  const quoted = (text) => (LONE_SURROGATE.test(text) ? refuse(`${JSON.stringify(text)} has half of a pair of UTF-16 (a lone surrogate), which is no character`)
+    : JSON.stringify(text));
   switch (typeof value) {
     case "number":
-      return Number.isFinite(value) ? (Object.is(value, -0) ? "-0.0" : String(value)) : refuse(`${value}, must be a finite number`);
+      return Number.isFinite(value) ? (Object.is(value, -0) ? "-0.0" : String(value)) : refuse(`is ${value}, must be a finite number`);
     case "string":
+      return quoted(value);
     case "boolean":
-      return JSON.stringify(value);
+      return String(value);
     case "object":
       break;
     default:
-      return refuse(`a ${typeof value}, must be a number, text, a flag, an array or an object`);
+      return refuse(`is a ${typeof value}, must be a number, text, a flag, an array or an object`);
   }
-  if (value === null) return refuse("null, leave the key out instead");
-  if (Array.isArray(value) || ArrayBuffer.isView(value)) {
-    return `[${Array.from(value, (entry, index) => json(entry, `${place}[${index}]`, wrong)).join(",")}]`;
-  }
+  if (value === null) return refuse("is null, leave the key out instead");
+  if (around.includes(value)) return refuse("contains itself");
+  if (around.length === DEEPEST) return refuse(`is in ${DEEPEST} arrays and objects, deeper than anything of a case`);
+  const within = [...around, value];
+  if (!is_object(value)) return `[${Array.from(value, (entry, index) => json(entry, `${place}[${index}]`, wrong, within)).join(",")}]`;
   const members = Object.entries(value).filter(([, member]) => member !== undefined);
-  return `{${members.map(([key, member]) => `${JSON.stringify(key)}:${json(member, place ? `${place}.${key}` : key, wrong)}`).join(",")}}`;
+  return `{${members.map(([key, member]) => `${quoted(key)}:${json(member, place ? `${place}.${key}` : key, wrong, within)}`).join(",")}}`;
+}
+const LONE_SURROGATE = /\p{Surrogate}/u;
+const DEEPEST = 8;
+
+/** A Float64Array of what a caller gave as `name`. */
+function doubles_of(given, name) {
+  if (given instanceof Float64Array) return given;
+  const is_list = typeof given === "object" && given !== null && (typeof given.length === "number" || Symbol.iterator in given);
+  if (!is_list) throw new TypeError(`${name} ${shown(given)} must be an array of numbers`);
+  return Float64Array.from(Array.from(given), (entry, index) => {
+    if (typeof entry !== "number") throw new TypeError(`${name}[${index}] ${shown(entry)} must be a number`);
+    return entry;
+  });
 }
 
 // ---- The module
@@ -107,7 +145,19 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
   for (const { module: space, name } of WebAssembly.Module.imports(module)) {
     (imports[space] ??= {})[name] ??= () => { throw new Error(`tautline: ${name} is not there`); };
   }
-  C = (await WebAssembly.instantiate(module, imports)).exports;
+  const { exports } = await WebAssembly.instantiate(module, imports);
+  // A function that does not return, as at a trap or where JavaScript's own stack ends, leaves what it has put on the stack.
+  const top = exports.__stack_pointer;
+  C = Object.fromEntries(Object.entries(exports).map(([name, thing]) => [name, typeof thing !== "function" ? thing : (...words) => {
+    const before = top.value;
+    try {
+      return thing(...words);
+    } catch (error) {
+      top.value = before;
+      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+      throw new Error(`tautline: ${name} has failed (${error.message}); this is a mistake in tautline, which goes on without this answer`, { cause: error });
+    }
+  }]));
   C._initialize();
 
   /** Calls `act` with a function that finds room in the module: for `count` numbers of a type of array, or a copy of an array. */
@@ -222,9 +272,11 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
 
   /** Calls `act` with the module's copy of a case, or with what is wrong with it. */
   function with_object(the_case, act) {
-    const wrong = [], text = typeof the_case === "object" && the_case !== null ? json(the_case, "", wrong) : "{}";
-    if (text === "{}") wrong.push("the case: must be an object with the keys of a case file");
-    if (text.startsWith("[")) wrong.push("the case: is an array, must be an object with the keys of a case file");
+    const wrong = [], text = is_object(the_case) ? json(the_case, "", wrong) : "{}";
+    if (text === "{}") {
+      const is_array = Array.isArray(the_case) || ArrayBuffer.isView(the_case);
+      wrong.push(`the case: ${is_array ? "is an array, " : ""}must be an object with the keys of a case file`);
+    }
     return wrong.length > 0 ? act(0, wrong) : with_case(text, "case", (handle) => act(handle, without_name(problems_of(handle))));
   }
   /** The same where it must be right. */
@@ -232,17 +284,18 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
 
   /** The address of options in the module. */
   function options_at(options, copy) {
+    if (!is_object(options)) refuse([`options ${shown(options)} must be an object`]);
     const struct = new DataView(new ArrayBuffer(OPTIONS_SIZE)), wrong = [];
     struct.setInt32(0, OPTIONS_SIZE, true);
     for (const [name, value] of Object.entries(options)) {
       if (value === undefined) continue;
-      const must = (right) => wrong.push(`${name} ${typeof value === "string" ? JSON.stringify(value) : String(value)} must be ${right}`);
+      const must = (right) => wrong.push(`${name} ${shown(value)} must be ${right}`);
       if (!Object.hasOwn(OPTIONS, name)) {
         wrong.push(`option ${name} is unknown: must be one of ${Object.keys(OPTIONS).join(", ")}`);
       } else if (name === "law") {
         LAWS.includes(value) ? struct.setInt32(OPTIONS.law, LAWS.indexOf(value), true) : must(`one of ${LAWS.join(", ")}`);
       } else if (name.startsWith("completion")) {
-        value > 0 ? struct.setFloat64(OPTIONS[name], value, true) : must("a number above 0");
+        typeof value === "number" && value > 0 ? struct.setFloat64(OPTIONS[name], value, true) : must("a number above 0");
       } else if (name.startsWith("max")) {
         const is_count = Number.isInteger(value) && value > 0 && value < 2 ** 31;
         is_count ? struct.setInt32(OPTIONS[name], value, true) : must("an integer above 0");
@@ -356,7 +409,7 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
 
     /** Columns at times. */
     #at(times, columns, ask) {
-      const all = times instanceof Float64Array ? times : Float64Array.from(times);
+      const all = doubles_of(times, "times");
       return table(all.length, columns, (first, some, at, room, copy) => {
         const wrong = room(Int32Array, 1);
         const status = ask(this.#alive, copy(all.subarray(first, first + some)), some, ...at, wrong);
@@ -410,13 +463,14 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
     coordinates,
 
     read(text, name = "case") {
-      return with_case(String(text), name, (handle) => {
+      refuse(LONE_SURROGATE.test(String(text)) ? [`${name}: has half of a pair of UTF-16 (a lone surrogate), which is no character`] : []);
+      return with_case(String(text), String(name), (handle) => {
         refuse(problems_of(handle));
         return JSON.parse(case_text(handle, JSON_TEXT));
       });
     },
     write(the_case, format = "toml") {
-      if (format !== "toml" && format !== "json") throw new RangeError(`format ${JSON.stringify(format)} must be "toml" or "json"`);
+      if (format !== "toml" && format !== "json") throw new RangeError(`format ${shown(format)} must be "toml" or "json"`);
       return with_sound(the_case, (handle) => case_text(handle, format === "toml" ? TOML : JSON_TEXT));
     },
     problems: (the_case) => with_object(the_case, (_, wrong) => wrong),
@@ -429,8 +483,12 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
       return new Motion(integer_at(to) >>> 0, C.tautline_cables(handle));
     })),
 
-    sweep: (the_case, values, { times = [], settling = false, ...options } = {}) => with_sound(the_case, (handle) => {
-      const quantities = Object.keys(values), arrays = quantities.map((name) => Float64Array.from(values[name]));
+    sweep: (the_case, values, all_options = {}) => with_sound(the_case, (handle) => {
+      if (!is_object(values)) throw new TypeError(`values ${shown(values)} must be an object with an array for each quantity`);
+      if (!is_object(all_options)) refuse([`options ${shown(all_options)} must be an object`]);
+      const { times = [], settling = false, ...options } = all_options;
+      if (typeof settling !== "boolean") refuse([`settling ${shown(settling)} must be true or false`]);
+      const quantities = Object.keys(values), arrays = quantities.map((name) => doubles_of(values[name], name));
       const count = arrays.length > 0 ? arrays[0].length : 1;
       arrays.forEach((array, k) => {
         if (array.length === count) return;
@@ -442,7 +500,7 @@ export async function load(source = new URL("./tautline.wasm", import.meta.url))
           throw new RangeError(`${name}: a cable has a restitution_table, which replaces it`);
         }
       }
-      const at_times = Float64Array.from(times), width = at_times.length * WIDTH;
+      const at_times = doubles_of(times, "times"), width = at_times.length * WIDTH;
       const [summaries, settlings, states] = table(count, [[Uint8Array, size_of(SUMMARY)],
         settling ? [Uint8Array, size_of(SETTLING)] : null, width > 0 ? [Float64Array, width] : null],
       (first, some, [summary, settled, to], room, copy) => {

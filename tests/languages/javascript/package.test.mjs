@@ -1,12 +1,12 @@
 // The package of JavaScript: cases and motions, what is refused, memory, types, and what is packed.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
 import { setImmediate as soon } from "node:timers/promises";
-import { pathToFileURL } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import v8 from "node:v8";
 import vm from "node:vm";
 import { Worker } from "node:worker_threads";
@@ -21,17 +21,18 @@ const LARGEST_MEMORY = 32 << 20;
 const work = mkdtempSync(path.join(tmpdir(), "tautline-javascript-"));
 after(() => rmSync(work, { recursive: true }));
 
-/** The memory of the module that is loaded next. */
+/** Another module, with its memory, and the functions that it calls. */
 async function with_memory(source) {
   const instantiate = WebAssembly.instantiate;
-  let memory;
-  WebAssembly.instantiate = async (...words) => {
-    const instance = await instantiate(...words);
-    memory = instance.exports.memory;
+  let memory, calls;
+  WebAssembly.instantiate = async (module, imports) => {
+    const instance = await instantiate(module, imports);
+    ({ memory } = instance.exports);
+    calls = imports.tautline;
     return instance;
   };
   try {
-    return { tautline: await load(source), bytes: () => memory.buffer.byteLength };
+    return { tautline: await load(source), memory, calls, bytes: () => memory.buffer.byteLength };
   } finally {
     WebAssembly.instantiate = instantiate;
   }
@@ -82,6 +83,44 @@ test("each public name is in the types, and each type is there", () => {
   assert.deepEqual(of_key.split("must be ")[1].replace(" or ", ", ").split(", ").sort(), case_keys);
 });
 
+const typescript = path.join(path.dirname(fileURLToPath(import.meta.url)), "node_modules/typescript/bin/tsc");
+test("TypeScript takes the types: without the library dom, as old and new programs find them", (context) => {
+  if (!existsSync(typescript)) return context.skip("no typescript; run: npm ci --prefix tests/languages/javascript");
+  const user = path.join(work, "typed");
+  mkdirSync(path.join(user, "node_modules"), { recursive: true });
+  symlinkSync(package_folder(), path.join(user, "node_modules/tautline"));
+  writeFileSync(path.join(user, "package.json"), '{"type": "module"}');
+  writeFileSync(path.join(user, "user.ts"), `import { cables_of, load, type Case, type Motion } from "tautline";
+    const gravity: number[] = [0, -1];
+    const ball = { name: "ball", duration: 2.7, gravity, body: { mass: 1, inertia: 0.4 }, initial: { position: Float64Array.of(0, 0.5), velocity: [0, 0] as const },
+      cables: [{ anchor: [0, 2], attachment: [0, 0], length: 2, restitution: 0.5, restitution_table: [[0, 1], [1, 0.5]] }] };
+    export async function use(bytes: Uint8Array): Promise<number[]> {
+      const tautline = await load(bytes), swept = tautline.sweep(ball, { x: [0.5] }, { times: new Set([0]).size === 1 ? [0] : [], law: "poisson" });
+      const read: Case = tautline.read(tautline.write(ball)), [gx, gy] = read.gravity;
+      const motion: Motion = tautline.solve(read);
+      motion[Symbol.dispose]();
+      // @ts-expect-error: no such law
+      tautline.solve(ball, { law: "none" });
+      // @ts-expect-error: no body
+      tautline.problems({ name: "ball" });
+      // @ts-expect-error: a scalar
+      motion.states(3);
+      // @ts-expect-error: no source
+      await load(7);
+      return [gx!, gy!, swept.count, ...cables_of(3)];
+    }\n`);
+  writeFileSync(path.join(user, "page.ts"), `import { load } from "tautline";
+    export const all = [load(), load(new URL("https://example.org/tautline.wasm")), load(new WebAssembly.Module(new Uint8Array()))];\n`);
+  for (const [file, ...words] of [
+    ["user.ts", "--module", "nodenext", "--lib", "es2022"],
+    ["user.ts", "--module", "esnext", "--moduleResolution", "bundler", "--lib", "es2022", "--exactOptionalPropertyTypes"],
+    ["user.ts", "--module", "esnext", "--moduleResolution", "node10", "--lib", "es2022"],
+    ["page.ts", "--module", "esnext", "--moduleResolution", "bundler", "--lib", "es2022,dom"]]) {
+    const { status, stdout } = spawnSync("node", [typescript, "--noEmit", "--strict", "--target", "es2022", "--typeRoots", "none", ...words, file], { cwd: user, encoding: "utf8" });
+    assert.equal(status, 0, `${[file, ...words].join(" ")}\n${stdout}`);
+  }
+});
+
 test("every number of the types has a unit", () => {
   const lines = readFileSync(path.join(package_folder(), "tautline.d.ts"), "utf8").split("\n");
   const known = /\[|number of each|How many|Rows|> 0|of each|row/;
@@ -125,6 +164,24 @@ test("text is refused with the sentences of the program", () => {
   assert.ok(count > 35, `${count} are refused`);
 });
 
+test("numbers in sentences are those of the C++ library", async () => {
+  const { memory, calls } = await with_memory();
+  const room = memory.grow(1) * 65536;
+  const text = (value, digits) => new TextDecoder().decode(new Uint8Array(memory.buffer, room, calls.write_number(value, digits, room)));
+  for (const [value, digits, expected] of [[0.125, 2, "0.12"], [0.375, 2, "0.38"], [-0.125, 2, "-0.12"], [2.5, 1, "2"], [3.5, 1, "4"], [9.5, 1, "1e+01"],
+    [8.5, 1, "8"], [0.1, 1, "0.1"], [0.35, 1, "0.3"], [0.45, 1, "0.5"], [1e22, 3, "1e+22"], [2 ** 53 + 2, 17, "9007199254740994"], [100, 3, "100"],
+    [1000, 3, "1e+03"], [0.0001, 3, "0.0001"], [0.00001, 3, "1e-05"], [-0, 3, "-0"], [0, 3, "0"], [-0, 0, "-0"], [Number.MAX_VALUE, 2, "1.8e+308"],
+    [Number.MAX_VALUE, 1, "2e+308"], [Number.MAX_VALUE, 17, "1.7976931348623157e+308"], [5e-324, 3, "4.94e-324"], [5e-324, 0, "5e-324"],
+    [1e20, 0, "1e+20"], [123456789012345680000, 0, "123456789012345683968"], [12.5, 0, "12.5"], [Infinity, 3, "inf"]]) {
+    assert.equal(text(value, digits), expected, `${value} to ${digits} digits`);
+  }
+  // a tie in a sentence of both
+  const tie = { ...ball, cables: [{ anchor: [0, 0], attachment: [0, 0], length: 200, restitution: 0, taut: true }], initial: { position: [0, -199.875] } };
+  writeFileSync(path.join(work, "tie.toml"), `${tautline.write({ ...tie, cables: [{ ...tie.cables[0], taut: false }] }).trim()}\n`.replace(/^length = .*$/m, "$&\ntaut = true"));
+  const { stderr } = spawnSync(program(), ["solve", path.join(work, "tie.toml")], { encoding: "utf8" });
+  assert.deepEqual(tautline.notes(tie), [stderr.trim().split("\n")[0].replace(/^.*?toml:\d+: /, "")]);
+});
+
 test("a start on taut cables is moved, and the note says how far", () => {
   const one = structuredClone(standard);
   one.cables[0].length = 1.486; // its ends are 1.4866 m apart
@@ -148,13 +205,47 @@ test("wrong objects, options and times are named", () => {
     assert.deepEqual(tautline.problems(thing), [sentence]);
     assert.deepEqual(refused(() => tautline.solve(thing)), [sentence]);
   }
+  const ring = { ...ball, initial: { ...ball.initial } };
+  ring.initial.of = ring;
+  assert.deepEqual(tautline.problems(ring), ["initial.of: contains itself"]);
+  let deep = 1;
+  for (let k = 0; k < 100_000; ++k) deep = [deep];
+  assert.match(tautline.problems({ ...ball, duration: deep })[0], /^duration(\[0\])+: is in 8 arrays and objects, deeper than anything of a case$/);
+  const half = String.raw`"a\ud800" has half of a pair of UTF-16 (a lone surrogate), which is no character`;
+  assert.deepEqual(tautline.problems({ ...ball, name: "a\ud800" }), [`name: ${half}`]);
+  assert.deepEqual(tautline.problems({ ...ball, "a\ud800": 1 }), [`the case: ${half}`]);
+  assert.deepEqual(tautline.problems({ ...ball, name: "a\ud83e\udea2" }), []);
+  assert.deepEqual(refused(() => tautline.read('name = "\udc00"')), ["case: has half of a pair of UTF-16 (a lone surrogate), which is no character"]);
   assert.deepEqual(tautline.problems({ ...ball, ceiling: undefined }), []);
   assert.deepEqual(tautline.problems({ ...ball, gravity: Float64Array.of(0, -1) }), []);
   assert.deepEqual(refused(() => tautline.solve(ball, { max_events: 0, completion_error: 0, until_locked: 1, max_steps: 2 ** 31 })), [
     "max_events 0 must be an integer above 0", "completion_error 0 must be a number above 0", "until_locked 1 must be true or false",
     "max_steps 2147483648 must be an integer above 0"]);
   assert.deepEqual(refused(() => tautline.solve(ball, { completion_error: 2 })), ["completion_error 2 must be 0, for the default, to 1"]);
+  for (const [value, told] of [["1e-12", '"1e-12"'], [[1e-12], "(an array)"], [1n, "1n"], [null, "null"], [{}, "(an object)"], [Symbol("one"), "(a symbol)"],
+    [Object.create(null), "(an object)"]]) {
+    assert.deepEqual(refused(() => tautline.solve(ball, { completion_error: value })), [`completion_error ${told} must be a number above 0`]);
+    assert.deepEqual(refused(() => tautline.sweep(ball, {}, { max_events: value })), [`max_events ${told} must be an integer above 0`]);
+  }
+  for (const [options, told] of [[null, "null"], ["poisson", '"poisson"'], [["law"], "(an array)"], [3n, "3n"]]) {
+    for (const act of [() => tautline.solve(ball, options), () => tautline.sweep(ball, {}, options)]) {
+      assert.deepEqual(refused(act), [`options ${told} must be an object`]);
+    }
+  }
+  assert.deepEqual(refused(() => tautline.sweep(ball, {}, { settling: "yes" })), ['settling "yes" must be true or false']);
   const motion = tautline.solve(ball);
+  for (const [times, message] of [[1, "times 1 must be an array of numbers"], ["12", 'times "12" must be an array of numbers'],
+    [undefined, "times undefined must be an array of numbers"], [null, "times null must be an array of numbers"], [{}, "times (an object) must be an array of numbers"],
+    [[0, "1"], 'times[1] "1" must be a number'], [[null], "times[0] null must be a number"], [[0, , 1], "times[1] undefined must be a number"],
+    [BigInt64Array.of(1n), "times[0] 1n must be a number"]]) {
+    for (const ask of ["states", "taut", "tensions", "energy", "state_errors", "energy_errors"]) assert.throws(() => motion[ask](times), { name: "TypeError", message });
+    if (times !== undefined) assert.throws(() => tautline.sweep(ball, {}, { times }), { name: "TypeError", message });
+    assert.throws(() => tautline.sweep(ball, { x: times }), { name: "TypeError", message: message.replace("times", "x") });
+  }
+  for (const [values, told] of [[0.5, "0.5"], [[1], "(an array)"], [undefined, "undefined"], [null, "null"]]) {
+    assert.throws(() => tautline.sweep(ball, values), { name: "TypeError", message: `values ${told} must be an object with an array for each quantity` });
+  }
+  expect_same_bits(motion.states(new Set([0, 1])), motion.states(Float32Array.of(0, 1)), "states");
   for (const [time, text] of [[3, "3"], [-1e-9, "-1e-9"], [NaN, "NaN"]]) {
     for (const ask of ["states", "taut", "tensions", "energy", "state_errors", "energy_errors"]) {
       assert.deepEqual(refused(() => motion[ask]([0, time])), [`times[1] = ${text} is outside of the motion, which lasts from 0 to 2.7 s`]);
@@ -209,6 +300,41 @@ test("memory stays where it was", async () => {
   assert.ok(bytes() <= LARGEST_MEMORY, `${bytes()} bytes`);
 });
 
+test("after a thousand traps a module goes on, and so do its motions", async () => {
+  // a call of JavaScript that throws leaves the module as a trap does: in the middle of what it does
+  let traps = false;
+  const instantiate = WebAssembly.instantiate;
+  WebAssembly.instantiate = (module, { tautline: { write_number, read_number } }) => instantiate(module, { tautline: { read_number,
+    write_number: (...words) => {
+      if (traps) throw new WebAssembly.RuntimeError("unreachable");
+      return write_number(...words);
+    } } });
+  const other = await load();
+  WebAssembly.instantiate = instantiate;
+  const motion = other.solve(standard);
+  traps = true;
+  for (let k = 0; k < 1000; ++k) {
+    assert.throws(() => other.problems({ ...ball, body: { mass: -0.5 - k, inertia: 1 } }), ({ message, cause }) => cause instanceof WebAssembly.RuntimeError
+      && /^tautline: tautline_\w+ has failed \(unreachable\); this is a mistake in tautline/.test(message));
+  }
+  traps = false;
+  const deep = () => (other.problems(ball), deep()); // where JavaScript's stack ends within the module
+  for (let k = 0; k < 3; ++k) assert.throws(deep, /Maximum call stack size exceeded/);
+  const again = other.solve(standard), times = [0, 5, 20];
+  expect_same_bits(again.states(times), tautline.solve(standard).states(times), "states");
+  expect_same_bits(motion.states(times), again.states(times), "states");
+  assert.equal(motion.horizon, again.horizon);
+  assert.deepEqual(other.problems({ ...ball, duration: -1 }), tautline.problems({ ...ball, duration: -1 }));
+});
+
+test("a body that turns too fast to solve on has a motion, and no swing", () => {
+  const [one] = cases.filter(({ name }) => name === "caught-swing");
+  for (const spin of [-1e20, 1e20]) {
+    const { settling } = tautline.solve({ ...one, initial: { ...one.initial, spin } });
+    assert.deepEqual([settling.swing, settling.permanent], [null, false]);
+  }
+});
+
 test("a motion that nobody holds gives its memory back", async () => {
   const { tautline: other, bytes } = await with_memory();
   v8.setFlagsFromString("--expose-gc");
@@ -260,6 +386,9 @@ test("what npm packs installs without a network, and has the licences", (context
   assert.deepEqual(packed.files.map((file) => file.path).sort(),
     ["LICENSE", "NOTICE", "README.md", "cases.json", "example.mjs", "package.json", "tautline.d.ts", "tautline.mjs", "tautline.wasm"]);
   assert.deepEqual(packed.files.map((file) => file.path).sort(), readdirSync(package_folder()).sort());
+  const links = [...readFileSync(path.join(package_folder(), "README.md"), "utf8").matchAll(/\]\(([^)#]+)\)/g)].map(([, link]) => link);
+  assert.ok(links.length > 0);
+  for (const link of links) assert.ok(packed.files.some((file) => file.path === link), `README.md: ${link} is not in the package`);
   const notice = readFileSync(path.join(package_folder(), "NOTICE"), "utf8");
   for (const words of ["Eigen", "MPL-2.0", "musl", "libc++", "LLVM exception", "toml++", "JSON for Modern C++", "MIT"]) assert.ok(notice.includes(words), words);
   const user = path.join(work, "user");

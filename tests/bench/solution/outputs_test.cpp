@@ -230,9 +230,10 @@ TEST(TautPhases, OfAPendulumHaveItsLeastAndItsLargestTension) {
 
 TEST(TautPhases, OfASwingThatTurnsTooFastToBeSolvedAreNone) {
   Case the_case = pendulum(1.0, 10.0);
+  Swing swing{};
+  swing.period = 2.0;
   const auto tensions = [&] {
-    return bench::period_tensions(the_case, the_case.initial, CableSet::of(0), {.period = 2.0},
-                                  0.0);
+    return bench::period_tensions(the_case, the_case.initial, CableSet::of(0), swing, 0.0);
   };
   EXPECT_EQ(tensions().size(), 1U);
   the_case.initial.spin = largest_number;  // one of more energy would be beyond it

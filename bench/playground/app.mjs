@@ -137,7 +137,7 @@ function measure(name, start) {
 
 /// What is drawn: the case of the motion, and not the one that is asked for, unless that has none.
 function picture() {
-  return { the_case: impossible || !motion ? state.the_case : motion.the_case, motion, run: state.model === "" ? undefined : run, fog: state.fog ? fog : undefined, time: impossible ? 0 : state.time, speed: state.speed,
+  return { the_case: impossible || !motion ? state.the_case : motion.the_case, motion, run: state.model === "" ? undefined : run, foggy: state.fog, fog: state.fog ? fog : undefined, time: impossible ? 0 : state.time, speed: state.speed,
     colours, impossible, unit: units, still: lessMotion.matches };
 }
 
@@ -162,9 +162,9 @@ function draw() {
   $("apart-now").textContent = now.fog ? `futures ${short(spreadAt(fog, state.time), 2)}${units("m")} apart` : "";
 }
 
-/// The height of the chart follows what is in it.
+/// The height of the chart follows what is in it, or will be soon: the picture above must not move under a hand.
 function arrange() {
-  const height = heightOf(motion.the_case.cables.length, Boolean(state.fog && fog));
+  const height = heightOf(motion.the_case.cables.length, state.fog);
   const pixels = `${height}px`;
   if ($("chart").style.height !== pixels) $("chart").style.height = pixels;
 }
@@ -307,6 +307,7 @@ function load(read) {
   ({ state, problem, stays } = read);
   [fresh, possible, impossible] = [true, undefined, undefined];
   stop();
+  draw(); // the instant is another one at once
   panel.show(state, units, true);
   ask();
   if (!stays && !lessMotion.matches) play();

@@ -61,7 +61,7 @@ export class Chart {
     g.stroke();
   }
 
-  #drawStill(g, { motion, run, fog, colours, unit }, width, height) {
+  #drawStill(g, { motion, run, foggy, fog, colours, unit }, width, height) {
     const right = width - MARGIN.right, bottom = height - AXIS, end = motion.end, cables = motion.the_case.cables.length;
     const X = (t) => MARGIN.left + ((right - MARGIN.left) * t) / end;
     Object.assign(g, { font: `12px ${colours.sans}`, textBaseline: "middle", lineJoin: "round" });
@@ -87,10 +87,8 @@ export class Chart {
     label(`t${unit("s") && " [s]"}`, bottom + 14);
     this.#drawEnergy(g, motion, run, colours, X, right, unit, label);
     let y = TOP + ENERGY + GAP;
-    if (fog) {
-      this.#drawSpread(g, fog, colours, X, y, label);
-      y += SPREAD + GAP;
-    }
+    if (fog) this.#drawSpread(g, fog, colours, X, y, label);
+    if (foggy) y += SPREAD + GAP;
     for (let cable = 0; cable < cables; ++cable) this.#drawStrip(g, { motion, run, colours, X, cable, cables, y: y + STRIP * cable, end, right, label });
   }
 

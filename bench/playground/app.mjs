@@ -44,9 +44,10 @@ const panes = [new Pane($("far"), false, page), new Pane($("near"), true, page)]
 
 // ---- what is asked
 
-const solver = new Asker(SOLVER_SOURCE, { started: (data) => ({ version } = data), failed: tellProblem });
-const fogger = new Asker(SOLVER_SOURCE, { started: () => {}, failed: tellProblem });
-const runner = new Asker(ENGINES_SOURCE, { failed: tellProblem, pace: REST, started: (data) => {
+const cannotRun = (what) => (message) => tellProblem(`This browser cannot run ${what}: ${message}`);
+const solver = new Asker(SOLVER_SOURCE, { started: (data) => ({ version } = data), failed: cannotRun("the solver") });
+const fogger = new Asker(SOLVER_SOURCE, { started: () => {}, failed: cannotRun("the solver") });
+const runner = new Asker(ENGINES_SOURCE, { failed: cannotRun("the engines"), pace: REST, started: (data) => {
   ({ engines } = data);
   panel.engines(engines);
   panel.show(state, units, false);
@@ -433,7 +434,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
 
 retheme();
 panel.show(state, units, true);
-loadSolver().catch((error) => tellProblem(`This browser cannot run the solver: ${error.message}`));
+loadSolver().catch(({ message }) => cannotRun("the solver")(message));
 load({ state, problem, stays });
 // for the tests, and for who opens the browser's tools
 globalThis.playground = page;

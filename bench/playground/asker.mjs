@@ -9,19 +9,27 @@ export class Asker {
   #sent = 0;
   #timer = 0;
 
-  /// A worker of the text `source`. `started` gets its first message, `failed` a sentence. Between two questions are at
-  /// least `pace` [ms].
+  /// A worker of the text `source`. `started` gets its first message, `failed` what a worker says that cannot go on. Between
+  /// two questions are at least `pace` [ms].
   constructor(source, { started, failed, pace = 0 }) {
     this.#pace = pace;
     this.#worker = new Worker(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
-    this.#worker.onerror = ({ message }) => failed(`This browser cannot run the page: ${message ?? "a worker did not start"}.`);
-    this.#worker.onmessage = ({ data }) => {
+    const next = () => { // before the answer is drawn: the worker goes on meanwhile
       const asked = this.#asked;
-      this.#asked = undefined;
-      this.#busy = false;
-      this.#send(); // before the answer is drawn: the worker goes on meanwhile
-      if (asked) asked.use(data.answer, asked.question);
+      [this.#asked, this.#busy] = [undefined, false];
+      this.#send();
+      return asked;
+    };
+    this.#worker.onerror = ({ message }) => {
+      next();
+      failed(message ?? "a worker did not start");
+    };
+    this.#worker.onmessage = ({ data }) => {
+      if (data.failed) return failed(data.failed); // it has not started, and never will
+      const asked = next();
+      if ("answer" in data) asked?.use(data.answer, asked.question);
       else started(data);
+      return undefined;
     };
   }
 

@@ -36,7 +36,7 @@ async function bundle(entry, define = {}) {
   } };
   const { outputFiles: [file] } = await build({ ...entry, bundle: true, format: "esm", target: "es2022", minify: true, write: false, charset: "utf8",
     legalComments: "none", plugins: [instead], nodePaths: [join(here, "node_modules")], define: { "import.meta.url": '""', ...define } });
-  return `(async () => {${file.text}})();`;
+  return `(async () => {${file.text}})().catch(({ message }) => postMessage({ failed: message }));`;
 }
 
 const solver = await bundle({ entryPoints: [join(here, "worker.mjs")] });

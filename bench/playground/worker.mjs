@@ -147,8 +147,12 @@ const answers = { solve, fog, read };
 
 onmessage = async ({ data }) => {
   if (data.module) {
-    tautline = await load(data.module);
-    postMessage({ version: tautline.version });
+    try {
+      tautline = await load(data.module);
+      postMessage({ version: tautline.version });
+    } catch ({ message }) {
+      postMessage({ failed: message });
+    }
     return;
   }
   try {

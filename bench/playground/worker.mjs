@@ -42,18 +42,10 @@ function instants(end, count, events) {
   return all.filter((time, i) => i === 0 || time !== all[i - 1]);
 }
 
-const MOST_STRETCHES = 20_000; // the page draws no more of a motion that repeats itself
-
-/// Where which cables are taut. The arcs hold a motion that repeats itself for one period.
+/// Where which cables are taut. The arcs hold a motion that repeats itself for one period: a swing, whose cables stay taut.
 function tautStretches({ arcs, end_time, summary: { repetition } }) {
-  const all = arcs.filter(({ taut }) => taut.length > 0).map(({ start, end, taut }) => ({ start, end, taut: set(taut) }));
-  if (!repetition) return all;
-  const period = all.filter(({ start }) => start >= repetition.start);
-  for (let n = 1; period.length > 0 && all.length < MOST_STRETCHES && repetition.start + n * repetition.period < end_time; ++n) {
-    const shift = n * repetition.period;
-    all.push(...period.map(({ start, end, taut }) => ({ start: start + shift, end: end + shift, taut })).filter(({ start }) => start < end_time));
-  }
-  return all;
+  return arcs.filter(({ taut }) => taut.length > 0).map(({ start, end, taut }, k, all) =>
+    ({ start, end: repetition && k === all.length - 1 ? end_time : end, taut: set(taut) }));
 }
 
 /// The motion of a case as the page draws it. `whole` also asks for what waits until a hand rests: how far its numbers are

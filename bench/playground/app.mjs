@@ -280,6 +280,7 @@ function cancel() {
 function set({ engineModel, ...values }) {
   if (engineModel !== undefined) [values.engine, values.model] = engineModel === "" ? [state.engine, ""] : engineModel.split("/");
   state = { ...state, ...values };
+  if (problem) tellProblem(problem = undefined); // of an address that this changes
   if ("speed" in values) keepAddress();
   else if ("law" in values) ask();
   else if (motion) {

@@ -111,7 +111,12 @@ function readCase(first, all, shipped) {
   return complete(one);
 }
 
-/// The state of an address, whether it `stays` at an instant, and what is wrong with it: then it is the state of a fresh page.
+/// The keys of an address.
+const KEYS = ["case", "name", "duration", "gravity", "body", "start", "cable", "table", "angle_limit", "ceiling", "law", "engine", "rate",
+  "fog", "apart", "speed", "t"];
+
+/// The state of an address, whether it `stays` at an instant, and a sentence on what is wrong with it: where that is its case,
+/// it is the state of a fresh page.
 export function readState(address, shipped) {
   try {
     const pairs = address.replace(/^#/, "").split("&").filter(Boolean).map((one) => {
@@ -121,18 +126,23 @@ export function readState(address, shipped) {
     const all = (key) => pairs.filter(([one]) => one === key).map(([, text]) => text);
     const first = (key) => all(key)[0];
     const state = { ...view, the_case: readCase(first, all, shipped) };
-    const chosen = (key, choices) => {
-      const value = Number(first(key) ?? NaN);
-      if (choices.includes(value)) state[key] = value;
+    const wrong = [...new Set(pairs.map(([key]) => key))].filter((key) => !KEYS.includes(key)).map((key) => `${key} is no key`);
+    const chosen = (key, choices, read = Number, write = String) => {
+      if (first(key) === undefined) return;
+      if (choices.includes(read(first(key)))) state[key] = read(first(key));
+      else wrong.push(`${key}=${first(key)} must be ${choices.slice(0, -1).map(write).join(", ")} or ${write(choices.at(-1))}`);
     };
-    if (LAWS.includes(first("law"))) state.law = first("law");
-    if (first("engine") !== undefined) [state.engine, state.model = ""] = first("engine") === "none" ? ["planck"] : first("engine").split("/");
+    chosen("law", LAWS, String);
+    const [engine, model = ""] = (first("engine") ?? `${state.engine}/${state.model}`).split("/");
+    if (engine === "none") state.model = "";
+    else if (model === "") wrong.push(`engine=${engine} must be an engine and its model, such as planck/rope, or none`);
+    else Object.assign(state, { engine, model });
     chosen("rate", RATES);
-    chosen("apart", APART);
+    chosen("apart", APART, Number, (apart) => apart.toExponential());
     chosen("speed", SPEEDS);
-    state.fog = first("fog") !== "0";
+    chosen("fog", [false, true], (text) => ({ 0: false, 1: true })[text], Number);
     if (first("t") !== undefined) state.time = Math.max(0, numbers("t", first("t"), 1)[0]);
-    return { state, stays: first("t") !== undefined };
+    return { state, stays: first("t") !== undefined, ...(wrong.length > 0 && { problem: `address: ${wrong.join("; ")}` }) };
   } catch (error) {
     if (!(error instanceof Wrong || error instanceof URIError)) throw error;
     return { state: { ...view, the_case: complete(shipped[0]) }, problem: error.message };

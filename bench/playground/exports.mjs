@@ -11,17 +11,18 @@ export function formsOf(page) {
   const solved = (text) => () => (page.impossible ? `# ${page.impossible}\n` : page.motion?.toml ? text() : "");
   const file = () => (shipped() ? "" : `cat > ${name()}.toml <<'END'\n${page.motion.toml}END\n`);
   const called = () => (shipped() ? page.state.the_case.name : `${name()}.toml`);
-  const command = (words) => solved(() => `${file()}tautline ${words} ${called()}${law((one) => ` --law ${one}`)}\n`);
+  const command = (word) => `${file()}tautline ${word} ${called()}${law((one) => ` --law ${one}`)}`;
   return {
     "case file": { text: solved(() => page.motion.toml), file: () => `${name()}.toml` },
-    "command": { text: command("solve"), file: () => `${name()}.sh` },
+    "command": { text: solved(() => `${command("solve")}\n`), file: () => `${name()}.sh` },
     "Python": { file: () => `${name().replaceAll("-", "_")}.py`, text: solved(() => {
       // JSON's text is also a text of Python
       const one = shipped() ? `tl.Case.shipped(${JSON.stringify(page.state.the_case.name)})`
         : `tl.Case.from_json(${JSON.stringify(page.motion.json.replace(/\n\s*/g, " ").trim())})`;
       return `import tautline as tl; motion = tl.solve(${one}${law((text) => `, law="${text}"`)})\n`;
     }) },
-    "test vector": { text: command("vector"), file: () => `${name()}.sh` },
+    "test vector": { file: () => `${name()}.sh`, text: solved(() =>
+      `# Run this: it solves the case in many digits, and writes the vector to ${name()}.json\n${command("vector")} --json ${name()}.json\n`) },
     "events": { text: solved(() => eventTable(page.motion)), file: () => `${name()}-events.csv` },
     "link": { text: () => `${location.href}\n`, file: () => `${name()}.txt` },
   };
@@ -34,7 +35,7 @@ function eventTable({ events, the_case: { cables } }) {
   for (let i = 0; i < events.count; ++i) {
     rows.push([events.time[i], events.kind[i], cables.map((_, k) => k).filter((k) => (events.cables[i] >> k) & 1).join("+"),
       ...events.before.subarray(6 * i, 6 * i + 6), ...events.after.subarray(6 * i, 6 * i + 6),
-      ...events.impulses.subarray(cables.length * i, cables.length * (i + 1))]);
+      ...events.impulses.subarray(cables.length * i, cables.length * (i + 1)).map((one) => Math.max(0, one))]); // below are gravity's
   }
   return `${rows.map((row) => row.join(",")).join("\n")}\n`;
 }

@@ -9,7 +9,8 @@ import test from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { complete, readState, spellState, view } from '../../bench/playground/case.mjs';
-import { withPage } from './browser.mjs';
+import { Asker } from '../../bench/playground/asker.mjs';
+import { withPage, withText } from './browser.mjs';
 
 const file = process.env.TAUTLINE_PLAYGROUND;
 const program = process.env.TAUTLINE_PROGRAM;
@@ -85,14 +86,20 @@ check('the events have the bits of the program, also of a case that a hand has c
       writeFileSync(join(folder, 'case.toml'), toml);
       const native = JSON.parse(execFileSync(program, ['solve', join(folder, 'case.toml'), '--law', law, '--json', '-'], { encoding: 'utf8' }));
       const row = ({ position, angle, velocity, spin }) => [...position, angle, ...velocity, spin];
-      const expected = bitsOf(native.events.flatMap((one) => [one.time, ...row(one.before), ...row(one.after)]));
-      const found = await page.evaluate(() => {
+      const cables = native.case.cables.map((_, cable) => cable);
+      const impulses = (one) => cables.map((cable) => one.impulses?.[one.cables.indexOf(cable)] ?? 0);
+      const expected = bitsOf(native.events.flatMap((one) => [one.time, ...row(one.before), ...row(one.after), ...impulses(one)]));
+      const found = await page.evaluate((width) => {
         const { events } = playground.motion;
-        const all = Float64Array.from(Array.from({ length: events.count }).flatMap((_, i) =>
-          [events.time[i], ...events.before.subarray(6 * i, 6 * i + 6), ...events.after.subarray(6 * i, 6 * i + 6)]));
-        return [...new Uint8Array(all.buffer)].map((one) => one.toString(16).padStart(2, '0')).join('');
-      });
-      assert.equal(found, expected, name);
+        const all = Float64Array.from(Array.from({ length: events.count }).flatMap((_, i) => [events.time[i], ...events.before.subarray(6 * i, 6 * i + 6),
+          ...events.after.subarray(6 * i, 6 * i + 6), ...events.impulses.subarray(width * i, width * (i + 1)).map((one) => Math.max(0, one))])); // below are gravity's
+        return { bits: [...new Uint8Array(all.buffer)].map((one) => one.toString(16).padStart(2, '0')).join(''), kinds: events.kind,
+          cables: [...events.cables] };
+      }, cables.length);
+      assert.equal(found.bits, expected, name);
+      assert.deepEqual(found.kinds, native.events.map(({ kind }) => kind), name);
+      assert.deepEqual(found.cables, native.events.map((one) => one.cables.reduce((set, cable) => set | (1 << cable), 0)), name);
+      assert.ok(native.events.some((one) => one.impulses?.some((impulse) => impulse > 0)), name);
       kinds += native.events.length;
     }
     assert.ok(kinds > 500, `${kinds} events`);
@@ -130,6 +137,79 @@ test('an address brings back every bit of a state', () => {
     assert.equal(spellState(state, shipped), `case=${one.name}`);
     assert.deepEqual(readState(spellState(state, shipped), shipped).state, state);
   }
+});
+
+test('an address that asks for what there is not is told of it, and the rest is as it asks', () => {
+  const { state, problem, stays } = readState('#case=level-beam&law=newton&rate=50&apart=1e-3&speed=3&fog=no&engine=rope&lw=1&t=1', shipped);
+  assert.equal(problem, 'address: lw is no key; law=newton must be simultaneous, poisson, sequential or energetic; '
+    + 'engine=rope must be an engine and its model, such as planck/rope, or none; rate=50 must be 60, 240 or 1000; '
+    + 'apart=1e-3 must be 1e-2, 1e-4, 1e-6, 1e-8, 1e-10 or 1e-12; speed=3 must be 0.1, 0.25, 0.5, 1, 2 or 4; fog=no must be 0 or 1');
+  assert.equal(stays, true);
+  const { the_case, ...rest } = state;
+  assert.equal(the_case.name, 'level-beam');
+  assert.deepEqual(rest, { ...view, time: 1 });
+  const guide = readFileSync(new URL('../../docs/guides/playground.md', import.meta.url), 'utf8');
+  assert.ok(guide.includes(/apart=1e-3 must be (.*?);/.exec(problem)[1]), 'the guide lists them');
+});
+
+test('a worker that fails is heard of, and one that has not gone answers on', () => {
+  const [given, said, used, started] = [globalThis.Worker, [], [], []];
+  let worker;
+  globalThis.Worker = class {
+    posted = [];
+    constructor() { worker = this; }
+    postMessage(message) { this.posted.push(message); }
+  };
+  try {
+    const asker = new Asker('', { started: (data) => started.push(data), failed: (message) => said.push(message) });
+    asker.ask(1, (answer) => used.push(answer));
+    worker.onmessage({ data: { version: '1' } });
+    asker.ask(2, (answer) => used.push(answer));
+    worker.onerror({ message: 'no memory' });
+    worker.onmessage({ data: { answer: 'two' } });
+    assert.deepEqual([worker.posted, said, used, started], [[1, 2], ['no memory'], ['two'], [{ version: '1' }]]);
+    asker.ask(3, () => {});
+    worker.onerror({});
+    asker.ask(4, (answer) => used.push(answer));
+    worker.onmessage({ data: { answer: 'four' } });
+    worker.onmessage({ data: { failed: 'it does not load' } });
+    assert.deepEqual([worker.posted, said, used], [[1, 2, 3, 4], ['no memory', 'a worker did not start', 'it does not load'], ['two', 'four']]);
+  } finally {
+    globalThis.Worker = given;
+  }
+});
+
+test('a solver that cannot be loaded is told of', () => {
+  const empty = gzipSync(Buffer.from('0061736d01000000', 'hex')).toString('base64'); // a module without a function
+  const text = readFileSync(file, 'utf8').replace(/(<script type="application\/octet-stream" id="wasm">)[^<]*/, `$1${empty}`);
+  return withText(text, async ({ page }) => {
+    await page.waitForFunction(() => !document.getElementById('problem').hidden);
+    assert.match(await page.locator('#problem').textContent(), /^This browser cannot run the solver: ./);
+  });
+});
+
+check('a law that there is not is told of in a sentence, until another is chosen', 'case=level-beam&law=newton&t=0', async (page) => {
+  assert.match(await page.locator('#problem').textContent(), /^address: law=newton must be simultaneous, /);
+  await page.selectOption('#rate', '240');
+  assert.equal(await page.locator('#problem').isVisible(), false);
+});
+
+check('cables stay taut to the end of a motion that repeats itself, however long',
+  spellState({ ...view, the_case: { ...complete(shipped[0]), name: 'long', duration: 1e6 } }, shipped), async (page) => {
+    const { ends, late, end } = await page.evaluate(() => ({ ends: playground.motion.stretches.map((all) => all.at(-1).end),
+      late: [3000.5, 999_999].map((time) => playground.motion.tautAt(time)), end: playground.motion.end }));
+    assert.deepEqual([ends, late, end], [[1e6, 1e6], [3, 3], 1e6]);
+  });
+
+check('a link to an instant shows it at once', standard, async (page) => {
+  await page.waitForFunction(() => playground.state.time > 0.5);
+  const place = () => document.querySelector('.handle.body').style.transform;
+  const at = await page.evaluate(`new Promise((done) => {
+    addEventListener('hashchange', () => done((${place})()), { once: true });
+    location.hash = '${standard}&t=0';
+  })`);
+  await drawn(page);
+  assert.equal(at, await page.evaluate(place));
 });
 
 check('an address that cannot be read shows the standard case and says why', 'cable=1,2,3', async (page) => {
@@ -223,12 +303,17 @@ check('what leaves the page solves to the same motion elsewhere', 'case=level-be
     writeFileSync(join(folder, 'command.sh'), `tautline() { "${program}" "$@"; }\n${(await form('command')).replace(/(--law poisson)$/m, '$1 --json -')}`);
     const { events } = JSON.parse(execFileSync('bash', ['command.sh'], { cwd: folder, encoding: 'utf8' }));
     assert.ok(events.length > 3);
-    assert.deepEqual(rows.slice(1).map((row) => Number(row.split(',')[0])), events.map((one) => one.time));
+    const state = ({ position, angle, velocity, spin }) => [...position, angle, ...velocity, spin].map(String);
+    assert.deepEqual(rows.slice(1), events.map((one) => [one.time, one.kind, one.cables.join('+'), ...state(one.before), ...state(one.after),
+      ...[0, 1].map((cable) => one.impulses[one.cables.indexOf(cable)] ?? 0)].join(',')));
+    const vector = await form('test vector'), [, written] = /^# Run this: .* writes the vector to (.*)\n/.exec(vector);
+    writeFileSync(join(folder, 'vector.sh'), `tautline() { "${program}" "$@"; }\n${vector}`);
+    execFileSync('bash', ['vector.sh'], { cwd: folder });
+    assert.equal(JSON.parse(readFileSync(join(folder, written), 'utf8')).format, 'tautline-vector-1');
   } finally {
     rmSync(folder, { recursive: true });
   }
   assert.match(await form('Python'), /^import tautline as tl; motion = tl\.solve\(tl\.Case\.from_json\("\{.*\}"\), law="poisson"\)\n$/);
-  assert.match(await form('test vector'), /^tautline vector .*\.toml --law poisson$/m);
   assert.match(await form('case file'), /restitution = 0\.5/);
 });
 

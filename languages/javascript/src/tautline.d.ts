@@ -329,7 +329,11 @@ export interface SweptSettlings {
   readonly swing_tension: Float64Array;
 }
 
-/** The solver. A wrong case or option is a RangeError with all that is wrong, a sentence a line. */
+/**
+ * The solver. A wrong case or option is a RangeError with all that is wrong, a sentence a line. What must be an array and is
+ * none is a TypeError. An Error with a WebAssembly.RuntimeError as its `cause` is a mistake in tautline: other calls go on, and
+ * motions stay as they are.
+ */
 export interface Tautline {
   readonly version: string;
   /** The columns of a state. */

@@ -44,7 +44,7 @@ const panes = [new Pane($("far"), false, page), new Pane($("near"), true, page)]
 
 // ---- what is asked
 
-const cannotRun = (what) => (message) => tellProblem(`This browser cannot run ${what}: ${message}`);
+const cannotRun = (what) => (message) => tellProblem(problem = `This browser cannot run ${what}: ${message}`);
 const solver = new Asker(SOLVER_SOURCE, { started: (data) => ({ version } = data), failed: cannotRun("the solver") });
 const fogger = new Asker(SOLVER_SOURCE, { started: () => {}, failed: cannotRun("the solver") });
 const runner = new Asker(ENGINES_SOURCE, { failed: cannotRun("the engines"), pace: REST, started: (data) => {
@@ -280,7 +280,10 @@ function cancel() {
 function set({ engineModel, ...values }) {
   if (engineModel !== undefined) [values.engine, values.model] = engineModel === "" ? [state.engine, ""] : engineModel.split("/");
   state = { ...state, ...values };
-  if (problem) tellProblem(problem = undefined); // of an address that this changes
+  if (problem) { // of an address that this changes
+    problem = undefined;
+    tellProblem(impossible);
+  }
   if ("speed" in values) keepAddress();
   else if ("law" in values) ask();
   else if (motion) {

@@ -188,6 +188,16 @@ test('a solver that cannot be loaded is told of', () => {
   });
 });
 
+test('engines that cannot be loaded are told of, beside the exact motion', () => {
+  const [text, broken] = [readFileSync(file, 'utf8'), 'postMessage({engines:'];
+  assert.equal(text.split(broken).length, 2);
+  return withText(text.replace(broken, 'throw Error(`none`);$&'), async ({ page }) => {
+    await solved(page);
+    await page.waitForFunction(() => /^This browser cannot run the engines: none$/.test(document.getElementById('problem').textContent));
+    assert.equal(await page.locator('#problem').isVisible(), true);
+  });
+});
+
 check('a law that there is not is told of in a sentence, until another is chosen', 'case=level-beam&law=newton&t=0', async (page) => {
   assert.match(await page.locator('#problem').textContent(), /^address: law=newton must be simultaneous, /);
   await page.selectOption('#rate', '240');
@@ -201,8 +211,7 @@ check('cables stay taut to the end of a motion that repeats itself, however long
     assert.deepEqual([ends, late, end], [[1e6, 1e6], [3, 3], 1e6]);
   });
 
-check('a link to an instant shows it at once', standard, async (page) => {
-  await page.waitForFunction(() => playground.state.time > 0.5);
+check('a link to an instant shows it at once', `${standard}&t=2`, async (page) => {
   const place = () => document.querySelector('.handle.body').style.transform;
   const at = await page.evaluate(`new Promise((done) => {
     addEventListener('hashchange', () => done((${place})()), { once: true });

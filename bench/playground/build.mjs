@@ -4,7 +4,7 @@
 //
 // JAVASCRIPT is the folder of the built JavaScript package, OUT the file to write.
 
-import { readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -58,6 +58,7 @@ const parts = {
   LICENCES: `<!--\n${licences}\n-->`,
 };
 const page = text("page.html").replace(/<!--([A-Z]+)-->/g, (_, name) => parts[name]);
+mkdirSync(dirname(resolve(out)), { recursive: true });
 writeFileSync(out, page);
 const kb = (bytes) => `${(bytes.length / 1000).toFixed(0)} kB`;
 console.log(`${out}: ${kb(Buffer.from(page))}, ${kb(gzipSync(page, { level: 9 }))} gzip; solver ${kb(parts.WASM)} of it, engines ${kb(engines)}`);

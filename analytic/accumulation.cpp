@@ -116,7 +116,7 @@ StateOf<TheCase> without_energy_gained(const TheCase& the_case, const StateOf<Th
                                        StateOf<TheCase> after) {
   using Real = RealOf<TheCase>;
   const Real gained = energy(the_case, after) - energy(the_case, before);
-  const Real kinetic = kinetic_energy(the_case.body, after);
+  const Real kinetic = kinetic_energy(bodies_of(the_case), after);
   if (gained > few_roundings * rounding_of_energy(the_case, before) && gained < kinetic) {
     const Real part = sqrt(Real(1 - gained / kinetic));
     after = times_as_fast(after, part);
@@ -159,7 +159,7 @@ std::optional<BasicCompletion<TheCase>> completion(const TheCase& the_case,
                                                    const TouchingOf<TheCase>& touching,
                                                    const CompletionLimits& limits) {
   using Real = RealOf<TheCase>;
-  const Scales<Real> scale(the_case, state, limits.margin);
+  const Scales<Real> scale = scales_of(the_case, state, limits.margin);
   CableSet cables = slow_contacts(the_case, state, touching, limits, scale);
   // a round loses cables that leave or gains one that takes part; few rounds settle it
   for (std::size_t round = 0; round < 2 * max_cables && !cables.empty(); ++round) {

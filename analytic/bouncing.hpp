@@ -168,11 +168,11 @@ void refine(Bouncing<Real>& bounces, const TheCase& the_case, const StateOf<TheC
   constexpr std::size_t order = 3;
   const SeriesOf<TheCase> motion(the_case, after, CableSet::of(index), order);
   const auto tension = motion.tension(index);
-  const auto [k, k_rate] = scaled_response(the_case, motion, index);
+  const auto [k, k_rate, length] = scaled_response(the_case, after, motion, index);
   const Real root = sqrt(k);
-  const Real c = tension[0] * root / cable.length;
-  const Real c_rate = (tension[1] * root + tension[0] * k_rate / (2 * root)) / cable.length;
-  const Real s = abs(gap_rate(cable, state)) * cable.length / root;
+  const Real c = tension[0] * root / length;
+  const Real c_rate = (tension[1] * root + tension[0] * k_rate / (2 * root)) / length;
+  const Real s = abs(gap_rate(cable, state)) * length / root;
   const Real lost = 1 - restitution_up_to(cable, bounces.speed);
   const Real first = 2 * s / (c * lost);
   const Real second = -first * 2 * c_rate * s / (3 * c * c * lost);

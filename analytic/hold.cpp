@@ -82,8 +82,9 @@ std::optional<BasicHold<TheCase>> candidate(const TheCase& the_case, const State
                                             CableSet pulling, const Doubtful<Real>& doubtful) {
   const Real acceleration = acceleration_scale(the_case, state);
   // over which a cable notices that acceleration
-  const Real time = acceleration > 0 ? Real(sqrt(Real(shortest_length(the_case) / acceleration)))
-                                     : infinity<Real>();
+  const Real time = acceleration > 0
+                        ? Real(sqrt(Real(shortest_length(the_case, state) / acceleration)))
+                        : infinity<Real>();
   const bool bounces = !(touching.cables - resting).empty();
   BasicHold<TheCase> result{
       pulling, {}, longest_series(the_case, state, pulling, bounces), Real(0), {}};

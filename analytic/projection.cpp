@@ -39,7 +39,7 @@ template <class TheCase, class Real = RealOf<TheCase>>
 BasicCableVector<Real> multipliers_of(const CableRows<TheCase>& rows, CableSet basis,
                                       const BasicCableVector<Real>& right) {
   const RowSpace<TheCase> space = rows.space(basis);
-  RowOf<TheCase> sum = RowOf<TheCase>::Zero();
+  RowOf<TheCase> sum = rows.zero();
   std::size_t i = 0;
   for (const std::size_t row : basis) {
     sum += right[static_cast<Eigen::Index>(row)] * space.dual(i++);
@@ -70,8 +70,8 @@ RowOf<TheCase> momentum_kept(const TheCase& the_case, const StateOf<TheCase>& st
   constexpr double almost_dependent = 1e-2;  // [-], a sine that would multiply rounding of the gaps
   const CableRows<TheCase> rows(the_case, state, cables);
   const CableSet basis = rows.most_independent(Real(almost_dependent));
-  RowOf<TheCase> result = RowOf<TheCase>::Zero();
-  if (basis.size() == TheCase::freedoms) {  // independent cables leave no motion along them
+  RowOf<TheCase> result = rows.zero();
+  if (basis.size() == rows.freedoms()) {  // independent cables leave no motion along them
     return result;
   }
   const BasicCableVector<Real> open = gaps(the_case, state, cables);
@@ -82,7 +82,7 @@ RowOf<TheCase> momentum_kept(const TheCase& the_case, const StateOf<TheCase>& st
   for (const std::size_t index : cables) {
     result += shift[row++] * gap_gradient_rate(the_case.cables[index], state);
   }
-  return result.cwiseProduct(inverse_mass(the_case.body));
+  return result.cwiseProduct(inverse_mass(bodies_of(the_case)));
 }
 
 }  // namespace
@@ -111,15 +111,15 @@ StateOf<TheCase> with_zero_rates(const TheCase& the_case, const StateOf<TheCase>
   }
   const CableRows<TheCase> rows(the_case, state, cables);
   const RowSpace<TheCase> space = rows.space(rows.most_independent());
-  return with_change(the_case.body, state,
-                     RowOf<TheCase>(-space.part(mass_velocity(the_case.body, state))));
+  return with_change(bodies_of(the_case), state,
+                     RowOf<TheCase>(-space.part(mass_velocity(bodies_of(the_case), state))));
 }
 
 template <class TheCase, class Real>
 StateOf<TheCase> with_zero_gaps(const TheCase& the_case, StateOf<TheCase> state, CableSet cables,
                                 const std::type_identity_t<Real>& least_sine) {
   constexpr int enough = 8;  // quadratic: three reach a double's last bit, seven 100 digits
-  const RowOf<TheCase> weight = root_of_inverse_mass(the_case.body);
+  const RowOf<TheCase> weight = root_of_inverse_mass(bodies_of(the_case));
   std::array<std::size_t, max_cables> indices{};  // of the rows
   std::size_t count = 0;
   for (const std::size_t index : cables) {
@@ -132,7 +132,7 @@ StateOf<TheCase> with_zero_gaps(const TheCase& the_case, StateOf<TheCase> state,
     const CableRows<TheCase> rows(the_case, state, cables);
     const CableSet basis = rows.most_independent(least_sine);  // with them the others close
     const RowSpace<TheCase> space = rows.space(basis);
-    RowOf<TheCase> step = RowOf<TheCase>::Zero();  // of the pose, times the root of the mass
+    RowOf<TheCase> step = rows.zero();  // of the pose, times the root of the mass
     CableSet chosen;
     std::size_t i = 0;
     for (const std::size_t row : basis) {

@@ -27,10 +27,21 @@ struct Scales {
     rate = abs(spin) + turn + sqrt(V(acceleration / shortest));
   }
 
+  /// These.
+  Scales(const V& of_acceleration, const V& of_rate, double of_certificate)
+      : acceleration(of_acceleration), rate(of_rate), margin(of_certificate) {}
+
   V acceleration;
   V rate;
   double margin;  // of the certificate [-]
 };
+
+/// Those of a motion in `state`.
+template <class Real>
+[[nodiscard]] Scales<Real> scales_of(const BasicCase<Real>& the_case, const BasicState<Real>& state,
+                                     double of_certificate) {
+  return {the_case, state, of_certificate};
+}
 
 /// Where bounces that begin with `rebound` [m/s] are no higher than what a gap can tell.
 template <class V>

@@ -14,18 +14,19 @@
 namespace tautline {
 
 template <class TheCase>
-StateOf<TheCase> BasicArc<TheCase>::after(const Real& dt, const VectorOf<TheCase>& gravity) const {
+StateOf<TheCase> BasicArc<TheCase>::after(const Real& dt, const GravityOf<TheCase>& gravity) const {
   if (series.rows() == 0) {
     return fly(initial, gravity, dt);
   }
-  using Pose = Eigen::Matrix<Real, 1, TheCase::freedoms>;
-  Pose pose = Pose::Zero();
-  Pose rate = Pose::Zero();
+  using Pose =
+      Eigen::Matrix<Real, 1, TheCase::freedoms, Eigen::RowMajor, 1, TheCase::most_freedoms>;
+  Pose pose = Pose::Zero(series.cols());
+  Pose rate = Pose::Zero(series.cols());
   for (Eigen::Index k = series.rows() - 1; k >= 0; --k) {
     rate = (rate * dt + pose).eval();
     pose = (pose * dt + series.row(k)).eval();
   }
-  return state_of(initial, pose, rate);
+  return state_of(initial, pose, rate, dt);
 }
 
 template <class TheCase>

@@ -21,8 +21,8 @@ template <class TheCase, class Real = RealOf<TheCase>>
 Complementary<Real> trial(const CableRows<TheCase>& cables, const BasicCableVector<Real>& q,
                           const BasicCableVector<Real>& rounding, CableSet active) {
   const RowSpace<TheCase> space = cables.space(active);
-  RowOf<TheCase> change = RowOf<TheCase>::Zero();  // A^T z
-  RowOf<TheCase> error = RowOf<TheCase>::Zero();
+  RowOf<TheCase> change = cables.zero();  // A^T z
+  RowOf<TheCase> error = cables.zero();
   std::size_t i = 0;
   for (const std::size_t row : active) {
     change -= q[static_cast<Eigen::Index>(row)] * space.dual(i);
@@ -97,7 +97,7 @@ std::optional<Complementary<Real>> complementary(const CableRows<TheCase>& cable
   }
   // Of independent rows A A^T is positive definite, and the solution one. Where all z are positive
   // beyond their errors it is this; `rounding` is that of q and of the products here
-  if (q.size() <= 3 && cables.independent(cables.all())) {
+  if (static_cast<std::size_t>(q.size()) <= cables.freedoms() && cables.independent(cables.all())) {
     Complementary<Real> all = trial(cables, q, rounding, cables.all());
     if ((all.multipliers - all.multiplier_error).minCoeff() > 0) {
       return all;

@@ -21,7 +21,7 @@ template <class TheCase, class Real>
 SpringImpulses<Real> energetic_impulses(const TheCase& the_case, const StateOf<TheCase>& before,
                                         CableSet cables) {
   const auto count = static_cast<Eigen::Index>(cables.size());
-  const RowOf<TheCase> weight = inverse_mass(the_case.body).cwiseSqrt();
+  const RowOf<TheCase> weight = inverse_mass(bodies_of(the_case)).cwiseSqrt();
   std::vector<energetic::Spring<TheCase>> springs;
   RowsOf<TheCase> rows;
   rows.resize(count, Eigen::NoChange);

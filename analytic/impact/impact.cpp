@@ -110,7 +110,7 @@ BasicImpact<TheCase> newton_impact(const TheCase& the_case, const StateOf<TheCas
   using Real = RealOf<TheCase>;
   assert(!cables.empty() && "an impact needs a cable");
   if (cables.size() == 1) {
-    auto single = single_impact(the_case.body, the_case.cables[*cables.begin()], before);
+    auto single = single_impact(bodies_of(the_case), the_case.cables[*cables.begin()], before);
     return {BasicCableVector<Real>::Constant(1, single.impulse), std::move(single.after)};
   }
   const BasicCableVector<Real> rates = gap_rates(the_case, before, cables);

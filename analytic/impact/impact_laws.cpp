@@ -150,8 +150,8 @@ template <class TheCase>
 StateOf<TheCase> without_gain(const TheCase& the_case, const StateOf<TheCase>& before,
                               StateOf<TheCase> after) {
   using Real = RealOf<TheCase>;
-  const Real most = mass_velocity(the_case.body, before).squaredNorm();
-  const Real reached = mass_velocity(the_case.body, after).squaredNorm();
+  const Real most = mass_velocity(bodies_of(the_case), before).squaredNorm();
+  const Real reached = mass_velocity(bodies_of(the_case), after).squaredNorm();
   if (reached > most * (1 + few_roundings * epsilon<Real>())) {
     const Real part = sqrt(Real(most / reached));
     after = times_as_fast(after, part);

@@ -25,14 +25,14 @@ std::optional<BasicImpact<TheCase>> rebound(const TheCase& the_case, const State
   for (const std::size_t row : found->active) {
     most = max(most, e[static_cast<Eigen::Index>(row)]);
   }
-  RowOf<TheCase> change = -(1 + most) * space.part(mass_velocity(the_case.body, before));
+  RowOf<TheCase> change = -(1 + most) * space.part(mass_velocity(bodies_of(the_case), before));
   std::size_t i = 0;
   for (const std::size_t row : found->active) {
     const auto k = static_cast<Eigen::Index>(row);
     change += (most - e[k]) * rates[k] * space.dual(i++);
   }
   return BasicImpact<TheCase>{std::move(found->multipliers),
-                              with_change(the_case.body, before, change)};
+                              with_change(bodies_of(the_case), before, change)};
 }
 
 template std::optional<BasicImpact<InstanceCase>> rebound(const InstanceCase&,

@@ -34,9 +34,10 @@ CableSet rows_that_may_pull(const TheCase& the_case, const StateOf<TheCase>& bef
 
 /// True where `impulses`, on independent rows, may be one split of several: some cable that might
 /// pull does not.
-template <class TheCase, class Real = RealOf<TheCase>>
-bool may_be_shared(CableSet may_pull, const BasicCableVector<Real>& impulses) {
-  if (may_pull.size() > TheCase::freedoms) {
+template <class Real>
+bool may_be_shared(CableSet may_pull, const BasicCableVector<Real>& impulses,
+                   std::size_t freedoms) {
+  if (may_pull.size() > freedoms) {
     return true;
   }
   for (const std::size_t row : may_pull) {
@@ -117,7 +118,7 @@ Split<Real> split(const TheCase& the_case, const StateOf<TheCase>& before,
     return {};
   }
   const CableSet may_pull = rows_that_may_pull(the_case, before, after, cables);
-  if (of_corner && !may_be_shared<TheCase>(may_pull, impulses)) {
+  if (of_corner && !may_be_shared(may_pull, impulses, freedoms_of(the_case))) {
     return {};
   }
   const CableRows<TheCase> rows(the_case, before, cables);

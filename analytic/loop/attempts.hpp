@@ -22,7 +22,7 @@ class Attempts {
   /// True where the bounces on the touching `cables` are to be tried now, or one does not open.
   [[nodiscard]] bool are_due(const TheCase& the_case, const StateOf<TheCase>& state,
                              const TouchingOf<TheCase>& touching, CableSet cables) {
-    const Scales<Real> scale(the_case, state, limits_.margin);
+    const Scales<Real> scale = scales_of(the_case, state, limits_.margin);
     for (const std::size_t index : cables) {
       const CableOf<TheCase>& cable = the_case.cables[index];
       const Real rebound = gap_rate(cable, state);

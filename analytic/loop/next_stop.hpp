@@ -16,6 +16,7 @@ struct Stop {
   std::optional<Ending> ending;  // none: the motion goes on
   CableSet cables;               // that become taut
   bool is_step = false;          // where a series ends, and nothing happens
+  bool is_knot = false;          // where something given over time is not smooth
 };
 
 /// The earliest of: a contact, a release, the reach of a series, a knot, a limit of the case's
@@ -41,7 +42,7 @@ template <class TheCase, class Real = RealOf<TheCase>>
     return stop;
   }
   if (const Real knot = time_to_knot(the_case, state); knot < stop.dt) {
-    stop = {knot, std::nullopt, {}};  // what holds is found out anew there
+    stop = {knot, std::nullopt, {}, false, true};  // what holds is found out again there
   }
   const auto limit = held ? reached_limit(the_case, held->motion, stop.dt)
                           : reached_limit(the_case, state, stop.dt);

@@ -27,7 +27,7 @@ template <class TheCase, class Real = RealOf<TheCase>>
 template <class TheCase>
 [[nodiscard]] TheCase system_of(const TheCase& the_case, std::vector<CableOf<TheCase>> room = {}) {
   TheCase result;
-  result.body = the_case.body;
+  bodies_of(result) = bodies_of(the_case);
   room = the_case.cables;
   result.cables = std::move(room);
   result.gravity = the_case.gravity;

@@ -55,7 +55,7 @@ class Motion final : public PausedMotion<TheCase> {
         attempts_(the_case.cables.size(), options.completion),
         record_(std::move(record)) {
     touching_.cables = touching;
-    touching_.note_speed(state_);
+    touching_.note_speed(case_, state_);
     check_limits();
   }
 
@@ -213,7 +213,8 @@ class Motion final : public PausedMotion<TheCase> {
     if (held_) {
       return true;
     }
-    if (const CableSet resting = contacts(case_, state_, touching_).resting; !resting.empty()) {
+    const CableSet resting = contacts(case_, state_, touching_).resting;
+    if (!TheCase::flies_in_closed_form || !resting.empty()) {
       held_ = hold(case_, state_, touching_, resting);
       if (!held_ && is_caught(case_, state_, touching_)) {
         state_ = standing_still(state_);
@@ -256,7 +257,7 @@ class Motion final : public PausedMotion<TheCase> {
     if (!fits(case_, last)) {
       return Ending::overflow;
     }
-    StateOf<TheCase> state = on_cables(case_, last, pulling(), stop.cables);
+    StateOf<TheCase> state = on_cables(case_, last, pulling(), stop.cables, !stop.is_knot);
     if (!(pulling() | stop.cables).empty() && !fits(case_, state)) {
       return Ending::singular;  // the ends of a cable have met: it has no direction
     }
@@ -267,10 +268,11 @@ class Motion final : public PausedMotion<TheCase> {
 
   /// The motion from here up to `stop`.
   [[nodiscard]] BasicArc<TheCase> arc_to(const Stop<Real>& stop) const {
-    const Real end =
-        stop.ending == Ending::reached_duration ? case_.duration : Real(time_ + stop.dt);
+    const Real end = stop.ending == Ending::reached_duration ? case_.duration
+                     : stop.is_knot                          ? next_knot(case_, state_)
+                                                             : Real(time_ + stop.dt);
     BasicArc<TheCase> arc{time_, end, state_, held_ ? taut_ : CableSet{}, {}};
-    if (!pulling().empty()) {  // else the closed form of flight
+    if (!TheCase::flies_in_closed_form || !pulling().empty()) {  // else the closed form of flight
       arc.series = held_->motion.pose();
     }
     return arc;
@@ -278,15 +280,18 @@ class Motion final : public PausedMotion<TheCase> {
 
   /// Makes the end of the last arc, where the body is in `state`, the present.
   void arrive(const Stop<Real>& stop, StateOf<TheCase> state) {
-    state_ = std::move(state);
     time_ = record_.arcs.back().end;
+    state_ = at_time(std::move(state), time_);
     // once time has passed, only what is taut and what was hit is at zero gap
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
+    if (stop.is_knot) {
+      touching_.cables = touching_at_knot(case_, state_, touching_.cables);
+    }
     touching_.time_rounding = epsilon<Real>() * time_;
-    touching_.note_speed(state_);
+    touching_.note_speed(case_, state_);
     steps_ += stop.cables.empty() ? 1U : 0U;
     // a step is only made in a hold; one without cables is free flight from now on
-    const bool goes_on = stop.is_step && !held_->taut().empty();
+    const bool goes_on = stop.is_step && (!TheCase::flies_in_closed_form || !held_->taut().empty());
     held_ = goes_on ? continued(case_, state_, touching_, *held_) : std::nullopt;
     if (held_ && is_singular(*held_, time_)) {
       held_.reset();  // `hold_resting` looks again, and ends the motion if it is so

@@ -61,7 +61,7 @@ template <class TheCase>
 [[nodiscard]] std::optional<Ending> rest(const TheCase& the_case, const StateOf<TheCase>& state,
                                          const TouchingOf<TheCase>& touching, CableSet taut,
                                          const std::optional<BasicHold<TheCase>>& held) {
-  if (taut.empty() || state.velocity.norm() > touching.rounding_of_all(the_case)) {
+  if (taut.empty() || centre_speed(state) > touching.rounding_of_all(the_case)) {
     return std::nullopt;
   }
   const bool still = speed_scale(the_case, state) <= touching.rounding_of_all(the_case) ||
@@ -70,10 +70,11 @@ template <class TheCase>
 }
 
 /// `state` with what rounding has left of the gaps and rates of taut cables taken away, and of the
-/// gaps of those just hit once it is more than a few arcs leave.
+/// gaps of those just hit once it is more than a few arcs leave. `are_smooth`: else rates that are
+/// not zero are no rounding.
 template <class TheCase>
 [[nodiscard]] StateOf<TheCase> on_cables(const TheCase& the_case, StateOf<TheCase> state,
-                                         CableSet held, CableSet hit) {
+                                         CableSet held, CableSet hit, bool are_smooth) {
   bool drifted = !held.empty();
   for (const std::size_t index : hit) {
     const CableOf<TheCase>& cable = the_case.cables[index];
@@ -83,7 +84,7 @@ template <class TheCase>
     constexpr double almost_dependent = 1e-2;  // [-], a sine: a hundredfold of the gaps is enough
     state = with_zero_gaps(the_case, state, held | hit, hit.empty() ? 0.0 : almost_dependent);
   }
-  return held.empty() ? state : with_zero_rates(the_case, state, held);
+  return held.empty() || !are_smooth ? state : with_zero_rates(the_case, state, held);
 }
 
 /// True where no time step from `time` on is small enough: tensions grow without bound.

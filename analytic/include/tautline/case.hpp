@@ -86,7 +86,10 @@ struct BasicCase {
   using State = BasicState<Real>;        // where it is and how it moves
   using Touching = BasicTouching<Real>;  // cables at zero gap, and what rounding leaves of rates
   using Series = TautSeries<Real>;       // of the motion on taut cables
-  static constexpr std::size_t freedoms = 3;  // of the body
+  using Gravity = BasicVec2<Real>;       // constant
+  static constexpr std::size_t freedoms = 3;          // of the body
+  static constexpr std::size_t most_freedoms = 3;     // the same for all cases
+  static constexpr bool flies_in_closed_form = true;  // with no cable taut
 
   std::string name;                                              // of its file or its maker
   BasicBody<Real> body;                                          // the one that moves
@@ -120,13 +123,16 @@ using TouchingOf = typename TheCase::Touching;
 /// The series of the motion on taut cables.
 template <class TheCase>
 using SeriesOf = typename TheCase::Series;
-/// One number for each freedom of the body.
+/// Its acceleration in free flight.
 template <class TheCase>
-using RowOf = Eigen::Matrix<RealOf<TheCase>, TheCase::freedoms, 1>;
+using GravityOf = typename TheCase::Gravity;
+/// One number for each freedom of the body, or of all bodies; never on the heap.
+template <class TheCase>
+using RowOf = Eigen::Matrix<RealOf<TheCase>, TheCase::freedoms, 1, 0, TheCase::most_freedoms, 1>;
 /// One row for each cable of a set, in rising index order; never on the heap.
 template <class TheCase>
 using RowsOf = Eigen::Matrix<RealOf<TheCase>, Eigen::Dynamic, TheCase::freedoms, 0, max_cables,
-                             TheCase::freedoms>;
+                             TheCase::most_freedoms>;
 /// Taylor coefficients of a pose in time, one row each.
 template <class TheCase>
 using PosesOf = Eigen::Matrix<RealOf<TheCase>, Eigen::Dynamic, TheCase::freedoms>;
@@ -183,15 +189,15 @@ template <class Real>
 }
 
 /// True where the restitution of `cable` is not the same at all speeds.
-template <class Real>
-[[nodiscard]] bool depends_on_speed(const BasicCable<Real>& cable) {
+template <class TheCable>
+[[nodiscard]] bool depends_on_speed(const TheCable& cable) {
   return cable.capture_speed > 0 || !cable.restitution_table.empty();
 }
 
 /// The restitution [-] of an impact on `cable` whose gap closes at `rate` [m/s]; its sign is
 /// ignored.
-template <class Real>
-[[nodiscard]] Real restitution(const BasicCable<Real>& cable, const Real& rate) {
+template <class TheCable, class Real>
+[[nodiscard]] Real restitution(const TheCable& cable, const Real& rate) {
   const Real speed = abs(rate);
   if (speed < cable.capture_speed) {
     return Real(0);
@@ -214,8 +220,8 @@ template <class Real>
 }
 
 /// The largest restitution [-] of impacts on `cable` no faster than `speed` [m/s].
-template <class Real>
-[[nodiscard]] Real restitution_up_to(const BasicCable<Real>& cable, const Real& speed) {
+template <class TheCable, class Real>
+[[nodiscard]] Real restitution_up_to(const TheCable& cable, const Real& speed) {
   if (speed < cable.capture_speed) {
     return Real(0);
   }

@@ -45,9 +45,7 @@ struct BasicFunction {
     return {{{Real(0), {value}}}, {}};
   }
   /// One number, `value`, at all times.
-  [[nodiscard]] static BasicFunction constant(const Real& value)
-    requires(N == 1)
-  {
+  [[nodiscard]] static BasicFunction constant(const Real& value) requires(N == 1) {
     return constant(Value(value));
   }
 
@@ -64,8 +62,8 @@ struct BasicFunction {
     return result;
   }
 
-  /// A cubic spline through them, constant before and after, whose second derivative is continuous between the first time and
-  /// the last, and whose rate is zero at both.
+  /// A cubic spline through them, constant before and after, whose second derivative is continuous
+  /// between the first time and the last, and whose rate is zero at both.
   [[nodiscard]] static BasicFunction spline(const std::vector<Real>& times,
                                             const std::vector<Value>& values) {
     assert(!times.empty() && times.size() == values.size() && "a value for each time");
@@ -84,6 +82,12 @@ struct BasicFunction {
 
   /// True where it is zero at all times because nothing is given.
   [[nodiscard]] bool empty() const { return pieces.empty() && waves.empty(); }
+
+  /// True where it is the same at all times.
+  [[nodiscard]] bool is_constant() const {
+    return waves.empty() && pieces.size() < 2 &&
+           (pieces.empty() || pieces.front().coefficients.size() < 2);
+  }
 
   /// The piece that holds at `time` [s] and right after it; none before the first.
   [[nodiscard]] const Piece* piece(const Real& time) const {
@@ -125,7 +129,7 @@ struct BasicFunction {
   /// The first knot after `time` [s]; infinite if there is none.
   [[nodiscard]] Real next_knot(const Real& time) const {
     for (const Piece& one : pieces) {
-      if (one.from > time && (pieces.size() > 1 || one.coefficients.size() > 1)) {
+      if (one.from > time && !has_one_value()) {
         return one.from;
       }
     }
@@ -135,12 +139,15 @@ struct BasicFunction {
   /// True where it does not change from `time` [s] on.
   [[nodiscard]] bool is_constant_from(const Real& time) const {
     const Piece* last = piece(time);
-    const bool steady = pieces.empty() || (pieces.size() == 1 && pieces[0].coefficients.size() < 2) ||
-                        (last == &pieces.back() && last->coefficients.size() < 2);
-    return waves.empty() && steady;
+    return is_constant() ||
+           (waves.empty() && last == &pieces.back() && last->coefficients.size() < 2);
   }
 
  private:
+  [[nodiscard]] bool has_one_value() const {
+    return pieces.size() == 1 && pieces.front().coefficients.size() < 2;
+  }
+
   void expand_piece(const Real& time, std::span<Value> result) const {
     if (pieces.empty() || result.empty()) {
       return;

@@ -144,6 +144,23 @@ template <class Real>
   return {one / body.mass, one / body.mass, inverse_inertia};
 }
 
+/// All that moves: the body.
+template <class Real>
+[[nodiscard]] const BasicBody<Real>& bodies_of(const BasicCase<Real>& the_case) {
+  return the_case.body;
+}
+
+template <class Real>
+[[nodiscard]] BasicBody<Real>& bodies_of(BasicCase<Real>& the_case) {
+  return the_case.body;
+}
+
+/// How many ways to move it has.
+template <class Real>
+[[nodiscard]] constexpr std::size_t freedoms_of(const BasicCase<Real>& /*the_case*/) {
+  return BasicCase<Real>::freedoms;
+}
+
 /// J M^-1 J^T over `cables`, in rising index order, symmetric positive semidefinite (Eq. 7).
 template <class Real>
 [[nodiscard]] BasicCableMatrix<Real> delassus(const BasicCase<Real>& the_case,
@@ -174,12 +191,39 @@ template <class Real>
   return row.dot(row.cwiseProduct(inverse_mass(the_case.body)));
 }
 
+/// The next instant [s] at which something given over time is not smooth: never, all is constant.
+template <class Real>
+[[nodiscard]] Real next_knot(const BasicCase<Real>& /*the_case*/,
+                             const BasicState<Real>& /*state*/) {
+  return infinity<Real>();
+}
+
+/// The cables of `touching` that still touch at a knot, and those that do from there on.
+template <class Real>
+[[nodiscard]] CableSet touching_at_knot(const BasicCase<Real>& /*the_case*/,
+                                        const BasicState<Real>& /*state*/, CableSet touching) {
+  return touching;
+}
+
+/// `state` at `time` [s], which a state of this kind of case does not keep.
+template <class Real>
+[[nodiscard]] BasicState<Real> at_time(BasicState<Real> state,
+                                       const std::type_identity_t<Real>& /*time*/) {
+  return state;
+}
+
 /// How long after `state` something given over time is not smooth the next time [s], > 0: never,
 /// all is constant. A state of a kind of case that changes over time has its time.
 template <class Real>
 [[nodiscard]] Real time_to_knot(const BasicCase<Real>& /*the_case*/,
                                 const BasicState<Real>& /*state*/) {
   return infinity<Real>();
+}
+
+/// The speed of the fastest centre of mass [m/s].
+template <class Real>
+[[nodiscard]] Real centre_speed(const BasicState<Real>& state) {
+  return state.velocity.norm();
 }
 
 /// `state` standing still.
@@ -231,7 +275,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] BasicState<Real> state_of(const BasicState<Real>& /*like*/,
                                         const Eigen::Matrix<Real, 1, 3>& pose,
-                                        const Eigen::Matrix<Real, 1, 3>& rate) {
+                                        const Eigen::Matrix<Real, 1, 3>& rate, const Real& /*dt*/) {
   return {{pose[0], pose[1]}, pose[2], {rate[0], rate[1]}, rate[2]};
 }
 
@@ -363,6 +407,12 @@ template <class Real>
     shortest = cable.length < shortest ? cable.length : shortest;
   }
   return shortest;
+}
+/// At every state.
+template <class Real>
+[[nodiscard]] Real shortest_length(const BasicCase<Real>& the_case,
+                                   const BasicState<Real>& /*state*/) {
+  return shortest_length(the_case);
 }
 
 /// The size of the gaps' accelerations that gravity, the turn and the lengths give [m/s^2] (Eq. 5).

@@ -47,7 +47,7 @@ struct BasicArc {
   PosesOf<TheCase> series;
 
   /// The state `dt` [s] after the start.
-  [[nodiscard]] StateOf<TheCase> after(const Real& dt, const VectorOf<TheCase>& gravity) const;
+  [[nodiscard]] StateOf<TheCase> after(const Real& dt, const GravityOf<TheCase>& gravity) const;
 };
 using Arc = BasicArc<Case>;
 
@@ -123,7 +123,7 @@ class BasicSolution {
 
   /// The body, the cables and the gravity of its case.
   [[nodiscard]] const TheCase& system() const { return system_; }
-  [[nodiscard]] const VectorOf<TheCase>& gravity() const { return system_.gravity; }  // [m/s^2]
+  [[nodiscard]] const GravityOf<TheCase>& gravity() const { return system_.gravity; }  // [m/s^2]
   /// In order, at least one. A motion that repeats has them up to the end of its first period.
   [[nodiscard]] const std::vector<BasicArc<TheCase>>& arcs() const { return arcs_; }
   /// The arcs from the start to `time` [s], each as often as it comes; the last ends there.

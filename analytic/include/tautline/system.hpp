@@ -28,8 +28,8 @@ struct Turning;
 /// In the plane a body turns by an angle.
 template <class Real>
 struct Turning<Real, 2> {
-  using Inertia = Real;                 ///< about the centre of mass
-  using BodyState = BasicState<Real>;   ///< place and velocity of one body
+  using Inertia = Real;                ///< about the centre of mass
+  using BodyState = BasicState<Real>;  ///< place and velocity of one body
 };
 
 /// A rigid body of a system, or a point mass.
@@ -37,11 +37,11 @@ template <class Real, int D>
 struct BasicBodyOfSystem {
   using Inertia = typename Turning<Real, D>::Inertia;
 
-  std::string name = {};            // of its file; may be empty
-  Real mass = Real(1);              // [kg], > 0
-  Inertia inertia = Inertia(0);     // [kg m^2], about its centre; 0: a point mass
-  Real drag = Real(0);              // [N s/m], >= 0: force -drag velocity at the centre
-  Real spin_drag = Real(0);         // [N m s], >= 0: moment -spin_drag spin
+  std::string name = {};                      // of its file; may be empty
+  Real mass = Real(1);                        // [kg], > 0
+  Inertia inertia = Inertia(0);               // [kg m^2], about its centre; 0: a point mass
+  Real drag = Real(0);                        // [N s/m], >= 0: force -drag velocity at the centre
+  Real spin_drag = Real(0);                   // [N m s], >= 0: moment -spin_drag spin
   BasicFunction<Real, D> force = {};          // [N], in the world, at the centre of mass
   BasicFunction<Real, spins<D>> moment = {};  // [N m]
 };
@@ -65,16 +65,18 @@ struct BasicCableOfSystem {
   BasicEnd<Real, D> from = {};
   std::vector<BasicEnd<Real, D>> through = {};  // rings, in order; empty: straight
   BasicEnd<Real, D> to = {};
-  BasicFunction<Real, 1> length = BasicFunction<Real, 1>::constant(Real(1));  // [m], > 0, continuous
-  Real restitution = Real(1);  // [-], Newton's coefficient, 0 to 1
+  BasicFunction<Real, 1> length =
+      BasicFunction<Real, 1>::constant(Real(1));  // [m], > 0, continuous
+  Real restitution = Real(1);                     // [-], Newton's coefficient, 0 to 1
 
   // Restitution that depends on the speed of the impact, as in the plane; both off by default.
   Real capture_speed = Real(0);  // [m/s], >= 0: an impact slower than this does not rebound
   std::vector<BasicRestitutionPoint<Real>> restitution_table = {};  // replaces `restitution`
 
   // When it acts: from the start on, without end, by default.
-  std::optional<Real> from_time = std::nullopt;  // [s], > 0: it is hooked up then, not overstretched
-  std::optional<Real> cut_at = std::nullopt;     // [s], > `from_time`: it is cut then
+  std::optional<Real> from_time =
+      std::nullopt;                           // [s], > 0: it is hooked up then, not overstretched
+  std::optional<Real> cut_at = std::nullopt;  // [s], > `from_time`: it is cut then
 
   /// How many straight pieces it has.
   [[nodiscard]] std::size_t segments() const { return through.size() + 1; }
@@ -94,8 +96,8 @@ template <class Real, int D>
 struct BasicSystemState {
   using Body = typename Turning<Real, D>::BodyState;
 
-  Real time = Real(0);        // [s]
-  std::vector<Body> bodies;   // one for each of the system, in order
+  Real time = Real(0);       // [s]
+  std::vector<Body> bodies;  // one for each of the system, in order
 };
 using SystemState = BasicSystemState<double, 2>;
 
@@ -109,23 +111,23 @@ class SystemSeries;
 template <class Real, int D>
 struct BasicSystem {
   // The names by which the solver knows this kind of case (analytic/README.md, "Kinds of cases").
-  using Scalar = Real;                            // of all its numbers
-  using Vector = BasicVector<Real, D>;            // a point of the world, or a direction
-  using Gravity = BasicFunction<Real, D>;         // over time
-  using Body = BasicBodyOfSystem<Real, D>;        // that moves
-  using Cable = BasicCableOfSystem<Real, D>;      // that holds it
-  using State = BasicSystemState<Real, D>;        // their places and velocities
-  using Touching = SystemTouching<Real, D>;       // cables at zero gap, and the rounding of rates
-  using Series = SystemSeries<Real, D>;           // of the motion, in flight as on taut cables
+  using Scalar = Real;                             // of all its numbers
+  using Vector = BasicVector<Real, D>;             // a point of the world, or a direction
+  using Gravity = BasicFunction<Real, D>;          // over time
+  using Body = BasicBodyOfSystem<Real, D>;         // that moves
+  using Cable = BasicCableOfSystem<Real, D>;       // that holds it
+  using State = BasicSystemState<Real, D>;         // their places and velocities
+  using Touching = SystemTouching<Real, D>;        // cables at zero gap, and the rounding of rates
+  using Series = SystemSeries<Real, D>;            // of the motion, in flight as on taut cables
   static constexpr int freedoms = Eigen::Dynamic;  // of all bodies
   static constexpr int most_freedoms = static_cast<int>(max_bodies) * (D + spins<D>);
 
-  std::string name = {};        // of its file or its maker
-  std::vector<Body> bodies;     // 1 to max_bodies
-  std::vector<Cable> cables;    // 0 to max_cables
+  std::string name = {};                                              // of its file or its maker
+  std::vector<Body> bodies;                                           // 1 to max_bodies
+  std::vector<Cable> cables;                                          // 0 to max_cables
   Gravity gravity = Gravity::constant(Vector(-Vector::Unit(D - 1)));  // [m/s^2]
-  State initial;                // at time 0; every gap >= 0 within `gap_rounding`
-  Real duration = Real(1);      // [s], > 0
+  State initial;            // at time 0; every gap >= 0 within `gap_rounding`
+  Real duration = Real(1);  // [s], > 0
 };
 using System = BasicSystem<double, 2>;
 

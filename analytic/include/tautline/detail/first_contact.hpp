@@ -36,7 +36,7 @@ struct BasicTouching {
   /// Keeps the rounding of gap rates up to date: that of the fastest speeds so far. Not of the
   /// present ones: the body may be stopped within an instant by ever smaller impacts, and what is
   /// left then is rounding of the speeds before.
-  void note_speed(const BasicState<Real>& state) {
+  void note_speed(const BasicCase<Real>& /*the_case*/, const BasicState<Real>& state) {
     const Real rounding = few_roundings * epsilon<Real>();
     rate_rounding = max(rate_rounding, Real(rounding * state.velocity.norm()));
     spin_rounding = max(spin_rounding, Real(rounding * abs(state.spin)));

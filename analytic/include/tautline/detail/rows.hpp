@@ -143,6 +143,12 @@ class CableRows {
     }
   }
 
+  /// How many freedoms there are.
+  [[nodiscard]] static constexpr std::size_t freedoms() { return TheCase::freedoms; }
+
+  /// No change of any of them.
+  [[nodiscard]] static RowOf<TheCase> zero() { return RowOf<TheCase>::Zero(); }
+
   /// A.
   [[nodiscard]] const RowsOf<TheCase>& rows() const { return rows_; }
 

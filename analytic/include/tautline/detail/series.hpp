@@ -180,16 +180,17 @@ class TautSeries {
 };
 
 /// The response of cable `index`, the only one that pulls along `motion`, to an impulse of its own,
-/// times its length squared [m^2/kg], and the rate of that [m^2/(kg s)].
+/// times its length squared [m^2/kg], the rate of that [m^2/(kg s)], and its length [m].
 template <class Real>
-[[nodiscard]] std::array<Real, 2> scaled_response(const BasicCase<Real>& the_case,
+[[nodiscard]] std::array<Real, 3> scaled_response(const BasicCase<Real>& the_case,
+                                                  const BasicState<Real>& /*start*/,
                                                   const TautSeries<Real>& motion,
                                                   std::size_t index) {
   const Real& length = the_case.cables[index].length;
   const auto lever = motion.lever(index);
   const Vector3<Real> weight = inverse_mass(the_case.body);
   return {Real(length * length * weight[0] + lever[0] * lever[0] * weight[2]),
-          Real(2 * lever[0] * lever[1] * weight[2])};
+          Real(2 * lever[0] * lever[1] * weight[2]), length};
 }
 
 }  // namespace tautline

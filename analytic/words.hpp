@@ -20,4 +20,8 @@ namespace tautline {
   return "cable " + std::to_string(index);
 }
 
+[[nodiscard]] inline std::string body_name(std::size_t index) {
+  return "body " + std::to_string(index);
+}
+
 }  // namespace tautline

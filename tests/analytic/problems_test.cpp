@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 #include "support.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/system.hpp"
 
 namespace tautline::test {
 namespace {
@@ -191,6 +194,228 @@ TEST_P(Problems, StopSolveWithTheFirstOfThem) {
 
 INSTANTIATE_TEST_SUITE_P(Broken, Problems, ::testing::ValuesIn(broken_cases()),
                          [](const auto& param) { return param.param.name; });
+
+/// A body on two cables to the world and a ball below it, on a cable through a ring.
+System two_bodies() {
+  System result;
+  result.bodies = {{.name = "box", .mass = 2.0, .inertia = 0.1}, {.name = "ball", .mass = 1.0}};
+  result.initial.bodies = {{Vec2(0.0, -1.0), 0.0, Vec2(0.0, 0.0), 0.0},
+                           {Vec2(0.5, -2.0), 0.0, Vec2(0.0, 0.0), 0.0}};
+  result.cables.resize(3);
+  result.cables[0].from = {0, Vec2(-0.1, 0.0)};
+  result.cables[0].to = {std::nullopt, Vec2(-1.0, 0.0)};
+  result.cables[0].length = Function<1>::constant(2.0);
+  result.cables[1].from = {std::nullopt, Vec2(1.0, 0.0)};
+  result.cables[1].to = {0, Vec2(0.1, 0.0)};
+  result.cables[1].length = {{{0.0, {Function<1>::Value(2.0)}}},
+                             {{Function<1>::Value(0.5), 3.0, 0.25}}};
+  result.cables[2].from = {0, Vec2(0.0, -0.1)};
+  result.cables[2].through = {{std::nullopt, Vec2(0.5, -1.0)}};
+  result.cables[2].to = {1, Vec2(0.0, 0.0)};
+  result.cables[2].length =
+      Function<1>::linear({0.5, 1.5}, {Function<1>::Value(3.0), Function<1>::Value(2.0)});
+  result.duration = 4.0;
+  return result;
+}
+
+/// A change that breaks `two_bodies`, and the sentences it earns.
+struct BrokenSystem {
+  std::string name;
+  std::function<void(System&)> change;
+  std::vector<std::string> sentences;
+};
+
+void PrintTo(const BrokenSystem& broken, std::ostream* out) { *out << broken.name; }
+
+std::vector<BrokenSystem> broken_systems() {
+  using One = Function<1>::Value;
+  return {
+      {"NoBody", [](System& s) { s = System(); }, {"bodies: 0 given; a system has 1 to 8"}},
+      {"StateMissing",
+       [](System& s) {
+         s.cables.clear();
+         s.initial.bodies.pop_back();
+       },
+       {"initial: 1 states given; must be 2, one for each body"}},
+      {"LaterStart", [](System& s) { s.initial.time = 1.0; }, {"initial: time 1 must be 0 [s]"}},
+      {"OneName",
+       [](System& s) { s.bodies[1].name = "box"; },
+       {"body 1: has the name of body 0; each body must have a name of its own"}},
+      {"Mass",
+       [](System& s) { s.bodies[1].mass = 0.0; },
+       {"body 1: mass 0 must be a finite number above 0 [kg]"}},
+      {"PointOffItsCentre",
+       [](System& s) { s.bodies[0].inertia = 0.0; },
+       {"body 0: inertia 0 is for a point mass, whose attachments are all [0, 0]; give an inertia "
+        "above 0 [kg m^2]"}},
+      {"Drag",
+       [](System& s) { s.bodies[0].drag = -0.1; },
+       {"body 0: drag -0.1 must be a finite number, 0 or above [N s/m]"}},
+      {"SpinDragOfAPoint",
+       [](System& s) { s.bodies[1].spin_drag = 0.2; },
+       {"body 1: spin_drag 0.2 is for a body with an inertia, which a point mass has not; must be "
+        "0 [N m s]"}},
+      {"MomentOnAPoint",
+       [](System& s) { s.bodies[1].moment = Function<1>::constant(1.0); },
+       {"body 1: moment is for a body with an inertia, which a point mass has not; must be left "
+        "out"}},
+      {"Force",
+       [](System& s) {
+         s.bodies[0].force.waves = {{Vec2(0.0, infinite), 1.0, 0.0}};
+       },
+       {"body 0: force: waves[0]: amplitude inf is not a finite number"}},
+      {"Frequency",
+       [](System& s) { s.cables[1].length.waves[0].frequency = -3.0; },
+       {"cable 1: length: waves[0]: frequency -3 must be a finite number, 0 or above [rad/s]"}},
+      {"PiecesOutOfOrder",
+       [](System& s) {
+         s.gravity.pieces.push_back({-1.0, {Vec2(0.0, -1.0)}});
+       },
+       {"gravity: pieces[1]: from -1 must be above the one before, 0 [s]"}},
+      {"EmptyPolynomial",
+       [](System& s) {
+         s.gravity.pieces.push_back({1.0, {}});
+       },
+       {"gravity: pieces[1]: polynomial is empty; must have at least one coefficient [m/s^2]"}},
+      {"AnchorJumps",
+       [](System& s) {
+         s.cables[0].to.motion.pieces = {{0.0, {Vec2(0.0, 0.0)}}, {1.0, {Vec2(0.0, 0.5)}}};
+       },
+       {"cable 0: to: jumps by 0.5 m at 1 s; must go on from where the piece before it ends"}},
+      {"LengthReachesZero",
+       [](System& s) { s.cables[2].length.pieces[0].coefficients[1] = One(-3.5); },
+       {"cable 2: length: jumps by 2.5 m at 1.5 s; must go on from where the piece before it "
+        "ends",
+        "cable 2: length -0.0625 at 1.375 s must be above 0 [m] as long "
+        "as the cable acts"}},
+      {"LengthBelowZeroBetween",
+       [](System& s) {
+         s.cables[1].length = {{{0.0, {One(2.0), One(-2.0), One(0.40625)}}}, {}};
+       },
+       {"cable 1: length -0.375 at 2 s must be above 0 [m] as long as the cable "
+        "acts"}},
+      {"NoBodyThere",
+       [](System& s) { s.cables[2].to.body = 2; },
+       {"cable 2: to: body 2 is not there; the system has 2"}},
+      {"BodyMoves",
+       [](System& s) { s.cables[0].from.motion = Function<2>::constant(Vec2(0.0, 0.0)); },
+       {"cable 0: from: is a point of a body, which does not move in it; only an end in the world "
+        "has a motion of its own"}},
+      {"NothingHeld",
+       [](System& s) { s.cables[0].from.body = std::nullopt; },
+       {"cable 0: from, through and to are all in the world; one of them must be on a body"}},
+      {"BodyOnItself",
+       [](System& s) { s.cables[0].to.body = 0; },
+       {"cable 0: from and to are both on body 0, which it cannot hold; must join two bodies, or a "
+        "body with the world"}},
+      {"CutBeforeHookUp",
+       [](System& s) {
+         s.cables[0].from_time = 2.0;
+         s.cables[0].cut_at = 2.0;
+       },
+       {"cable 0: cut_at 2 must be above from_time 2 [s]"}},
+      {"Overstretched",
+       [](System& s) { s.cables[2].length = Function<1>::constant(1.0); },
+       {"cable 2: overstretched at the start by 0.5099019513592786 m: its ends are "
+        "1.5099019513592786 m apart through its rings, its length is 1 m; a length of "
+        "1.5099019513592786 m would do"}},
+      {"AtItsRing",
+       [](System& s) { s.initial.bodies[1].position = Vec2(0.5, -1.0); },
+       {"cable 2: its ring 0 and its end \"to\" start 0 m apart, which gives it no direction; must "
+        "be at least 3e-06 m"}},
+      {"CannotReach",
+       [](System& s) { s.cables[0].length = s.cables[1].length = Function<1>::constant(0.85); },
+       {"cables 0 and 1 cannot reach: their anchors are 2 m apart, lengths and body span only 1.9 "
+        "m; the body cannot float"}},
+  };
+}
+
+class SystemProblems : public ::testing::TestWithParam<BrokenSystem> {};
+
+TEST_P(SystemProblems, AreNamedInFullSentences) {
+  System system = two_bodies();
+  ASSERT_EQ(problems(system), std::vector<std::string>());
+  GetParam().change(system);
+  EXPECT_EQ(problems(system), GetParam().sentences);
+}
+
+INSTANTIATE_TEST_SUITE_P(Broken, SystemProblems, ::testing::ValuesIn(broken_systems()),
+                         [](const auto& param) { return param.param.name; });
+
+TEST(SystemProblems, OfACableThatActsLaterOrNoLongerAreNone) {
+  System system = two_bodies();
+  system.cables[2].length = Function<1>::constant(1.0);  // too short for the start
+  system.cables[2].from_time = 0.5;
+  EXPECT_EQ(problems(system), std::vector<std::string>());
+  system = two_bodies();
+  system.cables[1].length = {{{0.0, {Function<1>::Value(2.0), Function<1>::Value(-1.0)}}}, {}};
+  EXPECT_EQ(problems(system).size(), 1U);  // zero at 2 s
+  system.cables[1].cut_at = 1.9;
+  EXPECT_EQ(problems(system), std::vector<std::string>());
+}
+
+TEST(SystemProblems, FindALengthThatReachesZeroAsADenseScanDoes) {
+  std::mt19937 random(5);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int found = 0;
+  for (int i = 0; i < 300; ++i) {
+    System system = two_bodies();
+    system.cables.resize(1);
+    system.cables[0].from_time = between(0.1, 1.0);
+    Function<1>& length = system.cables[0].length;
+    using One = Function<1>::Value;
+    length =
+        Function<1>::spline({0.0, between(0.5, 1.5), between(2.0, 3.0), 3.9},
+                            {One(1.0), One(between(0.1, 1.2)), One(between(0.1, 1.2)), One(1.0)});
+    length.waves = {{One(between(0.0, 0.3)), between(0.0, 30.0), between(-3.0, 3.0)},
+                    {One(between(0.0, 0.3)), between(0.0, 3.0), between(-3.0, 3.0)}};
+    double least = infinite;
+    constexpr int scanned = 20'000;
+    for (int at = 0; at <= scanned; ++at) {
+      const double share = static_cast<double>(at) / scanned;
+      least = std::min(least, length.at(*system.cables[0].from_time * (1.0 - share) +
+                                        system.duration * share)[0]);
+    }
+    const std::vector<std::string> sentences = problems(system);
+    ASSERT_EQ(sentences.empty(), least > 0.0) << "case " << i << ": least " << least;
+    found += sentences.empty() ? 0 : 1;
+  }
+  EXPECT_GT(found, 30);
+  EXPECT_LT(found, 270);
+}
+
+TEST(SystemProblems, OfOneBodyAreThoseOfTheCase) {
+  for (const Broken& broken : broken_cases()) {
+    Case the_case = table_case("1910121100");
+    broken.change(the_case);
+    the_case.angle_limit.reset();  // which a system has not
+    the_case.ceiling.reset();
+    std::vector<std::string> sentences = problems(the_case);
+    for (std::string& sentence : sentences) {
+      for (const std::string owner : {"body: ", "initial: "}) {
+        if (sentence.starts_with(owner)) {
+          sentence = "body 0: " + sentence.substr(owner.size());
+        }
+      }
+      if (sentence.starts_with("cables: 9")) {
+        sentence = "cables: 9 given; a system has 0 to 8";
+      }
+      for (const std::string end : {"anchor", "attachment"}) {
+        if (const std::size_t at = sentence.find(": " + end + " "); at != std::string::npos) {
+          sentence.replace(at + 2, end.size(), end == "anchor" ? "to: at" : "from: at");
+        }
+      }
+    }
+    std::sort(sentences.begin(), sentences.end());
+    std::vector<std::string> found = problems(as_system(the_case));
+    std::sort(found.begin(), found.end());
+    if (!the_case.cables.empty()) {  // a system needs none
+      EXPECT_EQ(found, sentences) << broken.name;
+    }
+  }
+}
 
 TEST(NoProblems, InAnyShippedCase) {
   for (const Case& the_case : shipped_cases()) {

@@ -1,0 +1,350 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sentences.hpp"
+#include "system/least_value.hpp"
+#include "tautline/geometry.hpp"
+#include "tautline/system.hpp"
+#include "words.hpp"
+
+namespace tautline {
+namespace {
+
+/// A shorter segment of a cable through a ring has no direction: as a share of the cable
+/// [-].
+constexpr double shortest_segment = 1e-6;
+
+/// The place of `end` in the world at the start [m].
+Vec2 place(const End& end, const System& system) {
+  if (!end.body) {
+    return end.at + end.motion.at(0.0);
+  }
+  const State& state = system.initial.bodies[*end.body];
+  const auto [c, s] = heading(state.angle);
+  return state.position + Vec2(c * end.at + s * perpendicular<double>(end.at));
+}
+
+/// The largest number that its place is computed from [m].
+double operand(const End& end, const System& system) {
+  const double at = end.at.norm();
+  return end.body ? std::max(at, system.initial.bodies[*end.body].position.norm())
+                  : std::max(at, end.motion.at(0.0).norm());
+}
+
+/// "end 0", "ring 1" in the sentences on a segment.
+std::string end_name(const CableOfSystem& cable, std::size_t index) {
+  return index == 0                     ? "end \"from\""
+         : index <= cable.through.size() ? "ring " + std::to_string(index - 1)
+                                         : "end \"to\"";
+}
+
+/// The key of an end in a file.
+std::string end_key(const CableOfSystem& cable, std::size_t index) {
+  return index == 0                     ? "from"
+         : index <= cable.through.size() ? "through[" + std::to_string(index - 1) + "]"
+                                         : "to";
+}
+
+/// True where the function is a constant, as a file has one.
+template <int N>
+bool is_constant(const Function<N>& function) {
+  return function.waves.empty() &&
+         (function.pieces.empty() ||
+          (function.pieces.size() == 1 && function.pieces.front().coefficients.size() < 2));
+}
+
+/// By which a file tells a body from the others.
+std::string told_name(const System& system, std::size_t index) {
+  const std::string& name = system.bodies[index].name;
+  return name.empty() ? body_name(index) : name;
+}
+
+/// Collects the sentences.
+class Checker {
+ public:
+  explicit Checker(const System& system) : system_(system) {}
+
+  std::vector<std::string> run() {
+    check_bodies();
+    check_cables();
+    check_function("gravity", system_.gravity, "[m/s^2]");
+    wrong_.positive({"duration"}, system_.duration, "[s]");
+    if (wrong_.none()) {  // the rest needs sound numbers
+      check_jumps();
+      check_lengths();
+    }
+    if (wrong_.none()) {
+      check_reach();
+    }
+    if (wrong_.none()) {
+      check_start();
+    }
+    return std::move(wrong_).found();
+  }
+
+ private:
+  [[nodiscard]] std::size_t count() const { return system_.bodies.size(); }
+
+  void check_bodies() {
+    if (count() < 1 || count() > max_bodies) {
+      wrong_.add("bodies: " + std::to_string(count()) + " given; a system has 1 to " +
+                 std::to_string(max_bodies));
+    }
+    for (std::size_t index = 0; index < count(); ++index) {
+      check_body(index);
+      for (std::size_t other = 0; other < index; ++other) {
+        if (told_name(system_, index) == told_name(system_, other)) {
+          wrong_.add(body_name(index) + ": has the name of " + body_name(other) +
+                     "; each body must have a name of its own");
+        }
+      }
+    }
+    if (system_.initial.time != 0.0) {
+      wrong_.add("initial: time " + text(system_.initial.time) + " must be 0 [s]");
+    }
+    if (system_.initial.bodies.size() != count()) {
+      wrong_.add("initial: " + std::to_string(system_.initial.bodies.size()) +
+                 " states given; must be " + std::to_string(count()) + ", one for each body");
+      return;
+    }
+    for (std::size_t index = 0; index < count(); ++index) {
+      wrong_.start(body_name(index) + ": ", system_.initial.bodies[index]);
+    }
+  }
+
+  void check_body(std::size_t index) {
+    const BodyOfSystem& body = system_.bodies[index];
+    const std::string owner = body_name(index) + ": ";
+    wrong_.body(owner, body, is_point(index));
+    wrong_.zero_or_above({"drag", {}, {}, owner}, body.drag, "[N s/m]");
+    wrong_.zero_or_above({"spin_drag", {}, {}, owner}, body.spin_drag, "[N m s]");
+    check_function(owner + "force", body.force, "[N]");
+    check_function(owner + "moment", body.moment, "[N m]");
+    if (body.inertia == 0.0 && body.spin_drag > 0.0) {
+      wrong_.add(owner + "spin_drag " + text(body.spin_drag) +
+                 " is for a body with an inertia, which a point mass has not; must be 0 [N m s]");
+    }
+    if (body.inertia == 0.0 && !body.moment.empty()) {
+      wrong_.add(owner +
+                 "moment is for a body with an inertia, which a point mass has not; must be left "
+                 "out");
+    }
+  }
+
+  /// True where all ends on the body are its centre.
+  [[nodiscard]] bool is_point(std::size_t body) const {
+    return std::all_of(system_.cables.begin(), system_.cables.end(), [&](const auto& cable) {
+      bool at_centre = true;
+      for (std::size_t i = 0; i <= cable.segments(); ++i) {
+        const End& end = cable.end(i);
+        at_centre = at_centre && !(end.body == body && !end.at.isZero(0.0));
+      }
+      return at_centre;
+    });
+  }
+
+  void check_cables() {
+    if (system_.cables.size() > max_cables) {
+      wrong_.add("cables: " + std::to_string(system_.cables.size()) +
+                 " given; a system has 0 to " + std::to_string(max_cables));
+    }
+    for (std::size_t index = 0; index < system_.cables.size(); ++index) {
+      const CableOfSystem& cable = system_.cables[index];
+      check_ends(index, cable);
+      if (is_constant(cable.length)) {
+        wrong_.divisor({"length", index}, cable.length.at(0.0)[0], "[m]");
+      } else {
+        check_function(cable_name(index) + ": length", cable.length, "[m]");
+      }
+      wrong_.restitution(index, cable);
+      check_times(index, cable);
+    }
+  }
+
+  void check_ends(std::size_t index, const CableOfSystem& cable) {
+    bool on_body = false;
+    for (std::size_t i = 0; i <= cable.segments(); ++i) {
+      const End& end = cable.end(i);
+      const std::string owner = cable_name(index) + ": " + end_key(cable, i);
+      wrong_.finite({": at", {}, {}, owner}, {end.at.x(), end.at.y()});
+      check_function(owner, end.motion, "[m]");
+      on_body = on_body || end.body;
+      if (end.body && *end.body >= count()) {
+        wrong_.add(owner + ": body " + std::to_string(*end.body) +
+                   " is not there; the system has " + std::to_string(count()));
+      }
+      if (end.body && !end.motion.empty()) {
+        wrong_.add(owner + ": is a point of a body, which does not move in it; only an end in the "
+                           "world has a motion of its own");
+      }
+    }
+    if (!on_body) {
+      wrong_.add(cable_name(index) +
+                 ": from, through and to are all in the world; one of them must be on a body");
+    } else if (cable.through.empty() && cable.from.body == cable.to.body) {
+      wrong_.add(cable_name(index) + ": from and to are both on " + body_name(*cable.from.body) +
+                 ", which it cannot hold; must join two bodies, or a body with the world");
+    }
+  }
+
+  void check_times(std::size_t index, const CableOfSystem& cable) {
+    if (cable.from_time) {
+      wrong_.positive({"from_time", index}, *cable.from_time, "[s]");
+    }
+    if (cable.cut_at) {
+      wrong_.positive({"cut_at", index}, *cable.cut_at, "[s]");
+      if (cable.from_time && *cable.cut_at <= *cable.from_time) {
+        wrong_.add(cable_name(index) + ": cut_at " + text(*cable.cut_at) +
+                   " must be above from_time " + text(*cable.from_time) + " [s]");
+      }
+    }
+  }
+
+  /// The numbers of a function that `owner` names.
+  template <int N>
+  void check_function(const std::string& owner, const Function<N>& function,
+                      std::string_view unit) {
+    const auto finite = [&](const std::string& what, const Eigen::Matrix<double, N, 1>& value) {
+      for (int i = 0; i < N; ++i) {
+        wrong_.finite({what, {}, {}, owner}, {value[i]});
+      }
+    };
+    for (std::size_t i = 0; i < function.pieces.size(); ++i) {
+      const auto& piece = function.pieces[i];
+      const std::string name = ": pieces[" + std::to_string(i) + "]: ";
+      wrong_.finite({name + "from", {}, {}, owner}, {piece.from});
+      if (i > 0 && !(piece.from > function.pieces[i - 1].from)) {
+        wrong_.rising({name + "from ", {}, {}, owner}, piece.from, function.pieces[i - 1].from,
+                      "[s]");
+      }
+      if (piece.coefficients.empty()) {
+        wrong_.add(owner + name + "polynomial is empty; must have at least one coefficient " +
+                   std::string(unit));
+      }
+      for (const auto& coefficient : piece.coefficients) {
+        finite(is_constant(function) ? "" : name + "polynomial", coefficient);
+      }
+    }
+    for (std::size_t i = 0; i < function.waves.size(); ++i) {
+      const auto& wave = function.waves[i];
+      const std::string name = ": waves[" + std::to_string(i) + "]: ";
+      finite(name + "amplitude", wave.amplitude);
+      wrong_.zero_or_above({name + "frequency", {}, {}, owner}, wave.frequency, "[rad/s]");
+      wrong_.finite({name + "phase", {}, {}, owner}, {wave.phase});
+    }
+  }
+
+  /// A length or an end that jumps would pull with no bound.
+  void check_jumps() {
+    for (std::size_t index = 0; index < system_.cables.size(); ++index) {
+      const CableOfSystem& cable = system_.cables[index];
+      check_jumps(cable_name(index) + ": length", cable.length);
+      for (std::size_t i = 0; i <= cable.segments(); ++i) {
+        check_jumps(cable_name(index) + ": " + end_key(cable, i), cable.end(i).motion);
+      }
+    }
+  }
+
+  template <int N>
+  void check_jumps(const std::string& owner, const Function<N>& function) {
+    for (std::size_t i = 1; i < function.pieces.size(); ++i) {
+      const auto& before = function.pieces[i - 1];
+      const auto& after = function.pieces[i];
+      const double since = after.from - before.from;
+      Eigen::Matrix<double, N, 1> ends = Eigen::Matrix<double, N, 1>::Zero();
+      double size = after.coefficients.front().norm();  // of what the two are computed from
+      for (std::size_t k = before.coefficients.size(); k-- > 0;) {
+        ends = Eigen::Matrix<double, N, 1>(since * ends + before.coefficients[k]);
+        size = std::max(size, ends.norm());
+      }
+      const double jump = (after.coefficients.front() - ends).norm();
+      if (!(jump <= gap_rounding * size)) {
+        wrong_.add(owner + ": jumps by " + text(jump) + " m at " + text(after.from) +
+                   " s; must go on from where the piece before it ends");
+      }
+    }
+  }
+
+  void check_lengths() {
+    for (std::size_t index = 0; index < system_.cables.size(); ++index) {
+      const CableOfSystem& cable = system_.cables[index];
+      const double begin = cable.from_time.value_or(0.0);
+      const double end = std::min(cable.cut_at.value_or(system_.duration), system_.duration);
+      if (is_constant(cable.length) || begin > end) {
+        continue;
+      }
+      if (const auto found = not_above_zero(cable.length, begin, end)) {
+        wrong_.add(cable_name(index) + ": length " + text(found->value) + " at " +
+                   text(found->time) + " s must be above 0 [m] as long as the cable acts");
+      }
+    }
+  }
+
+  void check_reach() {
+    const auto held = [&](const CableOfSystem& cable) {  // between one body and a point at rest
+      const End& world = cable.from.body ? cable.to : cable.from;
+      return cable.through.empty() && !world.body && is_constant(world.motion) &&
+             is_constant(cable.length) && cable.acts_at(0.0);
+    };
+    for (std::size_t i = 0; i < system_.cables.size(); ++i) {
+      for (std::size_t j = i + 1; j < system_.cables.size(); ++j) {
+        const CableOfSystem& one = system_.cables[i];
+        const CableOfSystem& two = system_.cables[j];
+        const auto& [body, anchor] = sides(one);
+        const auto& [other, second] = sides(two);
+        if (held(one) && held(two) && body.body == other.body) {
+          wrong_.reach({(place(anchor, system_) - place(second, system_)).norm(),
+                        one.length.at(0.0)[0] + two.length.at(0.0)[0] + (body.at - other.at).norm(),
+                        i, j});
+        }
+      }
+    }
+  }
+
+  /// The end of a straight cable on a body, and the other one.
+  static std::pair<const End&, const End&> sides(const CableOfSystem& cable) {
+    return cable.from.body ? std::pair<const End&, const End&>(cable.from, cable.to)
+                           : std::pair<const End&, const End&>(cable.to, cable.from);
+  }
+
+  void check_start() {
+    for (std::size_t index = 0; index < system_.cables.size(); ++index) {
+      if (system_.cables[index].acts_at(0.0)) {
+        check_start(index, system_.cables[index]);
+      }
+    }
+  }
+
+  void check_start(std::size_t index, const CableOfSystem& cable) {
+    const double length = cable.length.at(0.0)[0];
+    double distance = 0.0;
+    double largest = std::max(length, operand(cable.from, system_));
+    for (std::size_t i = 0; i < cable.segments(); ++i) {
+      const double apart = (place(cable.end(i), system_) - place(cable.end(i + 1), system_)).norm();
+      if (!cable.through.empty() && apart < shortest_segment * length) {
+        wrong_.add(cable_name(index) + ": its " + end_name(cable, i) + " and its " +
+                   end_name(cable, i + 1) + " start " + text(apart) +
+                   " m apart, which gives it no direction; must be at least " +
+                   text(shortest_segment * length) + " m");
+        return;
+      }
+      distance += apart;
+      largest = std::max(largest, operand(cable.end(i + 1), system_));
+    }
+    wrong_.start_of_cable(index, length, distance, epsilon<double>() * largest,
+                          cable.through.empty() ? " m apart" : " m apart through its rings");
+  }
+
+  const System& system_;
+  Sentences wrong_;
+};
+
+}  // namespace
+
+std::vector<std::string> problems(const System& system) { return Checker(system).run(); }
+
+}  // namespace tautline

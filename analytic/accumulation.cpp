@@ -115,6 +115,9 @@ template <class TheCase>
 StateOf<TheCase> without_energy_gained(const TheCase& the_case, const StateOf<TheCase>& before,
                                        StateOf<TheCase> after) {
   using Real = RealOf<TheCase>;
+  if (is_driven(the_case, before)) {
+    return after;
+  }
   const Real gained = energy(the_case, after) - energy(the_case, before);
   const Real kinetic = kinetic_energy(bodies_of(the_case), after);
   if (gained > few_roundings * rounding_of_energy(the_case, before) && gained < kinetic) {
@@ -122,6 +125,18 @@ StateOf<TheCase> without_energy_gained(const TheCase& the_case, const StateOf<Th
     after = times_as_fast(after, part);
   }
   return after;
+}
+
+/// True where the end of bounces gains energy beyond rounding, or overflows: nothing that moves the
+/// ends of cables can have given it.
+template <class TheCase>
+bool gains_energy(const TheCase& the_case, const StateOf<TheCase>& before,
+                  const StateOf<TheCase>& after) {
+  using Real = RealOf<TheCase>;
+  const Real gained = energy(the_case, after) - energy(the_case, before);
+  return is_driven(the_case, before)
+             ? !isfinite(gained)
+             : !(gained <= rounding_margin * rounding_of_energy(the_case, before));
 }
 
 /// True where `state` stretches a cable outside `cables`.
@@ -181,7 +196,8 @@ std::optional<BasicCompletion<TheCase>> completion(const TheCase& the_case,
       bounces = bouncing(the_case, state, touching.cables, cables, held->tension, scale);
     }
     if (!bounces ||
-        (limits.speed ? bounces->speed > *limits.speed : !(bounces->error <= limits.error))) {
+        (limits.speed ? bounces->speed > *limits.speed : !(bounces->error <= limits.error)) ||
+        bounces->remaining + bounces->uncertainty > time_to_knot(the_case, state)) {
       return std::nullopt;
     }
     CableSet near = within_reach(the_case, state, cables, *bounces, scale);
@@ -194,8 +210,7 @@ std::optional<BasicCompletion<TheCase>> completion(const TheCase& the_case,
     near = near - carried;
     if (near.empty()) {
       // cables almost dependent, which the body had to go far to close
-      if (!(energy(the_case, after) - energy(the_case, state) <=
-            rounding_margin * rounding_of_energy(the_case, state)) ||  // also where it overflows
+      if (gains_energy(the_case, state, after) ||
           overstretches(the_case, after, cables | carried)) {
         return std::nullopt;
       }

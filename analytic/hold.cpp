@@ -168,6 +168,9 @@ template <class TheCase>
 std::optional<BasicHold<TheCase>> hold(const TheCase& the_case, const StateOf<TheCase>& state,
                                        const TouchingOf<TheCase>& touching, CableSet resting) {
   using Real = RealOf<TheCase>;
+  if (resting.empty()) {
+    return candidate(the_case, state, touching, {}, {}, Doubtful<Real>{});
+  }
   const auto held = resting_tensions(the_case, state, resting);
   if (!held) {
     return std::nullopt;

@@ -110,9 +110,10 @@ StateOf<TheCase> with_zero_rates(const TheCase& the_case, const StateOf<TheCase>
     return state;
   }
   const CableRows<TheCase> rows(the_case, state, cables);
-  const RowSpace<TheCase> space = rows.space(rows.most_independent());
+  const CableSet basis = rows.most_independent();
+  const RowSpace<TheCase> space = rows.space(basis);
   return with_change(bodies_of(the_case), state,
-                     RowOf<TheCase>(-space.part(mass_velocity(bodies_of(the_case), state))));
+                     RowOf<TheCase>(-gap_velocity(the_case, state, cables, basis, space)));
 }
 
 template <class TheCase, class Real>

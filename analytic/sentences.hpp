@@ -37,8 +37,8 @@ struct What {
 
 /// Two cables between points that stand still in the world, and one body.
 struct Span {
-  double apart;       // [m], of the points in the world
-  double spanned;     // [m], by lengths and body
+  double apart;    // [m], of the points in the world
+  double spanned;  // [m], by lengths and body
   std::size_t one;
   std::size_t other;
 };

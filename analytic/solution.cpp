@@ -136,7 +136,7 @@ BasicCableVector<RealOf<TheCase>> BasicSolution<TheCase>::tensions(const BasicAr
 template struct BasicArc<InstanceCase>;
 template class BasicSolution<InstanceCase>;
 
-#ifndef TAUTLINE_MULTIPRECISION
+#ifdef TAUTLINE_FIRST
 
 std::string_view to_string(EventKind kind) {
   switch (kind) {

@@ -86,6 +86,63 @@ std::optional<Real> violation(const CableRows<TheCase>& cables, const Complement
   return result;
 }
 
+/// The row outside `active` that closes most and depends on none of them; none: no row closes.
+template <class TheCase, class Real = RealOf<TheCase>>
+std::optional<std::size_t> entering(const CableRows<TheCase>& cables,
+                                    const Complementary<Real>& now, CableSet active) {
+  std::optional<std::size_t> result;
+  Real most(0);
+  for (const std::size_t row : cables.all() - active) {
+    const auto k = static_cast<Eigen::Index>(row);
+    const Real size = cables.rows().row(k).norm();
+    if (now.left[k] < -now.left_error[k] && now.left[k] < most * size &&
+        cables.independent(active | CableSet::of(row))) {
+      most = now.left[k] / size;
+      result = row;
+    }
+  }
+  return result;
+}
+
+/// A solution by active sets, after Lawson and Hanson: the row that closes most enters, and those
+/// whose z would turn negative on the way leave. None where it does not end, or rounding
+/// decides.
+template <class TheCase, class Real = RealOf<TheCase>>
+std::optional<Complementary<Real>> by_active_set(const CableRows<TheCase>& cables,
+                                                 const BasicCableVector<Real>& q,
+                                                 const BasicCableVector<Real>& rounding) {
+  CableSet active;
+  Complementary<Real> now = trial(cables, q, rounding, active);
+  for (std::size_t round = 0; round < 4 * max_cables; ++round) {
+    const auto next = entering(cables, now, active);
+    if (!next) {
+      return violation(cables, now) ? std::optional(now) : std::nullopt;
+    }
+    active.insert(*next);
+    BasicCableVector<Real> z = now.multipliers;
+    for (bool steps_back = true; steps_back;) {
+      now = trial(cables, q, rounding, active);
+      steps_back = false;
+      Real part(1);
+      std::size_t leaving = 0;
+      for (const std::size_t row : active) {
+        const auto k = static_cast<Eigen::Index>(row);
+        if (!(now.multipliers[k] > 0) && z[k] <= part * (z[k] - now.multipliers[k])) {
+          part = z[k] > 0 ? Real(z[k] / (z[k] - now.multipliers[k])) : Real(0);
+          leaving = row;
+          steps_back = true;
+        }
+      }
+      if (steps_back) {
+        z += part * (now.multipliers - z);
+        z[static_cast<Eigen::Index>(leaving)] = Real(0);
+        active.erase(leaving);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 template <class TheCase, class Real>
@@ -101,6 +158,14 @@ std::optional<Complementary<Real>> complementary(const CableRows<TheCase>& cable
     Complementary<Real> all = trial(cables, q, rounding, cables.all());
     if ((all.multipliers - all.multiplier_error).minCoeff() > 0) {
       return all;
+    }
+  }
+  if constexpr (TheCase::has_several_bodies) {  // a planar body keeps its bits: it tries all
+    constexpr Eigen::Index worth_it = 4;        // rows
+    if (q.size() >= worth_it) {
+      if (auto found = by_active_set(cables, q, rounding)) {
+        return found;
+      }
     }
   }
   // A solution with independent active rows always exists (Caratheodory), so the at most

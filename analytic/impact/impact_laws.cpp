@@ -145,11 +145,14 @@ BasicImpact<TheCase> impact_on_several(ImpactLaw law, const TheCase& the_case,
 }
 
 /// The velocities of `after` without what rounding has added to their energy, where the impulses of
-/// cables almost opposed are large: no law gains any.
+/// cables almost opposed are large: no law gains any, but what moves the ends of cables may.
 template <class TheCase>
 StateOf<TheCase> without_gain(const TheCase& the_case, const StateOf<TheCase>& before,
                               StateOf<TheCase> after) {
   using Real = RealOf<TheCase>;
+  if (is_driven(the_case, before)) {
+    return after;
+  }
   const Real most = mass_velocity(bodies_of(the_case), before).squaredNorm();
   const Real reached = mass_velocity(bodies_of(the_case), after).squaredNorm();
   if (reached > most * (1 + few_roundings * epsilon<Real>())) {
@@ -180,11 +183,10 @@ bool follows_newton(ImpactLaw law, const TheCase& the_case, const StateOf<TheCas
   return true;
 }
 
-}  // namespace
-
+/// By `law` on cables that act on each other.
 template <class TheCase>
-BasicImpact<TheCase> resolve_impact(ImpactLaw law, const TheCase& the_case,
-                                    const StateOf<TheCase>& before, CableSet cables) {
+BasicImpact<TheCase> impact_on_cluster(ImpactLaw law, const TheCase& the_case,
+                                       const StateOf<TheCase>& before, CableSet cables) {
   using Real = RealOf<TheCase>;
   if (cables.size() == 1 || !delassus(the_case, before, cables).allFinite() ||
       !gap_rates(the_case, before, cables).allFinite()) {
@@ -210,6 +212,27 @@ BasicImpact<TheCase> resolve_impact(ImpactLaw law, const TheCase& the_case,
   return impact;
 }
 
+}  // namespace
+
+template <class TheCase>
+BasicImpact<TheCase> resolve_impact(ImpactLaw law, const TheCase& the_case,
+                                    const StateOf<TheCase>& before, CableSet cables) {
+  if constexpr (!TheCase::has_several_bodies) {
+    return impact_on_cluster(law, the_case, before, cables);
+  } else {
+    using Real = RealOf<TheCase>;
+    const auto count = static_cast<Eigen::Index>(cables.size());
+    BasicImpact<TheCase> result{BasicCableVector<Real>::Zero(count), before};
+    for (const CableSet cluster : clusters(the_case, cables)) {
+      BasicImpact<TheCase> one = impact_on_cluster(law, the_case, result.after, cluster);
+      result.impulses(rows_within(cluster, cables)) = one.impulses;
+      result.after = std::move(one.after);
+      result.steps += one.steps;
+    }
+    return result;
+  }
+}
+
 template <class TheCase>
 CableSet indeterminate(ImpactLaw law, const TheCase& the_case, const BasicEvent<TheCase>& event) {
   return event.kind == EventKind::impact &&
@@ -223,7 +246,7 @@ template CableSet indeterminate(ImpactLaw, const InstanceCase&, const BasicEvent
 template BasicImpact<InstanceCase> resolve_impact(ImpactLaw, const InstanceCase&,
                                                   const StateOf<InstanceCase>&, CableSet);
 
-#ifndef TAUTLINE_MULTIPRECISION
+#ifdef TAUTLINE_FIRST
 std::string_view to_string(ImpactLaw law) {
   switch (law) {
     case ImpactLaw::simultaneous:

@@ -25,7 +25,8 @@ std::optional<BasicImpact<TheCase>> rebound(const TheCase& the_case, const State
   for (const std::size_t row : found->active) {
     most = max(most, e[static_cast<Eigen::Index>(row)]);
   }
-  RowOf<TheCase> change = -(1 + most) * space.part(mass_velocity(bodies_of(the_case), before));
+  RowOf<TheCase> change =
+      -(1 + most) * gap_velocity(the_case, before, cables, found->active, space);
   std::size_t i = 0;
   for (const std::size_t row : found->active) {
     const auto k = static_cast<Eigen::Index>(row);

@@ -34,9 +34,10 @@ template <class TheCase, class Real = RealOf<TheCase>>
       stop = {change.dt, std::nullopt, change.cables,
               change.cables.empty() && change.dt == held->reach};
     }
-  } else if (const auto search = first_contact(the_case, state, touching, stop.dt);
-             search.contact) {
-    stop = {search.contact->dt, std::nullopt, search.contact->cables};
+  } else if constexpr (TheCase::flies_in_closed_form) {
+    if (const auto search = first_contact(the_case, state, touching, stop.dt); search.contact) {
+      stop = {search.contact->dt, std::nullopt, search.contact->cables};
+    }
   }
   if (isnan(stop.dt)) {
     return stop;

@@ -253,16 +253,20 @@ class Motion final : public PausedMotion<TheCase> {
       return Ending::overflow;
     }
     BasicArc<TheCase> arc = arc_to(stop);
-    const StateOf<TheCase> last = arc.after(stop.dt, case_.gravity);
+    const StateOf<TheCase> last = at_time(arc.after(stop.dt, case_.gravity), arc.end);
     if (!fits(case_, last)) {
       return Ending::overflow;
     }
-    StateOf<TheCase> state = on_cables(case_, last, pulling(), stop.cables, !stop.is_knot);
+    const CableSet held = stop.is_knot ? touching_at_knot(case_, last, pulling()) : pulling();
+    StateOf<TheCase> state = on_cables(case_, last, held, stop.cables, !stop.is_knot);
     if (!(pulling() | stop.cables).empty() && !fits(case_, state)) {
       return Ending::singular;  // the ends of a cable have met: it has no direction
     }
     record_.arcs.push_back(std::move(arc));
     arrive(stop, std::move(state));
+    if constexpr (!TheCase::flies_in_closed_form) {
+      return stop.is_knot ? ending_at_knot(case_, state_) : std::nullopt;
+    }
     return std::nullopt;
   }
 
@@ -272,7 +276,7 @@ class Motion final : public PausedMotion<TheCase> {
                      : stop.is_knot                          ? next_knot(case_, state_)
                                                              : Real(time_ + stop.dt);
     BasicArc<TheCase> arc{time_, end, state_, held_ ? taut_ : CableSet{}, {}};
-    if (!TheCase::flies_in_closed_form || !pulling().empty()) {  // else the closed form of flight
+    if (TheCase::flies_in_closed_form ? !pulling().empty() : held_.has_value()) {  // else none
       arc.series = held_->motion.pose();
     }
     return arc;
@@ -281,7 +285,7 @@ class Motion final : public PausedMotion<TheCase> {
   /// Makes the end of the last arc, where the body is in `state`, the present.
   void arrive(const Stop<Real>& stop, StateOf<TheCase> state) {
     time_ = record_.arcs.back().end;
-    state_ = at_time(std::move(state), time_);
+    state_ = std::move(state);
     // once time has passed, only what is taut and what was hit is at zero gap
     touching_.cables = taut_ | (stop.dt > 0 ? stop.cables : touching_.cables | stop.cables);
     if (stop.is_knot) {
@@ -360,6 +364,11 @@ BasicSolution<TheCase> solve(const TheCase& the_case, const SolveOptions& option
   if (const auto broken = problems(in_double(the_case)); !broken.empty()) {
     throw std::invalid_argument(broken.front());
   }
+  if constexpr (TheCase::has_several_bodies) {
+    if (const auto why = refusal(the_case, options.law)) {
+      throw std::invalid_argument(*why);
+    }
+  }
   const CableSet touching = touching_at_start(the_case);
   const auto origin = local_origin(the_case);
   if (origin.isZero(0)) {  // else it is seen from near by, where numbers lose nothing
@@ -372,7 +381,7 @@ BasicSolution<TheCase> solve(const TheCase& the_case, const SolveOptions& option
 
 template BasicSolution<InstanceCase> solve(const InstanceCase&, const SolveOptions&);
 
-#ifndef TAUTLINE_MULTIPRECISION
+#ifdef TAUTLINE_FIRST
 std::unique_ptr<PausedMotion<Case>> paused_motion(const Case& the_case, const SolveOptions& options,
                                                   CableSet touching, Record<Case> record) {
   return std::make_unique<Motion<Case>>(the_case, options, touching, std::move(record));

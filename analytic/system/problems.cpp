@@ -37,14 +37,14 @@ double operand(const End& end, const System& system) {
 
 /// "end 0", "ring 1" in the sentences on a segment.
 std::string end_name(const CableOfSystem& cable, std::size_t index) {
-  return index == 0                     ? "end \"from\""
+  return index == 0                      ? "end \"from\""
          : index <= cable.through.size() ? "ring " + std::to_string(index - 1)
                                          : "end \"to\"";
 }
 
 /// The key of an end in a file.
 std::string end_key(const CableOfSystem& cable, std::size_t index) {
-  return index == 0                     ? "from"
+  return index == 0                      ? "from"
          : index <= cable.through.size() ? "through[" + std::to_string(index - 1) + "]"
                                          : "to";
 }
@@ -149,8 +149,8 @@ class Checker {
 
   void check_cables() {
     if (system_.cables.size() > max_cables) {
-      wrong_.add("cables: " + std::to_string(system_.cables.size()) +
-                 " given; a system has 0 to " + std::to_string(max_cables));
+      wrong_.add("cables: " + std::to_string(system_.cables.size()) + " given; a system has 0 to " +
+                 std::to_string(max_cables));
     }
     for (std::size_t index = 0; index < system_.cables.size(); ++index) {
       const CableOfSystem& cable = system_.cables[index];
@@ -178,8 +178,9 @@ class Checker {
                    " is not there; the system has " + std::to_string(count()));
       }
       if (end.body && !end.motion.empty()) {
-        wrong_.add(owner + ": is a point of a body, which does not move in it; only an end in the "
-                           "world has a motion of its own");
+        wrong_.add(owner +
+                   ": is a point of a body, which does not move in it; only an end in the "
+                   "world has a motion of its own");
       }
     }
     if (!on_body) {

@@ -11,10 +11,10 @@ namespace tautline {
 namespace {
 
 /// What the cables of `set` do to the body with these tensions [N, N, N m].
-template <class Real>
-Eigen::Matrix<Real, 3, 1> pull(const BasicCase<Real>& the_case, const BasicState<Real>& state,
-                               CableSet set, const BasicCableVector<Real>& tensions) {
-  Eigen::Matrix<Real, 3, 1> result = Eigen::Matrix<Real, 3, 1>::Zero();
+template <class TheCase, class Real = RealOf<TheCase>>
+RowOf<TheCase> pull(const TheCase& the_case, const StateOf<TheCase>& state, CableSet set,
+                    const BasicCableVector<Real>& tensions) {
+  RowOf<TheCase> result = RowOf<TheCase>::Zero(static_cast<Eigen::Index>(freedoms_of(the_case)));
   Eigen::Index row = 0;
   for (const std::size_t index : set) {
     result += tensions[row++] * gap_gradient(the_case.cables[index], state);
@@ -23,9 +23,9 @@ Eigen::Matrix<Real, 3, 1> pull(const BasicCase<Real>& the_case, const BasicState
 }
 
 /// The tensions that take the accelerations of the gaps of `set` away, and may push.
-template <class Real>
-BasicCableVector<Real> smallest_multipliers(const BasicCase<Real>& the_case,
-                                            const BasicState<Real>& state, CableSet set) {
+template <class TheCase, class Real = RealOf<TheCase>>
+BasicCableVector<Real> smallest_multipliers(const TheCase& the_case, const StateOf<TheCase>& state,
+                                            CableSet set) {
   BasicCableVector<Real> wanted(static_cast<Eigen::Index>(set.size()));
   Eigen::Index row = 0;
   for (const std::size_t index : set) {
@@ -36,9 +36,9 @@ BasicCableVector<Real> smallest_multipliers(const BasicCase<Real>& the_case,
 
 }  // namespace
 
-template <class Real>
-BasicCableVector<Real> holding_tensions(const BasicCase<Real>& the_case,
-                                        const BasicState<Real>& state, CableSet taut) {
+template <class TheCase, class Real>
+BasicCableVector<Real> holding_tensions(const TheCase& the_case, const StateOf<TheCase>& state,
+                                        CableSet taut) {
   const BasicCableVector<Real> all = smallest_multipliers(the_case, state, taut);
   const Real size = all.size() > 0 ? Real(all.cwiseAbs().maxCoeff()) : Real(0);
   constexpr double rounding =
@@ -48,7 +48,7 @@ BasicCableVector<Real> holding_tensions(const BasicCase<Real>& the_case,
   }
   // The smallest tensions without a push are the smallest multipliers of the cables that pull, and
   // every set of cables whose own do not push and come to the same pull is a candidate.
-  const Eigen::Matrix<Real, 3, 1> wanted = pull(the_case, state, taut, all);
+  const RowOf<TheCase> wanted = pull(the_case, state, taut, all);
   const std::vector<std::size_t> indices = taut.indices();
   std::optional<BasicCableVector<Real>> best;
   for (unsigned bits = 1; bits < (1U << indices.size()); ++bits) {
@@ -74,6 +74,6 @@ BasicCableVector<Real> holding_tensions(const BasicCase<Real>& the_case,
 }
 
 template BasicCableVector<Instance> holding_tensions(const InstanceCase&,
-                                                     const BasicState<Instance>&, CableSet);
+                                                     const StateOf<InstanceCase>&, CableSet);
 
 }  // namespace tautline

@@ -18,6 +18,8 @@ struct BasicPiece {
   Real from;  // [s], the knot where it starts
   /// In rising order, of the time since `from`; coefficient k in the function's unit / s^k.
   std::vector<Eigen::Matrix<Real, N, 1>> coefficients;
+
+  bool operator==(const BasicPiece&) const = default;
 };
 
 /// amplitude cos(frequency t + phase).
@@ -26,6 +28,8 @@ struct BasicWave {
   Eigen::Matrix<Real, N, 1> amplitude;  // in the function's unit
   Real frequency;                       // [rad/s], >= 0
   Real phase = Real(0);                 // [rad], at time 0
+
+  bool operator==(const BasicWave&) const = default;
 };
 
 /// N numbers that are given over time: a sum of waves, and of polynomials from knot to knot. Empty:
@@ -39,6 +43,8 @@ struct BasicFunction {
   /// In rising time. The last one lasts for ever; before the first one its value at `from` holds.
   std::vector<Piece> pieces = {};
   std::vector<Wave> waves = {};  // at all times
+
+  bool operator==(const BasicFunction&) const = default;
 
   /// `value` at all times.
   [[nodiscard]] static BasicFunction constant(const Value& value) {

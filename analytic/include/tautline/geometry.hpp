@@ -205,6 +205,13 @@ template <class Real>
   return touching;
 }
 
+/// True where ends of cables move in the world, or lengths change: then they do work.
+template <class Real>
+[[nodiscard]] constexpr bool is_driven(const BasicCase<Real>& /*the_case*/,
+                                       const BasicState<Real>& /*state*/) {
+  return false;
+}
+
 /// `state` at `time` [s], which a state of this kind of case does not keep.
 template <class Real>
 [[nodiscard]] BasicState<Real> at_time(BasicState<Real> state,

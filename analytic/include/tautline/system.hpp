@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tautline/case.hpp"
@@ -52,9 +53,11 @@ using BodyOfSystem = BasicBodyOfSystem<double, 2>;
 template <class Real, int D>
 struct BasicEnd {
   std::optional<std::size_t> body = std::nullopt;  // index; none: the world
-  /// [m], in the body's frame from its centre; in the world the part that stands still.
+  /// [m], in the body's frame from its centre; in the world the constant part.
   BasicVector<Real, D> at = BasicVector<Real, D>::Zero();
   BasicFunction<Real, D> motion = {};  // [m], in the world: added to `at`; continuous
+
+  bool operator==(const BasicEnd&) const = default;
 };
 using End = BasicEnd<double, 2>;
 
@@ -120,6 +123,8 @@ struct BasicSystem {
   using Touching = SystemTouching<Real, D>;        // cables at zero gap, and the rounding of rates
   using Series = SystemSeries<Real, D>;            // of the motion, in flight as on taut cables
   static constexpr int freedoms = Eigen::Dynamic;  // of all bodies
+  static constexpr bool flies_in_closed_form = false;
+  static constexpr bool has_several_bodies = true;
   static constexpr int most_freedoms = static_cast<int>(max_bodies) * (D + spins<D>);
 
   std::string name = {};                                              // of its file or its maker
@@ -131,9 +136,94 @@ struct BasicSystem {
 };
 using System = BasicSystem<double, 2>;
 
+/// `function` in numbers of another type.
+template <class To, class Real, int N>
+[[nodiscard]] BasicFunction<To, N> converted(const BasicFunction<Real, N>& function) {
+  const auto vector = [](const auto& from) {
+    return from.unaryExpr([](const Real& number) { return static_cast<To>(number); }).eval();
+  };
+  BasicFunction<To, N> result;
+  for (const auto& piece : function.pieces) {
+    result.pieces.push_back({static_cast<To>(piece.from), {}});
+    for (const auto& coefficient : piece.coefficients) {
+      result.pieces.back().coefficients.push_back(vector(coefficient));
+    }
+  }
+  for (const auto& wave : function.waves) {
+    result.waves.push_back(
+        {vector(wave.amplitude), static_cast<To>(wave.frequency), static_cast<To>(wave.phase)});
+  }
+  return result;
+}
+
+/// `cable` in numbers of another type.
+template <class To, class Real, int D>
+[[nodiscard]] BasicCableOfSystem<To, D> converted(const BasicCableOfSystem<Real, D>& cable) {
+  const auto number = [](const Real& value) { return static_cast<To>(value); };
+  const auto time = [&](const std::optional<Real>& value) {
+    return value ? std::optional<To>(number(*value)) : std::nullopt;
+  };
+  const auto end = [](const BasicEnd<Real, D>& from) {
+    const auto at = from.at.unaryExpr([](const Real& value) { return static_cast<To>(value); });
+    return BasicEnd<To, D>{from.body, at, converted<To>(from.motion)};
+  };
+  BasicCableOfSystem<To, D> result;
+  result.from = end(cable.from);
+  result.to = end(cable.to);
+  for (const auto& ring : cable.through) {
+    result.through.push_back(end(ring));
+  }
+  result.length = converted<To>(cable.length);
+  result.restitution = number(cable.restitution);
+  result.capture_speed = number(cable.capture_speed);
+  for (const auto& point : cable.restitution_table) {
+    result.restitution_table.push_back({number(point.speed), number(point.restitution)});
+  }
+  result.from_time = time(cable.from_time);
+  result.cut_at = time(cable.cut_at);
+  return result;
+}
+
+/// `system` in numbers of another type: the numbers of doubles are exact in many digits.
+template <class To, class Real>
+[[nodiscard]] BasicSystem<To, 2> converted(const BasicSystem<Real, 2>& system) {
+  const auto number = [](const Real& value) { return static_cast<To>(value); };
+  const auto vector = [](const BasicVec2<Real>& v) {
+    return BasicVec2<To>(static_cast<To>(v.x()), static_cast<To>(v.y()));
+  };
+  BasicSystem<To, 2> result;
+  result.name = system.name;
+  for (const auto& body : system.bodies) {
+    result.bodies.push_back({body.name, number(body.mass), number(body.inertia), number(body.drag),
+                             number(body.spin_drag), converted<To>(body.force),
+                             converted<To>(body.moment)});
+  }
+  for (const auto& cable : system.cables) {
+    result.cables.push_back(converted<To>(cable));
+  }
+  result.gravity = converted<To>(system.gravity);
+  result.initial.time = number(system.initial.time);
+  for (const auto& body : system.initial.bodies) {
+    result.initial.bodies.push_back(
+        {vector(body.position), number(body.angle), vector(body.velocity), number(body.spin)});
+  }
+  result.duration = number(system.duration);
+  return result;
+}
+
 /// One sentence for each rule `system` breaks, naming the thing, its value and what would be right.
 /// Empty means `solve` accepts it.
 [[nodiscard]] std::vector<std::string> problems(const System& system);
+
+/// `system` rounded to double.
+template <class Real, int D>
+[[nodiscard]] BasicSystem<double, D> in_double(const BasicSystem<Real, D>& system) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return system;
+  } else {
+    return converted<double>(system);
+  }
+}
 
 /// `the_case` as a system of one body: the same motion.
 [[nodiscard]] System as_system(const Case& the_case);

@@ -121,6 +121,16 @@ class RowSpace {
   Real per_square_ = Real(0);  // of it, or of the dual of one row: 1 / its square
 };
 
+/// The part of the velocity of `state`, times the root of the mass, that changes the gaps of
+/// `cables`: in the `space` of their rows `basis`.
+template <class Real>
+[[nodiscard]] Vector3<Real> gap_velocity(const BasicCase<Real>& the_case,
+                                         const BasicState<Real>& state, CableSet /*cables*/,
+                                         CableSet /*basis*/,
+                                         const RowSpace<BasicCase<Real>>& space) {
+  return space.part(mass_velocity(the_case.body, state));
+}
+
 /// The rows A = J M^-1/2 of `cables`, which know which of them are independent: by their geometry,
 /// whatever the masses.
 template <class TheCase>

@@ -1,0 +1,410 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <utility>
+
+#include "tautline/geometry.hpp"
+#include "tautline/system.hpp"
+
+namespace tautline {
+
+// The names of geometry.hpp for systems. Equation numbers (S1), (T2), ... are those of
+// analytic/README.md, section 10.
+
+// Functions that differ between the plane and space: here the plane.
+
+/// `at`, in the frame of a body in `state`, in world axes [m].
+template <class Real>
+[[nodiscard]] BasicVec2<Real> in_the_world(const BasicState<Real>& state,
+                                           const BasicVec2<Real>& at) {
+  const auto [c, s] = heading(state.angle);
+  return c * at + s * perpendicular<Real>(at);
+}
+
+/// The velocity of the end of `arm` [m] that turns with `spin` [rad/s].
+template <class Real>
+[[nodiscard]] BasicVec2<Real> swept(const Real& spin, const BasicVec2<Real>& arm) {
+  return spin * perpendicular<Real>(arm);
+}
+
+/// The size of a spin [rad/s].
+template <class Real>
+[[nodiscard]] Real spin_size(const BasicState<Real>& state) {
+  return abs(state.spin);
+}
+
+// From here on in any dimension.
+
+/// How many freedoms each body has.
+template <int D>
+inline constexpr Eigen::Index freedoms_of_body = D + spins<D>;
+
+/// A point, and its velocity.
+template <class Real, int D>
+struct MovingPoint {
+  BasicVector<Real, D> position;  // [m]
+  BasicVector<Real, D> velocity;  // [m/s]
+};
+
+/// The place of `end` in the world.
+template <class Real, int D>
+[[nodiscard]] MovingPoint<Real, D> moving_point(const BasicEnd<Real, D>& end,
+                                                const BasicSystemState<Real, D>& state) {
+  if (end.body) {
+    const auto& body = state.bodies[*end.body];
+    const BasicVector<Real, D> arm = in_the_world<Real>(body, end.at);
+    return {body.position + arm, body.velocity + swept<Real>(body.spin, arm)};
+  }
+  if (end.motion.empty()) {
+    return {end.at, BasicVector<Real, D>::Zero()};
+  }
+  std::array<BasicVector<Real, D>, 2> given;
+  end.motion.expand(state.time, given);
+  return {end.at + given[0], given[1]};
+}
+
+/// A straight piece of a cable.
+template <class Real, int D>
+struct Segment {
+  BasicVector<Real, D> along;     // [m], from its second end to its first
+  BasicVector<Real, D> velocity;  // [m/s], of that
+  Real distance;                  // [m]
+};
+
+/// The segments of `cable`, one after the other, for `use`.
+template <class Real, int D, class Use>
+void each_segment(const BasicCableOfSystem<Real, D>& cable, const BasicSystemState<Real, D>& state,
+                  const Use& use) {
+  MovingPoint<Real, D> first = moving_point(cable.from, state);
+  for (std::size_t i = 0; i < cable.segments(); ++i) {
+    const MovingPoint<Real, D> second = moving_point(cable.end(i + 1), state);
+    const BasicVector<Real, D> along = first.position - second.position;
+    use(i, Segment<Real, D>{along, first.velocity - second.velocity, along.norm()});
+    first = second;
+  }
+}
+
+/// Coefficients 0 to 2 of the length of `cable` at the time of `state`: [m], [m/s], [m/s^2] / 2.
+template <class Real, int D>
+[[nodiscard]] std::array<Real, 3> length_over_time(const BasicCableOfSystem<Real, D>& cable,
+                                                   const BasicSystemState<Real, D>& state) {
+  std::array<Eigen::Matrix<Real, 1, 1>, 3> given;
+  cable.length.expand(state.time, given);
+  return {given[0][0], given[1][0], given[2][0]};
+}
+
+/// Length minus the distances from end to end [m]; infinite where the cable does not act.
+template <class Real, int D>
+[[nodiscard]] Real gap(const BasicCableOfSystem<Real, D>& cable,
+                       const BasicSystemState<Real, D>& state) {
+  if (!cable.acts_at(state.time)) {
+    return infinity<Real>();
+  }
+  Real result = cable.length.at(state.time)[0];
+  each_segment(cable, state, [&](std::size_t, const auto& segment) { result -= segment.distance; });
+  return result;
+}
+
+/// d gap / dt [m/s]; negative when closing (T2).
+template <class Real, int D>
+[[nodiscard]] Real gap_rate(const BasicCableOfSystem<Real, D>& cable,
+                            const BasicSystemState<Real, D>& state) {
+  if (!cable.acts_at(state.time)) {
+    return Real(0);
+  }
+  Real result = length_over_time(cable, state)[1];
+  each_segment(cable, state, [&](std::size_t, const auto& segment) {
+    result -= segment.along.dot(segment.velocity) / segment.distance;
+  });
+  return result;
+}
+
+/// Adds to `row` what a `force` at `end` does to its body, if it has one, and its moment.
+template <class Real, int D, class Row>
+void add_wrench(const BasicEnd<Real, D>& end, const BasicSystemState<Real, D>& state,
+                const BasicVector<Real, D>& force, Row& row) {
+  if (!end.body) {
+    return;
+  }
+  const Eigen::Index first = static_cast<Eigen::Index>(*end.body) * freedoms_of_body<D>;
+  row.template segment<D>(first) += force;
+  const BasicVector<Real, D> arm = in_the_world<Real>(state.bodies[*end.body], end.at);
+  row[first + D] += cross<Real>(arm, force);
+}
+
+/// No change of any freedom.
+template <class Real, int D>
+[[nodiscard]] RowOf<BasicSystem<Real, D>> no_change(const BasicSystemState<Real, D>& state) {
+  return RowOf<BasicSystem<Real, D>>::Zero(static_cast<Eigen::Index>(state.bodies.size()) *
+                                           freedoms_of_body<D>);
+}
+
+/// d gap / d(poses of all bodies): the row of the constraint Jacobian (B6).
+template <class Real, int D>
+[[nodiscard]] RowOf<BasicSystem<Real, D>> gap_gradient(const BasicCableOfSystem<Real, D>& cable,
+                                                       const BasicSystemState<Real, D>& state) {
+  RowOf<BasicSystem<Real, D>> row = no_change(state);
+  if (!cable.acts_at(state.time)) {
+    return row;
+  }
+  each_segment(cable, state, [&](std::size_t i, const auto& segment) {
+    const BasicVector<Real, D> u = segment.along / segment.distance;
+    add_wrench<Real, D>(cable.end(i), state, -u, row);
+    add_wrench<Real, D>(cable.end(i + 1), state, u, row);
+  });
+  return row;
+}
+
+/// The rate of that row along the motion (S18).
+template <class Real, int D>
+[[nodiscard]] RowOf<BasicSystem<Real, D>> gap_gradient_rate(
+    const BasicCableOfSystem<Real, D>& cable, const BasicSystemState<Real, D>& state) {
+  RowOf<BasicSystem<Real, D>> row = no_change(state);
+  const auto add = [&](const BasicEnd<Real, D>& end, const BasicVector<Real, D>& force,
+                       const BasicVector<Real, D>& force_rate) {
+    add_wrench<Real, D>(end, state, force_rate, row);
+    if (end.body) {
+      const auto& body = state.bodies[*end.body];
+      const BasicVector<Real, D> arm = in_the_world<Real>(body, end.at);
+      const Eigen::Index first = static_cast<Eigen::Index>(*end.body) * freedoms_of_body<D>;
+      row[first + D] += cross<Real>(swept<Real>(body.spin, arm), force);
+    }
+  };
+  each_segment(cable, state, [&](std::size_t i, const auto& segment) {
+    const BasicVector<Real, D> u = segment.along / segment.distance;
+    const BasicVector<Real, D> u_rate =
+        (segment.velocity - u.dot(segment.velocity) * u) / segment.distance;
+    add(cable.end(i), -u, -u_rate);
+    add(cable.end(i + 1), u, u_rate);
+  });
+  return row;
+}
+
+/// The accelerations of all bodies in free flight: of their centres [m/s^2] and their spins
+/// [rad/s^2].
+template <class Real, int D>
+[[nodiscard]] RowOf<BasicSystem<Real, D>> free_accelerations(
+    const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& state) {
+  RowOf<BasicSystem<Real, D>> result = no_change(state);
+  const BasicVector<Real, D> gravity = system.gravity.at(state.time);
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    const auto& body = system.bodies[i];
+    const auto& now = state.bodies[i];
+    const Eigen::Index first = static_cast<Eigen::Index>(i) * freedoms_of_body<D>;
+    const BasicVector<Real, D> force = body.force.at(state.time) - body.drag * now.velocity;
+    result.template segment<D>(first) = gravity + force / body.mass;
+    if (body.inertia > 0) {
+      const Real moment = body.moment.at(state.time)[0] - body.spin_drag * now.spin;
+      result[first + D] = moment / body.inertia;
+    }
+  }
+  return result;
+}
+
+/// The acceleration of `end` [m/s^2] where the bodies have these `accelerations`.
+template <class Real, int D>
+[[nodiscard]] BasicVector<Real, D> end_acceleration(
+    const BasicEnd<Real, D>& end, const BasicSystemState<Real, D>& state,
+    const RowOf<BasicSystem<Real, D>>& accelerations) {
+  if (end.body) {
+    const auto& body = state.bodies[*end.body];
+    const Eigen::Index first = static_cast<Eigen::Index>(*end.body) * freedoms_of_body<D>;
+    const BasicVector<Real, D> arm = in_the_world<Real>(body, end.at);
+    const BasicVector<Real, D> turning = swept<Real>(body.spin, arm);
+    return accelerations.template segment<D>(first) + swept<Real>(accelerations[first + D], arm) +
+           swept<Real>(body.spin, turning);
+  }
+  if (end.motion.empty()) {
+    return BasicVector<Real, D>::Zero();
+  }
+  std::array<BasicVector<Real, D>, 3> given;
+  end.motion.expand(state.time, given);
+  return 2 * given[2];
+}
+
+/// d^2 gap / dt^2 in free flight [m/s^2] (T2).
+template <class Real, int D>
+[[nodiscard]] Real free_gap_acceleration(const BasicSystem<Real, D>& system, std::size_t index,
+                                         const BasicSystemState<Real, D>& state) {
+  const BasicCableOfSystem<Real, D>& cable = system.cables[index];
+  const RowOf<BasicSystem<Real, D>> accelerations = free_accelerations(system, state);
+  Real result = 2 * length_over_time(cable, state)[2];
+  BasicVector<Real, D> first = end_acceleration<Real, D>(cable.from, state, accelerations);
+  each_segment(cable, state, [&](std::size_t i, const auto& segment) {
+    const BasicVector<Real, D> second =
+        end_acceleration<Real, D>(cable.end(i + 1), state, accelerations);
+    const BasicVector<Real, D> u = segment.along / segment.distance;
+    const BasicVector<Real, D> across = segment.velocity - u.dot(segment.velocity) * u;
+    result -= u.dot(first - second) + across.squaredNorm() / segment.distance;
+    first = second;
+  });
+  return result;
+}
+
+/// All that moves.
+template <class Real, int D>
+[[nodiscard]] const std::vector<BasicBodyOfSystem<Real, D>>& bodies_of(
+    const BasicSystem<Real, D>& system) {
+  return system.bodies;
+}
+
+/// How many ways to move they have.
+template <class Real, int D>
+[[nodiscard]] std::size_t freedoms_of(const BasicSystem<Real, D>& system) {
+  return system.bodies.size() * static_cast<std::size_t>(freedoms_of_body<D>);
+}
+
+/// The numbers that `of_mass` and `of_inertia` give, one for each freedom of `bodies`; 0 for the
+/// turn of a point mass.
+template <class Real, int D, class OfMass>
+[[nodiscard]] RowOf<BasicSystem<Real, D>> masses(
+    const std::vector<BasicBodyOfSystem<Real, D>>& bodies, const OfMass& of_mass) {
+  RowOf<BasicSystem<Real, D>> result(static_cast<Eigen::Index>(bodies.size()) *
+                                     freedoms_of_body<D>);
+  Eigen::Index row = 0;
+  for (const auto& body : bodies) {
+    result.template segment<D>(row).setConstant(of_mass(body.mass));
+    result[row + D] = body.inertia > 0 ? Real(of_mass(body.inertia)) : Real(0);
+    row += freedoms_of_body<D>;
+  }
+  return result;
+}
+
+/// Diagonal of the inverse mass matrix of all bodies [1/kg, 1/(kg m^2)].
+template <class Real, int D>
+[[nodiscard]] RowOf<BasicSystem<Real, D>> inverse_mass(
+    const std::vector<BasicBodyOfSystem<Real, D>>& bodies) {
+  return masses(bodies, [](const Real& mass) { return Real(Real(1) / mass); });
+}
+
+/// J M^-1 J^T over `cables`, in rising index order, symmetric positive semidefinite (B6).
+template <class Real, int D>
+[[nodiscard]] BasicCableMatrix<Real> delassus(const BasicSystem<Real, D>& system,
+                                              const BasicSystemState<Real, D>& state,
+                                              CableSet cables) {
+  const auto count = static_cast<Eigen::Index>(cables.size());
+  RowsOf<BasicSystem<Real, D>> rows(count, static_cast<Eigen::Index>(freedoms_of(system)));
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    rows.row(row++) = gap_gradient(system.cables[index], state).transpose();
+  }
+  BasicCableMatrix<Real> result =
+      rows * inverse_mass(system.bodies).asDiagonal() * rows.transpose();
+  return result;
+}
+
+/// Its entry for one cable with itself [1/kg].
+template <class Real, int D>
+[[nodiscard]] Real delassus(const BasicSystem<Real, D>& system,
+                            const BasicSystemState<Real, D>& state, std::size_t index) {
+  const RowOf<BasicSystem<Real, D>> row = gap_gradient(system.cables[index], state);
+  return row.dot(row.cwiseProduct(inverse_mass(system.bodies)));
+}
+
+/// `state` standing still.
+template <class Real, int D>
+[[nodiscard]] BasicSystemState<Real, D> standing_still(BasicSystemState<Real, D> state) {
+  for (auto& body : state.bodies) {
+    body = standing_still(body);
+  }
+  return state;
+}
+
+/// `state` with `gain` added to its velocities and spins.
+template <class Real, int D>
+[[nodiscard]] BasicSystemState<Real, D> with_gain(
+    BasicSystemState<Real, D> state,
+    const std::type_identity_t<RowOf<BasicSystem<Real, D>>>& gain) {
+  Eigen::Index row = 0;
+  for (auto& body : state.bodies) {
+    body.velocity += gain.template segment<D>(row);
+    body.spin += gain[row + D];
+    row += freedoms_of_body<D>;
+  }
+  return state;
+}
+
+/// `state` after its poses have moved by `step` [m, rad].
+template <class Real, int D>
+[[nodiscard]] BasicSystemState<Real, D> moved(
+    BasicSystemState<Real, D> state,
+    const std::type_identity_t<RowOf<BasicSystem<Real, D>>>& step) {
+  Eigen::Index row = 0;
+  for (auto& body : state.bodies) {
+    body.position += step.template segment<D>(row);
+    body.angle += step[row + D];
+    row += freedoms_of_body<D>;
+  }
+  return state;
+}
+
+/// Applies `impulses` [N s], one per cable of `cables`, at the state's poses.
+template <class Real, int D>
+[[nodiscard]] BasicSystemState<Real, D> with_impulses(const BasicSystem<Real, D>& system,
+                                                      const BasicSystemState<Real, D>& state,
+                                                      CableSet cables,
+                                                      const BasicCableVector<Real>& impulses) {
+  RowOf<BasicSystem<Real, D>> change = no_change(state);
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    change += impulses[row++] * gap_gradient(system.cables[index], state);
+  }
+  return with_gain(state, change.cwiseProduct(inverse_mass(system.bodies)).eval());
+}
+
+/// Kinetic energy of all bodies [J].
+template <class Real, int D>
+[[nodiscard]] Real kinetic_energy(const std::vector<BasicBodyOfSystem<Real, D>>& bodies,
+                                  const BasicSystemState<Real, D>& state) {
+  Real result(0);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const auto& now = state.bodies[i];
+    result += bodies[i].mass * now.velocity.squaredNorm() +
+              (bodies[i].inertia > 0 ? Real(bodies[i].inertia * now.spin * now.spin) : Real(0));
+  }
+  return result / 2;
+}
+
+/// Kinetic energy, and the potential energy of what gravity and the given forces and moments are at
+/// the time of `state` [J]; zero potential at the origin of the world, and at angle 0.
+template <class Real, int D>
+[[nodiscard]] Real energy(const BasicSystem<Real, D>& system,
+                          const BasicSystemState<Real, D>& state) {
+  Real result = kinetic_energy(system.bodies, state);
+  const BasicVector<Real, D> gravity = system.gravity.at(state.time);
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    const auto& body = system.bodies[i];
+    result -= (body.mass * gravity + body.force.at(state.time)).dot(state.bodies[i].position);
+    result -= body.moment.at(state.time)[0] * state.bodies[i].angle;
+  }
+  return result;
+}
+
+/// Linear momentum of all bodies [N s].
+template <class Real, int D>
+[[nodiscard]] BasicVector<Real, D> momentum(const BasicSystem<Real, D>& system,
+                                            const BasicSystemState<Real, D>& state) {
+  BasicVector<Real, D> result = BasicVector<Real, D>::Zero();
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    result += system.bodies[i].mass * state.bodies[i].velocity;
+  }
+  return result;
+}
+
+/// Angular momentum of all bodies about a world point [N m s].
+template <class Real>
+[[nodiscard]] Real angular_momentum(const BasicSystem<Real, 2>& system,
+                                    const BasicSystemState<Real, 2>& state,
+                                    const BasicVec2<Real>& about) {
+  Real result(0);
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    const BasicVec2<Real> from = state.bodies[i].position - about;
+    result += system.bodies[i].mass * cross<Real>(from, state.bodies[i].velocity) +
+              system.bodies[i].inertia * state.bodies[i].spin;
+  }
+  return result;
+}
+
+}  // namespace tautline

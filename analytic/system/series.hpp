@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "system/rows.hpp"
+#include "tautline/detail/series.hpp"
+
+namespace tautline {
+
+/// The motion of a system from `start` with the cables of `taut` held at zero gap, as Taylor series
+/// in the time since then (B1-B4). The rows of `taut` are independent, their gaps and gap rates
+/// zero. With an empty set it is free flight.
+template <class Real, int D>
+class SystemSeries {
+ public:
+  using TheCase = BasicSystem<Real, D>;
+  using Vector = BasicVector<Real, D>;
+
+  /// Series up to t^order, order >= 2.
+  SystemSeries(const TheCase& system, const BasicSystemState<Real, D>& start, CableSet taut,
+               std::size_t order);
+  SystemSeries(SystemSeries&&) noexcept = default;
+  SystemSeries& operator=(SystemSeries&&) noexcept = default;
+  SystemSeries(const SystemSeries&) = delete;  // its channels point into its own store
+  SystemSeries& operator=(const SystemSeries&) = delete;
+  ~SystemSeries() = default;
+
+  [[nodiscard]] CableSet taut() const { return taut_; }
+
+  /// Coefficients of all poses, one row each.
+  [[nodiscard]] PosesOf<TheCase> pose() const;
+
+  /// Coefficient k of the pose of a body.
+  [[nodiscard]] Vector position(std::size_t body, std::size_t k) const {
+    return bodies_[body].position[k];
+  }
+  [[nodiscard]] const Real& angle(std::size_t body, std::size_t k) const {
+    return bodies_[body].angle[k];
+  }
+
+  /// Coefficients 0 to order of (length^2 - distance^2) / (2 length at the start) [m] of a slack
+  /// cable, or, where it runs through rings, of its gap: both fall through zero together.
+  [[nodiscard]] std::span<const Real> gap(std::size_t index) const { return cables_[index].gap; }
+
+  /// Coefficients 0 to order - 2 of the tension [N] of a taut cable.
+  [[nodiscard]] std::span<const Real> tension(std::size_t index) const {
+    return cables_[index].tension;
+  }
+
+  /// True while every coefficient is finite.
+  [[nodiscard]] bool fits() const;
+
+  /// How long [s] the series keep their last terms below `error` [-] of lengths and tensions: those
+  /// of the poses, of what is given, and of all that is searched (T10).
+  [[nodiscard]] Real reach(const Real& error) const;
+
+  /// The work [J] up to `dt` [s] of all that acts but for impacts: gravity, forces, moments, drag,
+  /// and the moving ends and lengths of taut cables (T9).
+  [[nodiscard]] Real work(const Real& dt) const;
+
+ private:
+  using Channel = std::span<Real>;  // of coefficients, in store_
+  using Given = std::vector<Vector>;
+  struct BodySeries {
+    const BasicBodyOfSystem<Real, D>* body;
+    Points<Real> position;
+    Points<Real> heading;  // cosine and sine of the angle
+    Points<Real> turn;     // k times the angle's coefficient k, twice
+    Points<Real> moment;   // of all pulls, in the body's axes: heading . moment is the torque [N m]
+    Channel angle;
+    Given force;                                      // [N]; empty: none
+    std::vector<Eigen::Matrix<Real, 1, 1>> spinning;  // the given moment [N m]; empty: none
+    Vector pull;                                      // [N], at the order that is computed
+    bool turns;                                       // else a point mass
+  };
+  struct SegmentSeries {
+    Points<Real> along;     // from its second end to its first [m]
+    Points<Real> distance;  // [m], twice; of a straight taut cable its length
+    Points<Real> pull;      // tension / distance [N/m], twice
+  };
+  struct CableSeries {
+    std::vector<SegmentSeries> segments;
+    std::vector<Given> ends;  // where they move in the world
+    Channel length;
+    Channel gap;      // of a slack cable
+    Channel tension;  // of a taut one
+    bool steady;      // its length is constant
+    bool straight;    // no rings
+  };
+  struct Kept {  // what the cables do to keep their lengths, at the order that is computed
+    RowOf<TheCase> sum;
+    std::vector<Real> open;
+  };
+
+  [[nodiscard]] bool is_ballistic() const;
+  void turn_steadily(std::size_t k);
+  void make_channels();
+  void expand_given(const Real& time);
+  void start_at(const BasicSystemState<Real, D>& start);
+  void couple(const BasicSystemState<Real, D>& start);
+  void advance(std::size_t k);
+  void begin(std::size_t k);
+  void pull(std::size_t index, std::size_t k);
+  [[nodiscard]] Real opening(std::size_t index, std::size_t k);
+  [[nodiscard]] RowOf<TheCase> driving(std::size_t k) const;
+  void accelerate(std::size_t k, const RowOf<TheCase>& accelerations);
+  void tighten(std::size_t index, std::size_t k, const Real& tension,
+               const RowOf<TheCase>& accelerations);
+  void expand_gap(std::size_t index);
+  void set_angle(BodySeries& body, std::size_t k, const Real& value);
+  void set_distance(SegmentSeries& segment, std::size_t k, const Real& value);
+  void add_pull(const BasicEnd<Real, D>& end, std::size_t k, const Vector& force);
+  [[nodiscard]] Vector turned(const BodySeries& body, std::size_t k) const;
+  [[nodiscard]] Vector place(std::size_t index, std::size_t end, std::size_t k) const;
+  [[nodiscard]] Vector turned_place(std::size_t index, std::size_t end, std::size_t k) const;
+  [[nodiscard]] Real distance_of(const SegmentSeries& segment, std::size_t k) const;
+  void add_power(const BodySeries& body, std::vector<Real>& result) const;
+  void add_power(const CableSeries& cable, std::vector<Real>& result) const;
+  [[nodiscard]] Real last_term(std::size_t k) const;
+
+  const TheCase* system_;
+  CableSet taut_;
+  std::size_t order_;
+  std::unique_ptr<Real[]> store_;
+  std::vector<BodySeries> bodies_;
+  std::vector<CableSeries> cables_;
+  Given gravity_;
+  RowOf<TheCase> weight_;      // M^-1/2
+  RowSpace<TheCase> coupled_;  // of the rows of the taut cables
+  Real length_scale_;          // [m]
+};
+
+/// The response of cable `index`, the only one that pulls, to an impulse of its own [1/kg], the
+/// rate of that [1/(kg s)], and a length that both are not multiplied by: 1 (see bouncing.hpp).
+template <class Real, int D>
+[[nodiscard]] std::array<Real, 3> scaled_response(const BasicSystem<Real, D>& system,
+                                                  const BasicSystemState<Real, D>& start,
+                                                  const SystemSeries<Real, D>& /*motion*/,
+                                                  std::size_t index) {
+  using Row = RowOf<BasicSystem<Real, D>>;
+  const Row row = gap_gradient(system.cables[index], start);
+  const Row response = row.cwiseProduct(inverse_mass(system.bodies));
+  const Row rate = gap_gradient_rate(system.cables[index], start);
+  return {Real(row.dot(response)), Real(2 * rate.dot(response)), Real(1)};
+}
+
+}  // namespace tautline

@@ -1,0 +1,126 @@
+#include <algorithm>
+
+#include "instantiate.hpp"
+#include "system/series.hpp"
+#include "tautline/detail/series_impl.hpp"
+
+// The work along a motion, from its series.
+
+namespace tautline {
+
+using series::number;
+
+namespace {
+
+/// Adds the product of two polynomials, of which none of the terms is left out: the power of waves
+/// has twice their frequency, and its series would end too soon.
+template <class Real>
+void add_product(std::vector<Real>& result, const std::vector<Real>& a,
+                 const std::vector<Real>& b) {
+  if (a.empty() || b.empty()) {
+    return;
+  }
+  result.resize(std::max(result.size(), a.size() + b.size() - 1), Real(0));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      result[i + j] += a[i] * b[j];
+    }
+  }
+}
+
+/// The polynomial whose coefficient k is `coefficient(k)`, for k below `count`.
+template <class Real, class Coefficient>
+std::vector<Real> polynomial(std::size_t count, const Coefficient& coefficient) {
+  std::vector<Real> result;
+  result.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    result.push_back(coefficient(k));
+  }
+  return result;
+}
+
+/// The rate of that polynomial.
+template <class Real, class Coefficient>
+std::vector<Real> rate_of(std::size_t count, const Coefficient& coefficient) {
+  return polynomial<Real>(count - 1,
+                          [&](std::size_t k) { return Real(number(k + 1) * coefficient(k + 1)); });
+}
+
+}  // namespace
+
+/// Adds the power of gravity, force, moment and drag on a body [W].
+template <class Real, int D>
+void SystemSeries<Real, D>::add_power(const BodySeries& body, std::vector<Real>& result) const {
+  for (Eigen::Index axis = 0; axis < D; ++axis) {
+    const auto velocity =
+        rate_of<Real>(order_ + 1, [&](std::size_t k) { return body.position[k][axis]; });
+    const auto force = polynomial<Real>(order_, [&](std::size_t k) {
+      Real sum = -body.body->drag * velocity[k];
+      sum += gravity_.empty() ? Real(0) : Real(body.body->mass * gravity_[k][axis]);
+      return Real(sum + (body.force.empty() ? Real(0) : body.force[k][axis]));
+    });
+    add_product(result, force, velocity);
+  }
+  if (body.turns) {
+    const auto spin = rate_of<Real>(order_ + 1, [&](std::size_t k) { return body.angle[k]; });
+    const auto moment = polynomial<Real>(order_, [&](std::size_t k) {
+      return Real((body.spinning.empty() ? Real(0) : body.spinning[k][0]) -
+                  body.body->spin_drag * spin[k]);
+    });
+    add_product(result, moment, spin);
+  }
+}
+
+/// Adds the power of what changes the length of a taut cable and moves its ends [W].
+template <class Real, int D>
+void SystemSeries<Real, D>::add_power(const CableSeries& cable, std::vector<Real>& result) const {
+  const auto slackening =
+      rate_of<Real>(order_ + 1, [&](std::size_t k) { return Real(-cable.length[k]); });
+  if (!cable.steady) {
+    add_product(result, {cable.tension.begin(), cable.tension.end()}, slackening);
+  }
+  for (std::size_t end = 0; end < cable.ends.size(); ++end) {
+    if (cable.ends[end].empty()) {
+      continue;
+    }
+    for (Eigen::Index axis = 0; axis < D; ++axis) {
+      std::vector<Real> pull;  // of the support, away from the cable
+      const auto add = [&](const SegmentSeries& segment, int sign) {
+        const auto tight =
+            polynomial<Real>(order_ - 1, [&](std::size_t k) { return segment.pull[k][0]; });
+        const auto along = polynomial<Real>(
+            order_ + 1, [&](std::size_t k) { return Real(sign * segment.along[k][axis]); });
+        add_product(pull, tight, along);
+      };
+      if (end < cable.segments.size()) {
+        add(cable.segments[end], 1);
+      }
+      if (end > 0) {
+        add(cable.segments[end - 1], -1);
+      }
+      const auto velocity =
+          rate_of<Real>(order_ + 1, [&](std::size_t k) { return cable.ends[end][k][axis]; });
+      add_product(result, pull, velocity);
+    }
+  }
+}
+
+template <class Real, int D>
+Real SystemSeries<Real, D>::work(const Real& dt) const {
+  std::vector<Real> power;
+  for (const BodySeries& body : bodies_) {
+    add_power(body, power);
+  }
+  for (const std::size_t index : taut_) {
+    add_power(cables_[index], power);
+  }
+  Real result(0);
+  for (std::size_t k = power.size(); k-- > 0;) {
+    result = result * dt + power[k] / number(k + 1);
+  }
+  return result * dt;
+}
+
+template Instance SystemSeries<Instance, 2>::work(const Instance&) const;
+
+}  // namespace tautline

@@ -257,7 +257,8 @@ class Motion final : public PausedMotion<TheCase> {
     if (!fits(case_, last)) {
       return Ending::overflow;
     }
-    const CableSet held = stop.is_knot ? touching_at_knot(case_, last, pulling()) : pulling();
+    const CableSet held =  // a cable that is cut holds no longer
+        stop.is_knot ? touching_at_knot(case_, last, pulling()) & pulling() : pulling();
     StateOf<TheCase> state = on_cables(case_, last, held, stop.cables, !stop.is_knot);
     if (!(pulling() | stop.cables).empty() && !fits(case_, state)) {
       return Ending::singular;  // the ends of a cable have met: it has no direction

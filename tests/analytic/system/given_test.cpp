@@ -65,9 +65,8 @@ TEST(Winch, GoesSlackWhereItStopsAndNothingElseIsLeftOfItsSpeed) {
   const System system = winch<double>();
   const SystemSolution solution = solve(system);
   const auto& events = solution.events();
-  const auto slack = std::find_if(events.begin(), events.end(), [](const auto& event) {
-    return event.kind == EventKind::slack;
-  });
+  const auto slack = std::find_if(events.begin(), events.end(),
+                                  [](const auto& event) { return event.kind == EventKind::slack; });
   ASSERT_NE(slack, events.end());
   EXPECT_DOUBLE_EQ(slack->time, 1.4);
   // it rises as fast as the cable was drawn in, seen along the cable

@@ -82,8 +82,8 @@ TEST(BothKernels, FollowEveryShippedCaseToWhereItsDigitsEnd) {
     // where they part, rounding has grown to what decides between events
     double apart = 0.0;
     for (std::size_t i = 0; i < alike; ++i) {
-      apart = std::max(apart, difference(planar.events()[i].after,
-                                         general.events()[i].after.bodies[0]));
+      apart = std::max(apart,
+                       difference(planar.events()[i].after, general.events()[i].after.bodies[0]));
     }
     EXPECT_TRUE(to_the_end || apart > 1e-8 || alike > 150) << alike << " events, " << apart;
   }
@@ -111,8 +111,8 @@ TEST(BothKernels, SolveTwoThousandRandomSystemsAlike) {
     const std::size_t alike = events_alike(planar, general);
     others += alike < planar.events().size() ? 1 : 0;
     for (std::size_t k = 0; k < alike; ++k) {
-      most = std::max(most, difference(planar.events()[k].after,
-                                       general.events()[k].after.bodies[0]));
+      most =
+          std::max(most, difference(planar.events()[k].after, general.events()[k].after.bodies[0]));
     }
   }
   EXPECT_GT(solved, 1500);

@@ -59,7 +59,7 @@ CableOfSystem random_cable(Random& random, const System& system) {
   }
   const std::size_t other = body();
   cable.to = other != *cable.from.body && random.chance(0.5) ? on_body(random, system, other)
-                                                              : in_the_world(random);
+                                                             : in_the_world(random);
   cable.restitution = random.chance(0.2) ? 0.0 : random.chance(0.1) ? 1.0 : random.uniform(0, 1);
   cable.length = Function<1>::constant(0.0);
   const double span = -gap(cable, system.initial);
@@ -67,8 +67,8 @@ CableOfSystem random_cable(Random& random, const System& system) {
   cable.length = Function<1>::constant(length);
   if (random.chance(0.2)) {
     const double drawn = random.uniform(0.75, 1.1) * length;
-    cable.length = Function<1>::linear(
-        {0.5, 1.5}, {Function<1>::Value(length), Function<1>::Value(drawn)});
+    cable.length =
+        Function<1>::linear({0.5, 1.5}, {Function<1>::Value(length), Function<1>::Value(drawn)});
   }
   return cable;
 }
@@ -105,8 +105,8 @@ void measure(const System& system, Tally& tally) {
   options.max_events = 2000;
   const std::clock_t start = std::clock();
   const SystemSolution solution = solve(system, options);
-  tally.slowest = std::max(
-      tally.slowest, static_cast<double>(std::clock() - start) / static_cast<double>(CLOCKS_PER_SEC));
+  tally.slowest = std::max(tally.slowest, static_cast<double>(std::clock() - start) /
+                                              static_cast<double>(CLOCKS_PER_SEC));
   ++tally.solved;
   ++tally.endings[static_cast<std::size_t>(solution.ending())];
   constexpr int samples = 300;

@@ -63,9 +63,9 @@ TEST(TwoBodies, ShareTheSnapOfTheirCable) {
 TEST(Ledger, ClosesWithTheWorkOfAllThatActs) {
   System bouncing = bouncer<double>(0.14);
   bouncing.duration = 13.0;  // [s]: a rounding of the time grows with it
-  const System systems[] = {shaken<double>(),       plastic<double>(), waves<double>(),
-                            winch<double>(),        pulley<double>(),  in_series<double>(),
-                            bouncing, chain<double>(0.9)};
+  const System systems[] = {shaken<double>(), plastic<double>(), waves<double>(),
+                            winch<double>(),  pulley<double>(),  in_series<double>(),
+                            bouncing,         chain<double>(0.9)};
   for (const System& system : systems) {
     const SystemLedger ledger = energy_ledger(system, solve(system));
     expect_within("residual [-]", std::abs(ledger.residual) / ledger.range, 1e-14);

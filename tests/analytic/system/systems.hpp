@@ -96,11 +96,9 @@ template <class Real>
   auto& body = system.bodies[0];
   body.drag = Real(1) / 20;
   body.spin_drag = Real(1) / 2000;
-  body.force.waves = {
-      {pair_of<Real>(Real(3) / 10, Real(1) / 10), Real(17) / 10, Real(3) / 10},
-      {pair_of<Real>(Real(1) / 10, Real(1) / 4), Real(31) / 10, Real(-1)}};
-  body.moment.waves = {
-      {Eigen::Matrix<Real, 1, 1>(Real(1) / 200), Real(17) / 10, Real(4) / 5}};
+  body.force.waves = {{pair_of<Real>(Real(3) / 10, Real(1) / 10), Real(17) / 10, Real(3) / 10},
+                      {pair_of<Real>(Real(1) / 10, Real(1) / 4), Real(31) / 10, Real(-1)}};
+  body.moment.waves = {{Eigen::Matrix<Real, 1, 1>(Real(1) / 200), Real(17) / 10, Real(4) / 5}};
   return system;
 }
 
@@ -114,11 +112,11 @@ template <class Real>
   system.gravity = BasicFunction<Real, 2>::constant(pair_of<Real>(Real(0), Real(-981) / 100));
   auto cable = to_world<Real>(0, pair_of<Real>(Real(3) / 100, Real(1) / 10),
                               pair_of<Real>(Real(0), Real(0)), Real(1), Real(3) / 10);
-  cable.length = BasicFunction<Real, 1>::linear(
-      {Real(1) / 5, Real(7) / 5}, {Length(Real(5) / 4), Length(Real(13) / 20)});
-  system.cables = {cable, to_world<Real>(0, pair_of<Real>(Real(1) / 10, Real(0)),
-                                         pair_of<Real>(Real(1) / 2, Real(-1) / 10), Real(8) / 5,
-                                         Real(1) / 2)};
+  cable.length = BasicFunction<Real, 1>::linear({Real(1) / 5, Real(7) / 5},
+                                                {Length(Real(5) / 4), Length(Real(13) / 20)});
+  system.cables = {
+      cable, to_world<Real>(0, pair_of<Real>(Real(1) / 10, Real(0)),
+                            pair_of<Real>(Real(1) / 2, Real(-1) / 10), Real(8) / 5, Real(1) / 2)};
   system.initial.bodies = {
       {{Real(1) / 50, Real(-6) / 5}, Real(0), {Real(1) / 10, Real(0)}, Real(0)}};
   system.duration = Real(2);
@@ -192,8 +190,7 @@ template <class Real>
   rope.to = {1, pair_of<Real>(of(0), of(0)), {}};
   rope.length = BasicFunction<Real, 1>::constant(of(210));
   rope.restitution = of(70);
-  system.cables = {rope,
-                   to_world<Real>(0, {of(-5), of(10)}, {of(-100), of(0)}, of(150), of(50)),
+  system.cables = {rope, to_world<Real>(0, {of(-5), of(10)}, {of(-100), of(0)}, of(150), of(50)),
                    to_world<Real>(1, {of(0), of(0)}, {of(100), of(0)}, of(140), of(50))};
   system.duration = Real(12);
   return system;

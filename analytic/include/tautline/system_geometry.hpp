@@ -10,8 +10,8 @@
 
 namespace tautline {
 
-// The names of geometry.hpp for systems. Equation numbers (S1), (T2), ... are those of
-// analytic/README.md, section 10.
+// The names of geometry.hpp for systems. Equations (T2), (B6), ... are in analytic/README.md,
+// section 11.
 
 // Functions that differ between the plane and space: here the plane.
 

@@ -28,8 +28,8 @@ System stretched() {
 
 TEST(SystemEndings, AWinchThatPullsABodyThatCannotMoveIsSingular) {
   System system = stretched();
-  system.cables[0].length = Function<1>::linear(
-      {1.0, 2.0}, {Function<1>::Value(1.0), Function<1>::Value(0.5)});
+  system.cables[0].length =
+      Function<1>::linear({1.0, 2.0}, {Function<1>::Value(1.0), Function<1>::Value(0.5)});
   const SystemSolution solution = solve(system);
   EXPECT_EQ(solution.ending(), Ending::singular);
   EXPECT_EQ(solution.end_time(), 1.0);
@@ -54,8 +54,8 @@ TEST(SystemEndings, ABodyComesToRestOnlyWhereNothingChangesAnyMore) {
   system.initial.bodies = {{{0.0, -1.0}, 0.0, {0.0, 0.0}, 0.0}};
   system.duration = 3.0;
   EXPECT_EQ(solve(system).ending(), Ending::rest);
-  system.cables[0].length = Function<1>::linear(
-      {1.0, 2.0}, {Function<1>::Value(1.0), Function<1>::Value(0.5)});
+  system.cables[0].length =
+      Function<1>::linear({1.0, 2.0}, {Function<1>::Value(1.0), Function<1>::Value(0.5)});
   system.duration = 2.9;
   const SystemSolution lifted = solve(system);
   EXPECT_EQ(lifted.ending(), Ending::reached_duration);
@@ -86,8 +86,8 @@ TEST(SystemEndings, EightCablesThatFitExactlyHoldABodyAtOnceOrSayWhyNot) {
     const double angle = 0.7853981633974483 * i + 0.2;
     const Vec2 direction(std::cos(angle), std::sin(angle));
     const Vec2 attachment(0.2 * direction.y(), 0.3 * direction.x());
-    system.cables.push_back(
-        to_world<double>(0, attachment, 1.5 * direction, (1.5 * direction - attachment).norm(), 0.5));
+    system.cables.push_back(to_world<double>(0, attachment, 1.5 * direction,
+                                             (1.5 * direction - attachment).norm(), 0.5));
   }
   system.duration = 5.0;
   const SystemSolution solution = solve(system);

@@ -118,6 +118,9 @@ void measure(const System& system, Tally& tally) {
           std::max(tally.overstretch, -gap(cable, state) / cable.length.at(time)[0]);
     }
   }
+  if (solution.ending() != Ending::reached_duration && solution.ending() != Ending::rest) {
+    return;  // near a dead point, to which a winch pulls, speeds grow without bound
+  }
   const SystemLedger ledger = energy_ledger(system, solution);
   const double range = std::max(ledger.range, 1e-3);
   tally.residual = std::max(tally.residual, std::abs(ledger.residual) / range);

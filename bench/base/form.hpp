@@ -40,14 +40,16 @@ struct Form {
   std::string meaning = {};  // with the unit
   bool required = false;
   std::string with = {};                 // the key without which this one is unknown, or ""
+  std::string needs = {};                // the key without which this one is refused, or ""
   bool not_empty = false;                // a text is not ""
   std::vector<std::string> words = {};   // the only texts, or none: any text
-  Range range = any_number;              // for a number
-  std::size_t least = 0;                 // entries of an array
+  Range range = any_number;              // for a number, and for those of `instead`
+  std::size_t least = 0;                 // entries of an array, or keys of a table
   std::optional<std::size_t> most = {};  // likewise; none: any number of them
   std::list<Form> inside = {};  // the keys of a table; one form for all entries of an array
   std::vector<std::string> either = {};  // keys, if a table must have exactly one of them
   std::optional<std::size_t> each = {};  // entries at most, if a table may have an array `each`
+  std::string instead = {};  // the key whose value may be there instead of the table, or ""
 };
 
 }  // namespace tautline::bench

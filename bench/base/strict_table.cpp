@@ -149,18 +149,19 @@ std::optional<double> StrictTable::optional_number(const Key& key, const Range& 
   return if_there(key, [&] { return number(key, range, unit); });
 }
 
-std::vector<double> StrictTable::numbers(const Key& key, std::string_view unit,
-                                         const Range& range) {
+std::vector<double> StrictTable::numbers(const Key& key, std::string_view unit, const Range& range,
+                                         bool required) {
   if (Form* const form = note(Form::Kind::array, key, unit)) {
-    form->required = false;
+    form->required = form->required && required;
     form->least = 1;
     form->inside.push_back({.kind = Form::Kind::number, .range = range});
   }
   std::vector<double> result;
-  const toml::node* node = find(key.name);
+  const std::string right = with_unit("an array of at least one number", unit);
+  const toml::node* node = required ? find_required(key.name, right) : find(key.name);
   const toml::array* array = node != nullptr ? node->as_array() : nullptr;
   if (node != nullptr && (array == nullptr || array->empty())) {
-    refuse(*node, full_name(key.name), with_unit("an array of at least one number", unit));
+    refuse(*node, full_name(key.name), right);
   }
   for (std::size_t index = 0; array != nullptr && index < array->size(); ++index) {
     const std::string name = full_name(key.name) + "[" + std::to_string(index) + "]";
@@ -183,22 +184,24 @@ std::optional<Vec2> StrictTable::optional_pair(const Key& key, std::string_view 
   return if_there(key, [&] { return pair(key, unit, range); });
 }
 
-std::vector<Vec2> StrictTable::pairs(const Key& key, std::string_view form, std::string_view unit) {
+std::vector<Vec2> StrictTable::pairs(const Key& key, std::string_view form, std::string_view unit,
+                                     bool required) {
   if (Form* const notes = note(Form::Kind::array, key, unit)) {
-    notes->required = false;
+    notes->required = notes->required && required;
     notes->least = 1;
     notes->inside.push_back(pair_form({.meaning = std::string(form)}, any_number));
   }
   std::vector<Vec2> result;
-  const toml::node* node = find(key.name);
+  const std::string right = with_unit("an array of pairs " + std::string(form), unit);
+  const toml::node* node = required ? find_required(key.name, right) : find(key.name);
   if (node == nullptr) {
     return result;
   }
   const toml::array* array = node->as_array();
   if (array == nullptr || array->empty()) {
-    refuse(*node, full_name(key.name),
-           (array == nullptr ? "is " + type_name(*node) : std::string("none given")) + ", " +
-               with_unit("an array of pairs " + std::string(form), unit));
+    refuse(
+        *node, full_name(key.name),
+        (array == nullptr ? "is " + type_name(*node) : std::string("none given")) + ", " + right);
     return result;
   }
   for (std::size_t index = 0; index < array->size(); ++index) {
@@ -219,12 +222,39 @@ StrictTable StrictTable::table(const Key& key) {
   return {node != nullptr ? node->as_table() : nullptr, full_name(key.name), *wrong_};
 }
 
+StrictTable StrictTable::table_or(const Key& key, std::string_view inside, bool required,
+                                  const Range& range) {
+  if (Form* const form = note(Form::Kind::table, key)) {
+    form->required = form->required && required;
+    form->instead = inside;
+    form->range = range;
+    return StrictTable(*form);
+  }
+  return table_or_value(find(key.name), full_name(key.name), inside);
+}
+
+StrictTable StrictTable::table_or_value(const toml::node* node, std::string name,
+                                        std::string_view inside) {
+  const toml::table* table = node != nullptr ? node->as_table() : nullptr;
+  StrictTable result(table, std::move(name), *wrong_);
+  if (table == nullptr) {
+    result.short_ = inside;
+    result.value_ = node;
+    result.around_ = path_.empty() ? nullptr : table_;
+  }
+  return result;
+}
+
 std::vector<StrictTable> StrictTable::tables(const Key& key, std::size_t most,
-                                             const std::string& right) {
+                                             const std::string& right, std::string_view inside) {
   if (Form* const form = note(Form::Kind::array, key)) {
     form->least = 1;
-    form->most = most;
-    return {StrictTable(form->inside.emplace_back())};
+    if (most != no_most) {
+      form->most = most;
+    }
+    Form& entry = form->inside.emplace_back();
+    entry.instead = inside;
+    return {StrictTable(entry)};
   }
   std::vector<StrictTable> result;
   const toml::node* node = find_required(key.name, right);
@@ -247,21 +277,26 @@ std::vector<StrictTable> StrictTable::tables(const Key& key, std::size_t most,
     const std::string name = full_name(key.name) + "[" + std::to_string(index) + "]";
     if (const toml::table* table = entry.as_table()) {
       result.emplace_back(table, name, *wrong_);
+    } else if (!inside.empty() && entry.is_array()) {
+      result.push_back(table_or_value(&entry, name, inside));
     } else {
-      refuse(entry, name, "is " + type_name(entry) + ", must be a table");
+      refuse(entry, name,
+             "is " + type_name(entry) + ", must be a table" +
+                 (inside.empty() ? "" : " or two numbers [x, y]"));
     }
   }
   return result;
 }
 
 std::vector<StrictTable> StrictTable::optional_tables(const Key& key, std::size_t most,
-                                                      const std::string& right) {
+                                                      const std::string& right,
+                                                      std::string_view inside) {
   if (form_ != nullptr) {
-    std::vector<StrictTable> described = tables(key, most, right);
+    std::vector<StrictTable> described = tables(key, most, right, inside);
     form_->inside.back().required = false;
     return described;
   }
-  return find(key.name) != nullptr ? tables(key, most, right) : std::vector<StrictTable>();
+  return find(key.name) != nullptr ? tables(key, most, right, inside) : std::vector<StrictTable>();
 }
 
 std::vector<StrictTable> StrictTable::each(std::size_t most) {
@@ -295,6 +330,25 @@ void StrictTable::refuse_value(std::string_view key, const std::string& why) {
   }
 }
 
+bool StrictTable::refuse_other_than_array(const std::string& right) {
+  if (!is_short() || (value_ != nullptr && value_->is_array())) {
+    return false;
+  }
+  if (find_required(short_, right) != nullptr) {
+    refuse(*value_, path_, "is " + type_name(*value_) + ", " + right);
+  }
+  return true;
+}
+
+void StrictTable::refuse_empty(const std::string& right) {
+  if (form_ != nullptr) {
+    form_->least = 1;
+  }
+  if (table_ != nullptr && table_->empty()) {
+    refuse(*table_, path_, "is empty, " + right);
+  }
+}
+
 void StrictTable::refuse_unknown_keys() {
   if (table_ != nullptr) {
     refuse_unknown_keys(*table_);
@@ -314,6 +368,14 @@ void StrictTable::refuse_unknown_keys(const toml::table& table) {
     wrong_->add(key.source().begin.line,
                 full_name(printable(key.str())) + quoted_value(node) + ": unknown key" +
                     (near.empty() ? ", must be " + joined(known_, "or") : near));
+  }
+}
+
+void StrictTable::needs(std::string_view key, std::string_view other) {
+  if (form_ != nullptr) {
+    for (Form& form : form_->inside) {
+      form.needs = form.key == key ? other : form.needs;
+    }
   }
 }
 
@@ -353,6 +415,9 @@ const toml::node* StrictTable::find(std::string_view key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
     known_.emplace_back(key);
   }
+  if (!short_.empty()) {
+    return key == short_ ? value_ : nullptr;
+  }
   const toml::table* holder = has_key(table_, key) ? table_ : common_;
   return holder != nullptr ? holder->get(key) : nullptr;
 }
@@ -361,7 +426,8 @@ const toml::node* StrictTable::find_required(std::string_view key, const std::st
   const toml::node* node = find(key);
   if (node == nullptr && form_ == nullptr) {
     // the file itself has no line to point at
-    wrong_->add(path_.empty() ? 0 : line_of(table_), full_name(key) + ": is missing, " + right);
+    wrong_->add(path_.empty() ? 0 : line_of(is_short() ? around_ : table_),
+                full_name(key) + ": is missing, " + right);
   }
   return node;
 }
@@ -401,6 +467,9 @@ void StrictTable::refuse(const toml::node& node, const std::string& name, const 
 }
 
 std::string StrictTable::full_name(std::string_view key) const {
+  if (is_short() && key == short_) {
+    return path_;
+  }
   const bool is_common = has_key(common_, key) && !has_key(table_, key);
   const std::string& path = is_common ? common_path_ : path_;
   return path.empty() ? std::string(key) : path + "." + std::string(key);

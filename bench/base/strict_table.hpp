@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@
 #include "tautline/case.hpp"
 
 namespace tautline::bench {
+
+/// The most entries of an array of tables that may have any number of them.
+inline constexpr std::size_t no_most = std::numeric_limits<std::size_t>::max();
 
 /// One table of a file, asked for its keys one by one. Each question that has no sound answer adds
 /// a finding and returns a default; keys nobody asked for are unknown. A table that is made from
@@ -44,13 +48,24 @@ class StrictTable {
   [[nodiscard]] double number(const Key& key, const Range& range, std::string_view unit);
   [[nodiscard]] std::optional<double> optional_number(const Key& key, const Range& range,
                                                       std::string_view unit);
-  /// An array of numbers; empty where the key is missing.
+  /// An array of at least one number; empty where the key is missing, which it may be unless it is
+  /// `required`.
   [[nodiscard]] std::vector<double> numbers(const Key& key, std::string_view unit,
-                                            const Range& range = any_number);
+                                            const Range& range = any_number, bool required = false);
   [[nodiscard]] Vec2 pair(const Key& key, std::string_view unit, const Range& range = any_number);
   [[nodiscard]] std::optional<Vec2> optional_pair(const Key& key, std::string_view unit,
                                                   const Range& range = any_number);
   [[nodiscard]] StrictTable table(const Key& key);
+  /// A table, or the value of its key `inside` may be there instead of the table: 1.5 for
+  /// { value = 1.5 }, if 1.5 is in `range`.
+  [[nodiscard]] StrictTable table_or(const Key& key, std::string_view inside, bool required,
+                                     const Range& range = any_number);
+  /// True where that value is there instead of the table, or nothing is.
+  [[nodiscard]] bool is_short() const { return !short_.empty(); }
+  /// True where questions are noted and no file is read.
+  [[nodiscard]] bool describes() const { return form_ != nullptr; }
+  /// True where the table has `key`, which is known from now on.
+  [[nodiscard]] bool has(std::string_view key) { return find(key) != nullptr; }
 
   /// Calls `ask` if the table has `key`. The other keys that it asks for go with this one: without
   /// it they are unknown.
@@ -63,21 +78,27 @@ class StrictTable {
     with_ = "";
   }
 
+  /// Notes that `key`, which has been asked for, is refused without `other`.
+  void needs(std::string_view key, std::string_view other);
+
   /// How many of `keys` the table has. It must have one of them: the caller refuses another number.
   [[nodiscard]] std::size_t count(const std::vector<std::string>& keys);
 
-  /// An array of pairs, such as [[0.0, 0.9], [1.0, 0.5]]; empty where the key is missing. `form`
-  /// tells what the two numbers are.
+  /// An array of pairs, such as [[0.0, 0.9], [1.0, 0.5]]; empty where the key is missing, which it
+  /// may be unless it is `required`. `form` tells what the two numbers are.
   [[nodiscard]] std::vector<Vec2> pairs(const Key& key, std::string_view form,
-                                        std::string_view unit);
+                                        std::string_view unit, bool required = false);
 
   /// One table for each of the 1 to `most` entries of an array; `right` tells what it should hold.
+  /// The pair [x, y] that its key `inside` has may be there instead of a table, unless that is "".
   [[nodiscard]] std::vector<StrictTable> tables(const Key& key, std::size_t most,
-                                                const std::string& right);
+                                                const std::string& right,
+                                                std::string_view inside = "");
 
   /// The same; none where the key is missing.
   [[nodiscard]] std::vector<StrictTable> optional_tables(const Key& key, std::size_t most,
-                                                         const std::string& right);
+                                                         const std::string& right,
+                                                         std::string_view inside = "");
 
   /// A table for each entry of the array `each`: what an entry does not say, this table says for
   /// all of them. This table itself where the key is missing.
@@ -85,6 +106,12 @@ class StrictTable {
 
   /// Adds a finding on the value of `key`, if it is there.
   void refuse_value(std::string_view key, const std::string& why);
+
+  /// Adds a finding, and is true, if neither an array nor a table is there; `right` ends it.
+  [[nodiscard]] bool refuse_other_than_array(const std::string& right);
+
+  /// Adds a finding if the table has no key at all; `right` tells what it should hold.
+  void refuse_empty(const std::string& right);
 
   /// Adds a finding for each key that no question has named. Ask last.
   void refuse_unknown_keys();
@@ -104,11 +131,16 @@ class StrictTable {
   void refuse(const toml::node& node, const std::string& name, const std::string& why);
   [[nodiscard]] std::string full_name(std::string_view key) const;
   void refuse_unknown_keys(const toml::table& table);
+  /// The table that `node` is, or the value of `inside` by itself.
+  StrictTable table_or_value(const toml::node* node, std::string name, std::string_view inside);
 
   const toml::table* table_ = nullptr;
   std::string path_;
   const toml::table* common_ = nullptr;  // around an entry of `each`: says what that does not
   std::string common_path_;
+  std::string_view short_;               // the key that has `value_`; "" in a table
+  const toml::node* value_ = nullptr;    // instead of a table; null: nothing is there
+  const toml::table* around_ = nullptr;  // `value_`, and has a line if that has none
   FileProblems* wrong_ = nullptr;
   Form* form_ = nullptr;   // takes notes; null where a file is read
   std::string_view with_;  // the key that the next ones go with

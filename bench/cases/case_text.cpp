@@ -7,95 +7,15 @@
 #include <utility>
 
 #include "bench/base/problems.hpp"
-#include "bench/base/strict_table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/base/value.hpp"
-#include "bench/cases/case_form.hpp"
 #include "bench/cases/case_json.hpp"
+#include "bench/cases/case_tables.hpp"
 #include "tautline/detail/projection.hpp"
 #include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
-
-/// A cable, and whether it starts taut.
-std::pair<Cable, bool> read_cable(StrictTable& table) {
-  Cable cable;
-  cable.anchor = table.pair({"anchor", "the end in the world, x and y"}, "[m]");
-  cable.attachment = table.pair(
-      {"attachment", "the end on the body, from its centre of mass, in the body's frame"}, "[m]");
-  cable.length =
-      table.number({"length", "the length at which the cable is taut"}, above_zero, "[m]");
-  cable.restitution = table.number(
-      {"restitution", "the share of its closing rate with which the cable opens after an impact"},
-      zero_to_one, "");
-  cable.capture_speed =
-      table
-          .optional_number(
-              {"capture_speed", "an impact slower than this has no rebound; default 0"},
-              zero_or_above, "[m/s]")
-          .value_or(0.0);
-  const Key by_speed = {"restitution_table",
-                        "replaces restitution: pairs of speed and restitution, in rising speed"};
-  for (const Vec2& point : table.pairs(by_speed, "[speed, restitution]", "[m/s, -]")) {
-    cable.restitution_table.push_back({point.x(), point.y()});
-  }
-  const bool taut = table.flag(
-      {"taut", "true moves the body by the little that the typed digits leave to a taut cable"});
-  table.refuse_unknown_keys();
-  return {std::move(cable), taut};
-}
-
-Body read_body(StrictTable table) {
-  Body body;
-  body.mass = table.number({"mass", "the mass"}, above_zero, "[kg]");
-  body.inertia = table.number({"inertia", "about the centre of mass; 0 makes a point mass"},
-                              zero_or_above, "[kg m^2]");
-  table.refuse_unknown_keys();
-  return body;
-}
-
-State read_initial(StrictTable table) {
-  State state;
-  state.position = table.pair({"position", "of the centre of mass, x and y"}, "[m]");
-  state.angle = table.optional_number({"angle", "anticlockwise; default 0"}, any_number, "[rad]")
-                    .value_or(0.0);
-  state.velocity =
-      table.optional_pair({"velocity", "of the centre of mass, x and y; default 0"}, "[m/s]")
-          .value_or(Vec2(Vec2::Zero()));
-  state.spin = table.optional_number({"spin", "anticlockwise; default 0"}, any_number, "[rad/s]")
-                   .value_or(0.0);
-  table.refuse_unknown_keys();
-  return state;
-}
-
-/// A case; adds its cables that start taut to `taut`.
-Case read_tables(StrictTable root, CableSet& taut) {
-  const std::string cables_right =
-      "must be 1 to " + std::to_string(max_cables) +
-      " tables [[cables]], each with anchor, attachment, length and restitution";
-  Case result;
-  result.name = root.text({"name", "the name in tables and files"});
-  result.duration = root.number({"duration", "the run ends at this time"}, above_zero, "[s]");
-  result.gravity = root.pair({"gravity", "the acceleration, x and y"}, "[m/s^2]");
-  result.angle_limit = root.optional_number(
-      {"angle_limit", "the run ends when the body has turned to this angle, to either side"},
-      above_zero, "[rad]");
-  result.ceiling = root.optional_number(
-      {"ceiling", "the run ends when an attachment rises to this height"}, any_number, "[m]");
-  result.body = read_body(root.table({"body", "the rigid body"}));
-  const Key cables = {"cables", "1 to 8 cables without mass, slack or taut"};
-  for (StrictTable& table : root.tables(cables, max_cables, cables_right)) {
-    auto [cable, starts_taut] = read_cable(table);
-    if (starts_taut) {
-      taut.insert(result.cables.size());
-    }
-    result.cables.push_back(std::move(cable));
-  }
-  result.initial = read_initial(root.table({"initial", "the start, at t = 0"}));
-  root.refuse_unknown_keys();
-  return result;
-}
 
 /// `the_case` with `taut` cables long enough for its start: what else is wrong with it?
 std::vector<std::string> other_problems(Case the_case, CableSet taut) {
@@ -156,15 +76,107 @@ std::size_t line_of_problem(const toml::table& file, const std::string& sentence
   return line_of(key != nullptr ? key : file[table].node());
 }
 
-}  // namespace
-
-Form case_form() {
-  Form form;
-  CableSet taut;
-  static_cast<void>(read_tables(StrictTable(form), taut));
-  return form;
+/// The line that a sentence on a system is about: "cable 2: length: waves[0]: ...", "body 1: mass".
+std::size_t line_of_system_problem(const toml::table& file, std::string_view sentence) {
+  using Place = toml::node_view<const toml::node>;
+  Place place(static_cast<const toml::node*>(&file));
+  const auto entry = [](Place array, std::string_view name) {
+    const std::size_t digits = std::min(name.find_first_of("0123456789"), name.size());
+    std::size_t index = 0;
+    std::from_chars(name.data() + digits, name.data() + name.size(), index);
+    return array[index];
+  };
+  if (sentence.starts_with("cable")) {
+    place = entry(place["cables"], sentence);
+  } else if (sentence.starts_with("body ")) {
+    place = place["bodies"] ? entry(place["bodies"], sentence) : place["body"];
+  }
+  if (place.node() != &file) {
+    sentence.remove_prefix(std::min(sentence.find(": ") + 2, sentence.size()));
+  }
+  while (true) {  // from key to key
+    const std::string_view word = sentence.substr(0, sentence.find_first_of(": "));
+    const std::string_view name = word.substr(0, word.find('['));
+    Place next = place[name];
+    if (!next && place.node() == file.get("body")) {
+      next = file["initial"][name];
+    }
+    if (next && word.size() > name.size()) {
+      next = entry(next, word.substr(name.size()));
+    }
+    if (!next) {
+      return place.node() == &file ? 0 : line_of(place.node());
+    }
+    place = next;
+    if (sentence.substr(word.size()).substr(0, 2) != ": ") {
+      return line_of(place.node());
+    }
+    sentence.remove_prefix(word.size() + 2);
+  }
 }
 
+/// Reads a file that is a case.
+CaseReading read_as_case(const toml::table& file, const std::string& source_name, CableSet taut,
+                         FileProblems& wrong) {
+  auto [the_case, starts_taut] = read_case_tables(StrictTable(&file, "", wrong));
+  if (!wrong.empty()) {
+    return {std::nullopt, wrong.sentences()};
+  }
+  for (const std::size_t index : starts_taut) {
+    taut.insert(index);
+  }
+  FileProblems notes(source_name);
+  StartChange change = start_taut(the_case, taut);  // rules that tie several keys together
+  for (const std::string& sentence : change.notes) {
+    notes.add(line_of(file["initial"].node()), sentence);
+  }
+  if (change.problems.empty()) {
+    change.problems = problems(the_case);
+  }
+  for (const std::string& sentence : change.problems) {
+    const bool typed = sentence.find(": overstretched") != std::string::npos && near_taut(the_case);
+    wrong.add(line_of_problem(file, sentence),
+              sentence + (typed ? ", or taut = true, which moves the start" : ""));
+  }
+  if (!wrong.empty()) {
+    return {std::nullopt, wrong.sentences()};
+  }
+  return {std::move(the_case), {}, notes.sentences()};
+}
+
+/// Reads any other file.
+SystemReading read_as_system(const toml::table& file, CableSet taut, FileProblems& wrong) {
+  SystemReading result;
+  result.system = read_system_tables(StrictTable(&file, "", wrong));
+  for (const std::size_t index : taut) {
+    wrong.add(0, "cable " + std::to_string(index) +
+                     " cannot start taut: must be a cable of a case, one [body] where all is "
+                     "constant");
+  }
+  if (wrong.empty()) {
+    for (const std::string& sentence : problems(*result.system)) {
+      wrong.add(line_of_system_problem(file, sentence), sentence);
+    }
+  }
+  if (!wrong.empty()) {
+    return {.problems = wrong.sentences()};
+  }
+  return result;
+}
+
+std::optional<toml::table> parsed(std::string_view text, FileProblems& wrong) {
+  return is_json(text) ? parse_json(text, wrong) : parse_toml(text, wrong);
+}
+
+/// Why the file is no case.
+std::string only_a_system(const SystemKey& key, const std::string& source_name) {
+  FileProblems only(source_name);
+  only.add(key.line, key.name + ": makes this a system; must be a case here: one [body], cables " +
+                         "with anchor and attachment, and constants");
+  return only.sentences().front();
+}
+
+}  // namespace
 }  // namespace tautline::bench
 
 namespace tautline {
@@ -196,32 +208,37 @@ StartChange start_taut(Case& the_case, CableSet taut) {
 
 CaseReading read_case_text(std::string_view text, const std::string& source_name, CableSet taut) {
   bench::FileProblems wrong(source_name);
-  const std::optional<toml::table> file =
-      bench::is_json(text) ? bench::parse_json(text, wrong) : bench::parse_toml(text, wrong);
+  const std::optional<toml::table> file = bench::parsed(text, wrong);
   if (!file) {
     return {std::nullopt, wrong.sentences()};
   }
-  Case the_case = bench::read_tables(bench::StrictTable(&*file, "", wrong), taut);
-  bench::FileProblems notes(source_name);
-  if (wrong.empty()) {  // rules that tie several keys together
-    StartChange change = start_taut(the_case, taut);
-    for (const std::string& sentence : change.notes) {
-      notes.add(bench::line_of((*file)["initial"].node()), sentence);
-    }
-    if (change.problems.empty()) {
-      change.problems = problems(the_case);
-    }
-    for (const std::string& sentence : change.problems) {
-      const bool typed =
-          sentence.find(": overstretched") != std::string::npos && bench::near_taut(the_case);
-      wrong.add(bench::line_of_problem(*file, sentence),
-                sentence + (typed ? ", or taut = true, which moves the start" : ""));
-    }
+  if (const auto key = bench::system_key(*file)) {
+    return {std::nullopt, {bench::only_a_system(*key, source_name)}};
   }
-  if (!wrong.empty()) {
-    return {std::nullopt, wrong.sentences()};
+  return bench::read_as_case(*file, source_name, taut, wrong);
+}
+
+SystemReading read_system_text(std::string_view text, const std::string& source_name,
+                               CableSet taut) {
+  bench::FileProblems wrong(source_name);
+  const std::optional<toml::table> file = bench::parsed(text, wrong);
+  if (!file) {
+    return {.problems = wrong.sentences()};
   }
-  return {std::move(the_case), {}, notes.sentences()};
+  if (const auto key = bench::system_key(*file)) {
+    SystemReading result = bench::read_as_system(*file, taut, wrong);
+    result.only_a_system = bench::only_a_system(*key, source_name);
+    return result;
+  }
+  CaseReading reading = bench::read_as_case(*file, source_name, taut, wrong);
+  SystemReading result;
+  result.problems = std::move(reading.problems);
+  result.notes = std::move(reading.notes);
+  if (reading.the_case) {
+    result.system = as_system(*reading.the_case);
+    result.the_case = std::move(reading.the_case);
+  }
+  return result;
 }
 
 }  // namespace tautline

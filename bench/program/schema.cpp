@@ -66,6 +66,8 @@ void add_range(const Range& range, Json& schema) {
   }
 }
 
+Json schema_of_short(const Form& table);
+
 Json schema_of_form(const Form& form) {
   Json schema = Json::object();
   if (!form.meaning.empty()) {
@@ -95,17 +97,30 @@ Json schema_of_form(const Form& form) {
       schema["items"] = schema_of_form(form.inside.front());
       break;
     case Form::Kind::table:
-      schema.update(schema_of_keys(form));
+      if (form.instead.empty()) {
+        schema.update(schema_of_keys(form));
+      } else {
+        schema["anyOf"] = {schema_of_short(form), schema_of_keys(form)};
+      }
       break;
   }
   return schema;
+}
+
+/// For the value that may be there instead of a table.
+Json schema_of_short(const Form& table) {
+  Form value = *find_by(table.inside, &Form::key, table.instead);
+  value.meaning = "";
+  (value.kind == Form::Kind::array ? value.inside.front() : value).range = table.range;
+  return schema_of_form(value);
 }
 
 bool is_required(const Form& key) {
   const auto& inside = key.inside;
   // a table whose keys may all be missing may be missing itself
   return key.required && key.with.empty() &&
-         (key.kind != Form::Kind::table || std::any_of(inside.begin(), inside.end(), is_required));
+         (key.kind != Form::Kind::table || !key.instead.empty() ||
+          std::any_of(inside.begin(), inside.end(), is_required));
 }
 
 Json schema_of_keys(const Form& table) {
@@ -116,6 +131,9 @@ Json schema_of_keys(const Form& table) {
     properties[key.key] = schema_of_form(key);
     if (is_required(key)) {
       required.push_back(key.key);
+    }
+    if (!key.needs.empty()) {
+      together[key.key].push_back(key.needs);
     }
     if (!key.with.empty()) {
       together[key.key].push_back(key.with);
@@ -128,6 +146,9 @@ Json schema_of_keys(const Form& table) {
   Json one_of = Json::array();
   for (const std::string& key : table.either) {
     one_of.push_back({{"required", {key}}});
+  }
+  if (table.least > 0) {
+    schema["minProperties"] = table.least;
   }
   if (!one_of.empty()) {
     schema["oneOf"] = std::move(one_of);

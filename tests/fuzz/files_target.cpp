@@ -10,6 +10,18 @@
 namespace tautline::fuzz {
 namespace {
 
+void read_as_system(std::string_view text) {
+  const SystemReading reading = read_system_text(text, "input.toml");
+  require_sentences(reading.problems, !reading.system);
+  if (reading.system) {
+    require(problems(*reading.system).empty(), "a system that is read can be solved");
+    const std::string written = write_system(*reading.system);
+    const SystemReading again = read_system_text(written, "written.toml");
+    require(again.system.has_value(), "what is written reads back:\n" + written);
+    require(write_system(*again.system) == written, "it reads back bit by bit:\n" + written);
+  }
+}
+
 void read_as_case(std::string_view text) {
   const CaseReading reading = read_case_text(text, "input.toml");
   require_sentences(reading.problems, !reading.the_case);
@@ -48,6 +60,7 @@ void read_as_contract(std::string_view text) {
 
 void fuzz_files(std::string_view input) {
   if (input.size() <= longest_case_file) {  // a longer file is not read
+    read_as_system(input);
     read_as_case(input);
     read_as_spec(input);
     read_as_problems(input);

@@ -10,9 +10,9 @@
 
 namespace tautline::fuzz {
 
-/// Reads the bytes as a case file, an ensemble spec, a limits file and a contract file. Each reader
-/// accepts the text or refuses it in sentences. An accepted case has no problems, and its text
-/// reads back bit by bit.
+/// Reads the bytes as a case file of either kind, an ensemble spec, a limits file and a contract
+/// file. Each reader accepts the text or refuses it in sentences. An accepted case or system has no
+/// problems, and its text reads back bit by bit.
 void fuzz_files(std::string_view input);
 
 /// Reads the bytes as an answer from another process. The first byte chooses the request: 'a' to

@@ -31,8 +31,9 @@ const std::map<std::string, fs::path> committed_schemas = {
     {"engine", sources / "engines/protocol/engine.schema.json"},
     {"contract", sources / "engines/protocol/contract.schema.json"}};
 
+/// The file of a system is a case file.
 json schema_of(const std::string& kind) {
-  return json::parse(content_of(committed_schemas.at(kind)));
+  return json::parse(content_of(committed_schemas.at(kind == "system" ? "case" : kind)));
 }
 
 TEST(FileSchemas, AreThoseThatTheProgramPrints) {
@@ -51,6 +52,11 @@ void visit_keys(const json& schema,
                 const std::function<void(const std::string&, const json&)>& visit) {
   if (schema.contains("items")) {
     visit_keys(schema.at("items"), visit);
+  }
+  if (schema.contains("anyOf")) {  // a value by itself or a table
+    for (const json& one : schema.at("anyOf")) {
+      visit_keys(one, visit);
+    }
   }
   if (schema.contains("properties")) {
     for (const auto& [key, value] : schema.at("properties").items()) {
@@ -117,9 +123,16 @@ const std::map<std::string, FileKind>& file_kinds() {
   static const std::map<std::string, FileKind> all = {
       {"case",
        {fuzz_seed("case.toml"),
-        [](const std::string& text) { return read_case_text(text, "f").problems; },
+        [](const std::string& text) { return read_system_text(text, "f").problems; },
         {"overstretched", "cannot reach", "above ceiling", "beyond angle_limit",
          "restitution_table[", "larger in size than"}}},
+      {"system",
+       {fuzz_seed("system.toml"),
+        [](const std::string& text) { return read_system_text(text, "f").problems; },
+        {"overstretched", "larger in size than", "must be above from_time",
+         "one for each of the times", "must rise", "is for a point mass",
+         "which a point mass has not", "from 0.25 must be above", "too, must be another one",
+         "unknown body", "restitution_table[", "as long as the cable acts"}}},
       {"spec",
        {fuzz_seed("spec.toml"),
         [](const std::string& text) { return bench::read_spec_text(text, "f").problems; },
@@ -281,7 +294,8 @@ TEST_P(FileSchema, AcceptsWhatTheReaderAcceptsAndRefusesTheRestButForRulesOfTheR
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FileSchema,
-                         testing::Values("case", "spec", "problems", "contract", "engine"),
+                         testing::Values("case", "system", "spec", "problems", "contract",
+                                         "engine"),
                          [](const auto& one) { return one.param; });
 
 /// A sound file with one line of it replaced, and if a schema can refuse what is wrong with it.
@@ -312,6 +326,27 @@ TEST(FileSchemas, RefuseUnknownKeysWrongTypesRangesAndWhatIsMissing) {
       {"spec", "factor = 1.1\n", ""},
       {"spec", "names = [\"ode\"]\n", ""},
       {"spec", "steps = [0.01, 0.001]", "steps = [0.01, 0]"},
+      {"system", "mass = 0.5", "mass = 0.0"},
+      {"system", "[0.1, -0.5]", "[0.1, 0.0, -0.5]"},
+      {"system", "frequency = 1.5", "frequency = -1.5"},
+      {"system", "frequency = 1.5", "omega = 1.5"},
+      {"system", "amplitude = [0.1, 0.0]", "amplitude = 0.1"},
+      {"system", ", values = [2.5, 1.5]", ""},
+      {"system", "times = [0.5, 2.5], ", ""},
+      {"system", "length = 5.5", "length = -5.5"},
+      {"system", "length = 5.5", "length = {}"},
+      {"system", "length = 5.5", "length = [5.5]"},
+      {"system", "to = { body = \"hook\" }\n", ""},
+      {"system", "to = { body = \"hook\" }\n", "to = {}\n"},
+      {"system", "to = { body = \"hook\" }\n", "to = \"hook\"\n"},
+      {"system", "from = { body = \"hook\" }", "anchor = [0.0, 0.0]"},
+      {"system", "spline = true", "spline = 1"},
+      {"system", "polynomial = [0.5, 0.75]", "polynomial = []"},
+      {"system", "{ from = 0.25, polynomial", "{ polynomial"},
+      {"system", "cut_at = 12.5", "cut_at = 0"},
+      {"system", "drag = 0.1", "drag = -0.1"},
+      {"system", "[[bodies]]\nname = \"load\"",
+       "[initial]\nposition = [0, 0]\n[[bodies]]\nname = \"load\""},
       {"problems", "schema = 2\n", "schema = 1\n"},
       {"problems", "schema = 2\n", ""},
       {"problems", "version = \"4\"", "version = \"\""},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/system.hpp"
 
 namespace tautline {
 
@@ -24,9 +25,25 @@ inline constexpr std::size_t longest_case_file = std::size_t{1} << 20U;
 /// Reads the text of a case file; `source_name` names the file in the sentences. Text that begins
 /// with { is a JSON object with the keys of a case file, any other text is TOML. JSON gets the same
 /// sentences, without lines. Cables with `taut = true`, and those of `taut`, start taut
-/// (`taut_start`).
+/// (`taut_start`). The file of a system is refused.
 [[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name,
                                          CableSet taut = {});
+
+/// A system, or all that is wrong with its file.
+struct SystemReading {
+  std::optional<System> system = {};  // present exactly when `problems` is empty
+  /// It as a case, where the file has one [body], cables with anchor and attachment, and constants
+  /// alone: `solve` is fastest with it, and it alone keeps `angle_limit` and `ceiling`.
+  std::optional<Case> the_case = {};
+  std::vector<std::string> problems = {};  // as in CaseReading
+  std::vector<std::string> notes = {};     // likewise; none on a file that is no case
+  /// If the file is no case, a sentence that names the first key of a system in it.
+  std::string only_a_system = {};
+};
+
+/// Reads the text of a case file of either kind, as `read_case_text` does.
+[[nodiscard]] SystemReading read_system_text(std::string_view text, const std::string& source_name,
+                                             CableSet taut = {});
 
 /// What is wrong with a start that was to be taut, or how it has changed.
 struct StartChange {
@@ -43,5 +60,13 @@ struct StartChange {
 
 /// The same as one JSON object.
 [[nodiscard]] std::string write_case_json(const Case& the_case);
+
+/// The text of a case file that reads back as the same system, bit for bit: what is given over time
+/// as times and values where it was made of them, and as pieces otherwise. Requires that `problems`
+/// finds none, and names in UTF-8.
+[[nodiscard]] std::string write_system(const System& system);
+
+/// A system as one JSON object.
+[[nodiscard]] std::string write_system_json(const System& system);
 
 }  // namespace tautline

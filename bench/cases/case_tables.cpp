@@ -1,0 +1,570 @@
+#include "bench/cases/case_tables.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "bench/base/text.hpp"
+#include "bench/base/value.hpp"
+#include "bench/cases/case_form.hpp"
+
+namespace tautline::bench {
+namespace {
+
+constexpr Key gravity_key = {"gravity", "the acceleration, x and y"};
+constexpr Key anchor_key = {"anchor", "the end in the world, x and y"};
+constexpr Key attachment_key = {
+    "attachment", "the end on the body, from its centre of mass, in the body's frame"};
+constexpr Key length_key = {"length", "the length at which the cable is taut"};
+
+constexpr std::string_view of_a_case =
+    "is for a case of one [body] where all is constant; leave it out";
+
+/// Calls `ask` for keys that a table has with `key`.
+template <class Ask>
+void ask_with(StrictTable& table, std::string_view key, const Ask& ask) {
+  if (table.describes()) {
+    table.with(key, ask);
+  } else {
+    ask();
+  }
+}
+
+/// One number, or two, as a function of N numbers has them.
+template <int N>
+struct Ask;
+
+template <>
+struct Ask<1> {
+  using Value = Function<1>::Value;
+  static Value one(StrictTable& table, const Key& key, std::string_view unit,
+                   const Range& range = any_number) {
+    return Value(table.number(key, range, unit));
+  }
+  static std::optional<Value> optional_one(StrictTable& table, const Key& key,
+                                           std::string_view unit) {
+    const std::optional<double> number = table.optional_number(key, any_number, unit);
+    return number ? std::optional(Value(*number)) : std::nullopt;
+  }
+  static std::vector<Value> several(StrictTable& table, const Key& key, std::string_view unit) {
+    std::vector<Value> result;
+    for (const double number : table.numbers(key, unit, any_number, true)) {
+      result.emplace_back(number);
+    }
+    return result;
+  }
+};
+
+template <>
+struct Ask<2> {
+  using Value = Vec2;
+  static Value one(StrictTable& table, const Key& key, std::string_view unit,
+                   const Range& /*range*/ = any_number) {
+    return table.pair(key, unit);
+  }
+  static std::optional<Value> optional_one(StrictTable& table, const Key& key,
+                                           std::string_view unit) {
+    return table.optional_pair(key, unit);
+  }
+  static std::vector<Value> several(StrictTable& table, const Key& key, std::string_view unit) {
+    return table.pairs(key, "[x, y]", unit, true);
+  }
+};
+
+/// The constant part of a function; none where the file has none.
+template <int N>
+using Constant = std::optional<typename Function<N>::Value>;
+
+template <int N>
+std::vector<BasicWave<double, N>> read_waves(StrictTable& table, std::string_view unit) {
+  std::vector<BasicWave<double, N>> waves;
+  for (StrictTable& one :
+       table.optional_tables({"waves", "each adds amplitude cos(frequency t + phase)"}, no_most,
+                             "must be tables, each with amplitude and frequency")) {
+    BasicWave<double, N> wave;
+    wave.amplitude = Ask<N>::one(one, {"amplitude", "of the wave"}, unit);
+    wave.frequency = one.number({"frequency", "of the wave"}, zero_or_above, "[rad/s]");
+    wave.phase =
+        one.optional_number({"phase", "at t = 0; default 0"}, any_number, "[rad]").value_or(0.0);
+    one.refuse_unknown_keys();
+    waves.push_back(wave);
+  }
+  return waves;
+}
+
+/// Reads `times` and `values`.
+template <int N>
+std::vector<BasicPiece<double, N>> read_values(StrictTable& table, std::string_view unit,
+                                               const Constant<N>& constant) {
+  std::vector<double> times =
+      table.numbers({"times", "rising: when it has each of the values"}, "[s]", any_number, true);
+  auto values = Ask<N>::several(
+      table, {"values", "linear between the times, constant before and after"}, unit);
+  const bool spline =
+      table.flag({"spline", "true joins the values by a cubic spline instead of lines"});
+  const auto fall = std::adjacent_find(times.begin(), times.end(), std::greater_equal<>());
+  if (fall != times.end()) {
+    table.refuse_value("times", "must rise: " + shortest(*fall) + " s is followed by " +
+                                    shortest(*(fall + 1)) + " s" +
+                                    (*fall == *(fall + 1) ? ", a jump" : ""));
+  } else if (!times.empty() && !values.empty() && times.size() != values.size()) {
+    table.refuse_value("values", std::to_string(values.size()) + " given, must be " +
+                                     std::to_string(times.size()) + ", one for each of the times");
+  } else if (times.size() == values.size() && !times.empty()) {
+    for (auto& value : values) {
+      value = constant ? typename Function<N>::Value(value + *constant) : value;
+    }
+    return (spline ? Function<N>::spline(times, values) : Function<N>::linear(times, values))
+        .pieces;
+  }
+  return {};
+}
+
+/// Reads `pieces`.
+template <int N>
+std::vector<BasicPiece<double, N>> read_pieces(StrictTable& table, std::string_view unit,
+                                               const Constant<N>& constant) {
+  std::vector<BasicPiece<double, N>> pieces;
+  for (StrictTable& one :
+       table.optional_tables({"pieces", "polynomials, each until the next one starts"}, no_most,
+                             "must be tables, each with from and polynomial")) {
+    BasicPiece<double, N> piece{};
+    piece.from = one.number({"from", "when the piece starts"}, any_number, "[s]");
+    piece.coefficients = Ask<N>::several(
+        one, {"polynomial", "its coefficients, in rising powers of the time since `from`"}, unit);
+    one.refuse_unknown_keys();
+    if (constant && !piece.coefficients.empty()) {
+      piece.coefficients.front() += *constant;
+    }
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+/// Reads all that a table says of N numbers over time, besides their constant part, which the
+/// pieces get.
+template <int N>
+Function<N> read_changes(StrictTable& table, std::string_view unit, const Constant<N>& constant) {
+  Function<N> result;
+  result.waves = read_waves<N>(table, unit);
+  table.with("times", [&] { result.pieces = read_values<N>(table, unit, constant); });
+  std::vector<BasicPiece<double, N>> pieces = read_pieces<N>(table, unit, constant);
+  if (table.has("times")) {
+    table.refuse_value("pieces", "is there with times, must be one of the two");
+  } else {
+    table.refuse_value("values", "is there without times, must have a time for each of them");
+    table.refuse_value("spline", "is there without times and values, leave it out");
+    result.pieces = std::move(pieces);
+  }
+  return result;
+}
+
+/// N numbers over time: a constant by itself, or a table.
+template <int N>
+Function<N> read_function(StrictTable table, std::string_view unit,
+                          const Range& range = any_number) {
+  const Key key = {"value", "the constant part; default 0"};
+  if (table.is_short()) {
+    return Function<N>::constant(Ask<N>::one(table, key, unit, range));
+  }
+  const Constant<N> constant = Ask<N>::optional_one(table, key, unit);
+  Function<N> result = read_changes<N>(table, unit, constant);
+  if (constant && result.pieces.empty()) {
+    result.pieces = Function<N>::constant(*constant).pieces;
+  }
+  table.refuse_empty("must have value, waves, times with values, or pieces");
+  table.refuse_unknown_keys();
+  return result;
+}
+
+/// Likewise for a key that may be missing: then zero.
+template <int N>
+Function<N> read_optional_function(StrictTable& table, const Key& key, std::string_view unit) {
+  if (!table.describes() && !table.has(key.name)) {
+    return {};
+  }
+  return read_function<N>(table.table_or(key, "value", false), unit);
+}
+
+/// Reads the ends of cables.
+class EndReader {
+ public:
+  explicit EndReader(const std::vector<BodyOfSystem>& bodies) {
+    for (std::size_t index = 0; index < bodies.size(); ++index) {
+      names_.push_back(name_in_file(bodies, index));
+    }
+  }
+
+  [[nodiscard]] std::size_t bodies() const { return names_.size(); }
+
+  /// An end in the world: where it is by itself, or a table.
+  static End in_world(StrictTable table) {
+    End end;
+    read_place(table, end);
+    finish(table);
+    return end;
+  }
+
+  /// An end in the world or on a body.
+  [[nodiscard]] End anywhere(StrictTable table) const {
+    End end;
+    if (!table.describes() &&
+        table.refuse_other_than_array(
+            "must be a table such as { body = \"" + (names_.empty() ? "ball" : names_.front()) +
+            "\", at = [0.1, 0.0] }, or a point [x, y] of the world [m]")) {
+      return end;
+    }
+    if (table.describes() || table.has("body")) {
+      read_body(table, end);
+    }
+    if (end.body) {
+      end.at = table.optional_pair({"at", at_meaning}, "[m]").value_or(Vec2(Vec2::Zero()));
+      for (const char* const key : {"waves", "times", "values", "spline", "pieces"}) {
+        table.refuse_value(key, "is for an end in the world; leave it out, or leave body out");
+      }
+    } else {
+      read_place(table, end);
+    }
+    finish(table);
+    return end;
+  }
+
+ private:
+  static constexpr std::string_view at_meaning =
+      "the constant part of its place, x and y; on a body from its centre of mass, in the body's "
+      "frame; default 0";
+
+  void read_body(StrictTable& table, End& end) const {
+    const std::optional<std::string> name =
+        table.optional_text({"body", "the name of the body that has the end; default: the world"});
+    if (!name) {
+      return;
+    }
+    const auto found = std::find(names_.begin(), names_.end(), *name);
+    end.body = static_cast<std::size_t>(found - names_.begin());
+    if (found == names_.end()) {
+      end.body = 0;
+      const std::string near = suggestion(printable(*name), names_);
+      std::vector<std::string> printed;
+      for (const std::string& one : names_) {
+        printed.push_back(printable(one));
+      }
+      if (!name->empty() && !names_.empty()) {
+        table.refuse_value(
+            "body", "unknown body" + (near.empty() ? ", must be " + joined(printed, "or") : near));
+      }
+    }
+  }
+
+  static void read_place(StrictTable& table, End& end) {
+    const Key key = {"at", at_meaning};
+    if (table.is_short()) {
+      end.at = table.pair(key, "[m]");
+    } else {
+      end.at = table.optional_pair(key, "[m]").value_or(Vec2(Vec2::Zero()));
+      end.motion = read_changes<2>(table, "[m]", std::nullopt);
+    }
+  }
+
+  static void finish(StrictTable& table) {
+    table.refuse_empty("must have at, waves, times with values, pieces, or body");
+    table.refuse_unknown_keys();
+  }
+
+  std::vector<std::string> names_;
+};
+
+/// How a cable names its ends; says what is wrong with both forms at once.
+void read_ends(StrictTable& table, CableOfSystem& cable, const EndReader& ends) {
+  const auto has_one = [&](std::initializer_list<std::string_view> keys) {
+    return std::any_of(keys.begin(), keys.end(), [&](auto key) { return table.has(key); });
+  };
+  if (table.describes()) {
+    static_cast<void>(table.count({"anchor", "from"}));
+  }
+  const bool by_ends =
+      !table.describes() && (has_one({"from", "through", "to"}) ||
+                             (ends.bodies() > 1 && !has_one({"anchor", "attachment"})));
+  if (!by_ends) {
+    ask_with(table, "anchor", [&] {
+      cable.to = EndReader::in_world(table.table_or(anchor_key, "at", true));
+      cable.from.at = table.pair(attachment_key, "[m]");
+      cable.from.body = 0;
+    });
+    if (!table.describes() && ends.bodies() > 1) {
+      table.refuse_value("attachment", "is for the only body of a file, which has " +
+                                           std::to_string(ends.bodies()) +
+                                           "; must be from and to, such as from = { body = \""
+                                           "ball\", at = [0.1, 0.0] }");
+    }
+  }
+  if (by_ends || table.describes()) {
+    ask_with(table, "from", [&] {
+      cable.from = ends.anywhere(table.table_or({"from", "the first end"}, "at", true));
+      for (StrictTable& ring : table.optional_tables(
+               {"through", "rings that the cable runs through without friction, in order"}, no_most,
+               "must be tables, each a point of a body or of the world", "at")) {
+        cable.through.push_back(ends.anywhere(std::move(ring)));
+      }
+      cable.to = ends.anywhere(table.table_or({"to", "the last end"}, "at", true));
+    });
+    if (by_ends) {
+      table.refuse_value("anchor", "is there with from and to, leave it out");
+      table.refuse_value("attachment", "is there with from and to, leave it out");
+    }
+  }
+}
+
+/// A cable, and whether it starts taut.
+template <class TheCase>
+std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const TheCase& the_case) {
+  constexpr bool is_system = std::is_same_v<TheCase, System>;
+  typename TheCase::Cable cable;
+  if constexpr (is_system) {
+    read_ends(table, cable, EndReader(the_case.bodies));
+    cable.length =
+        read_function<1>(table.table_or(length_key, "value", true, above_zero), "[m]", above_zero);
+  } else {
+    cable.anchor = table.pair(anchor_key, "[m]");
+    cable.attachment = table.pair(attachment_key, "[m]");
+    cable.length = table.number(length_key, above_zero, "[m]");
+  }
+  cable.restitution = table.number(
+      {"restitution", "the share of its closing rate with which the cable opens after an impact"},
+      zero_to_one, "");
+  cable.capture_speed =
+      table
+          .optional_number(
+              {"capture_speed", "an impact slower than this has no rebound; default 0"},
+              zero_or_above, "[m/s]")
+          .value_or(0.0);
+  const Key by_speed = {"restitution_table",
+                        "replaces restitution: pairs of speed and restitution, in rising speed"};
+  for (const Vec2& point : table.pairs(by_speed, "[speed, restitution]", "[m/s, -]")) {
+    cable.restitution_table.push_back({point.x(), point.y()});
+  }
+  bool taut = false;
+  if constexpr (is_system) {
+    cable.from_time = table.optional_number(
+        {"from_time", "the cable is hooked up then; default: from the start"}, above_zero, "[s]");
+    cable.cut_at = table.optional_number({"cut_at", "the cable is cut then; default: never"},
+                                         above_zero, "[s]");
+  }
+  if (is_system && !table.describes()) {
+    table.refuse_value("taut", std::string(of_a_case) + " and give the start its exact digits");
+  } else {
+    taut = table.flag(
+        {"taut", "true moves the body by the little that the typed digits leave to a taut cable"});
+  }
+  table.refuse_unknown_keys();
+  return {std::move(cable), taut};
+}
+
+State read_state(StrictTable& table) {
+  State state;
+  state.position = table.pair({"position", "of the centre of mass, x and y"}, "[m]");
+  state.angle = table.optional_number({"angle", "anticlockwise; default 0"}, any_number, "[rad]")
+                    .value_or(0.0);
+  state.velocity =
+      table.optional_pair({"velocity", "of the centre of mass, x and y; default 0"}, "[m/s]")
+          .value_or(Vec2(Vec2::Zero()));
+  state.spin = table.optional_number({"spin", "anticlockwise; default 0"}, any_number, "[rad/s]")
+                   .value_or(0.0);
+  return state;
+}
+
+/// Reads what moves a body, besides cables and gravity.
+void read_loads(StrictTable& table, BodyOfSystem& body) {
+  body.drag = table
+                  .optional_number({"drag", "the drag per speed of the centre of mass; default 0"},
+                                   zero_or_above, "[N s/m]")
+                  .value_or(0.0);
+  body.spin_drag =
+      table
+          .optional_number({"spin_drag", "the moment against the spin, per spin; default 0"},
+                           zero_or_above, "[N m s]")
+          .value_or(0.0);
+  body.force = read_optional_function<2>(
+      table, {"force", "on the centre of mass, x and y, over time; default 0"}, "[N]");
+  body.moment = read_optional_function<1>(
+      table, {"moment", "on the body, anticlockwise, over time; default 0"}, "[N m]");
+}
+
+constexpr std::string_view inertia_meaning = "about the centre of mass; 0 makes a point mass";
+
+/// The only body.
+template <class TheBody>
+TheBody read_only_body(StrictTable& root) {
+  StrictTable table = root.table({"body", "the rigid body"});
+  TheBody body;
+  body.mass = table.number({"mass", "the mass"}, above_zero, "[kg]");
+  body.inertia = table.number({"inertia", inertia_meaning}, zero_or_above, "[kg m^2]");
+  if constexpr (std::is_same_v<TheBody, BodyOfSystem>) {
+    read_loads(table, body);
+  }
+  table.refuse_unknown_keys();
+  return body;
+}
+
+State read_only_start(StrictTable& root) {
+  StrictTable table = root.table({"initial", "the start, at t = 0"});
+  State state = read_state(table);
+  table.refuse_unknown_keys();
+  return state;
+}
+
+/// [[bodies]], each with its start.
+void read_bodies(StrictTable& root, System& system) {
+  const std::string right = "must be 1 to " + std::to_string(max_bodies) +
+                            " tables [[bodies]], each with mass and position";
+  for (StrictTable& table :
+       root.tables({"bodies", "1 to 8 rigid bodies, instead of body"}, max_bodies, right)) {
+    BodyOfSystem& body = system.bodies.emplace_back();
+    body.name = table.optional_text({"name", "by which cables name the body"}).value_or("");
+    body.mass = table.number({"mass", "the mass"}, above_zero, "[kg]");
+    body.inertia = table
+                       .optional_number({"inertia", std::string(inertia_meaning) + "; default 0"},
+                                        zero_or_above, "[kg m^2]")
+                       .value_or(0.0);
+    read_loads(table, body);
+    system.initial.bodies.push_back(read_state(table));
+    table.refuse_unknown_keys();
+    const auto first = std::find_if(system.bodies.begin(), system.bodies.end(),
+                                    [&](const auto& other) { return other.name == body.name; });
+    if (!body.name.empty() && &*first != &body) {
+      table.refuse_value("name", "is the name of bodies[" +
+                                     std::to_string(first - system.bodies.begin()) +
+                                     "] too, must be another one");
+    }
+  }
+}
+
+const toml::node* node_inside(const toml::node* table, std::string_view key) {
+  return table != nullptr && table->is_table() ? table->as_table()->get(key) : nullptr;
+}
+
+/// Reads what a case or a system has with its cables: its bodies before them, its start after them.
+template <class TheCase, class ReadBodies, class ReadStart>
+CaseTables<TheCase> read_tables(StrictTable& root, const std::string& ends, bool needs_cables,
+                                const ReadBodies& read_bodies, const ReadStart& read_start) {
+  CaseTables<TheCase> result;
+  TheCase& the_case = result.the_case;
+  the_case.name = root.text({"name", "the name in tables and files"});
+  the_case.duration = root.number({"duration", "the run ends at this time"}, above_zero, "[s]");
+  read_bodies(the_case);
+  const std::string right = "must be 1 to " + std::to_string(max_cables) +
+                            " tables [[cables]], each with " + ends + "length and restitution";
+  const Key cables = {"cables", "1 to 8 cables without mass, slack or taut"};
+  for (StrictTable& table : needs_cables ? root.tables(cables, max_cables, right)
+                                         : root.optional_tables(cables, max_cables, right)) {
+    auto [cable, starts_taut] = read_cable(table, the_case);
+    if (starts_taut) {
+      result.taut.insert(the_case.cables.size());
+    }
+    the_case.cables.push_back(std::move(cable));
+  }
+  read_start(the_case);
+  root.refuse_unknown_keys();
+  return result;
+}
+
+constexpr Key angle_limit_key = {
+    "angle_limit", "the run ends when the body has turned to this angle, to either side"};
+constexpr Key ceiling_key = {"ceiling", "the run ends when an attachment rises to this height"};
+
+}  // namespace
+
+std::string name_in_file(const std::vector<BodyOfSystem>& bodies, std::size_t index) {
+  const std::string& name = bodies[index].name;
+  return !name.empty() ? name : bodies.size() == 1 ? "body" : "body " + std::to_string(index);
+}
+
+std::optional<SystemKey> system_key(const toml::table& file) {
+  const auto key_of = [](const toml::node& node, std::string name) {
+    return SystemKey{std::move(name), line_of(&node)};
+  };
+  if (const toml::node* bodies = file.get("bodies")) {
+    return key_of(*bodies, "bodies");
+  }
+  if (const toml::node* gravity = file.get("gravity"); gravity && gravity->is_table()) {
+    return key_of(*gravity, "gravity");
+  }
+  for (const char* const key : {"drag", "spin_drag", "force", "moment"}) {
+    if (const toml::node* found = node_inside(file.get("body"), key)) {
+      return key_of(*found, std::string("body.") + key);
+    }
+  }
+  const toml::array* cables = file["cables"].as_array();
+  for (std::size_t index = 0; cables != nullptr && index < cables->size(); ++index) {
+    const toml::node* cable = cables->get(index);
+    const std::string name = "cables[" + std::to_string(index) + "].";
+    for (const char* const key : {"from", "through", "to", "from_time", "cut_at"}) {
+      if (const toml::node* found = node_inside(cable, key)) {
+        return key_of(*found, name + key);
+      }
+    }
+    for (const char* const key : {"anchor", "length"}) {
+      if (const toml::node* found = node_inside(cable, key); found && found->is_table()) {
+        return key_of(*found, name + key);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+CaseTables<Case> read_case_tables(StrictTable root) {
+  const auto read_bodies = [&](Case& the_case) {
+    the_case.gravity = root.pair(gravity_key, "[m/s^2]");
+    the_case.angle_limit = root.optional_number(angle_limit_key, above_zero, "[rad]");
+    the_case.ceiling = root.optional_number(ceiling_key, any_number, "[m]");
+    the_case.body = read_only_body<Body>(root);
+  };
+  const auto read_start = [&](Case& the_case) { the_case.initial = read_only_start(root); };
+  return read_tables<Case>(root, "anchor, attachment, ", true, read_bodies, read_start);
+}
+
+System read_system_tables(StrictTable root) {
+  const bool describes = root.describes();
+  const bool has_bodies = !describes && root.has("bodies");
+  const auto read_only = [&](System& system) {
+    system.bodies = {read_only_body<BodyOfSystem>(root)};
+    system.initial.bodies = {read_only_start(root)};
+    root.needs("body", "cables");
+  };
+  const auto read_all_bodies = [&](System& system) {
+    system.gravity = read_function<2>(root.table_or(gravity_key, "value", true), "[m/s^2]");
+    if (describes) {
+      static_cast<void>(root.optional_number(angle_limit_key, above_zero, "[rad]"));
+      static_cast<void>(root.optional_number(ceiling_key, any_number, "[m]"));
+      static_cast<void>(root.count({"body", "bodies"}));
+    } else {
+      root.refuse_value(angle_limit_key.name, std::string(of_a_case));
+      root.refuse_value(ceiling_key.name, std::string(of_a_case));
+    }
+    if (!has_bodies) {
+      ask_with(root, "body", [&] { read_only(system); });
+    }
+    if (has_bodies || describes) {
+      ask_with(root, "bodies", [&] { read_bodies(root, system); });
+    }
+    if (has_bodies) {
+      root.refuse_value("body", "is there with bodies, must be one of the two");
+      root.refuse_value("initial", "is there with bodies, which have the start; leave it out");
+    }
+  };
+  return read_tables<System>(root, "from and to, or anchor and attachment, ",
+                             !has_bodies && !describes, read_all_bodies, [](System&) {})
+      .the_case;
+}
+
+Form case_form() {
+  Form form;
+  static_cast<void>(read_system_tables(StrictTable(form)));
+  return form;
+}
+
+}  // namespace tautline::bench

@@ -8,9 +8,9 @@ namespace tautline {
 namespace {
 
 /// Halves an interval until a bound of the slope tells the sign in each part.
-class Search {
+class ZeroSearch {
  public:
-  Search(const Function<1>& function, double begin, double end)
+  ZeroSearch(const Function<1>& function, double begin, double end)
       : function_(function), narrowest_((end - begin) * 1e-12) {}
 
   [[nodiscard]] std::optional<ValueAtTime> run(double begin, double end) {
@@ -72,7 +72,7 @@ std::optional<ValueAtTime> not_above_zero(const Function<1>& function, double be
     }
   }
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    Search search(function, stops[i], stops[i + 1]);
+    ZeroSearch search(function, stops[i], stops[i + 1]);
     if (const auto found = search.run(stops[i], stops[i + 1])) {
       return found;
     }

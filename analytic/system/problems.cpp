@@ -19,7 +19,7 @@ namespace {
 constexpr double shortest_segment = 1e-6;
 
 /// The place of `end` in the world at the start [m].
-Vec2 place(const End& end, const System& system) {
+Vec2 end_place(const End& end, const System& system) {
   if (!end.body) {
     return end.at + end.motion.at(0.0);
   }
@@ -29,7 +29,7 @@ Vec2 place(const End& end, const System& system) {
 }
 
 /// The largest number that its place is computed from [m].
-double operand(const End& end, const System& system) {
+double end_operand(const End& end, const System& system) {
   const double at = end.at.norm();
   return end.body ? std::max(at, system.initial.bodies[*end.body].position.norm())
                   : std::max(at, end.motion.at(0.0).norm());
@@ -64,9 +64,9 @@ std::string told_name(const System& system, std::size_t index) {
 }
 
 /// Collects the sentences.
-class Checker {
+class SystemChecker {
  public:
-  explicit Checker(const System& system) : system_(system) {}
+  explicit SystemChecker(const System& system) : system_(system) {}
 
   std::vector<std::string> run() {
     check_bodies();
@@ -298,7 +298,7 @@ class Checker {
         const auto& [body, anchor] = sides(one);
         const auto& [other, second] = sides(two);
         if (held(one) && held(two) && body.body == other.body) {
-          wrong_.reach({(place(anchor, system_) - place(second, system_)).norm(),
+          wrong_.reach({(end_place(anchor, system_) - end_place(second, system_)).norm(),
                         one.length.at(0.0)[0] + two.length.at(0.0)[0] + (body.at - other.at).norm(),
                         i, j});
         }
@@ -323,9 +323,10 @@ class Checker {
   void check_start(std::size_t index, const CableOfSystem& cable) {
     const double length = cable.length.at(0.0)[0];
     double distance = 0.0;
-    double largest = std::max(length, operand(cable.from, system_));
+    double largest = std::max(length, end_operand(cable.from, system_));
     for (std::size_t i = 0; i < cable.segments(); ++i) {
-      const double apart = (place(cable.end(i), system_) - place(cable.end(i + 1), system_)).norm();
+      const double apart =
+          (end_place(cable.end(i), system_) - end_place(cable.end(i + 1), system_)).norm();
       if (!cable.through.empty() && apart < shortest_segment * length) {
         wrong_.add(cable_name(index) + ": its " + end_name(cable, i) + " and its " +
                    end_name(cable, i + 1) + " start " + text(apart) +
@@ -334,7 +335,7 @@ class Checker {
         return;
       }
       distance += apart;
-      largest = std::max(largest, operand(cable.end(i + 1), system_));
+      largest = std::max(largest, end_operand(cable.end(i + 1), system_));
     }
     wrong_.start_of_cable(index, length, distance, epsilon<double>() * largest,
                           cable.through.empty() ? " m apart" : " m apart through its rings");
@@ -346,6 +347,6 @@ class Checker {
 
 }  // namespace
 
-std::vector<std::string> problems(const System& system) { return Checker(system).run(); }
+std::vector<std::string> problems(const System& system) { return SystemChecker(system).run(); }
 
 }  // namespace tautline

@@ -20,6 +20,12 @@ bool is_case_file(const std::string& argument) {
   return argument.ends_with(".toml") || fs::exists(fs::path(argument), ignored);
 }
 
+bool is_shipped_system(const std::string& argument) {
+  const std::vector<ShippedSystem> systems = shipped_systems();
+  return std::any_of(systems.begin(), systems.end(),
+                     [&](const ShippedSystem& one) { return one.system.name == argument; });
+}
+
 bool is_glob(const std::string& argument) {
   return argument.find_first_of("*?[") != std::string::npos;
 }
@@ -42,6 +48,10 @@ class Selector {
       add_file(argument);
     } else if (is_glob(argument)) {
       add_matches(argument);
+    } else if (is_shipped_system(argument)) {
+      problems_.push_back(printable(argument) +
+                          " is a system; must be a case here: one body, and "
+                          "constants alone");
     } else {
       const std::string near = suggestion(argument, names_);
       problems_.push_back(

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/cases/title.hpp"
@@ -15,7 +16,7 @@
 namespace tautline::bench {
 namespace {
 
-/// What `tautline cases` was asked: the list of shipped cases, or one of them as a case file.
+/// What `tautline cases` was asked: the list of what ships, or one of it as a case file.
 struct CasesCommand {
   std::string the_case;
 };
@@ -29,10 +30,39 @@ std::string case_list(const TerminalStyle& style) {
   return table.plain(style);
 }
 
+/// The systems, with the first of the two sentences on each.
+std::string system_list(const TerminalStyle& style) {
+  Table table({"system", "bodies", "cables", "duration", "what it shows"}, 1, 1);
+  for (const auto& [system, shows] : shipped_systems()) {
+    table.add({system.name, std::to_string(system.bodies.size()),
+               std::to_string(system.cables.size()), fmt::format("{:g}", system.duration),
+               std::string(shows.substr(0, shows.find(". ")))});
+  }
+  return table.plain(style);
+}
+
+/// The file of a shipped system, below comments on what it shows; "" for any other name.
+std::string system_file(const std::string& name) {
+  const std::vector<ShippedSystem> systems = shipped_systems();
+  const ShippedSystem* const found = find_by(
+      systems, [](const ShippedSystem& one) { return one.system.name; }, name);
+  if (found == nullptr) {
+    return "";
+  }
+  const std::size_t second = found->shows.find(". ") + 1;
+  return fmt::format("# {}\n#{}\n{}", found->shows.substr(0, second), found->shows.substr(second),
+                     write_system(found->system));
+}
+
 int cases_command(const CasesCommand& command) {
   if (command.the_case.empty()) {
     const TerminalStyle style = output_style();
-    fmt::print("{}\n{}", case_list(style), wrapped_lines(case_number_text(), style.text));
+    fmt::print("{}\n{}\n{}", case_list(style), wrapped_lines(case_number_text(), style.text),
+               system_list(style));
+    return exit_done;
+  }
+  if (const std::string file = system_file(command.the_case); !file.empty()) {
+    fmt::print("{}", file);
     return exit_done;
   }
   const std::optional<Case> the_case = one_case(command.the_case);
@@ -47,9 +77,9 @@ int cases_command(const CasesCommand& command) {
 
 void add_cases(CLI::App& app, int& code) {
   CLI::App* const command =
-      app.add_subcommand("cases", "The shipped cases, or one of them as a case file to start from");
+      app.add_subcommand("cases", "The shipped cases and systems, or one as a file to start from");
   const auto asked = std::make_shared<CasesCommand>();
-  command->add_option("CASE", asked->the_case, "the name of a shipped case");
+  command->add_option("CASE", asked->the_case, "the name of a shipped case or system");
   command->callback([asked, &code] { code = cases_command(*asked); });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/system.hpp"
 
 namespace tautline {
 
@@ -57,5 +58,15 @@ template <class Real = double>
 
 /// Every case that ships, by name: `breakwater/<number>` and the others in this file.
 [[nodiscard]] std::vector<Case> shipped_cases();
+
+/// A system that ships.
+struct ShippedSystem {
+  System system;
+  std::string_view shows;  // in two sentences
+};
+
+/// Every system that ships. No case is one of them: each has several bodies, or something changes
+/// over time.
+[[nodiscard]] std::vector<ShippedSystem> shipped_systems();
 
 }  // namespace tautline

@@ -61,11 +61,12 @@ TEST(CaseSelection, NothingSelectsNothing) { EXPECT_EQ(selected({}), Strings{});
 TEST(CaseSelection, SaysWhatIsWrongWithEachArgument) {
   const std::string right = ": must be a shipped name, a glob of them or a case file";
   const CaseSelection selection = select_cases(
-      Strings{"bouncingball", "1933121100", "qwertz", "zz*", "", "\x1b", "crane-load"});
+      Strings{"bouncingball", "1933121100", "qwertz", "zz*", "winch", "", "\x1b", "crane-load"});
   EXPECT_EQ(selection.problems,
             (Strings{"unknown case \"bouncingball\"; did you mean bouncing-ball?",
                      "unknown case \"1933121100\"; did you mean breakwater/1933121100?",
                      "unknown case \"qwertz\"" + right, "no shipped case matches \"zz*\"",
+                     "winch is a system; must be a case here: one body, and constants alone",
                      "unknown case \"\"" + right, "unknown case \"\\x1b\"" + right}));
   EXPECT_TRUE(selection.cases.empty());
 }

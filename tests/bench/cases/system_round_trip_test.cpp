@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 
 #include "bench/base/text.hpp"
 #include "tautline/case_file.hpp"
@@ -251,6 +252,27 @@ TEST(SystemRoundTrip, RandomSystemsKeepEveryBitAsTomlAndAsJson) {
   }
   for (const auto& [form, count] : forms) {
     EXPECT_GE(count, 50) << form;
+  }
+}
+
+TEST(ShippedSystems, AreSoundAndKeepEveryBitInAFile) {
+  const std::vector<ShippedSystem> shipped = shipped_systems();
+  EXPECT_GE(shipped.size(), 14U);
+  std::set<std::string> names;
+  for (const Case& the_case : shipped_cases()) {
+    names.insert(the_case.name);
+  }
+  for (const auto& [system, shows] : shipped) {
+    EXPECT_TRUE(names.insert(system.name).second) << system.name << " is another one's name too";
+    EXPECT_EQ(problems(system), Strings()) << system.name;
+    EXPECT_NE(shows.find(". "), std::string_view::npos) << system.name << " has two sentences";
+    EXPECT_TRUE(shows.ends_with('.')) << system.name;
+    for (const std::string& written : {write_system(system), write_system_json(system)}) {
+      const SystemReading reading = read_system_text(written, "system");
+      ASSERT_EQ(reading.problems, Strings()) << written;
+      EXPECT_EQ(bits(*reading.system), bits(system)) << system.name;
+      EXPECT_FALSE(reading.the_case) << system.name;
+    }
   }
 }
 

@@ -8,6 +8,8 @@
 #include <ostream>
 #include <thread>
 
+#include "tautline/case_text.hpp"
+#include "tautline/scenarios.hpp"
 #include "tests/bench/program.hpp"
 
 namespace tautline::test {
@@ -238,6 +240,21 @@ TEST(Solve, CertifiesInTextAndJson) {
   EXPECT_EQ(certificate.at("correct").at(0).at("digits"), 9);
   EXPECT_TRUE(certificate.at("correct").at(0).at("until").is_null());
   EXPECT_EQ(certificate.at("events").at("all"), true);
+}
+
+TEST(Cases, ListTheSystemsApartAndPrintOneAsAFileWithWhatItShows) {
+  const std::string list = program({"cases"}).output;
+  for (const auto& [system, shows] : shipped_systems()) {
+    const std::size_t at = list.find(system.name + " ");
+    ASSERT_NE(at, std::string::npos) << system.name;
+    EXPECT_GT(at, list.find("level-beam")) << system.name << " is below the cases";
+    const Outcome file = program({"cases", system.name});
+    ASSERT_EQ(file.code, 0) << file.errors;
+    EXPECT_TRUE(file.output.starts_with("# " + std::string(shows.substr(0, 20)))) << file.output;
+    const SystemReading reading = read_system_text(file.output, system.name);
+    ASSERT_TRUE(reading.system) << reading.problems.front();
+    EXPECT_EQ(write_system(*reading.system), write_system(system));
+  }
 }
 
 TEST(Output, ThatCannotBeWrittenIsAFailure) {

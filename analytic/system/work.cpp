@@ -12,7 +12,7 @@ using series::number;
 
 namespace {
 
-/// Adds the product of two polynomials, of which none of the terms is left out: the power of waves
+/// Adds the product of two polynomials with all its terms: the power of waves
 /// has twice their frequency, and its series would end too soon.
 template <class Real>
 void add_product(std::vector<Real>& result, const std::vector<Real>& a,

@@ -20,10 +20,13 @@ bool is_case_file(const std::string& argument) {
   return argument.ends_with(".toml") || fs::exists(fs::path(argument), ignored);
 }
 
-bool is_shipped_system(const std::string& argument) {
-  const std::vector<ShippedSystem> systems = shipped_systems();
-  return std::any_of(systems.begin(), systems.end(),
-                     [&](const ShippedSystem& one) { return one.system.name == argument; });
+std::optional<System> shipped_system(const std::string& argument) {
+  for (ShippedSystem& one : shipped_systems()) {
+    if (one.system.name == argument) {
+      return std::move(one.system);
+    }
+  }
+  return std::nullopt;
 }
 
 bool is_glob(const std::string& argument) {
@@ -33,8 +36,8 @@ bool is_glob(const std::string& argument) {
 /// Gathers what the arguments name.
 class Selector {
  public:
-  explicit Selector(CableSet taut)
-      : taut_(taut), shipped_(shipped_cases()), chosen_(shipped_.size(), false) {
+  Selector(CableSet taut, Kinds kinds)
+      : taut_(taut), kinds_(kinds), shipped_(shipped_cases()), chosen_(shipped_.size(), false) {
     for (const Case& the_case : shipped_) {
       names_.push_back(the_case.name);
     }
@@ -48,10 +51,13 @@ class Selector {
       add_file(argument);
     } else if (is_glob(argument)) {
       add_matches(argument);
-    } else if (is_shipped_system(argument)) {
-      problems_.push_back(printable(argument) +
-                          " is a system; must be a case here: one body, and "
-                          "constants alone");
+    } else if (auto system = shipped_system(argument)) {
+      if (kinds_ == Kinds::cases_alone) {
+        problems_.push_back(printable(argument) +
+                            " is a system; must be a case here: one body, and "
+                            "constants alone");
+      }
+      add_system(std::move(*system), "a shipped system");
     } else {
       const std::string near = suggestion(argument, names_);
       problems_.push_back(
@@ -79,6 +85,7 @@ class Selector {
       for (Chosen& chosen : all) {
         result.cases.push_back(std::move(chosen.the_case));
       }
+      result.systems = std::move(systems_);
     }
     return result;
   }
@@ -118,12 +125,42 @@ class Selector {
       return;
     }
     read_.push_back(file);
-    CaseReading reading = read_case(path, taut_);
+    if (kinds_ == Kinds::cases_alone) {
+      CaseReading reading = read_case(path, taut_);
+      add_read(reading, path);
+      return;
+    }
+    SystemReading reading = read_system(path, taut_);
+    const bool is_case = reading.the_case.has_value();
+    add_read(reading, path);
+    if (!is_case && reading.system) {
+      if (!taut_.empty()) {
+        problems_.push_back(printable(path) + ": is a system; --taut is for cases alone");
+      }
+      add_system(std::move(*reading.system), printable(path));
+    }
+  }
+
+  /// The case of a reading, and all that is said of it.
+  template <class Reading>
+  void add_read(Reading& reading, const std::string& path) {
     if (reading.the_case) {
       files_.push_back({std::move(*reading.the_case), printable(path)});
     }
     problems_.insert(problems_.end(), reading.problems.begin(), reading.problems.end());
     notes_.insert(notes_.end(), reading.notes.begin(), reading.notes.end());
+  }
+
+  void add_system(System system, const std::string& source) {
+    const bool known = std::any_of(systems_.begin(), systems_.end(),
+                                   [&](const System& other) { return other.name == system.name; });
+    if (!known) {
+      systems_.push_back(std::move(system));
+    } else if (source != "a shipped system") {
+      problems_.push_back(source + ": name = \"" + printable(system.name) +
+                          "\" is also the name of another system; two systems of one selection "
+                          "must differ in name");
+    }
   }
 
   /// Results are kept by name, so two cases of one name cannot be told apart.
@@ -141,11 +178,13 @@ class Selector {
   }
 
   CableSet taut_;
+  Kinds kinds_;
   std::vector<Case> shipped_;
   std::vector<std::string> names_;  // of `shipped_`
   std::vector<bool> chosen_;        // of `shipped_`
   std::vector<fs::path> read_;      // files seen so far
   std::vector<Chosen> files_;
+  std::vector<System> systems_;
   std::vector<std::string> problems_;
   std::vector<std::string> notes_;
 };
@@ -190,8 +229,8 @@ std::string harmless(const std::string& name) {
 
 }  // namespace
 
-CaseSelection select_cases(std::span<const std::string> arguments, CableSet taut) {
-  Selector selector(taut);
+CaseSelection select_cases(std::span<const std::string> arguments, CableSet taut, Kinds kinds) {
+  Selector selector(taut, kinds);
   for (const std::string& argument : arguments) {
     selector.add(argument);
   }

@@ -30,7 +30,7 @@ std::string range(const Case& the_case, double Cable::*member) {
 
 std::string restitution(const Case& the_case) {
   const bool by_speed =
-      std::any_of(the_case.cables.begin(), the_case.cables.end(), depends_on_speed<double>);
+      std::any_of(the_case.cables.begin(), the_case.cables.end(), depends_on_speed<Cable>);
   return by_speed ? "e by speed" : "e = " + range(the_case, &Cable::restitution);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
@@ -21,6 +22,7 @@
 #include "bench/solution/sample_times.hpp"
 #include "bench/solution/samples.hpp"
 #include "bench/solution/solution_json.hpp"
+#include "bench/solution/system_text.hpp"
 #include "bench/solution/texts.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
@@ -47,6 +49,7 @@ struct SolveCommand {
   std::vector<std::string> plots;  // KIND=FILE, KIND or FILE: pictures
   std::string csv;                 // the same, for the samples
   bool events = false;             // print all of them
+  bool fast = false;               // of systems: without the solution in 30 digits
 };
 
 /// Everything `solve` says of a case beside its motion.
@@ -78,9 +81,25 @@ void print_solution(const SolveCommand& command, const Case& the_case, const Sol
              command.events ? tensions_text(the_case, solution, uncertainty, style) : "");
 }
 
-/// The cases that `command` means, with its overrides; none, after complaining of every one that is
-/// wrong, if one is.
-std::vector<Case> wanted_cases(const SolveCommand& command) {
+/// A sentence for each option of `command` that is for cases alone.
+std::vector<std::string> for_cases_alone(const SolveCommand& command) {
+  std::vector<std::string> result;
+  for (const auto& [option, is_there] :
+       {std::pair("--angle-limit", command.angle_limit.has_value()),
+        std::pair("--ceiling", command.ceiling.has_value()),
+        std::pair("--certify", command.certify), std::pair("--digits", command.digits.has_value()),
+        std::pair("--json", !command.json.empty()), std::pair("--plot", !command.plots.empty()),
+        std::pair("--taut", !command.taut.empty())}) {
+    if (is_there) {
+      result.push_back(fmt::format("{}: is for cases alone, not for systems", option));
+    }
+  }
+  return result;
+}
+
+/// The cases and systems that `command` means, with its overrides; none, after complaining of every
+/// one that is wrong, if one is.
+CaseSelection wanted_cases(const SolveCommand& command) {
   CableSet taut;
   std::vector<std::string> broken;
   for (const std::int64_t index : command.taut) {
@@ -90,7 +109,7 @@ std::vector<Case> wanted_cases(const SolveCommand& command) {
       taut.insert(static_cast<std::size_t>(index));
     }
   }
-  CaseSelection selection = select_cases(command.cases, taut);
+  CaseSelection selection = select_cases(command.cases, taut, Kinds::cases_and_systems);
   append(broken, selection.problems);
   complain(selection.notes);
   for (Case& found : selection.cases) {
@@ -102,10 +121,22 @@ std::vector<Case> wanted_cases(const SolveCommand& command) {
       broken.push_back(several ? printable(found.name) + ": " + sentence : sentence);
     }
   }
+  for (System& found : selection.systems) {
+    found.duration = command.until.value_or(found.duration);
+    for (const std::string& sentence : problems(found)) {
+      broken.push_back(printable(found.name) + ": " + sentence);
+    }
+  }
+  if (!selection.systems.empty()) {
+    append(broken, for_cases_alone(command));
+  } else if (command.fast && broken.empty()) {
+    broken.push_back("--fast: is for systems alone; cases have bounds of their errors without it");
+  }
   if (complain(broken)) {
     selection.cases.clear();
+    selection.systems.clear();
   }
-  return std::move(selection.cases);
+  return selection;
 }
 
 /// What is wrong with --certify, --digits and --decimal; none if nothing is.
@@ -169,10 +200,10 @@ std::vector<std::string> usage_problems(const SolveCommand& command) {
 }
 
 /// The times at which to sample each case, or what is wrong with them.
-SampleTimes times_for(const SolveCommand& command, const Case& the_case) {
+SampleTimes times_for(const SolveCommand& command, double duration) {
   SampleTimes result = times_at(command.at);
   if (command.every) {
-    SampleTimes regular = times_every(*command.every, the_case.duration);
+    SampleTimes regular = times_every(*command.every, duration);
     result.times.insert(result.times.end(), regular.times.begin(), regular.times.end());
     append(result.problems, regular.problems);
   }
@@ -186,23 +217,60 @@ int exit_code(Ending ending) {
   return given_up ? exit_failed : exit_done;
 }
 
+/// How `command` asks to solve.
+SolveOptions options_of(const SolveCommand& command) {
+  SolveOptions options;
+  options.law = command.law;
+  options.max_events = static_cast<std::size_t>(command.max_events);
+  options.max_steps = static_cast<std::size_t>(command.max_steps);
+  return options;
+}
+
+/// Solves one system of `command` and writes what is asked of it. Returns the exit code.
+int solve_one(const SolveCommand& command, const System& system) {
+  const CheckedMotion motion(system, options_of(command), !command.fast);
+  const double end = motion.solution().end_time();
+  std::vector<double> times = times_for(command, system.duration).times;
+  if (command.every) {
+    std::erase_if(times, [&](double time) { return time > end; });
+  }
+  if (complain(sample_problems(end, motion.solution().ending(), times_at(command.at).times))) {
+    return exit_usage;
+  }
+  if (!command.csv.empty()) {
+    write_output(file_for(command.csv, system.name), samples_csv(motion, times));
+  }
+  if (command.csv != "-") {
+    const TerminalStyle style = output_style();
+    const auto count = [](std::size_t number, const char* word) {
+      return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+    };
+    const std::string bodies =
+        system.bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", system.bodies.size());
+    fmt::print("{}: {}, {}, {}\n\n{}{}{}", printable(system.name), bodies,
+               count(system.cables.size(), "cable"),
+               count(motion.solution().events().size(), "event"),
+               wrapped_lines(system_text(motion), style.text),
+               command.csv.empty() ? samples_text(motion, times, style) : "",
+               events_text(motion, command.events, style));
+  }
+  return exit_code(motion.solution().ending());
+}
+
 /// Solves one case of `command` and writes what is asked of it, but for the JSON, which it returns.
 struct Solved {
   int code = exit_done;
   std::string json;
 };
 Solved solve_one(const SolveCommand& command, const Case& the_case, const std::string& argument) {
-  SolveOptions options;
-  options.law = command.law;
-  options.max_events = static_cast<std::size_t>(command.max_events);
-  options.max_steps = static_cast<std::size_t>(command.max_steps);
+  const SolveOptions options = options_of(command);
   const Solution solution = solve(the_case, options);
-  Extras extras{{}, std::nullopt, times_for(command, the_case).times};
+  Extras extras{{}, std::nullopt, times_for(command, the_case.duration).times};
   if (command.every) {  // it goes as far as the solution does
     std::erase_if(extras.times, [&](double time) { return time > solution.end_time(); });
   }
   std::vector<double> given = times_at(command.at).times;
-  if (complain(sample_problems(solution, given))) {
+  if (complain(sample_problems(solution.end_time(), solution.ending(), given))) {
     return {exit_usage, ""};
   }
   const int code = exit_code(solution.ending());
@@ -224,12 +292,12 @@ Solved solve_one(const SolveCommand& command, const Case& the_case, const std::s
     to_output = to_output || picture.file == "-";
     const std::string svg =
         picture.motion ? plot_motion_svg(the_case, solution) : plot_svg(the_case, solution);
-    write_output(file_for(picture.file, the_case), is_png(picture.file) ? png_of(svg) : svg);
+    write_output(file_for(picture.file, the_case.name), is_png(picture.file) ? png_of(svg) : svg);
   }
   if (!command.csv.empty()) {
     to_output = to_output || command.csv == "-";
     const Uncertainty uncertainty(the_case, solution, options);
-    write_output(file_for(command.csv, the_case),
+    write_output(file_for(command.csv, the_case.name),
                  samples_csv(the_case, solution, uncertainty, extras.times));
   }
   if (command.json.empty()) {
@@ -257,18 +325,26 @@ int solve_command(const SolveCommand& command) {
   if (complain(usage_problems(command))) {
     return exit_usage;
   }
-  const std::vector<Case> cases = wanted_cases(command);
-  if (cases.empty()) {
+  const CaseSelection selection = wanted_cases(command);
+  const std::vector<Case>& cases = selection.cases;
+  std::vector<std::string> names;
+  std::vector<std::string> broken;
+  for (const Case& the_case : cases) {
+    append(broken, times_for(command, the_case.duration).problems);
+    names.push_back(the_case.name);
+  }
+  for (const System& system : selection.systems) {
+    append(broken, times_for(command, system.duration).problems);
+    names.push_back(system.name);
+  }
+  if (names.empty()) {
     return exit_usage;
   }
-  std::vector<std::string> broken = file_problems(outputs_of(command), cases);
-  for (const Case& the_case : cases) {
-    append(broken, times_for(command, the_case).problems);
-  }
+  append(broken, file_problems(outputs_of(command), names));
   if (complain(broken)) {
     return exit_usage;
   }
-  const bool several = cases.size() > 1;
+  const bool several = names.size() > 1;
   int code = exit_done;
   std::string all;  // the JSON of every case, where it goes into one list
   for (const Case& the_case : cases) {
@@ -283,7 +359,19 @@ int solve_command(const SolveCommand& command) {
     if (several && !names_case(command.json)) {
       all += (all.empty() ? "[\n" : ",\n") + solved.json.substr(0, solved.json.size() - 1);
     } else {
-      write_output(file_for(command.json, the_case), solved.json);
+      write_output(file_for(command.json, the_case.name), solved.json);
+    }
+  }
+  for (const System& system : selection.systems) {
+    if (several && (!cases.empty() || &system != &selection.systems.front()) &&
+        command.csv != "-") {
+      fmt::print("\n");
+    }
+    try {
+      code = std::max(code, solve_one(command, system));
+    } catch (const std::invalid_argument& error) {  // a law that does not take it
+      complain({printable(system.name) + ": " + error.what()});
+      return exit_usage;
     }
   }
   if (!all.empty()) {
@@ -345,6 +433,9 @@ void add_solve(CLI::App& app, int& code) {
       fmt::format(
           "stop after this many steps of taut motion, and of springs within impacts (default: {})",
           asked->max_steps));
+  command->add_flag("--fast", asked->fast,
+                    "of systems: leave out the solution in 30 digits, which says how far the "
+                    "doubles are right");
   command->add_flag("--events", asked->events,
                     "print all events, not the first 20, and the least and largest tensions");
   command->footer(

@@ -14,11 +14,11 @@ namespace tautline::bench {
 
 bool names_case(const std::string& file) { return file.find(case_mark) != std::string::npos; }
 
-std::string file_for(const std::string& file, const Case& the_case) {
+std::string file_for(const std::string& file, const std::string& case_name) {
   std::string result = file;
   const std::size_t at = result.find(case_mark);
   if (at != std::string::npos) {
-    std::string name = folder_name(the_case.name).string();
+    std::string name = folder_name(case_name).string();
     std::replace(name.begin(), name.end(), '/', '-');
     result.replace(at, std::string(case_mark).size(), name);
   }
@@ -26,7 +26,7 @@ std::string file_for(const std::string& file, const Case& the_case) {
 }
 
 std::vector<std::string> file_problems(const std::vector<OutputFile>& files,
-                                       const std::vector<Case>& cases) {
+                                       const std::vector<std::string>& cases) {
   std::vector<std::string> result;
   std::map<std::string, std::string> writers;  // option by file
   const bool several = cases.size() > 1;
@@ -40,8 +40,8 @@ std::vector<std::string> file_problems(const std::vector<OutputFile>& files,
       continue;
     }
     std::vector<std::string> names;
-    for (const Case& the_case : cases) {
-      names.push_back(file_for(output.file, the_case));
+    for (const std::string& one : cases) {
+      names.push_back(file_for(output.file, one));
     }
     names.erase(std::unique(names.begin(), names.end()), names.end());  // one list of all
     for (const std::string& name : names) {

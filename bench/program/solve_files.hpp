@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "tautline/case.hpp"
-
 namespace tautline::bench {
 
 // The names of the files that `tautline solve` writes.
@@ -22,13 +20,13 @@ inline constexpr const char* case_mark = "{case}";
 /// True if the name of `file` has it.
 [[nodiscard]] bool names_case(const std::string& file);
 
-/// The file of one case. Its name means "{case}", with "-" for "/".
-[[nodiscard]] std::string file_for(const std::string& file, const Case& the_case);
+/// The file of the case of this name, which "{case}" means, with "-" for "/".
+[[nodiscard]] std::string file_for(const std::string& file, const std::string& case_name);
 
-/// What is wrong with `files` for `cases`: several cases would write one file, or two options the
-/// same.
+/// What is wrong with `files` for the cases of these names: several cases would write one file, or
+/// two options the same.
 [[nodiscard]] std::vector<std::string> file_problems(const std::vector<OutputFile>& files,
-                                                     const std::vector<Case>& cases);
+                                                     const std::vector<std::string>& cases);
 
 /// True if `file` is to be a PNG picture, by its name; else it is SVG.
 [[nodiscard]] bool is_png(const std::string& file);

@@ -127,7 +127,7 @@ class Pair {
   const BasicCase<Multi>& case_;
   const Solution& one_;
   const BasicSolution<BasicCase<Multi>>& other_;
-  Alignment alignment_;
+  Alignment<Case, BasicCase<Multi>> alignment_;
   Multi length_ = 0;  // [m], of the shortest cable
   Multi speed_ = 0;   // [m/s], the fastest of the body's points
 };

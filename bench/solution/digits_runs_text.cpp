@@ -42,7 +42,7 @@ std::string samples_of(const Case& the_case, const DigitsRun& few, const DigitsR
                        const std::optional<NumberTie>& tie, const ManyDigits& asked,
                        const TerminalStyle& style) {
   const std::size_t longest_number = static_cast<std::size_t>(asked.digits) + 8;  // [columns]
-  return samples_table(the_case, asked.at, longest_number, style, [&](double time) {
+  return samples_table(sample_names(the_case), asked.at, longest_number, style, [&](double time) {
     std::vector<std::string> result;
     if ((tie && time >= tie->time) || time > few.solution.end_time() ||
         time > many.solution.end_time()) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/solution/cable_words.hpp"
+#include "bench/solution/ending_words.hpp"
 #include "bench/solution/right_digits.hpp"
 #include "tautline/detail/ledger.hpp"
 #include "tautline/geometry.hpp"
@@ -101,56 +102,27 @@ class Summary {
           "spin.",
           since_when(), duration);
     }
-    return fmt::format("The body is at rest from {} until the end, t = {}.", since_when(),
-                       duration);
+    return bench::ending_sentence(Ending::rest, 1, since_when(), duration, 0);
   }
 
   /// What an ending means, in a sentence.
   [[nodiscard]] std::string ending_sentence() const {
     const std::string end = instant(solution_.end_time(), errors_.end_time, 3);
+    const auto number_of = [](const Real& value) { return shortest(static_cast<double>(value)); };
     switch (solution_.ending()) {
-      case Ending::reached_duration:
-        return fmt::format("The run reached its duration, t = {}.",
-                           shortest(static_cast<double>(case_.duration)));
       case Ending::rest:
         return resting_sentence();
-      case Ending::unstable_rest:
-        return fmt::format(
-            "The body stands still from {} until the end, t = {}, at an unstable equilibrium: the "
-            "smallest push would move it.",
-            since_when(), shortest(static_cast<double>(case_.duration)));
-      case Ending::locked:
-        return fmt::format("The run ended at {}, after its swing had turned twice.", end);
-      case Ending::singular:
-        return fmt::format(
-            "Stopped at {}: the touching cables are so nearly in one line there that their "
-            "tensions "
-            "or impulses cannot be computed.",
-            end);
       case Ending::angle_limit:
-        return fmt::format("|angle| reached the limit {} at {}.",
-                           shortest(static_cast<double>(*case_.angle_limit)), end);
-      case Ending::ceiling:
-        return fmt::format("An attachment reached the ceiling {} at {}.",
-                           shortest(static_cast<double>(*case_.ceiling)), end);
-      case Ending::event_limit:
-        return fmt::format(
-            "Stopped at {}: the run reached the limit of {} events; --max-events raises it.", end,
-            solution_.events().size());
-      case Ending::step_limit:
-        return fmt::format(
-            "Stopped at {}: the run reached the limit of steps of taut motion, and of springs "
-            "within "
-            "impacts, before t = {}; --max-steps raises it.",
-            end, shortest(static_cast<double>(case_.duration)));
-      case Ending::no_progress:
-        return fmt::format(
-            "Stopped at {}: one event follows another there, and time does not advance.", end);
-      case Ending::overflow:
-        return fmt::format("Stopped at {}: after it the motion has numbers too large for a double.",
+        return fmt::format("|angle| reached the limit {} at {}.", number_of(*case_.angle_limit),
                            end);
+      case Ending::ceiling:
+        return fmt::format("An attachment reached the ceiling {} at {}.", number_of(*case_.ceiling),
+                           end);
+      default:
+        return bench::ending_sentence(
+            solution_.ending(), 1, solution_.ending() == Ending::unstable_rest ? since_when() : end,
+            number_of(case_.duration), solution_.events().size());
     }
-    return "";
   }
 
   [[nodiscard]] std::string last_impacts_sentence() const {

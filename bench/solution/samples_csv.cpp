@@ -6,22 +6,121 @@
 #include "bench/data/coordinates.hpp"
 #include "bench/solution/right_digits.hpp"
 #include "bench/solution/samples.hpp"
+#include "bench/solution/system_text.hpp"
 
 namespace tautline::bench {
 namespace {
 
 constexpr int digits_of_double = 17;
 
+/// A row of numbers at an instant, in the order of the columns.
+struct Row {
+  Bounded time;
+  std::vector<Bounded> numbers;
+};
+
+/// The rows of a case.
+class CaseRows {
+ public:
+  CaseRows(const Case& the_case, const Solution& solution, const Uncertainty& uncertainty)
+      : case_(the_case), solution_(solution), uncertainty_(uncertainty) {}
+
+  [[nodiscard]] const auto& events() const { return solution_.events(); }
+  [[nodiscard]] std::size_t cables() const { return case_.cables.size(); }
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const auto& one : coordinates(case_.initial)) {
+      result.emplace_back(one.name);
+    }
+    return result;
+  }
+  [[nodiscard]] Row at(double time) const {
+    return row(sample_at(case_, solution_, uncertainty_, time));
+  }
+  [[nodiscard]] Row at_event(std::size_t index, Side side) const {
+    return row(sample_at_event(case_, solution_, uncertainty_, index, side));
+  }
+  [[nodiscard]] std::vector<Bounded> impulses(std::size_t index) const {
+    const Event& event = solution_.events()[index];
+    const auto& errors = uncertainty_.events()[index];
+    std::vector<Bounded> result;
+    for (Eigen::Index place = 0; place < event.impulses.size(); ++place) {
+      result.push_back({event.impulses[place], errors ? errors->impulses[place] : -1.0});
+    }
+    return result;
+  }
+
+ private:
+  static Row row(const MotionSample& sample) {
+    Row result{sample.time, bounded(sample.state, sample.errors)};
+    result.numbers.push_back(sample.energy);
+    for (const Bounded CableSample::*member :
+         {&CableSample::gap, &CableSample::gap_rate, &CableSample::tension}) {
+      for (const CableSample& cable : sample.cables) {
+        result.numbers.push_back(cable.*member);
+      }
+    }
+    return result;
+  }
+
+  const Case& case_;
+  const Solution& solution_;
+  const Uncertainty& uncertainty_;
+};
+
+/// The rows of a system.
+class SystemRows {
+ public:
+  explicit SystemRows(const CheckedMotion& motion) : motion_(motion) {}
+
+  [[nodiscard]] const auto& events() const { return motion_.solution().events(); }
+  [[nodiscard]] std::size_t cables() const { return motion_.system().cables.size(); }
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const NamedNumber& one : motion_.names()) {
+      if (one.is_of_a_body) {
+        result.push_back(one.name);
+        std::replace(result.back().begin(), result.back().end(), ' ', '_');
+      }
+    }
+    return result;
+  }
+  [[nodiscard]] Row at(double time) const { return row({time, 0.0}, motion_.at(time)); }
+  [[nodiscard]] Row at_event(std::size_t index, Side side) const {
+    return row(motion_.time(index), motion_.at_event(index, side));
+  }
+  [[nodiscard]] std::vector<Bounded> impulses(std::size_t index) const {
+    return motion_.impulses(index);
+  }
+
+ private:
+  /// `numbers` in the order of the columns.
+  [[nodiscard]] Row row(const Bounded& time, const std::vector<Bounded>& numbers) const {
+    constexpr std::size_t of_cable = 3;  // gap, its rate, tension
+    const std::size_t first = numbers.size() - 1 - of_cable * cables();
+    Row result{time, {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(first)}};
+    result.numbers.push_back(numbers.back());
+    for (std::size_t which = 0; which < of_cable; ++which) {
+      for (std::size_t cable = 0; cable < cables(); ++cable) {
+        result.numbers.push_back(numbers[first + of_cable * cable + which]);
+      }
+    }
+    return result;
+  }
+
+  const CheckedMotion& motion_;
+};
+
+template <class Rows>
 class Csv {
  public:
-  Csv(const Case& the_case, const Solution& solution, const Uncertainty& uncertainty)
-      : case_(the_case), solution_(solution), uncertainty_(uncertainty) {}
+  explicit Csv(const Rows& rows) : rows_(rows) {}
 
   std::string text(std::span<const double> times) {
     head();
     std::vector<double> sorted(times.begin(), times.end());
     std::sort(sorted.begin(), sorted.end());
-    const auto& events = solution_.events();
+    const auto& events = rows_.events();
     std::size_t event = 0;
     while (!sorted.empty() && event < events.size() && events[event].time < sorted.front()) {
       ++event;
@@ -33,7 +132,7 @@ class Csv {
         std::optional<std::size_t> first;
         std::size_t last = event;
         for (; event < events.size() && events[event].time == instant; ++event) {
-          if (jumps(events[event])) {
+          if (jumps(event)) {
             first = first.value_or(event);
             last = event;
           }
@@ -44,7 +143,7 @@ class Csv {
         }
       }
       if (!told) {
-        row(sample_at(case_, solution_, uncertainty_, time), "", nullptr);
+        row(rows_.at(time), "", nullptr);
       }
     }
     return std::move(out_);
@@ -52,18 +151,19 @@ class Csv {
 
  private:
   /// An impact, and the completion of an accumulation of impacts.
-  static bool jumps(const Event& event) {
+  [[nodiscard]] bool jumps(std::size_t index) const {
+    const auto& event = rows_.events()[index];
     return event.kind == EventKind::impact || !event.impulses.isZero(0.0);
   }
 
   void head() {
     out_ = "time,event";
-    for (const auto& one : coordinates(case_.initial)) {
-      out_ += fmt::format(",{}", one.name);
+    for (const std::string& name : rows_.names()) {
+      out_ += "," + name;
     }
     out_ += ",energy";
     for (const char* name : {"gap", "gap_rate", "tension", "impulse"}) {
-      for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+      for (std::size_t index = 0; index < rows_.cables(); ++index) {
         out_ += fmt::format(",{}_{}", name, index);
       }
     }
@@ -77,47 +177,38 @@ class Csv {
 
   /// The impacts of one instant, events `first` to `last`: one state before them and one after.
   void impacts(std::size_t first, std::size_t last) {
-    row(sample_at_event(case_, solution_, uncertainty_, first, Side::before), "before impact",
-        nullptr);
-    std::vector<Bounded> impulses(case_.cables.size(), Bounded{0.0, 0.0});
+    row(rows_.at_event(first, Side::before), "before impact", nullptr);
+    std::vector<Bounded> impulses(rows_.cables(), Bounded{0.0, 0.0});
     for (std::size_t index = first; index <= last; ++index) {
-      if (jumps(solution_.events()[index])) {
+      if (jumps(index)) {
         add_impulses(index, impulses);
       }
     }
-    row(sample_at_event(case_, solution_, uncertainty_, last, Side::after), "after impact",
-        &impulses);
+    row(rows_.at_event(last, Side::after), "after impact", &impulses);
   }
 
   void add_impulses(std::size_t index, std::vector<Bounded>& impulses) const {
-    const Event& event = solution_.events()[index];
-    const auto& errors = uncertainty_.events()[index];
-    Eigen::Index place = 0;
-    for (const std::size_t cable : event.cables) {
+    const std::vector<Bounded> more = rows_.impulses(index);
+    std::size_t place = 0;
+    for (const std::size_t cable : rows_.events()[index].cables) {
       Bounded& sum = impulses[cable];
-      sum.value += std::max(0.0, event.impulses[place]);
+      sum.value += std::max(0.0, more[place].value);
       // an error below 0 is not known
-      sum.error = errors && sum.error >= 0.0 ? sum.error + errors->impulses[place] : -1.0;
+      sum.error =
+          more[place].error >= 0.0 && sum.error >= 0.0 ? sum.error + more[place].error : -1.0;
       ++place;
     }
   }
 
-  void row(const MotionSample& sample, const char* event, const std::vector<Bounded>* impulses) {
+  void row(const Row& sample, const char* event, const std::vector<Bounded>* impulses) {
     const std::string time = right_general(sample.time.value, sample.time.error, digits_of_double);
     out_ += (sample.time.error == 0.0 ? shortest(sample.time.value) : time == dash ? "" : time);
     out_ += ",";
     out_ += event;
-    for (const Bounded& one : bounded(sample.state, sample.errors)) {
+    for (const Bounded& one : sample.numbers) {
       number(one);
     }
-    number(sample.energy);
-    for (const Bounded CableSample::*member :
-         {&CableSample::gap, &CableSample::gap_rate, &CableSample::tension}) {
-      for (const CableSample& cable : sample.cables) {
-        number(cable.*member);
-      }
-    }
-    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
+    for (std::size_t index = 0; index < rows_.cables(); ++index) {
       if (impulses == nullptr) {
         out_ += ",";
       } else {
@@ -127,9 +218,7 @@ class Csv {
     out_ += "\n";
   }
 
-  const Case& case_;
-  const Solution& solution_;
-  const Uncertainty& uncertainty_;
+  const Rows& rows_;
   std::string out_;
 };
 
@@ -137,7 +226,11 @@ class Csv {
 
 std::string samples_csv(const Case& the_case, const Solution& solution,
                         const Uncertainty& uncertainty, std::span<const double> times) {
-  return Csv(the_case, solution, uncertainty).text(times);
+  return Csv(CaseRows(the_case, solution, uncertainty)).text(times);
+}
+
+std::string samples_csv(const CheckedMotion& motion, std::span<const double> times) {
+  return Csv(SystemRows(motion)).text(times);
 }
 
 }  // namespace tautline::bench

@@ -33,17 +33,20 @@ std::string cell(const Bounded& one, int digits) {
 
 }  // namespace
 
-std::string samples_table(const Case& the_case, std::span<const double> times,
+std::string samples_table(const std::vector<std::string>& names, std::span<const double> times,
                           std::size_t longest_number, const TerminalStyle& style,
                           const std::function<std::vector<std::string>(double)>& numbers_at) {
-  constexpr std::size_t longest_name = 10;  // [columns], "gap rate 0"
+  std::size_t longest_name = 0;  // [columns]
+  for (const std::string& name : names) {
+    longest_name = std::max(longest_name, name.size());
+  }
   const std::size_t room = std::max(style.width, longest_name) - longest_name;
   const std::size_t fit = std::max<std::size_t>(1, room / (longest_number + 2));
   std::string result;
   for (std::size_t first = 0; first < times.size(); first += fit) {
     std::vector<std::string> headings = {"sample at"};
     std::vector<std::vector<std::string>> rows;
-    for (const std::string& name : sample_names(the_case)) {
+    for (const std::string& name : names) {
       rows.push_back({name});
     }
     for (std::size_t index = first; index < std::min(times.size(), first + fit); ++index) {
@@ -66,7 +69,7 @@ std::string samples_text(const Case& the_case, const Solution& solution,
                          const Uncertainty& uncertainty, const std::vector<double>& times,
                          const TerminalStyle& style) {
   constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
-  return samples_table(the_case, times, longest_number, style, [&](double time) {
+  return samples_table(sample_names(the_case), times, longest_number, style, [&](double time) {
     const MotionSample sample = sample_at(the_case, solution, uncertainty, time);
     std::vector<std::string> result;
     if (sample.errors) {

@@ -290,14 +290,13 @@ void fields(Visitor& visit, SolutionRow& solution) {
   visit.if_any("certificate", solution.certificate);
 }
 
-std::vector<std::string> sample_problems(const Solution& solution,
+std::vector<std::string> sample_problems(double end, Ending ending,
                                          std::span<const double> sample_times) {
   std::vector<std::string> result;
   for (const double time : sample_times) {
-    if (!(time >= 0.0 && time <= solution.end_time())) {
-      result.push_back("sample time " + shortest(time) + " is outside [0, " +
-                       shortest(solution.end_time()) + "]: the solution ends there (" +
-                       std::string(to_string(solution.ending())) + ")");
+    if (!(time >= 0.0 && time <= end)) {
+      result.push_back("sample time " + shortest(time) + " is outside [0, " + shortest(end) +
+                       "]: the solution ends there (" + std::string(to_string(ending)) + ")");
     }
   }
   return result;

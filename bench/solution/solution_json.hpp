@@ -19,9 +19,8 @@ inline constexpr std::int32_t solution_schema = 4;
 /// The schema of `solution_json`: the meaning and the unit of each of its members.
 [[nodiscard]] std::string solution_schema_json();
 
-/// One sentence for each of `sample_times` at which the solution has no state: outside
-/// [0, end_time()].
-[[nodiscard]] std::vector<std::string> sample_problems(const Solution& solution,
+/// One sentence for each of `sample_times` at which a solution that ends at `end` [s] has no state.
+[[nodiscard]] std::vector<std::string> sample_problems(double end, Ending ending,
                                                        std::span<const double> sample_times);
 
 /// What `tautline solve --json` writes, as `solution_schema_json` describes it. Each value, event

@@ -5,108 +5,13 @@
 
 #include "tautline/detail/projection.hpp"
 #include "tautline/detail/rounding.hpp"
+#include "tautline/detail/tension_extremes.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {
 namespace {
-
-/// A tension that differs less than this from another is the same one [-]: an extreme that comes
-/// again in each swing is told where it is first.
-constexpr double same_tension = 1e-12;
-
-/// Looks for the extremes of the tension of one cable over the arcs of a phase.
-class Extremes {
- public:
-  Extremes(const Solution& solution, std::size_t cable) : solution_(solution), cable_(cable) {}
-
-  void look_at(const Arc& arc) {
-    // an arc is a quarter of the radius of convergence long: its tension turns once or twice
-    constexpr int parts = 8;
-    const double step = (arc.end - arc.start) / parts;
-    double before = tension(arc, 0.0);
-    take(arc, 0.0, before);
-    double here = before;
-    for (int k = 1; k <= parts && step > 0.0; ++k) {
-      const double dt = k * step;
-      const double next = tension(arc, dt);
-      take(arc, dt, next);
-      if (k > 1 && (here - before) * (next - here) < 0.0) {
-        refine(arc, dt - 2.0 * step, dt, here < before);
-      }
-      before = here;
-      here = next;
-    }
-    // a turn within the first or the last part shows at its end alone
-    if (step > 0.0) {
-      for (const bool least : {true, false}) {
-        refine(arc, 0.0, step, least);
-        refine(arc, (parts - 1) * step, parts * step, least);
-      }
-    }
-  }
-
-  struct Found {
-    const Arc* arc = nullptr;
-    double dt = 0.0;
-    double tension = 0.0;
-  };
-  [[nodiscard]] const Found& least() const { return least_; }
-  [[nodiscard]] const Found& largest() const { return largest_; }
-
- private:
-  [[nodiscard]] double tension(const Arc& arc, double dt) const {
-    return solution_.tensions(arc, dt)[static_cast<Eigen::Index>(cable_)];
-  }
-
-  void take(const Arc& arc, double dt, double value) {
-    const double same = same_tension * std::max(largest_.tension, value);
-    if (least_.arc == nullptr || value < least_.tension - same) {
-      least_ = {&arc, dt, value};
-    }
-    if (largest_.arc == nullptr || value > largest_.tension + same) {
-      largest_ = {&arc, dt, value};
-    }
-  }
-
-  /// By golden sections; where there is no extreme inside, it comes to an end.
-  void refine(const Arc& arc, double low, double high, bool least) {
-    constexpr double golden = 0.6180339887498949;
-    const double sign = least ? 1.0 : -1.0;
-    double a = high - golden * (high - low);
-    double b = low + golden * (high - low);
-    double at_a = sign * tension(arc, a);
-    double at_b = sign * tension(arc, b);
-    const double known = least ? least_.tension : -largest_.tension;
-    const double promise = 2.0 * std::abs(at_a - at_b) + same_tension * std::abs(known);
-    if (std::min(at_a, at_b) > known + promise) {
-      return;  // not near the best so far
-    }
-    constexpr int enough = 40;  // to the root of rounding
-    for (int k = 0; k < enough; ++k) {
-      if (at_a < at_b) {
-        high = b;
-        b = a;
-        at_b = at_a;
-        a = high - golden * (high - low);
-        at_a = sign * tension(arc, a);
-      } else {
-        low = a;
-        a = b;
-        at_a = at_b;
-        b = low + golden * (high - low);
-        at_b = sign * tension(arc, b);
-      }
-    }
-    take(arc, a, sign * at_a);
-  }
-
-  const Solution& solution_;
-  std::size_t cable_;
-  Found least_;
-  Found largest_;
-};
 
 /// The error of the instant of an event; 0 for the start and the end of the solution.
 double event_error(const Solution& solution, const Uncertainty& uncertainty, double time) {
@@ -123,7 +28,7 @@ double event_error(const Solution& solution, const Uncertainty& uncertainty, dou
 /// An extreme of an arc with its errors.
 TensionAt with_errors(const Case& the_case, const Solution& solution,
                       const Uncertainty& uncertainty, const TautPhase& phase,
-                      const Extremes::Found& found) {
+                      const TensionExtremes<Case>::Found& found) {
   const Arc& arc = *found.arc;
   const double from = phase.from.value;
   const double until = phase.until.value;
@@ -168,7 +73,7 @@ std::vector<TautPhase> taut_phases(const Case& the_case, const Solution& solutio
       }
       std::size_t last = first;
       bool indeterminate = false;
-      Extremes extremes(solution, cable);
+      TensionExtremes<Case> extremes(solution, cable);
       CableSet seen;
       for (; last < arcs.size() && arcs[last].taut.contains(cable); ++last) {
         extremes.look_at(arcs[last]);

@@ -33,10 +33,11 @@ namespace tautline::bench {
 
 /// Samples after an empty line, a column for each of `times`, as many beside each other as fit
 /// where a number has up to `longest_number` columns. `numbers_at` a time gives the cells in the
-/// order of `sample_names`, none beyond the horizon.
+/// order of `names`, none beyond the horizon.
 [[nodiscard]] std::string samples_table(
-    const Case& the_case, std::span<const double> times, std::size_t longest_number,
-    const TerminalStyle& style, const std::function<std::vector<std::string>(double)>& numbers_at);
+    const std::vector<std::string>& names, std::span<const double> times,
+    std::size_t longest_number, const TerminalStyle& style,
+    const std::function<std::vector<std::string>(double)>& numbers_at);
 
 /// Events below a summary, unless all are asked for.
 inline constexpr std::size_t most_events = 20;

@@ -200,7 +200,7 @@ TEST(SolutionJson, SampleOutsideTheSolutionIsNamedWithItsEnd) {
                                      std::numeric_limits<double>::quiet_NaN()};
   const std::string rest = " is outside [0, 0.75]: the solution ends there (reached_duration)";
   EXPECT_EQ(
-      sample_problems(solution, times),
+      sample_problems(solution.end_time(), solution.ending(), times),
       (Strings{"sample time 1.25" + rest, "sample time -1" + rest, "sample time nan" + rest}));
   EXPECT_THROW(static_cast<void>(solution_json(the_case, {}, solution, {}, times, {})),
                std::out_of_range);

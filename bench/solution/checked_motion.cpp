@@ -1,0 +1,315 @@
+#include "bench/solution/checked_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bench/data/coordinates.hpp"
+#include "bench/solution/certify_events.hpp"
+#include "tautline/multiprecision.hpp"
+#include "tautline/system_geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Two solutions part where their states differ by this part of the system's sizes [-]: a thousand
+/// times less than what would send a cable another way, and far more than what grows no further.
+constexpr double parted = 1e-4;
+
+/// The error of completed accumulations in 30 digits, below that of doubles [-].
+constexpr double completion_error = 1e-24;
+
+/// The name of body `index` in tables.
+std::string name_of(const System& system, std::size_t index) {
+  const std::string& name = system.bodies[index].name;
+  if (system.bodies.size() == 1) {
+    return "";
+  }
+  return name.empty() ? fmt::format("body {} ", index) : name + " ";
+}
+
+/// The numbers of a sample in the order of `names`.
+template <class Real>
+std::vector<Real> numbers_of(const BasicSystem<Real, 2>& system,
+                             const BasicSystemState<Real, 2>& state, CableSet taut,
+                             const BasicCableVector<Real>& tensions) {
+  std::vector<Real> result;
+  for (const auto& body : state.bodies) {
+    for (const auto& one : coordinates(body)) {
+      result.push_back(one.value);
+    }
+  }
+  for (std::size_t i = 0; i < system.cables.size(); ++i) {
+    const auto& cable = system.cables[i];
+    result.push_back(taut.contains(i) ? Real(0) : gap(cable, state));
+    result.push_back(taut.contains(i) ? Real(0) : gap_rate(cable, state));
+    result.push_back(tensions[static_cast<Eigen::Index>(i)]);
+  }
+  result.push_back(energy(system, state));
+  return result;
+}
+
+/// The tension of all cables, none of them taut.
+template <class Real>
+BasicCableVector<Real> no_tensions(const BasicSystem<Real, 2>& system) {
+  return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(system.cables.size()));
+}
+
+template <class Real>
+std::vector<Real> numbers_at(const BasicSystem<Real, 2>& system,
+                             const BasicSolution<BasicSystem<Real, 2>>& solution,
+                             const Real& time) {
+  const auto& arc = solution.arcs()[solution.place(time).arc];
+  return numbers_of(system, solution.at(time), arc.taut, solution.tensions(time));
+}
+
+/// They on one side of event `index`.
+template <class Real>
+std::vector<Real> numbers_at(const BasicSystem<Real, 2>& system,
+                             const BasicSolution<BasicSystem<Real, 2>>& solution, std::size_t index,
+                             Side side) {
+  const auto& event = solution.events()[index];
+  const auto& arcs = solution.arcs();
+  if (side == Side::after) {
+    const auto& arc = arcs[solution.place(event.time).arc];
+    return numbers_of(system, event.after, arc.taut, solution.tensions(event.time));
+  }
+  const auto next =
+      std::lower_bound(arcs.begin(), arcs.end(), event.time,
+                       [](const auto& arc, const Real& time) { return arc.start < time; });
+  if (next == arcs.begin()) {
+    return numbers_of(system, event.before, CableSet(), no_tensions(system));
+  }
+  const auto& last = *std::prev(next);
+  return numbers_of(system, event.before, last.taut,
+                    solution.tensions(last, Real(last.end - last.start)));
+}
+
+/// How far the states of two solutions are apart [-].
+double distance(const System& system, const SystemState& one,
+                const BasicSystemState<Multi, 2>& other) {
+  double length = 0.0;
+  double speed = 0.0;
+  for (const CableOfSystem& cable : system.cables) {
+    length = std::max(length, cable.length.at(one.time)[0]);
+  }
+  for (const State& body : one.bodies) {
+    length = length > 0.0 ? length : body.position.norm();
+    speed = std::max({speed, body.velocity.norm(), std::abs(body.spin) * length});
+  }
+  double result = 0.0;
+  for (std::size_t i = 0; i < one.bodies.size(); ++i) {
+    const State& a = one.bodies[i];
+    const BasicState<Multi>& b = other.bodies[i];
+    const auto off = [](double x, const Multi& y) {
+      return std::abs(static_cast<double>(Multi(x - y)));
+    };
+    for (int axis = 0; axis < 2; ++axis) {
+      result = std::max(result, off(a.position[axis], b.position[axis]) / std::max(length, 1e-300));
+      result = std::max(result, off(a.velocity[axis], b.velocity[axis]) / std::max(speed, 1e-300));
+    }
+    result = std::max(result, off(a.angle, b.angle));
+    result = std::max(result, off(a.spin, b.spin) * length / std::max(speed, 1e-300));
+  }
+  return result;
+}
+
+/// The difference of two numbers, rounded up.
+double apart(double one, const Multi& other) {
+  if (!std::isfinite(one)) {
+    return -1.0;
+  }
+  const double difference = std::abs(static_cast<double>(Multi(one - other)));
+  return std::nextafter(difference, HUGE_VAL);
+}
+
+double apart(const std::optional<double>& one, const std::optional<Multi>& other) {
+  return one && other ? apart(*one, *other) : one || other ? -1.0 : 0.0;
+}
+
+/// Numbers with how far they agree with `others`; none of them does without.
+std::vector<Bounded> bounded(const std::vector<double>& numbers, const std::vector<Multi>& others) {
+  std::vector<Bounded> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    result.push_back({numbers[i], others.empty() ? -1.0 : apart(numbers[i], others[i])});
+  }
+  return result;
+}
+
+}  // namespace
+
+struct CheckedMotion::InDigits {
+  BasicSystem<Multi, 2> system;
+  BasicSolution<BasicSystem<Multi, 2>> solution;
+  BasicSystemSettling<Multi> settling;
+  BasicSystemLedger<Multi> ledger;
+};
+
+CheckedMotion::CheckedMotion(System system, const SolveOptions& options, bool checked)
+    : system_(std::move(system)),
+      options_(options),
+      solution_(solve(system_, options_)),
+      settling_(tautline::settling(system_, solution_)),
+      ledger_(energy_ledger(system_, solution_)) {
+  if (!checked) {
+    horizon_ = 0.0;
+    return;
+  }
+  const tautline::Digits precision(digits_of_systems);
+  SolveOptions sharper = options_;
+  sharper.completion = {.error = completion_error, .speed = std::nullopt};
+  auto many = converted<Multi>(system_);
+  auto solution = solve(many, sharper);
+  auto settled = tautline::settling(many, solution);
+  auto ledger = energy_ledger(many, solution);
+  digits_ = std::make_unique<InDigits>(std::move(many), std::move(solution), std::move(settled),
+                                       std::move(ledger));
+  align();
+}
+
+CheckedMotion::~CheckedMotion() = default;
+
+void CheckedMotion::align() {
+  const Alignment alignment(solution_, digits_->solution);
+  same_.resize(solution_.events().size());
+  const auto& others = digits_->solution.events();
+  double last = 0.0;
+  for (const auto& [mine, other] : alignment.places()) {
+    if (mine == 0) {
+      continue;
+    }
+    const auto& event = solution_.events()[mine - 1];
+    const auto& same = others[other - 1];
+    if (apart(event.time, same.time) > parted * std::max(event.time, 1e-300) ||
+        distance(system_, event.after, same.after) > parted) {
+      horizon_ = last;
+      return;
+    }
+    same_[mine - 1] = other - 1;
+    last = event.time;
+  }
+  if (!alignment.match().all || solution_.ending() != digits_->solution.ending()) {
+    horizon_ = last;
+  }
+}
+
+std::optional<std::size_t> CheckedMotion::same_event(std::size_t index) const {
+  return index < same_.size() ? same_[index] : std::nullopt;
+}
+
+SystemLedger CheckedMotion::ledger_errors() const {
+  SystemLedger errors{-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0};
+  if (digits_ && !horizon_) {
+    for (const auto& [member, same] :
+         {std::pair(&SystemLedger::start, &BasicSystemLedger<Multi>::start),
+          std::pair(&SystemLedger::work, &BasicSystemLedger<Multi>::work),
+          std::pair(&SystemLedger::impacts, &BasicSystemLedger<Multi>::impacts),
+          std::pair(&SystemLedger::completions, &BasicSystemLedger<Multi>::completions),
+          std::pair(&SystemLedger::end, &BasicSystemLedger<Multi>::end)}) {
+      errors.*member = apart(ledger_.*member, digits_->ledger.*same);
+    }
+  }
+  return errors;
+}
+
+std::vector<NamedNumber> CheckedMotion::names() const {
+  std::vector<NamedNumber> result;
+  for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
+    for (const auto& one : coordinates(system_.initial.bodies[i])) {
+      result.push_back({name_of(system_, i) + one.name, one.unit, true});
+    }
+  }
+  for (std::size_t i = 0; i < system_.cables.size(); ++i) {
+    result.push_back({fmt::format("gap {}", i), "m", false});
+    result.push_back({fmt::format("gap rate {}", i), "m/s", false});
+    result.push_back({fmt::format("tension {}", i), "N", false});
+  }
+  result.push_back({"energy", "J", false});
+  return result;
+}
+
+std::vector<Bounded> CheckedMotion::at(double time) const {
+  const std::vector<double> mine = numbers_at(system_, solution_, time);
+  const bool sure = digits_ && !(horizon_ && time >= *horizon_);
+  if (!sure || Multi(time) > digits_->solution.end_time()) {
+    return bounded(mine, {});
+  }
+  const tautline::Digits precision(digits_of_systems);
+  return bounded(mine, numbers_at(digits_->system, digits_->solution, Multi(time)));
+}
+
+std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const {
+  const std::vector<double> mine = numbers_at(system_, solution_, index, side);
+  const auto same = same_event(index);
+  if (!same) {
+    return bounded(mine, {});
+  }
+  const tautline::Digits precision(digits_of_systems);
+  return bounded(mine, numbers_at(digits_->system, digits_->solution, *same, side));
+}
+
+Bounded CheckedMotion::time(std::size_t index) const {
+  const double mine = solution_.events()[index].time;
+  const auto same = same_event(index);
+  return {mine, same ? apart(mine, digits_->solution.events()[*same].time) : -1.0};
+}
+
+std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
+  const CableVector& mine = solution_.events()[index].impulses;
+  const auto same = same_event(index);
+  std::vector<Bounded> result;
+  for (Eigen::Index row = 0; row < mine.size(); ++row) {
+    const double impulse = std::max(0.0, mine[row]);  // below are gravity's
+    double error = -1.0;
+    if (same) {
+      error = apart(impulse, max(Multi(0), digits_->solution.events()[*same].impulses[row]));
+    }
+    result.push_back({impulse, error});
+  }
+  return result;
+}
+
+SystemSettlingErrors CheckedMotion::settling_errors() const {
+  SystemSettlingErrors errors;
+  const auto& mine = settling_;
+  const std::size_t cables = mine.cables.size();
+  const bool whole = digits_ && !horizon_;
+  const auto same = [&](const auto& one, const auto& other) {
+    return whole ? apart(one, other) : -1.0;
+  };
+  for (std::size_t i = 0; i < mine.last_impacts.size(); ++i) {
+    errors.last_impacts.push_back(
+        whole ? apart(mine.last_impacts[i].time, digits_->settling.last_impacts[i].time) : -1.0);
+  }
+  for (std::size_t i = 0; i < cables; ++i) {
+    const auto* other = whole ? &digits_->settling.cables[i] : nullptr;
+    errors.shares.push_back(other ? same(mine.cables[i].taut_share, other->taut_share) : -1.0);
+    const auto value = [&](const std::optional<Peak>& a, const std::optional<BasicPeak<Multi>>& b) {
+      return a && b ? apart(a->value, b->value) : -1.0;
+    };
+    const auto when = [&](const std::optional<Peak>& a, const std::optional<BasicPeak<Multi>>& b) {
+      return a && b ? apart(a->time, b->time) : -1.0;
+    };
+    const std::optional<BasicPeak<Multi>> none;
+    errors.tensions.push_back(value(mine.cables[i].tension, other ? other->tension : none));
+    errors.tension_times.push_back(when(mine.cables[i].tension, other ? other->tension : none));
+    errors.impulses.push_back(value(mine.cables[i].impulse, other ? other->impulse : none));
+    errors.impulse_times.push_back(when(mine.cables[i].impulse, other ? other->impulse : none));
+  }
+  if (whole && mine.lock && digits_->settling.lock &&
+      mine.lock->cables == digits_->settling.lock->cables) {
+    const auto& other = *digits_->settling.lock;
+    errors.lock = apart(mine.lock->time, other.time) + mine.lock->uncertainty;
+    if (mine.lock->residual_energy && other.residual_energy) {
+      errors.residual_energy = apart(*mine.lock->residual_energy, *other.residual_energy);
+    }
+    if (mine.lock->one_percent && other.one_percent) {
+      errors.one_percent = apart(*mine.lock->one_percent, *other.one_percent);
+    }
+  }
+  return errors;
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/solution/samples.hpp"
+#include "tautline/solution.hpp"
+#include "tautline/solve.hpp"
+#include "tautline/system_ledger.hpp"
+#include "tautline/system_settling.hpp"
+
+namespace tautline::bench {
+
+/// The digits of a system's second solution.
+inline constexpr int digits_of_systems = 30;
+
+/// A number of a system's motion, and what it is called.
+struct NamedNumber {
+  std::string name;  // "load x", "tension 0"
+  std::string unit;
+  bool is_of_a_body;
+};
+
+/// How far two solutions agree in their settling; < 0 where nothing agrees.
+struct SystemSettlingErrors {
+  std::vector<double> last_impacts;   // [s], < 0: none agrees
+  std::vector<double> tensions;       // [N], of each cable's largest
+  std::vector<double> tension_times;  // [s]
+  std::vector<double> impulses;       // [N s]
+  std::vector<double> impulse_times;  // [s]
+  std::vector<double> shares;         // [-]
+  double lock = -1.0;                 // [s]
+  double residual_energy = -1.0;      // [J]
+  double one_percent = -1.0;          // [s]
+};
+
+/// The motion of a system in double, and in 30 digits to say how far it is right: of a number those
+/// digits are right that both have. From the horizon on the motion is one of many.
+class CheckedMotion {
+ public:
+  /// Solves `system`; with 30 digits, too, where `checked`. Not for several threads: see `Digits`.
+  /// Throws std::invalid_argument on a system that `solve` does not take by its law.
+  CheckedMotion(System system, const SolveOptions& options, bool checked);
+  CheckedMotion(const CheckedMotion&) = delete;
+  CheckedMotion& operator=(const CheckedMotion&) = delete;
+  CheckedMotion(CheckedMotion&&) = delete;
+  CheckedMotion& operator=(CheckedMotion&&) = delete;
+  ~CheckedMotion();
+
+  [[nodiscard]] const System& system() const { return system_; }
+  [[nodiscard]] const SolveOptions& options() const { return options_; }
+  [[nodiscard]] const BasicSolution<System>& solution() const { return solution_; }
+  [[nodiscard]] const SystemSettling& settling() const { return settling_; }
+  [[nodiscard]] SystemSettlingErrors settling_errors() const;
+  [[nodiscard]] const SystemLedger& ledger() const { return ledger_; }
+  /// How far the members of the ledger agree, in their places; < 0 from the horizon on.
+  [[nodiscard]] SystemLedger ledger_errors() const;
+  [[nodiscard]] bool is_checked() const { return digits_ != nullptr; }
+
+  /// From here on the two solutions part [s]; none: they agree to the end. Of a motion that is not
+  /// checked: its start.
+  [[nodiscard]] const std::optional<double>& horizon() const { return horizon_; }
+
+  /// The names of the numbers of a sample: of each body its pose and its rates; of each cable its
+  /// gap, the rate of that and its tension; the energy.
+  [[nodiscard]] std::vector<NamedNumber> names() const;
+
+  /// They at `time` [s], after an event there.
+  [[nodiscard]] std::vector<Bounded> at(double time) const;
+
+  /// They on one side of event `index`.
+  [[nodiscard]] std::vector<Bounded> at_event(std::size_t index, Side side) const;
+
+  /// When event `index` is.
+  [[nodiscard]] Bounded time(std::size_t index) const;
+
+  /// Its impulses [N s], one for each of its cables.
+  [[nodiscard]] std::vector<Bounded> impulses(std::size_t index) const;
+
+ private:
+  struct InDigits;
+
+  void align();
+  /// The event in 30 digits that event `index` is; none from the horizon on.
+  [[nodiscard]] std::optional<std::size_t> same_event(std::size_t index) const;
+
+  System system_;
+  SolveOptions options_;
+  BasicSolution<System> solution_;
+  SystemSettling settling_;
+  SystemLedger ledger_;
+  std::unique_ptr<InDigits> digits_;              // null: not checked
+  std::vector<std::optional<std::size_t>> same_;  // event in 30 digits, for each
+  std::optional<double> horizon_;
+};
+
+}  // namespace tautline::bench

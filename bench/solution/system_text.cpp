@@ -1,0 +1,238 @@
+#include "bench/solution/system_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "bench/base/table.hpp"
+#include "bench/base/text.hpp"
+#include "bench/solution/cable_words.hpp"
+#include "bench/solution/ending_words.hpp"
+#include "bench/solution/right_digits.hpp"
+#include "bench/solution/texts.hpp"
+#include "tautline/system_geometry.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// Digits of a summary, after the point of a time and significant of another number.
+constexpr int time_digits = 6;
+constexpr int significant = 6;
+
+/// Digits of a motion that is one of many: enough to see it.
+constexpr int digits_of_one_motion = 3;
+
+/// A summary of one motion.
+class Sentences {
+ public:
+  explicit Sentences(const CheckedMotion& motion)
+      : motion_(motion), settling_(motion.settling()), errors_(motion.settling_errors()) {}
+
+  [[nodiscard]] std::string text() const {
+    std::string result = ending() + "\n";
+    if (!motion_.solution().events().empty()) {
+      result += last_impacts() + "\n";
+    }
+    for (std::size_t i = 0; i < settling_.cables.size(); ++i) {
+      result += cable(i) + "\n";
+    }
+    if (settling_.lock) {
+      result += lock(*settling_.lock) + "\n";
+    }
+    if (settling_.forced) {
+      result += forced(*settling_.forced) + "\n";
+    }
+    return result + energy() + "\n" + sureness() + "\n";
+  }
+
+ private:
+  /// A number with its right digits; with a few and "about" where the motion is one of many.
+  [[nodiscard]] static std::string number(double value, double error) {
+    return error < 0.0 ? fmt::format("about {:.{}g}", value, digits_of_one_motion)
+                       : number_in_words(value, error, significant);
+  }
+  [[nodiscard]] static std::string time(double value, double error) {
+    return "t = " + (error < 0.0 ? fmt::format("about {:.{}g}", value, digits_of_one_motion)
+                                 : in_words(right_fixed(value, error, time_digits), value, error));
+  }
+
+  [[nodiscard]] std::string ending() const {
+    const auto& solution = motion_.solution();
+    const bool rests = solution.ending() == Ending::rest;
+    const double since = rests ? solution.arcs().back().start : solution.end_time();
+    const double error = motion_.horizon() ? -1.0 : std::max(errors_.lock, 0.0);
+    return ending_sentence(solution.ending(), motion_.system().bodies.size(), time(since, error),
+                           shortest(motion_.system().duration), solution.events().size());
+  }
+
+  [[nodiscard]] std::string last_impacts() const {
+    std::string result;
+    for (std::size_t i = 0; i < settling_.last_impacts.size(); ++i) {
+      const LastImpact& last = settling_.last_impacts[i];
+      result +=
+          fmt::format("{} faster than {:g}: {}", result.empty() ? "Last impact" : ";", last.speed,
+                      last.time ? time(*last.time, errors_.last_impacts[i]) : "none");
+    }
+    return result + ".";
+  }
+
+  [[nodiscard]] std::string cable(std::size_t index) const {
+    const CableUse& use = settling_.cables[index];
+    std::string result = fmt::format("Cable {} is ", index);
+    if (use.taut_share > 0.0) {
+      const double error = errors_.shares[index];
+      const bool pulls = use.tension && use.tension->value > std::abs(errors_.tensions[index]);
+      result += fmt::format(
+          "taut for {} % of the run, with {}", number(100.0 * use.taut_share, 100.0 * error),
+          pulls ? fmt::format("a tension of at most {} at {}",
+                              number(use.tension->value, errors_.tensions[index]),
+                              time(use.tension->time, errors_.tension_times[index]))
+                : "no tension to speak of");
+    } else {
+      result += "slack";
+    }
+    if (use.impulse) {
+      result += fmt::format("; its largest impulse is {} at {}",
+                            number(use.impulse->value, errors_.impulses[index]),
+                            time(use.impulse->time, errors_.impulse_times[index]));
+    }
+    return result + ".";
+  }
+
+  [[nodiscard]] std::string lock(const SystemLock& lock) const {
+    std::string cables = cable_names(lock.cables);
+    cables.front() = 'C';
+    const bool one = lock.cables.size() == 1;
+    std::string result =
+        fmt::format("{} {} taut from {} on{}.", cables,
+                    lock.certain ? (one ? "stays" : "stay") : (one ? "is" : "are"),
+                    time(lock.time, errors_.lock),
+                    lock.certain ? ": all is at rest" : ", as far as the run shows");
+    if (lock.residual_energy && !lock.certain) {
+      result += fmt::format(" Energy above the equilibrium at the end: {}.",
+                            number(*lock.residual_energy, errors_.residual_energy));
+    }
+    if (lock.one_percent) {
+      result += fmt::format(" Drag has taken 99 % of it by {}.",
+                            time(*lock.one_percent, errors_.one_percent));
+    }
+    return result;
+  }
+
+  [[nodiscard]] static std::string forced(const ForcedMotion& forced) {
+    const std::string count = fmt::format("{:.3g}", forced.impacts);
+    std::string result =
+        fmt::format("The waves come again every {:.6g}; in a period {} {} impact{}", forced.period,
+                    count == "1" ? "there is" : "there are", count, count == "1" ? "" : "s");
+    result += forced.repeats
+                  ? fmt::format(", and the motion repeats every {}.",
+                                *forced.repeats == 1 ? "period"
+                                                     : fmt::format("{} periods", *forced.repeats))
+                  : ", and the motion does not repeat within 16 periods.";
+    return result;
+  }
+
+  [[nodiscard]] std::string energy() const {
+    const SystemLedger& ledger = motion_.ledger();
+    const SystemLedger errors = motion_.ledger_errors();
+    const double lost = ledger.impacts + ledger.completions;
+    const double error = errors.impacts < 0.0 ? -1.0 : errors.impacts + errors.completions;
+    return fmt::format(
+        "Kinetic energy: {} at the start, {} at the end. Gravity, forces, drag and what moves ends "
+        "and lengths give {}; impacts take {}.",
+        number(ledger.start, std::max(0.0, errors.start)), number(ledger.end, errors.end),
+        number(ledger.work, errors.work), number(lost, error));
+  }
+
+  [[nodiscard]] std::string sureness() const {
+    if (!motion_.is_checked()) {
+      return "These digits are not checked: leave out --fast to compare them with a solution in 30 "
+             "digits.";
+    }
+    if (!motion_.horizon()) {
+      return "All these digits are those of a solution in 30 digits, too.";
+    }
+    return fmt::format(
+        "From t = {:.6g} on the motion is beyond the horizon: this is one of many that start "
+        "alike. "
+        "What is said of the whole run is of this one.",
+        *motion_.horizon());
+  }
+
+  const CheckedMotion& motion_;
+  const SystemSettling& settling_;
+  SystemSettlingErrors errors_;
+};
+
+/// The speed at which the fastest of an event's cables closes.
+double closing_speed(const System& system, const BasicEvent<System>& event) {
+  double fastest = 0.0;
+  for (const std::size_t index : event.cables) {
+    fastest = std::max(fastest, -gap_rate(system.cables[index], event.before));
+  }
+  return fastest;
+}
+
+}  // namespace
+
+std::string system_text(const CheckedMotion& motion) { return Sentences(motion).text(); }
+
+std::string events_text(const CheckedMotion& motion, bool all, const TerminalStyle& style) {
+  constexpr int event_digits = 12;
+  const auto& events = motion.solution().events();
+  const std::size_t shown = all ? events.size() : std::min(events.size(), most_events);
+  if (shown == 0) {
+    return "";
+  }
+  std::vector<Column> columns = {ranked("event at", 0), ranked("kind", 0), ranked("cables", 0),
+                                 ranked("closing rate", 1), ranked("impulses", 0)};
+  Table table(std::move(columns));
+  for (std::size_t index = 0; index < shown; ++index) {
+    const auto& event = events[index];
+    const Bounded time = motion.time(index);
+    if (time.error < 0.0 && motion.is_checked()) {
+      table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});
+      break;
+    }
+    const bool impact = event.kind == EventKind::impact;
+    std::string impulses;
+    for (const Bounded& one : motion.impulses(index)) {
+      impulses += (impulses.empty() ? "" : ", ") +
+                  right_general(one.value, std::max(one.error, 0.0), significant);
+    }
+    const double closing = closing_speed(motion.system(), event);
+    std::vector<std::string> cells = {
+        right_fixed(time.value, std::max(time.error, 0.0), event_digits),
+        std::string(to_string(event.kind)), cable_list(event.cables),
+        impact ? right_scientific(closing, 0.0, significant) : dash, impact ? impulses : dash};
+    table.add(std::move(cells));
+  }
+  const std::string rest =
+      shown < events.size() ? fmt::format("and {} more: --events prints all", events.size() - shown)
+                            : "";
+  return "\n" + table.plain(style) + wrapped(rest, style.text);
+}
+
+std::string samples_text(const CheckedMotion& motion, const std::vector<double>& times,
+                         const TerminalStyle& style) {
+  constexpr int digits = 17;
+  constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
+  std::vector<std::string> names;
+  for (const NamedNumber& one : motion.names()) {
+    names.push_back(one.name);
+  }
+  return samples_table(names, times, longest_number, style, [&](double time) {
+    std::vector<std::string> result;
+    const std::vector<Bounded> numbers = motion.at(time);
+    const bool unsure = motion.is_checked() && numbers.front().error < 0.0;
+    for (const Bounded& one : unsure ? std::vector<Bounded>() : numbers) {
+      result.push_back(right_general(one.value, motion.is_checked() ? one.error : 0.0, digits));
+    }
+    return result;
+  });
+}
+
+}  // namespace tautline::bench

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support.hpp"
+#include "system/systems.hpp"
+#include "tautline/solve.hpp"
+#include "tautline/system_settling.hpp"
+
+namespace tautline::test {
+namespace {
+
+SystemSettling settled(const System& system) { return settling(system, solve(system)); }
+
+/// A point on a cable of length 1 at `angle` [rad] from the plumb line, at rest.
+System pendulum(double angle, double drag) {
+  System system;
+  system.bodies.resize(1);
+  system.bodies[0].drag = drag;
+  system.cables = {to_world<double>(0, {0.0, 0.0}, {0.0, 0.0}, 1.0, 0.5)};
+  system.initial.bodies = {{{std::sin(angle), -std::cos(angle)}, 0.0, {0.0, 0.0}, 0.0}};
+  system.duration = 40.0;
+  return system;
+}
+
+TEST(SystemSettlingOf, AStableBouncerRepeatsEveryPeriod) {
+  const SystemSettling result = settled(bouncer<double>(0.14, 1e-3));
+  ASSERT_TRUE(result.forced);
+  EXPECT_DOUBLE_EQ(result.forced->period, 2.0);
+  EXPECT_DOUBLE_EQ(result.forced->impacts, 1.0);
+  EXPECT_EQ(result.forced->repeats, 1U);
+  EXPECT_FALSE(result.lock);  // the anchor moves for ever
+  ASSERT_TRUE(result.cables[0].impulse);
+  EXPECT_NEAR(result.cables[0].impulse->value, 2.0, 1e-2);  // the push makes one larger
+  EXPECT_EQ(result.cables[0].taut_share, 0.0);
+}
+
+TEST(SystemSettlingOf, AnUnstableBouncerDoesNotRepeat) {
+  const SystemSettling result = settled(bouncer<double>(0.3, 1e-3));
+  ASSERT_TRUE(result.forced);
+  EXPECT_FALSE(result.forced->repeats == 1U);
+}
+
+TEST(SystemSettlingOf, APendulumKeepsItsEnergyAboveTheEquilibrium) {
+  const SystemSettling result = settled(pendulum(0.5, 0.0));
+  ASSERT_TRUE(result.lock);
+  EXPECT_EQ(result.lock->time, 0.0);
+  EXPECT_FALSE(result.lock->certain);
+  ASSERT_TRUE(result.lock->residual_energy);
+  EXPECT_NEAR(*result.lock->residual_energy, 1.0 - std::cos(0.5), 1e-13);
+  EXPECT_FALSE(result.lock->one_percent);
+  EXPECT_DOUBLE_EQ(result.cables[0].taut_share, 1.0);
+  ASSERT_TRUE(result.cables[0].tension);
+  // at the bottom, where m g + m v^2 / L is largest
+  EXPECT_NEAR(result.cables[0].tension->value, 3.0 - 2.0 * std::cos(0.5), 1e-12);
+}
+
+TEST(SystemSettlingOf, DragTakesAHundredthOfTheEnergyWhenItsClosedFormSays) {
+  constexpr double drag = 0.4;
+  constexpr double small = 1e-4;  // [rad]: the motion is that of a linear oscillator
+  const SystemSettling result = settled(pendulum(small, drag));
+  ASSERT_TRUE(result.lock);
+  ASSERT_TRUE(result.lock->one_percent);
+  // angle and rate of a damped oscillator, and its energy, by bisection
+  const double rate = std::sqrt(1.0 - drag * drag / 4.0);
+  const auto part = [&](double t) {
+    const double decay = std::exp(-drag * t / 2.0);
+    const double angle = decay * (std::cos(rate * t) + drag / (2.0 * rate) * std::sin(rate * t));
+    const double speed = -decay / rate * std::sin(rate * t);
+    return angle * angle + speed * speed;
+  };
+  double low = 0.0;
+  double high = 40.0;
+  for (int k = 0; k < 100; ++k) {
+    const double middle = (low + high) / 2.0;
+    (part(middle) > 0.01 ? low : high) = middle;
+  }
+  EXPECT_NEAR(*result.lock->one_percent, low, 1e-5);
+}
+
+TEST(SystemSettlingOf, ARestIsCertain) {
+  System system = pendulum(0.0, 0.0);
+  system.initial.bodies[0].position.y() = -0.5;
+  const SystemSettling result = settled(system);
+  ASSERT_TRUE(result.lock);
+  EXPECT_TRUE(result.lock->certain);
+  EXPECT_NEAR(result.lock->time, 3.0, 1e-12);  // 1 + 2 (1/2 + 1/4 + ...)
+  EXPECT_EQ(result.lock->residual_energy, 0.0);
+  ASSERT_TRUE(result.last_impacts[0].time);
+  EXPECT_NEAR(*result.last_impacts[0].time, 2.96875, 1e-12);
+}
+
+TEST(SystemSettlingOf, ACableIsTautForTheTimeUntilItIsCut) {
+  System system = pendulum(1.0, 0.0);
+  system.cables[0].cut_at = 10.0;
+  const SystemSettling result = settled(system);
+  EXPECT_DOUBLE_EQ(result.cables[0].taut_share, 0.25);
+  EXPECT_FALSE(result.lock);  // no cable is taut
+}
+
+TEST(CommonPeriod, IsTheLeastThatHoldsAllWaves) {
+  const auto period = common_period(waves<double>());  // 1.7 and 3.1 rad/s
+  ASSERT_TRUE(period);
+  EXPECT_NEAR(*period, 20.0 * pi<double>(), 1e-12);
+  EXPECT_FALSE(common_period(pendulum(0.1, 0.0)));
+  System system = waves<double>();
+  system.bodies[0].force.waves[0].frequency = 1.7 * std::sqrt(2.0);
+  EXPECT_FALSE(common_period(system));
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -92,8 +92,8 @@ class Watch {
       const double step = -force_.dot(point->way) / curvature;
       s += step;
       point = curve_.at(s, *point);
-      constexpr double enough = 1e-8;  // [-]: the next step would gain the square of it
-      if (!point || -curvature * step * step <= enough * energy_at(*point)) {
+      constexpr double small = 1e-8;  // [-]: the next step would gain the square of it
+      if (!point || -curvature * step * step <= small * energy_at(*point)) {
         return point;
       }
     }

@@ -19,7 +19,7 @@ namespace {
 constexpr double parted = 1e-4;
 
 /// The error of completed accumulations in 30 digits, below that of doubles [-].
-constexpr double completion_error = 1e-24;
+constexpr double completion_of_digits = 1e-24;
 
 /// The name of body `index` in tables.
 std::string name_of(const System& system, std::size_t index) {
@@ -117,7 +117,7 @@ double distance(const System& system, const SystemState& one,
 }
 
 /// The difference of two numbers, rounded up.
-double apart(double one, const Multi& other) {
+double off_by(double one, const Multi& other) {
   if (!std::isfinite(one)) {
     return -1.0;
   }
@@ -125,15 +125,15 @@ double apart(double one, const Multi& other) {
   return std::nextafter(difference, HUGE_VAL);
 }
 
-double apart(const std::optional<double>& one, const std::optional<Multi>& other) {
-  return one && other ? apart(*one, *other) : one || other ? -1.0 : 0.0;
+double off_by(const std::optional<double>& one, const std::optional<Multi>& other) {
+  return one && other ? off_by(*one, *other) : one || other ? -1.0 : 0.0;
 }
 
 /// Numbers with how far they agree with `others`; none of them does without.
 std::vector<Bounded> bounded(const std::vector<double>& numbers, const std::vector<Multi>& others) {
   std::vector<Bounded> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    result.push_back({numbers[i], others.empty() ? -1.0 : apart(numbers[i], others[i])});
+    result.push_back({numbers[i], others.empty() ? -1.0 : off_by(numbers[i], others[i])});
   }
   return result;
 }
@@ -159,7 +159,7 @@ CheckedMotion::CheckedMotion(System system, const SolveOptions& options, bool ch
   }
   const tautline::Digits precision(digits_of_systems);
   SolveOptions sharper = options_;
-  sharper.completion = {.error = completion_error, .speed = std::nullopt};
+  sharper.completion = {.error = completion_of_digits, .speed = std::nullopt};
   auto many = converted<Multi>(system_);
   auto solution = solve(many, sharper);
   auto settled = tautline::settling(many, solution);
@@ -182,7 +182,7 @@ void CheckedMotion::align() {
     }
     const auto& event = solution_.events()[mine - 1];
     const auto& same = others[other - 1];
-    if (apart(event.time, same.time) > parted * std::max(event.time, 1e-300) ||
+    if (off_by(event.time, same.time) > parted * std::max(event.time, 1e-300) ||
         distance(system_, event.after, same.after) > parted) {
       horizon_ = last;
       return;
@@ -208,7 +208,7 @@ SystemLedger CheckedMotion::ledger_errors() const {
           std::pair(&SystemLedger::impacts, &BasicSystemLedger<Multi>::impacts),
           std::pair(&SystemLedger::completions, &BasicSystemLedger<Multi>::completions),
           std::pair(&SystemLedger::end, &BasicSystemLedger<Multi>::end)}) {
-      errors.*member = apart(ledger_.*member, digits_->ledger.*same);
+      errors.*member = off_by(ledger_.*member, digits_->ledger.*same);
     }
   }
   return errors;
@@ -253,7 +253,7 @@ std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const
 Bounded CheckedMotion::time(std::size_t index) const {
   const double mine = solution_.events()[index].time;
   const auto same = same_event(index);
-  return {mine, same ? apart(mine, digits_->solution.events()[*same].time) : -1.0};
+  return {mine, same ? off_by(mine, digits_->solution.events()[*same].time) : -1.0};
 }
 
 std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
@@ -264,7 +264,7 @@ std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
     const double impulse = std::max(0.0, mine[row]);  // below are gravity's
     double error = -1.0;
     if (same) {
-      error = apart(impulse, max(Multi(0), digits_->solution.events()[*same].impulses[row]));
+      error = off_by(impulse, max(Multi(0), digits_->solution.events()[*same].impulses[row]));
     }
     result.push_back({impulse, error});
   }
@@ -277,20 +277,20 @@ SystemSettlingErrors CheckedMotion::settling_errors() const {
   const std::size_t cables = mine.cables.size();
   const bool whole = digits_ && !horizon_;
   const auto same = [&](const auto& one, const auto& other) {
-    return whole ? apart(one, other) : -1.0;
+    return whole ? off_by(one, other) : -1.0;
   };
   for (std::size_t i = 0; i < mine.last_impacts.size(); ++i) {
     errors.last_impacts.push_back(
-        whole ? apart(mine.last_impacts[i].time, digits_->settling.last_impacts[i].time) : -1.0);
+        whole ? off_by(mine.last_impacts[i].time, digits_->settling.last_impacts[i].time) : -1.0);
   }
   for (std::size_t i = 0; i < cables; ++i) {
     const auto* other = whole ? &digits_->settling.cables[i] : nullptr;
     errors.shares.push_back(other ? same(mine.cables[i].taut_share, other->taut_share) : -1.0);
     const auto value = [&](const std::optional<Peak>& a, const std::optional<BasicPeak<Multi>>& b) {
-      return a && b ? apart(a->value, b->value) : -1.0;
+      return a && b ? off_by(a->value, b->value) : -1.0;
     };
     const auto when = [&](const std::optional<Peak>& a, const std::optional<BasicPeak<Multi>>& b) {
-      return a && b ? apart(a->time, b->time) : -1.0;
+      return a && b ? off_by(a->time, b->time) : -1.0;
     };
     const std::optional<BasicPeak<Multi>> none;
     errors.tensions.push_back(value(mine.cables[i].tension, other ? other->tension : none));
@@ -301,12 +301,12 @@ SystemSettlingErrors CheckedMotion::settling_errors() const {
   if (whole && mine.lock && digits_->settling.lock &&
       mine.lock->cables == digits_->settling.lock->cables) {
     const auto& other = *digits_->settling.lock;
-    errors.lock = apart(mine.lock->time, other.time) + mine.lock->uncertainty;
+    errors.lock = off_by(mine.lock->time, other.time) + mine.lock->uncertainty;
     if (mine.lock->residual_energy && other.residual_energy) {
-      errors.residual_energy = apart(*mine.lock->residual_energy, *other.residual_energy);
+      errors.residual_energy = off_by(*mine.lock->residual_energy, *other.residual_energy);
     }
     if (mine.lock->one_percent && other.one_percent) {
-      errors.one_percent = apart(*mine.lock->one_percent, *other.one_percent);
+      errors.one_percent = off_by(*mine.lock->one_percent, *other.one_percent);
     }
   }
   return errors;

@@ -19,8 +19,8 @@ namespace tautline::bench {
 namespace {
 
 /// Digits of a summary, after the point of a time and significant of another number.
-constexpr int time_digits = 6;
-constexpr int significant = 6;
+constexpr int summary_time_digits = 6;
+constexpr int summary_digits = 6;
 
 /// Digits of a motion that is one of many: enough to see it.
 constexpr int digits_of_one_motion = 3;
@@ -52,11 +52,12 @@ class Sentences {
   /// A number with its right digits; with a few and "about" where the motion is one of many.
   [[nodiscard]] static std::string number(double value, double error) {
     return error < 0.0 ? fmt::format("about {:.{}g}", value, digits_of_one_motion)
-                       : number_in_words(value, error, significant);
+                       : number_in_words(value, error, summary_digits);
   }
   [[nodiscard]] static std::string time(double value, double error) {
-    return "t = " + (error < 0.0 ? fmt::format("about {:.{}g}", value, digits_of_one_motion)
-                                 : in_words(right_fixed(value, error, time_digits), value, error));
+    return "t = " + (error < 0.0
+                         ? fmt::format("about {:.{}g}", value, digits_of_one_motion)
+                         : in_words(right_fixed(value, error, summary_time_digits), value, error));
   }
 
   [[nodiscard]] std::string ending() const {
@@ -201,13 +202,13 @@ std::string events_text(const CheckedMotion& motion, bool all, const TerminalSty
     std::string impulses;
     for (const Bounded& one : motion.impulses(index)) {
       impulses += (impulses.empty() ? "" : ", ") +
-                  right_general(one.value, std::max(one.error, 0.0), significant);
+                  right_general(one.value, std::max(one.error, 0.0), summary_digits);
     }
     const double closing = closing_speed(motion.system(), event);
     std::vector<std::string> cells = {
         right_fixed(time.value, std::max(time.error, 0.0), event_digits),
         std::string(to_string(event.kind)), cable_list(event.cables),
-        impact ? right_scientific(closing, 0.0, significant) : dash, impact ? impulses : dash};
+        impact ? right_scientific(closing, 0.0, summary_digits) : dash, impact ? impulses : dash};
     table.add(std::move(cells));
   }
   const std::string rest =

@@ -130,7 +130,8 @@ double off_by(const std::optional<double>& one, const std::optional<Multi>& othe
 }
 
 /// Numbers with how far they agree with `others`; none of them does without.
-std::vector<Bounded> bounded(const std::vector<double>& numbers, const std::vector<Multi>& others) {
+std::vector<Bounded> agreeing(const std::vector<double>& numbers,
+                              const std::vector<Multi>& others) {
   std::vector<Bounded> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     result.push_back({numbers[i], others.empty() ? -1.0 : off_by(numbers[i], others[i])});
@@ -214,8 +215,8 @@ SystemLedger CheckedMotion::ledger_errors() const {
   return errors;
 }
 
-std::vector<NamedNumber> CheckedMotion::names() const {
-  std::vector<NamedNumber> result;
+std::vector<SampleName> CheckedMotion::names() const {
+  std::vector<SampleName> result;
   for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
     for (const auto& one : coordinates(system_.initial.bodies[i])) {
       result.push_back({name_of(system_, i) + one.name, one.unit, true});
@@ -234,20 +235,20 @@ std::vector<Bounded> CheckedMotion::at(double time) const {
   const std::vector<double> mine = numbers_at(system_, solution_, time);
   const bool sure = digits_ && !(horizon_ && time >= *horizon_);
   if (!sure || Multi(time) > digits_->solution.end_time()) {
-    return bounded(mine, {});
+    return agreeing(mine, {});
   }
   const tautline::Digits precision(digits_of_systems);
-  return bounded(mine, numbers_at(digits_->system, digits_->solution, Multi(time)));
+  return agreeing(mine, numbers_at(digits_->system, digits_->solution, Multi(time)));
 }
 
 std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const {
   const std::vector<double> mine = numbers_at(system_, solution_, index, side);
   const auto same = same_event(index);
   if (!same) {
-    return bounded(mine, {});
+    return agreeing(mine, {});
   }
   const tautline::Digits precision(digits_of_systems);
-  return bounded(mine, numbers_at(digits_->system, digits_->solution, *same, side));
+  return agreeing(mine, numbers_at(digits_->system, digits_->solution, *same, side));
 }
 
 Bounded CheckedMotion::time(std::size_t index) const {

@@ -18,7 +18,7 @@ namespace tautline::bench {
 inline constexpr int digits_of_systems = 30;
 
 /// A number of a system's motion, and what it is called.
-struct NamedNumber {
+struct SampleName {
   std::string name;  // "load x", "tension 0"
   std::string unit;
   bool is_of_a_body;
@@ -66,7 +66,7 @@ class CheckedMotion {
 
   /// The names of the numbers of a sample: of each body its pose and its rates; of each cable its
   /// gap, the rate of that and its tension; the energy.
-  [[nodiscard]] std::vector<NamedNumber> names() const;
+  [[nodiscard]] std::vector<SampleName> names() const;
 
   /// They at `time` [s], after an event there.
   [[nodiscard]] std::vector<Bounded> at(double time) const;

@@ -77,7 +77,7 @@ class SystemRows {
   [[nodiscard]] std::size_t cables() const { return motion_.system().cables.size(); }
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> result;
-    for (const NamedNumber& one : motion_.names()) {
+    for (const SampleName& one : motion_.names()) {
       if (one.is_of_a_body) {
         result.push_back(one.name);
         std::replace(result.back().begin(), result.back().end(), ' ', '_');

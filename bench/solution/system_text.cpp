@@ -222,7 +222,7 @@ std::string samples_text(const CheckedMotion& motion, const std::vector<double>&
   constexpr int digits = 17;
   constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
   std::vector<std::string> names;
-  for (const NamedNumber& one : motion.names()) {
+  for (const SampleName& one : motion.names()) {
     names.push_back(one.name);
   }
   return samples_table(names, times, longest_number, style, [&](double time) {

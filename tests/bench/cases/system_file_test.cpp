@@ -65,14 +65,14 @@ std::string replaced(std::string text, const std::string& place, const std::stri
   return text.replace(at, place.size(), instead);
 }
 
-System sound(const std::string& text) {
+System system_in(const std::string& text) {
   SystemReading reading = read_system_text(text, "crane.toml");
   EXPECT_EQ(reading.problems, Strings());
   return reading.system.value_or(System());
 }
 
 TEST(SystemFile, SaysWhatEachNumberIs) {
-  const System system = sound(crane);
+  const System system = system_in(crane);
   ASSERT_EQ(system.bodies.size(), 2U);
   ASSERT_EQ(system.cables.size(), 3U);
   EXPECT_EQ(system.name, "crane");
@@ -114,7 +114,7 @@ TEST(SystemFile, SaysWhatEachNumberIs) {
 
 TEST(SystemFile, HasOneFormForEveryFunctionOfTime) {
   const auto length = [](const std::string& text) {
-    return sound(replaced(crane, "{ times = [0.5, 1.5], values = [1.0, 0.7] }", text))
+    return system_in(replaced(crane, "{ times = [0.5, 1.5], values = [1.0, 0.7] }", text))
         .cables[1]
         .length;
   };
@@ -131,12 +131,12 @@ TEST(SystemFile, HasOneFormForEveryFunctionOfTime) {
   EXPECT_NEAR(length("{ pieces = [{ from = 0.0, polynomial = [1.0, 0.5, -0.125] }] }").at(2.0)[0],
               1.5, 1e-15);
   for (const std::string place : {"gravity = ", "force = "}) {
-    const System system =
-        sound(replaced(replaced(crane, "gravity = [0.0, -9.81]",
-                                "gravity = { value = [0.0, -9.81], times = [0.0, 1.0], values = "
-                                "[[0.0, 0.0], [1.0, 0.0]] }"),
-                       "to = { at = [0.0, 0.0], waves",
-                       "to = { times = [0.0, 1.0], values = [[0.0, 0.0], [0.1, 0.2]], waves"));
+    const System system = system_in(
+        replaced(replaced(crane, "gravity = [0.0, -9.81]",
+                          "gravity = { value = [0.0, -9.81], times = [0.0, 1.0], values = "
+                          "[[0.0, 0.0], [1.0, 0.0]] }"),
+                 "to = { at = [0.0, 0.0], waves",
+                 "to = { times = [0.0, 1.0], values = [[0.0, 0.0], [0.1, 0.2]], waves"));
     EXPECT_NEAR(system.gravity.at(0.5).x(), 0.5, 1e-15) << place;
     EXPECT_NEAR(system.gravity.at(0.5).y(), -9.81, 1e-15) << place;
     EXPECT_NEAR(system.cables[1].to.motion.at(1.0).y(), 0.2, 1e-15) << place;
@@ -452,7 +452,7 @@ TEST(SystemMistakes, AreAtLeast60) { EXPECT_GE(mistakes.size(), 60U); }
 TEST(SystemFile, IsWrittenWholeOrNotAtAll) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "new" / "crane.toml";
-  const System system = sound(crane);
+  const System system = system_in(crane);
   EXPECT_EQ(write_system(system, path), Strings());
   const SystemReading again = read_system(path);
   ASSERT_EQ(again.problems, Strings());

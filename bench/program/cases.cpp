@@ -30,15 +30,13 @@ std::string case_list(const TerminalStyle& style) {
   return table.plain(style);
 }
 
-/// The systems, with the first of the two sentences on each.
+/// The systems, a paragraph each: its name, and the first of the two sentences on it.
 std::string system_list(const TerminalStyle& style) {
-  Table table({"system", "bodies", "cables", "duration", "what it shows"}, 1, 1);
+  std::string result = "systems\n";
   for (const auto& [system, shows] : shipped_systems()) {
-    table.add({system.name, std::to_string(system.bodies.size()),
-               std::to_string(system.cables.size()), fmt::format("{:g}", system.duration),
-               std::string(shows.substr(0, shows.find(". ")))});
+    result += fmt::format("{}: {}\n", system.name, shows.substr(0, shows.find(". ") + 1));
   }
-  return table.plain(style);
+  return wrapped_lines(result, style.text, 2);
 }
 
 /// The file of a shipped system, below comments on what it shows; "" for any other name.

@@ -245,7 +245,7 @@ TEST(Solve, CertifiesInTextAndJson) {
 TEST(Cases, ListTheSystemsApartAndPrintOneAsAFileWithWhatItShows) {
   const std::string list = program({"cases"}).output;
   for (const auto& [system, shows] : shipped_systems()) {
-    const std::size_t at = list.find(system.name + " ");
+    const std::size_t at = list.find("\n" + system.name + ": ");
     ASSERT_NE(at, std::string::npos) << system.name;
     EXPECT_GT(at, list.find("level-beam")) << system.name << " is below the cases";
     const Outcome file = program({"cases", system.name});

@@ -51,9 +51,10 @@ TEST(SolveSystems, SamplesAreATable) {
   expect_says(output, ",energy,gap_0,gap_rate_0,tension_0,impulse_0 0,,");
 }
 
-TEST(SolveSystems, EachShippedOneComesToItsDuration) {
+TEST(SolveSystems, EachShippedOneComesToItsDurationOrToRest) {
   for (const ShippedSystem& one : shipped_systems()) {
-    expect_says(solved({one.system.name, "--fast"}), "The run reached its duration");
+    const std::string output = solved({one.system.name, "--fast"});
+    EXPECT_EQ(output.find("Stopped at"), std::string::npos) << output;
   }
 }
 

@@ -90,7 +90,7 @@ struct BasicCase {
   static constexpr std::size_t freedoms = 3;          // of the body
   static constexpr std::size_t most_freedoms = 3;     // the same for all cases
   static constexpr bool flies_in_closed_form = true;  // with no cable taut
-  static constexpr bool has_several_bodies = false;
+  static constexpr bool has_several_bodies = false;   // it has one
 
   std::string name;                                              // of its file or its maker
   BasicBody<Real> body;                                          // the one that moves

@@ -19,6 +19,7 @@ struct BasicPiece {
   /// In rising order, of the time since `from`; coefficient k in the function's unit / s^k.
   std::vector<Eigen::Matrix<Real, N, 1>> coefficients;
 
+  /// True where all of it is equal.
   bool operator==(const BasicPiece&) const = default;
 };
 
@@ -29,6 +30,7 @@ struct BasicWave {
   Real frequency;                       // [rad/s], >= 0
   Real phase = Real(0);                 // [rad], at time 0
 
+  /// True where all of it is equal.
   bool operator==(const BasicWave&) const = default;
 };
 
@@ -36,14 +38,15 @@ struct BasicWave {
 /// zero at all times.
 template <class Real, int N>
 struct BasicFunction {
-  using Value = Eigen::Matrix<Real, N, 1>;
-  using Piece = BasicPiece<Real, N>;
-  using Wave = BasicWave<Real, N>;
+  using Value = Eigen::Matrix<Real, N, 1>;  // at a time
+  using Piece = BasicPiece<Real, N>;        // between knots
+  using Wave = BasicWave<Real, N>;          // at all times
 
   /// In rising time. The last one lasts for ever; before the first one its value at `from` holds.
   std::vector<Piece> pieces = {};
   std::vector<Wave> waves = {};  // at all times
 
+  /// True where all of it is equal.
   bool operator==(const BasicFunction&) const = default;
 
   /// `value` at all times.

@@ -27,10 +27,11 @@ template <class Real, int D>
 template <class Real, int D>
 class BasicSystemMotion {
  public:
-  using Solution = BasicSolution<BasicSystem<Real, D>>;
+  using Solution = BasicSolution<BasicSystem<Real, D>>;  // of an island
+  /// An island, and its motion.
   struct Part {
-    Island island;
-    Solution solution;
+    Island island;      // of the system
+    Solution solution;  // of its own time
   };
 
   /// Made by solve_islands().
@@ -46,9 +47,9 @@ class BasicSystemMotion {
   }
   /// The first ending of an island before the duration; rest, where all rest.
   [[nodiscard]] Ending ending() const { return ending_; }
-  [[nodiscard]] const Real& end_time() const { return end_; }              // [s]
-  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }  // at least one
-  [[nodiscard]] const BasicSystem<Real, D>& system() const { return system_; }
+  [[nodiscard]] const Real& end_time() const { return end_; }                   // [s]
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }       // at least one
+  [[nodiscard]] const BasicSystem<Real, D>& system() const { return system_; }  // the whole
 
  private:
   void find_end();
@@ -62,7 +63,7 @@ class BasicSystemMotion {
   Ending ending_ = Ending::reached_duration;
   Real end_;
 };
-using SystemMotion = BasicSystemMotion<double, 2>;
+using SystemMotion = BasicSystemMotion<double, 2>;  // in double, in the plane
 
 /// Solves `system` island by island. Throws as solve() does.
 template <class Real, int D>

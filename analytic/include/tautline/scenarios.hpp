@@ -61,7 +61,7 @@ template <class Real = double>
 
 /// A system that ships.
 struct ShippedSystem {
-  System system;
+  System system;           // as its file has it
   std::string_view shows;  // in two sentences
 };
 

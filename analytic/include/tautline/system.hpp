@@ -36,7 +36,7 @@ struct Turning<Real, 2> {
 /// A rigid body of a system, or a point mass.
 template <class Real, int D>
 struct BasicBodyOfSystem {
-  using Inertia = typename Turning<Real, D>::Inertia;
+  using Inertia = typename Turning<Real, D>::Inertia;  // its type
 
   std::string name = {};                      // of its file; may be empty
   Real mass = Real(1);                        // [kg], > 0
@@ -46,7 +46,7 @@ struct BasicBodyOfSystem {
   BasicFunction<Real, D> force = {};          // [N], in the world, at the centre of mass
   BasicFunction<Real, spins<D>> moment = {};  // [N m]
 };
-using BodyOfSystem = BasicBodyOfSystem<double, 2>;
+using BodyOfSystem = BasicBodyOfSystem<double, 2>;  // in double, in the plane
 
 /// An end of a cable, or a ring that it runs through without friction: a point of a body or of the
 /// world.
@@ -57,17 +57,18 @@ struct BasicEnd {
   BasicVector<Real, D> at = BasicVector<Real, D>::Zero();
   BasicFunction<Real, D> motion = {};  // [m], in the world: added to `at`; continuous
 
+  /// True where all of it is equal.
   bool operator==(const BasicEnd&) const = default;
 };
-using End = BasicEnd<double, 2>;
+using End = BasicEnd<double, 2>;  // in double, in the plane
 
 /// A massless inextensible line between two ends, straight or through rings. Its gap is its length
 /// minus the distances from end to end, summed.
 template <class Real, int D>
 struct BasicCableOfSystem {
-  BasicEnd<Real, D> from = {};
+  BasicEnd<Real, D> from = {};                  // its first end
   std::vector<BasicEnd<Real, D>> through = {};  // rings, in order; empty: straight
-  BasicEnd<Real, D> to = {};
+  BasicEnd<Real, D> to = {};                    // its last end
   BasicFunction<Real, 1> length =
       BasicFunction<Real, 1>::constant(Real(1));  // [m], > 0, continuous
   Real restitution = Real(1);                     // [-], Newton's coefficient, 0 to 1
@@ -92,17 +93,17 @@ struct BasicCableOfSystem {
     return !(from_time && time < *from_time) && !(cut_at && time >= *cut_at);
   }
 };
-using CableOfSystem = BasicCableOfSystem<double, 2>;
+using CableOfSystem = BasicCableOfSystem<double, 2>;  // in double, in the plane
 
 /// The places of a system's bodies at a time, and their velocities.
 template <class Real, int D>
 struct BasicSystemState {
-  using Body = typename Turning<Real, D>::BodyState;
+  using Body = typename Turning<Real, D>::BodyState;  // of one of them
 
   Real time = Real(0);       // [s]
   std::vector<Body> bodies;  // one for each of the system, in order
 };
-using SystemState = BasicSystemState<double, 2>;
+using SystemState = BasicSystemState<double, 2>;  // in double, in the plane
 
 template <class Real, int D>
 struct SystemTouching;
@@ -123,9 +124,9 @@ struct BasicSystem {
   using Touching = SystemTouching<Real, D>;        // cables at zero gap, and the rounding of rates
   using Series = SystemSeries<Real, D>;            // of the motion, in flight as on taut cables
   static constexpr int freedoms = Eigen::Dynamic;  // of all bodies
-  static constexpr bool flies_in_closed_form = false;
-  static constexpr bool has_several_bodies = true;
-  static constexpr int most_freedoms = static_cast<int>(max_bodies) * (D + spins<D>);
+  static constexpr bool flies_in_closed_form = false;  // it may be forced
+  static constexpr bool has_several_bodies = true;     // up to max_bodies
+  static constexpr int most_freedoms = static_cast<int>(max_bodies) * (D + spins<D>);  // of all
 
   std::string name = {};                                              // of its file or its maker
   std::vector<Body> bodies;                                           // 1 to max_bodies
@@ -134,7 +135,7 @@ struct BasicSystem {
   State initial;            // at time 0; every gap >= 0 within `gap_rounding`
   Real duration = Real(1);  // [s], > 0
 };
-using System = BasicSystem<double, 2>;
+using System = BasicSystem<double, 2>;  // in double, in the plane
 
 /// `function` in numbers of another type.
 template <class To, class Real, int N>

@@ -12,8 +12,8 @@ namespace tautline {
 /// The largest of what a cable does in a run, where it is first.
 template <class Real>
 struct BasicPeak {
-  Real value;
-  Real time;  // [s]
+  Real value;  // [N] or [N s]
+  Real time;   // [s]
 };
 using Peak = BasicPeak<double>;
 

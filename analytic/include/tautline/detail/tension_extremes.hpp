@@ -15,11 +15,13 @@ template <class TheCase>
 class TensionExtremes {
  public:
   using Real = RealOf<TheCase>;
-  using Arc = BasicArc<TheCase>;
+  using Arc = BasicArc<TheCase>;  // on which to look
 
+  /// Of this cable; `solution` must outlive it.
   TensionExtremes(const BasicSolution<TheCase>& solution, std::size_t cable)
       : solution_(solution), cable_(cable) {}
 
+  /// Takes the extremes of an arc on which the cable is taut.
   void look_at(const Arc& arc) {
     // an arc is a quarter of the radius of convergence long: its tension turns once or twice
     constexpr int parts = 8;
@@ -48,12 +50,12 @@ class TensionExtremes {
 
   /// An extreme; `arc` is null as long as it has looked at none.
   struct Found {
-    const Arc* arc = nullptr;
-    Real dt = Real(0);       // [s], since the start of the arc
-    Real tension = Real(0);  // [N]
+    const Arc* arc = nullptr;  // null: none yet
+    Real dt = Real(0);         // [s], since the start of the arc
+    Real tension = Real(0);    // [N]
   };
-  [[nodiscard]] const Found& least() const { return least_; }
-  [[nodiscard]] const Found& largest() const { return largest_; }
+  [[nodiscard]] const Found& least() const { return least_; }      // so far
+  [[nodiscard]] const Found& largest() const { return largest_; }  // so far
 
  private:
   [[nodiscard]] Real tension(const Arc& arc, const Real& dt) const {

@@ -150,7 +150,7 @@ template <class Real>
   return the_case.body;
 }
 
-/// The same, to be changed.
+/// It, to be changed.
 template <class Real>
 [[nodiscard]] BasicBody<Real>& bodies_of(BasicCase<Real>& the_case) {
   return the_case.body;

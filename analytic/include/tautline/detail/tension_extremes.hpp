@@ -17,7 +17,7 @@ class TensionExtremes {
   using Real = RealOf<TheCase>;
   using Arc = BasicArc<TheCase>;  // on which to look
 
-  /// Of this cable; `solution` must outlive it.
+  /// For this cable; `solution` must outlive it.
   TensionExtremes(const BasicSolution<TheCase>& solution, std::size_t cable)
       : solution_(solution), cable_(cable) {}
 

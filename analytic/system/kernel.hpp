@@ -205,20 +205,31 @@ template <class Real, int D>
 
 // ---- time
 
+/// Calls `visit` with everything that is given over time.
+template <class Real, int D, class Visit>
+void each_function(const BasicSystem<Real, D>& system, const Visit& visit) {
+  visit(system.gravity);
+  for (const auto& body : system.bodies) {
+    visit(body.force);
+    visit(body.moment);
+  }
+  for (const auto& cable : system.cables) {
+    visit(cable.length);
+    for (std::size_t i = 0; i <= cable.segments(); ++i) {
+      visit(cable.end(i).motion);
+    }
+  }
+}
+
 /// The next instant [s] at which something given over time is not smooth; infinite: never.
 template <class Real, int D>
 [[nodiscard]] Real next_knot(const BasicSystem<Real, D>& system,
                              const BasicSystemState<Real, D>& state) {
   const Real& now = state.time;
-  Real result = system.gravity.next_knot(now);
-  for (const auto& body : system.bodies) {
-    result = min(result, min(body.force.next_knot(now), body.moment.next_knot(now)));
-  }
+  Real result = infinity<Real>();
+  each_function(system,
+                [&](const auto& function) { result = min(result, function.next_knot(now)); });
   for (const auto& cable : system.cables) {
-    result = min(result, cable.length.next_knot(now));
-    for (std::size_t i = 0; i <= cable.segments(); ++i) {
-      result = min(result, cable.end(i).motion.next_knot(now));
-    }
     for (const auto& change : {cable.from_time, cable.cut_at}) {
       result = change && *change > now ? min(result, *change) : result;
     }
@@ -237,17 +248,10 @@ template <class Real, int D>
 template <class Real, int D>
 [[nodiscard]] bool is_constant_from(const BasicSystem<Real, D>& system,
                                     const BasicSystemState<Real, D>& state) {
-  const Real& now = state.time;
-  bool result = !isfinite(next_knot(system, state)) && system.gravity.is_constant_from(now);
-  for (const auto& body : system.bodies) {
-    result = result && body.force.is_constant_from(now) && body.moment.is_constant_from(now);
-  }
-  for (const auto& cable : system.cables) {
-    result = result && cable.length.is_constant_from(now);
-    for (std::size_t i = 0; i <= cable.segments(); ++i) {
-      result = result && cable.end(i).motion.is_constant_from(now);
-    }
-  }
+  bool result = !isfinite(next_knot(system, state));
+  each_function(system, [&](const auto& function) {
+    result = result && function.is_constant_from(state.time);
+  });
   return result;
 }
 

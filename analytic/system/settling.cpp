@@ -11,22 +11,6 @@
 namespace tautline {
 namespace {
 
-/// Calls `visit` with everything that is given over time.
-template <class Real, int D, class Visit>
-void each_function(const BasicSystem<Real, D>& system, const Visit& visit) {
-  visit(system.gravity);
-  for (const auto& body : system.bodies) {
-    visit(body.force);
-    visit(body.moment);
-  }
-  for (const auto& cable : system.cables) {
-    visit(cable.length);
-    for (std::size_t i = 0; i <= cable.segments(); ++i) {
-      visit(cable.end(i).motion);
-    }
-  }
-}
-
 /// The last impacts faster than 1e-2 and 1e-3.
 template <class Real, int D>
 std::vector<BasicLastImpact<Real>> last_impacts(

@@ -225,10 +225,10 @@ template <class Real, int D>
   return result;
 }
 
-/// Sizes of all ends, lengths, forces and moments (T7).
+/// The largest sizes of ends and lengths of a cable.
 template <class Real, int D>
-[[nodiscard]] GivenSizes<Real> given_sizes(const BasicSystem<Real, D>& system,
-                                           const BasicSystemState<Real, D>& state) {
+[[nodiscard]] GivenSizes<Real> given_sizes_of_cables(const BasicSystem<Real, D>& system,
+                                                     const BasicSystemState<Real, D>& state) {
   GivenSizes<Real> result;
   for (const auto& cable : system.cables) {
     const GivenSizes<Real> one = sizes_of(cable, state.time);
@@ -236,6 +236,14 @@ template <class Real, int D>
     result.acceleration = max(result.acceleration, one.acceleration);
     result.frequency = max(result.frequency, one.frequency);
   }
+  return result;
+}
+
+/// Sizes of all ends, lengths, forces and moments (T7).
+template <class Real, int D>
+[[nodiscard]] GivenSizes<Real> given_sizes(const BasicSystem<Real, D>& system,
+                                           const BasicSystemState<Real, D>& state) {
+  GivenSizes<Real> result = given_sizes_of_cables(system, state);
   Real most(0);
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
     const auto& body = system.bodies[i];
@@ -365,18 +373,6 @@ struct SystemTouching {
       arms += cable.end(i).body ? Real(cable.end(i).at.norm()) : Real(0);
     }
     return rate_rounding + spin_rounding * arms;
-  }
-
- private:
-  static GivenSizes<Real> given_sizes_of_cables(const BasicSystem<Real, D>& system,
-                                                const BasicSystemState<Real, D>& state) {
-    GivenSizes<Real> result;
-    for (const auto& cable : system.cables) {
-      const GivenSizes<Real> one = sizes_of(cable, state.time);
-      result.speed = max(result.speed, one.speed);
-      result.acceleration = max(result.acceleration, one.acceleration);
-    }
-    return result;
   }
 };
 

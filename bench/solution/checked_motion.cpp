@@ -61,8 +61,7 @@ template <class Real>
 std::vector<Real> numbers_at(const BasicSystem<Real, 2>& system,
                              const BasicSolution<BasicSystem<Real, 2>>& solution,
                              const Real& time) {
-  const auto& arc = solution.arcs()[solution.place(time).arc];
-  return numbers_of(system, solution.at(time), arc.taut, solution.tensions(time));
+  return numbers_of(system, solution.at(time), taut_at(solution, time), solution.tensions(time));
 }
 
 /// They on one side of event `index`.
@@ -73,8 +72,8 @@ std::vector<Real> numbers_at(const BasicSystem<Real, 2>& system,
   const auto& event = solution.events()[index];
   const auto& arcs = solution.arcs();
   if (side == Side::after) {
-    const auto& arc = arcs[solution.place(event.time).arc];
-    return numbers_of(system, event.after, arc.taut, solution.tensions(event.time));
+    return numbers_of(system, event.after, taut_at(solution, event.time),
+                      solution.tensions(event.time));
   }
   const auto next =
       std::lower_bound(arcs.begin(), arcs.end(), event.time,
@@ -150,8 +149,7 @@ struct CheckedMotion::InDigits {
 
 CheckedMotion::CheckedMotion(System system, const SolveOptions& options, bool checked)
     : system_(std::move(system)),
-      options_(options),
-      solution_(solve(system_, options_)),
+      solution_(solve(system_, options)),
       settling_(tautline::settling(system_, solution_)),
       ledger_(energy_ledger(system_, solution_)) {
   if (!checked) {
@@ -159,7 +157,7 @@ CheckedMotion::CheckedMotion(System system, const SolveOptions& options, bool ch
     return;
   }
   const tautline::Digits precision(digits_of_systems);
-  SolveOptions sharper = options_;
+  SolveOptions sharper = options;
   sharper.completion = {.error = completion_of_digits, .speed = std::nullopt};
   auto many = converted<Multi>(system_);
   auto solution = solve(many, sharper);
@@ -219,15 +217,15 @@ std::vector<SampleName> CheckedMotion::names() const {
   std::vector<SampleName> result;
   for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
     for (const auto& one : coordinates(system_.initial.bodies[i])) {
-      result.push_back({name_of(system_, i) + one.name, one.unit, true});
+      result.push_back({name_of(system_, i) + one.name, true});
     }
   }
   for (std::size_t i = 0; i < system_.cables.size(); ++i) {
-    result.push_back({fmt::format("gap {}", i), "m", false});
-    result.push_back({fmt::format("gap rate {}", i), "m/s", false});
-    result.push_back({fmt::format("tension {}", i), "N", false});
+    result.push_back({fmt::format("gap {}", i), false});
+    result.push_back({fmt::format("gap rate {}", i), false});
+    result.push_back({fmt::format("tension {}", i), false});
   }
-  result.push_back({"energy", "J", false});
+  result.push_back({"energy", false});
   return result;
 }
 

@@ -20,7 +20,6 @@ inline constexpr int digits_of_systems = 30;
 /// A number of a system's motion, and what it is called.
 struct SampleName {
   std::string name;  // "load x", "tension 0"
-  std::string unit;
   bool is_of_a_body;
 };
 
@@ -51,7 +50,6 @@ class CheckedMotion {
   ~CheckedMotion();
 
   [[nodiscard]] const System& system() const { return system_; }
-  [[nodiscard]] const SolveOptions& options() const { return options_; }
   [[nodiscard]] const BasicSolution<System>& solution() const { return solution_; }
   [[nodiscard]] const SystemSettling& settling() const { return settling_; }
   [[nodiscard]] SystemSettlingErrors settling_errors() const;
@@ -88,7 +86,6 @@ class CheckedMotion {
   [[nodiscard]] std::optional<std::size_t> same_event(std::size_t index) const;
 
   System system_;
-  SolveOptions options_;
   BasicSolution<System> solution_;
   SystemSettling settling_;
   SystemLedger ledger_;

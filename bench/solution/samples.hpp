@@ -39,12 +39,13 @@ struct MotionSample {
 };
 
 /// The cables held at zero gap at `time`, after an event there.
-template <class Real>
-[[nodiscard]] CableSet taut_at(const BasicSolution<BasicCase<Real>>& solution, const Real& time) {
+template <class TheCase>
+[[nodiscard]] CableSet taut_at(const BasicSolution<TheCase>& solution,
+                               const RealOf<TheCase>& time) {
   const auto& arcs = solution.arcs();
   const auto next = std::upper_bound(
       arcs.begin(), arcs.end(), time,
-      [](const Real& t, const BasicArc<BasicCase<Real>>& arc) { return t < arc.start; });
+      [](const RealOf<TheCase>& t, const BasicArc<TheCase>& arc) { return t < arc.start; });
   return std::prev(next)->taut;
 }
 

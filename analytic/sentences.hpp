@@ -21,7 +21,7 @@ struct What {
   std::string_view number;
   std::optional<std::size_t> cable = std::nullopt;
   std::optional<std::size_t> point = std::nullopt;  // of its restitution over speed
-  std::string_view owner = "";  // what else has the number, with a colon and a space
+  std::string_view owner{};  // what else has the number, with a colon and a space
 
   [[nodiscard]] std::string words() const {
     std::string result(owner);

@@ -232,7 +232,7 @@ Real apart(const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& 
 /// later.
 template <class Real, int D>
 Real between_events(const BasicSolution<BasicSystem<Real, D>>& solution, const Real& period) {
-  const Real end = solution.end_time();
+  const Real& end = solution.end_time();
   Real longest(0);
   Real at = end;
   for (const auto& arc : solution.arcs()) {
@@ -281,7 +281,7 @@ std::optional<BasicForcedMotion<Real>> forced(const BasicSystem<Real, D>& system
       from = function.pieces.size() > 1 ? max(from, function.pieces.back().from) : from;
     }
   });
-  const Real end = solution.end_time();
+  const Real& end = solution.end_time();
   if (!periodic || end - from < *period) {
     return std::nullopt;
   }

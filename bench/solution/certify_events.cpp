@@ -11,6 +11,10 @@ namespace {
 /// estimated when it was completed [-].
 constexpr double lasting_margin = 2.0;
 
+/// A cascade of ever slower impacts ends within this part of its time [-]: where only some digits
+/// are left of it, how many impacts follow is a matter of rounding.
+constexpr double one_instant = 1e-9;
+
 template <class TheCase, class InDigits>
 bool same(const BasicEvent<TheCase>& one, const BasicEvent<InDigits>& other) {
   return one.kind == other.kind && one.cables == other.cables;
@@ -48,6 +52,27 @@ std::optional<std::size_t> after_the_same(const BasicSolution<TheCase>& solution
   return events.size();  // the duration cuts it short
 }
 
+/// The event that makes all cables of a cascade taut, which event `first` of `solution` is still
+/// part of; none: it is part of no such thing, or the cascade lasts.
+template <class TheCase>
+std::optional<std::size_t> end_of_cascade(const BasicSolution<TheCase>& solution,
+                                          std::size_t first) {
+  const auto& events = solution.events();
+  const Multi most = one_instant * Multi(events[first].time);
+  CableSet cables;
+  for (std::size_t index = first; index < events.size(); ++index) {
+    const BasicEvent<TheCase>& event = events[index];
+    cables = cables | event.cables;
+    if (Multi(event.time) - Multi(events[first].time) > most) {
+      return std::nullopt;
+    }
+    if (event.kind == EventKind::taut && event.cables == cables) {
+      return index;
+    }
+  }
+  return std::nullopt;
+}
+
 template <class TheCase>
 std::optional<EventMark> mark(const std::vector<BasicEvent<TheCase>>& events, std::size_t index) {
   if (index >= events.size()) {
@@ -83,7 +108,13 @@ Alignment<TheCase, InDigits>::Alignment(const BasicSolution<TheCase>& one,
                    accumulation ? after_the_same(other, j, *accumulation) : std::nullopt) {
       j = *next;
     } else {
-      break;
+      const auto mine = end_of_cascade(one, i);
+      const auto theirs = mine ? end_of_cascade(other, j) : std::nullopt;
+      if (!theirs || one.events()[*mine].cables != other.events()[*theirs].cables) {
+        break;
+      }
+      i = *mine;
+      j = *theirs + 1;
     }
     ++i;
     places_.emplace_back(i, j);

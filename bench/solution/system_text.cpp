@@ -65,8 +65,42 @@ class Sentences {
     const bool rests = solution.ending() == Ending::rest;
     const double since = rests ? solution.arcs().back().start : solution.end_time();
     const double error = motion_.horizon() ? -1.0 : std::max(errors_.lock, 0.0);
+    if (const auto culprits = asking_too_much(); !culprits.empty()) {
+      const bool one = culprits.size() == 1;
+      const bool hooked = is_hooked_up(*culprits.begin());
+      return fmt::format("Stopped at {}: {} {} {}.", time(since, error), cable_names(culprits),
+                         hooked ? (one ? "is" : "are") : (one ? "asks" : "ask"),
+                         hooked ? "hooked up there, and too short for where the ends are"
+                                : "for more than the bodies on taut cables can follow");
+    }
     return ending_sentence(solution.ending(), motion_.system().bodies.size(), time(since, error),
                            shortest(motion_.system().duration), solution.events().size());
+  }
+
+  [[nodiscard]] bool is_hooked_up(std::size_t index) const {
+    return motion_.system().cables[index].from_time == motion_.solution().end_time();
+  }
+
+  /// Of a motion that cannot go on: the cables that are hooked up there, or else those at the end
+  /// of their length that are given over time; empty where it is nothing of that kind.
+  [[nodiscard]] CableSet asking_too_much() const {
+    const auto& solution = motion_.solution();
+    const double end = solution.end_time();
+    const auto state = solution.at(end);
+    CableSet hooked;
+    CableSet given;
+    for (std::size_t i = 0; i < motion_.system().cables.size(); ++i) {
+      const CableOfSystem& cable = motion_.system().cables[i];
+      const bool is_given =
+          !(cable.length.is_constant_from(end) && cable.from.motion.is_constant_from(end) &&
+            cable.to.motion.is_constant_from(end));
+      const double length = cable.length.at(end)[0];
+      if (solution.ending() == Ending::singular && gap(cable, state) <= gap_rounding * length) {
+        is_hooked_up(i) ? hooked.insert(i) : void();
+        is_given ? given.insert(i) : void();
+      }
+    }
+    return hooked.empty() ? given : hooked;
   }
 
   [[nodiscard]] std::string last_impacts() const {

@@ -205,22 +205,6 @@ template <class Real, int D>
 
 // ---- time
 
-/// Calls `visit` with everything that is given over time.
-template <class Real, int D, class Visit>
-void each_function(const BasicSystem<Real, D>& system, const Visit& visit) {
-  visit(system.gravity);
-  for (const auto& body : system.bodies) {
-    visit(body.force);
-    visit(body.moment);
-  }
-  for (const auto& cable : system.cables) {
-    visit(cable.length);
-    for (std::size_t i = 0; i <= cable.segments(); ++i) {
-      visit(cable.end(i).motion);
-    }
-  }
-}
-
 /// The next instant [s] at which something given over time is not smooth; infinite: never.
 template <class Real, int D>
 [[nodiscard]] Real next_knot(const BasicSystem<Real, D>& system,

@@ -76,20 +76,13 @@ BasicSystem<Real, D> calmed(BasicSystem<Real, D> system, const BasicSystemState<
       function = Function::constant(function.at(now));
     }
   };
-  const auto fix_end = [&](BasicEnd<Real, D>& end) { fix(end.motion); };
-  fix(system.gravity);
+  std::erase_if(system.cables, [&](const auto& cable) { return !cable.acts_at(now); });
+  each_function(system, fix);
   for (auto& body : system.bodies) {
-    fix(body.force);
-    fix(body.moment);
     body.drag = 2 * body.mass * rate;
     body.spin_drag = 2 * body.inertia * rate;
   }
-  std::erase_if(system.cables, [&](const auto& cable) { return !cable.acts_at(now); });
   for (auto& cable : system.cables) {
-    fix(cable.length);
-    fix_end(cable.from);
-    fix_end(cable.to);
-    std::for_each(cable.through.begin(), cable.through.end(), fix_end);
     cable.restitution = Real(0);
     cable.restitution_table.clear();
     cable.from_time.reset();

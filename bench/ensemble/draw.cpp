@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 
-#include "bench/cases/quantity.hpp"
 #include "bench/ensemble/normal.hpp"
 #include "bench/ensemble/random.hpp"
 
@@ -82,7 +81,7 @@ DrawnValues drawn_values(const EnsembleSpec& spec, std::uint64_t seed, std::size
   DrawnValues values;
   values.reserve(spec.varied.size());
   for (const Varied& one : spec.varied) {
-    const auto& [name, distribution] = one;
+    const Distribution& distribution = one.distribution;
     if (is_grid(one)) {  // the first grid goes fastest
       values.push_back(distribution.numbers[rest % distribution.numbers.size()]);
       rest /= distribution.numbers.size();
@@ -90,16 +89,19 @@ DrawnValues drawn_values(const EnsembleSpec& spec, std::uint64_t seed, std::size
     }
     const double part = sobol != nullptr ? sobol->next(seed, place)
                                          : random_part(seed, Purpose::draw, index, place);
-    values.push_back(value_at(distribution, quantity(spec.the_case, name), part));
+    const double centre = std::visit(
+        [&](const auto& the_case) { return quantity(the_case, one.quantity); }, spec.the_case);
+    values.push_back(value_at(distribution, centre, part));
     ++place;
   }
   return values;
 }
 
-Case case_of(const EnsembleSpec& spec, const DrawnValues& values) {
-  Case the_case = spec.the_case;
+AnyCase case_of(const EnsembleSpec& spec, const DrawnValues& values) {
+  AnyCase the_case = spec.the_case;
   for (std::size_t place = 0; place < values.size(); ++place) {
-    set_quantity(the_case, spec.varied[place].quantity, values[place]);
+    std::visit([&](auto& one) { set_quantity(one, spec.varied[place].quantity, values[place]); },
+               the_case);
   }
   return the_case;
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bench/ensemble/spec.hpp"
-#include "tautline/case.hpp"
 
 namespace tautline::bench {
 
@@ -18,7 +17,7 @@ using DrawnValues = std::vector<double>;
                                        std::size_t index);
 
 /// The case with these values. It may have `problems`: a start beyond the end of a cable.
-[[nodiscard]] Case case_of(const EnsembleSpec& spec, const DrawnValues& values);
+[[nodiscard]] AnyCase case_of(const EnsembleSpec& spec, const DrawnValues& values);
 
 /// The point of the grid that draw `index` is at.
 [[nodiscard]] std::size_t grid_point(const EnsembleSpec& spec, std::size_t index);

@@ -83,10 +83,10 @@ std::optional<DrawResult> draw_in(std::string_view line, std::size_t values) {
 
 std::uint64_t draws_fingerprint(const EnsembleSpec& spec, const EnsembleSetup& setup,
                                 std::uint64_t program) {
-  std::string text = write_case(spec.the_case);
+  std::string text = written(spec.the_case);
   text += fmt::format("{:016x} {} {} {} {}\n", program, spec.seed, static_cast<int>(spec.sampling),
                       shortest(spec.speeds[0]), shortest(spec.speeds[1]));
-  for (const auto& [name, distribution] : spec.varied) {
+  for (const auto& [name, distribution, unit] : spec.varied) {
     text += fmt::format("{} {}", name, static_cast<int>(distribution.kind));
     for (const double number : distribution.numbers) {
       text += " " + shortest(number);

@@ -14,15 +14,17 @@
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 #include "tautline/solve_batch.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
 /// The fastest rebound that can have followed where bounces were completed [m/s], to leading order:
 /// all that this has taken from the energy in one cable.
-double fastest_completed(const Case& the_case, const Solution& solution) {
+template <class TheCase>
+double fastest_completed(const TheCase& the_case, const BasicSolution<TheCase>& solution) {
   double fastest = 0.0;
-  for (const Event& event : solution.events()) {
+  for (const auto& event : solution.events()) {
     if (event.kind != EventKind::taut) {
       continue;
     }
@@ -36,7 +38,9 @@ double fastest_completed(const Case& the_case, const Solution& solution) {
 }
 
 /// Why the exact motion of a draw says nothing of impacts as slow as `slowest` [m/s], or empty.
-std::string exact_problem(const Case& the_case, const Solution& solution, double slowest) {
+template <class TheCase>
+std::string exact_problem(const TheCase& the_case, const BasicSolution<TheCase>& solution,
+                          double slowest) {
   if (const double completed = fastest_completed(the_case, solution); completed > slowest) {
     return fmt::format(
         "an accumulation was completed where bounces may have had {:.2g} m/s; completion must be "
@@ -54,7 +58,7 @@ std::string exact_problem(const Case& the_case, const Solution& solution, double
 }
 
 /// Why there is no such case, or empty.
-std::string case_problem(const Case& the_case) {
+std::string case_problem(const AnyCase& the_case) {
   const std::vector<std::string> broken = problems(the_case);
   return broken.empty() ? "" : "no such case: " + broken.front();
 }
@@ -63,10 +67,11 @@ std::string case_problem(const Case& the_case) {
 std::pair<std::optional<ReferenceCase>, std::string> reference_of(const EnsembleSpec& spec,
                                                                   const EnsembleSetup& setup,
                                                                   std::size_t draw) {
-  Case the_case = case_of(spec, setup, draw);
-  if (std::string problem = case_problem(the_case); !problem.empty()) {
+  AnyCase drawn = case_of(spec, setup, draw);  // a system has no engine
+  if (std::string problem = case_problem(drawn); !problem.empty()) {
     return {std::nullopt, std::move(problem)};
   }
+  Case& the_case = std::get<Case>(drawn);
   const ImpactLaw law = setup.exact.law;
   Solution solution = solve(the_case, options_of(setup));
   if (std::string problem = exact_problem(the_case, solution, spec.speeds[1]); !problem.empty()) {
@@ -97,10 +102,10 @@ class ExactSolver final : public DrawSolver {
     std::vector<Case> cases;
     std::vector<std::size_t> places;  // of their results
     for (std::size_t draw = first; draw < end; ++draw) {
-      Case the_case = case_of(request_.spec, setup_, draw);
+      AnyCase the_case = case_of(request_.spec, setup_, draw);
       results.push_back({draw, case_problem(the_case), {}});
       if (results.back().problem.empty()) {
-        cases.push_back(std::move(the_case));
+        cases.push_back(std::move(std::get<Case>(the_case)));
         places.push_back(results.size() - 1);
       }
     }
@@ -116,6 +121,40 @@ class ExactSolver final : public DrawSolver {
             exact_statistics(request_.spec, the_case, solution, last_lock(the_case, solution));
       }
     });
+  }
+
+  const EnsembleRequest& request_;
+  const EnsembleSetup& setup_;
+};
+
+/// The exact motions of draws of a system, one after another.
+class SystemSolver final : public DrawSolver {
+ public:
+  SystemSolver(const EnsembleRequest& request, const EnsembleSetup& setup)
+      : request_(request), setup_(setup) {}
+
+  std::vector<DrawResult> solve(std::size_t first, std::size_t end) override {
+    std::vector<DrawResult> results;
+    for (std::size_t draw = first; draw < end && !interruption(); ++draw) {
+      results.push_back({draw, "", {}});
+      run(results.back());
+    }
+    return results;
+  }
+
+ private:
+  void run(DrawResult& result) const {
+    const AnyCase drawn = case_of(request_.spec, setup_, result.draw);
+    result.problem = case_problem(drawn);
+    if (!result.problem.empty()) {
+      return;
+    }
+    const System& system = std::get<System>(drawn);
+    const auto solution = tautline::solve(system, options_of(setup_));
+    result.problem = exact_problem(system, solution, request_.spec.speeds[1]);
+    if (result.problem.empty()) {
+      result.values = system_statistics(request_.spec, system, solution);
+    }
   }
 
   const EnsembleRequest& request_;
@@ -178,6 +217,9 @@ std::unique_ptr<DrawSolver> draw_solver(const EnsembleRequest& request,
                                         const EnsembleSetup& setup) {
   if (setup.engine) {
     return std::make_unique<EngineSolver>(request, setup);
+  }
+  if (std::holds_alternative<System>(request.spec.the_case)) {
+    return std::make_unique<SystemSolver>(request, setup);
   }
   return std::make_unique<ExactSolver>(request, setup);
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "bench/base/text.hpp"
-#include "bench/cases/quantity.hpp"
 #include "bench/ensemble/draw.hpp"
 
 namespace tautline::bench {
@@ -39,24 +38,25 @@ SolveOptions options_of(const EnsembleSetup& setup) {
   return options;
 }
 
-Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {
-  Case the_case = case_of(spec, drawn_values(spec, setup.exact.seed.value_or(spec.seed), index));
+AnyCase case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {
+  AnyCase the_case = case_of(spec, drawn_values(spec, setup.exact.seed.value_or(spec.seed), index));
   if (!setup.exact.quantity.empty()) {
-    scale_quantity(the_case, setup.exact.quantity, setup.exact.factor);
+    std::visit([&](auto& one) { scale_quantity(one, setup.exact.quantity, setup.exact.factor); },
+               the_case);
   }
   return the_case;
 }
 
-Case named_case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {
-  Case the_case = case_of(spec, setup, index);
+AnyCase named_case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index) {
+  AnyCase the_case = case_of(spec, setup, index);
   const DrawnValues values = drawn_values(spec, setup.exact.seed.value_or(spec.seed), index);
-  the_case.name += fmt::format(", draw {}", index);
+  std::string of_draw = fmt::format(", draw {}", index);
   const char* separator = ": ";
   for (const std::size_t axis : grid_axes(spec)) {
-    the_case.name +=
-        fmt::format("{}{} = {:.4g}", separator, spec.varied[axis].quantity, values[axis]);
+    of_draw += fmt::format("{}{} = {:.4g}", separator, spec.varied[axis].quantity, values[axis]);
     separator = ", ";
   }
+  std::visit([&](auto& one) { one.name += of_draw; }, the_case);
   return the_case;
 }
 

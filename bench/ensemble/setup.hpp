@@ -30,11 +30,12 @@ struct EnsembleSetup {
 [[nodiscard]] SolveOptions options_of(const EnsembleSetup& setup);
 
 /// The case that `setup` solves for draw `index`.
-[[nodiscard]] Case case_of(const EnsembleSpec& spec, const EnsembleSetup& setup, std::size_t index);
+[[nodiscard]] AnyCase case_of(const EnsembleSpec& spec, const EnsembleSetup& setup,
+                              std::size_t index);
 
 /// The same, its name followed by which draw it is and by its point of the grids, if there are any:
 /// "standard, draw 17: spin = 2".
-[[nodiscard]] Case named_case_of(const EnsembleSpec& spec, const EnsembleSetup& setup,
-                                 std::size_t index);
+[[nodiscard]] AnyCase named_case_of(const EnsembleSpec& spec, const EnsembleSetup& setup,
+                                    std::size_t index);
 
 }  // namespace tautline::bench

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tautline/case.hpp"
+#include "bench/cases/any_case.hpp"
 #include "tautline/detail/accumulation.hpp"
 #include "tautline/impact.hpp"
 
@@ -29,6 +29,7 @@ struct Distribution {
 struct Varied {
   std::string quantity;  // one of `quantities_of` the case
   Distribution distribution;
+  std::string unit = {};  // of the quantity, or empty
 };
 
 /// A further exact motion of every draw, which the first one is compared with.
@@ -46,7 +47,7 @@ enum class Sampling { random, sobol };
 
 /// What `tautline ensemble` is asked: a case, what varies, and who solves it.
 struct EnsembleSpec {
-  Case the_case;             // as long as the runs are
+  AnyCase the_case;          // as long as the runs are
   std::size_t count = 1000;  // draws; over a grid: at each of its points
   std::uint64_t seed = 1;
   Sampling sampling = Sampling::random;

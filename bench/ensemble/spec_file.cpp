@@ -13,7 +13,6 @@
 #include "bench/base/text.hpp"
 #include "bench/base/value.hpp"
 #include "bench/cases/catalogue.hpp"
-#include "bench/cases/quantity.hpp"
 #include "bench/run/record.hpp"
 #include "tautline/case.hpp"
 #include "tautline/detail/scalar.hpp"
@@ -73,9 +72,9 @@ std::string from_folder_of(const std::filesystem::path& source, const std::strin
 }
 
 /// The case that a spec means: a file next to it, or a shipped one.
-std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& source,
-                              const std::optional<std::string>& other_case, FileProblems& wrong,
-                              std::vector<std::string>& notes) {
+std::optional<AnyCase> read_case(StrictTable& root, const std::filesystem::path& source,
+                                 const std::optional<std::string>& other_case, FileProblems& wrong,
+                                 std::vector<std::string>& notes) {
   std::string name = root.text(
       {"case", "the name of a shipped case, or a case file, from the folder of this one"});
   if (name.ends_with(".toml")) {  // a shipped one has a '/', too
@@ -85,17 +84,20 @@ std::optional<Case> read_case(StrictTable& root, const std::filesystem::path& so
   if (name.empty()) {
     return std::nullopt;
   }
-  CaseSelection selection = select_cases({&name, 1});
-  if (selection.cases.size() > 1) {
-    selection.problems.push_back(
-        fmt::format("means {} cases, must mean one", selection.cases.size()));
+  CaseSelection selection = select_cases({&name, 1}, {}, Kinds::cases_and_systems);
+  const std::size_t meant = selection.cases.size() + selection.systems.size();
+  if (meant > 1) {
+    selection.problems.push_back(fmt::format("means {} cases, must mean one", meant));
   }
   for (const std::string& sentence : selection.problems) {
     other_case ? wrong.add(0, "--case: " + sentence) : root.refuse_value("case", sentence);
   }
   notes = std::move(selection.notes);
-  return selection.cases.size() == 1 ? std::optional(std::move(selection.cases.front()))
-                                     : std::nullopt;
+  if (meant != 1) {
+    return std::nullopt;
+  }
+  return selection.cases.empty() ? AnyCase(std::move(selection.systems.front()))
+                                 : AnyCase(std::move(selection.cases.front()));
 }
 
 /// Values of a grid from one end to the other.
@@ -146,9 +148,10 @@ Distribution read_distribution(StrictTable& table) {
   return given.empty() ? Distribution{Kind::list, {0.0}} : given.front();
 }
 
-/// What one table [[vary]] varies, each of its quantities independent of the others: `names`, and
-/// none of those `before`, which it joins.
-std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::string>& names,
+/// What one table [[vary]] varies, each of its quantities independent of the others: `names` of
+/// `the_case`, and none of those `before`, which it joins.
+std::vector<Varied> read_varied(StrictTable& table, const AnyCase& the_case,
+                                const std::vector<std::string>& names,
                                 std::set<std::string>& before) {
   std::vector<Varied> result;
   const auto chosen =
@@ -163,7 +166,9 @@ std::vector<Varied> read_varied(StrictTable& table, const std::vector<std::strin
     } else if (!before.insert(name).second) {
       table.refuse_value("quantities", printable(name) + " is varied twice");
     }
-    result.push_back({name, distribution});
+    const bool known = before.contains(name);
+    result.push_back(
+        {name, distribution, std::string(known ? unit_of_quantity(the_case, name) : "")});
   }
   table.refuse_unknown_keys();
   return result;
@@ -196,6 +201,10 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
 }
 
 void read_engines(StrictTable table, const std::filesystem::path& source, EnsembleSpec& spec) {
+  if (std::holds_alternative<System>(spec.the_case)) {
+    table.refuse_value("names", "engines run cases of one body; " +
+                                    printable(name_of(spec.the_case)) + " is a system");
+  }
   const std::string names = "must be an array of at least one name";
   for (const std::string& name : table.texts(
            {"names", "names of engines, or paths of plug-ins, from the folder of this file"},
@@ -209,11 +218,11 @@ void read_engines(StrictTable table, const std::filesystem::path& source, Ensemb
     spec.steps = {1e-3};  // the middle one of those that `tautline bench` takes
   }
   for (const double step : spec.steps) {
-    if (const double count = spec.the_case.duration / step; count > most_steps) {
-      table.refuse_value(
-          "steps",
-          fmt::format("{} needs {:.0e} steps for {} s, must need at most {:.0e}", shortest(step),
-                      count, shortest(spec.the_case.duration), most_steps));
+    const double duration = duration_of(spec.the_case);
+    if (const double count = duration / step; count > most_steps) {
+      table.refuse_value("steps",
+                         fmt::format("{} needs {:.0e} steps for {} s, must need at most {:.0e}",
+                                     shortest(step), count, shortest(duration), most_steps));
     }
   }
   if (std::set<double>(spec.steps.begin(), spec.steps.end()).size() != spec.steps.size()) {
@@ -251,10 +260,11 @@ EnsembleSpec read_tables(StrictTable root, const std::filesystem::path& source,
   Case any_case;  // in place of one that cannot be read: with every cable that is asked for
   any_case.cables.resize(max_cables);
   spec.the_case = read_case(root, source, other_case, wrong, notes).value_or(any_case);
-  spec.the_case.duration =
-      root.optional_number({"until", "where every run ends; default the case's own duration"},
-                           positive_number, "[s]")
-          .value_or(spec.the_case.duration);
+  if (const auto until =
+          root.optional_number({"until", "where every run ends; default the case's own duration"},
+                               positive_number, "[s]")) {
+    std::visit([&](auto& one) { one.duration = *until; }, spec.the_case);
+  }
   spec.count = static_cast<std::size_t>(
       root.optional_number(
               {"count", "the number of samples, at each point of a grid; default 1000"},
@@ -272,11 +282,12 @@ EnsembleSpec read_tables(StrictTable root, const std::filesystem::path& source,
   read_speeds(root, spec);
   spec.completion =
       root.optional_number(completion_key, completion_error, "").value_or(spec.completion);
-  const std::vector<std::string> names = quantities_of(spec.the_case);
+  const std::vector<std::string> names =
+      std::visit([](const auto& one) { return quantities_of(one); }, spec.the_case);
   std::set<std::string> quantities;
   for (StrictTable& table : root.tables({"vary", "what differs between the samples"}, most_tables,
                                         "must be tables [[vary]]")) {
-    for (Varied& one : read_varied(table, names, quantities)) {
+    for (Varied& one : read_varied(table, spec.the_case, names, quantities)) {
       spec.varied.push_back(std::move(one));
     }
   }

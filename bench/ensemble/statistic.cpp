@@ -14,12 +14,15 @@
 #include "bench/measure/settling_match.hpp"
 #include "bench/measure/tension_match.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
+#include "tautline/system_settling.hpp"
 
 namespace tautline::bench {
 namespace {
 
 /// The places of the statistics, in the order of `statistics_of`: a value for each of them is put
-/// there for every draw, and a name would be looked up as often.
+/// there for every draw, and a name would be looked up as often. A system has others in some
+/// places, and the taut share of each cable after the last.
 struct Place {
   enum : std::size_t {
     settled_fast,
@@ -30,6 +33,9 @@ struct Place {
     swing_amplitude,
     largest_angle,
     first_loss,  // of each cable one
+    residual_energy = swing_energy,
+    one_percent = swing_amplitude,
+    impacts_a_period = largest_angle,
   };
   enum AfterLosses : std::size_t {
     largest_impulse,
@@ -38,10 +44,12 @@ struct Place {
     captured,
     first_cable,
     end,
+    repeats = overstretch,
+    rests = captured,
   };
 
   static std::size_t of(const EnsembleSpec& spec, AfterLosses statistic) {
-    return first_loss + spec.the_case.cables.size() + statistic;
+    return first_loss + cables_of(spec.the_case) + statistic;
   }
 };
 
@@ -82,7 +90,7 @@ class ImpactSums {
     if (first_cable_) {
       values_[Place::of(spec_, Place::first_cable)] = static_cast<double>(*first_cable_);
     }
-    for (std::size_t cable = 0; cable < spec_.the_case.cables.size() && sum_ > 0.0; ++cable) {
+    for (std::size_t cable = 0; cable < cables_of(spec_.the_case) && sum_ > 0.0; ++cable) {
       values_[Place::first_loss + cable] = lost_[cable] / sum_;
     }
     return std::move(values_);
@@ -175,6 +183,26 @@ void add_impacts(ImpactSums& sums, const Case& the_case, const Solution& solutio
       const auto [before, after] = rates_at(the_case.cables[cable], event);
       if (-before > speeds[1]) {
         sums.add(event.time, cable, -before, work_of(event.impulses[place], before, after));
+      }
+      ++place;
+    }
+  }
+}
+
+void add_impacts(ImpactSums& sums, const System& system, const BasicSolution<System>& solution,
+                 double slowest) {
+  for (const auto& event : solution.events()) {
+    if (event.kind != EventKind::impact) {
+      continue;
+    }
+    sums.note(event.impulses.maxCoeff());
+    Eigen::Index place = 0;
+    for (const std::size_t index : event.cables) {
+      const double before = gap_rate(system.cables[index], event.before);
+      if (-before > slowest) {
+        sums.add(
+            event.time, index, -before,
+            work_of(event.impulses[place], before, gap_rate(system.cables[index], event.after)));
       }
       ++place;
     }
@@ -284,26 +312,52 @@ double most_response(const Case& the_case, const Cable& cable) {
   return weight[0] + cable.attachment.squaredNorm() * weight[2];
 }
 
+double most_response(const System& system, const CableOfSystem& cable) {
+  double result = 0.0;
+  for (std::size_t i = 0; i <= cable.segments(); ++i) {
+    if (const End& end = cable.end(i); end.body) {
+      const BodyOfSystem& body = system.bodies[*end.body];
+      const double pulls = i == 0 || i == cable.segments() ? 1.0 : 2.0;  // on a ring both sides do
+      const double turn = body.inertia > 0.0 ? end.at.squaredNorm() / body.inertia : 0.0;
+      result += pulls * pulls * (1.0 / body.mass + turn);
+    }
+  }
+  return result;
+}
+
 std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
   const auto& [fast, slow] = spec.speeds;
+  const bool is_system = std::holds_alternative<System>(spec.the_case);
   std::vector<Statistic> all = {
       {"settled_fast", fmt::format("last impact > {:g} m/s", fast), "s", fixed(4), true, true,
        OfEngines::all, "the last impact faster than the first speed: settling time"},
       {"settled_slow", fmt::format("last impact > {:g} m/s", slow), "s", fixed(4), true, true,
        OfEngines::all, "the last impact faster than the second speed"},
       {"lock", "lock", "s", fixed(4), true, true, OfEngines::none,
-       "from which on the last cables stay taut; of an engine's run none is known"},
+       is_system ? "from which on the cables that are taut at the end stay taut; none where what "
+                   "is given still varies"
+                 : "from which on the last cables stay taut; of an engine's run none is known"},
       {"impacts", fmt::format("impacts > {:g} m/s", fast), "", as_count, true, true, OfEngines::all,
        "impacts faster than the first speed, one a cable"},
-      {"swing_energy", "swing energy", "J", fixed(5), true, true, OfEngines::all,
-       "above the equilibrium, in the last period; none where the exact motion has not locked and "
-       "swung to and fro by the end"},
-      {"swing_amplitude", "swing amplitude", "rad", fixed(4), true, true, OfEngines::all,
-       "half the range of the angle in the last period"},
-      {"largest_angle", "largest |angle|", "rad", fixed(4), true, true, OfEngines::all,
-       "of the whole motion"},
   };
-  for (std::size_t cable = 0; cable < spec.the_case.cables.size(); ++cable) {
+  const auto add = [&](std::initializer_list<Statistic> of_case,
+                       std::initializer_list<Statistic> of_system) {
+    all.insert(all.end(), is_system ? of_system : of_case);
+  };
+  add({{"swing_energy", "swing energy", "J", fixed(5), true, true, OfEngines::all,
+        "above the equilibrium, in the last period; none where the exact motion has not locked and "
+        "swung to and fro by the end"},
+       {"swing_amplitude", "swing amplitude", "rad", fixed(4), true, true, OfEngines::all,
+        "half the range of the angle in the last period"},
+       {"largest_angle", "largest |angle|", "rad", fixed(4), true, true, OfEngines::all,
+        "of the whole motion"}},
+      {{"residual_energy", "residual energy", "J", fixed(5), true, true, OfEngines::none,
+        "above the equilibrium of the cables that lock the motion, at the end"},
+       {"one_percent", "time to 1 %", "s", fixed(4), true, true, OfEngines::none,
+        "when drag has taken 99 % of the energy that is left at the lock"},
+       {"impacts_a_period", "impacts a period", "", fixed(2), true, true, OfEngines::none,
+        "in the last periods of the waves; none without them"}});
+  for (std::size_t cable = 0; cable < cables_of(spec.the_case); ++cable) {
     all.push_back({fmt::format("loss_{}", cable), fmt::format("loss in cable {}", cable), "",
                    fixed(4), true, true, OfEngines::all,
                    "share of the energy that impacts faster than the second speed lose"});
@@ -313,13 +367,22 @@ std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
   all.push_back({"largest_tension", "largest tension", "N", fixed(4), true, true, OfEngines::some,
                  "of one cable that is taut, impacts aside; of an engine that tells its tensions "
                  "the largest mean over a step"});
-  all.push_back({"overstretch", "overstretch", "m", as_error, false, false, OfEngines::all,
-                 "the largest of the run"});
-  all.push_back({"captured", "captured", "", as_count, false, true, OfEngines::none,
-                 "1 where the cables that lock the motion are never let go, else 0; none before it "
-                 "is locked"});
+  add({{"overstretch", "overstretch", "m", as_error, false, false, OfEngines::all,
+        "the largest of the run"},
+       {"captured", "captured", "", as_count, false, true, OfEngines::none,
+        "1 where the cables that lock the motion are never let go, else 0; none before it is "
+        "locked"}},
+      {{"repeats", "repeats after", "periods", as_count, false, true, OfEngines::none,
+        "every how many periods of the waves the motion repeats at the end; none where it does "
+        "not"},
+       {"rests", "rests", "", as_count, false, true, OfEngines::none,
+        "1 where the bodies rest at the end, else 0; none before they are locked"}});
   all.push_back({"first_cable", "first cable", "", as_count, false, true, OfEngines::all,
                  "the cable of the first impact that is counted"});
+  for (std::size_t cable = 0; is_system && cable < cables_of(spec.the_case); ++cable) {
+    all.push_back({fmt::format("taut_share_{}", cable), fmt::format("cable {} taut", cable), "",
+                   fixed(4), true, true, OfEngines::none, "share of the time in which it is taut"});
+  }
   return all;
 }
 
@@ -344,6 +407,33 @@ StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
   if (const auto swing = measured_swing(the_case, solution, lock)) {
     values[Place::swing_energy] = swing->energy;
     values[Place::swing_amplitude] = swing->amplitude;
+  }
+  return values;
+}
+
+StatisticValues system_statistics(const EnsembleSpec& spec, const System& system,
+                                  const BasicSolution<System>& solution) {
+  ImpactSums sums(spec);
+  add_impacts(sums, system, solution, spec.speeds[1]);
+  StatisticValues values = std::move(sums).values();
+  const SystemSettling settled = settling(system, solution);
+  double largest = 0.0;
+  for (const CableUse& use : settled.cables) {
+    largest = std::max(largest, use.tension ? use.tension->value : 0.0);
+    values.emplace_back(use.taut_share);
+  }
+  values[Place::of(spec, Place::largest_tension)] = largest;
+  if (const auto& lock = settled.lock) {
+    values[Place::lock] = lock->time;
+    values[Place::residual_energy] = lock->residual_energy;
+    values[Place::one_percent] = lock->one_percent;
+    values[Place::of(spec, Place::rests)] = lock->certain ? 1.0 : 0.0;
+  }
+  if (const auto& forced = settled.forced) {
+    values[Place::impacts_a_period] = forced->impacts;
+    if (forced->repeats) {
+      values[Place::of(spec, Place::repeats)] = static_cast<double>(*forced->repeats);
+    }
   }
   return values;
 }

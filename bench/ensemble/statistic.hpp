@@ -38,6 +38,7 @@ struct Statistic {
 
 /// The response of the attachment of `cable` to a pull is at most this, as across its arm [1/kg].
 [[nodiscard]] double most_response(const Case& the_case, const Cable& cable);
+[[nodiscard]] double most_response(const System& system, const CableOfSystem& cable);
 
 /// A value for each statistic; none where the motion has none of it.
 using StatisticValues = std::vector<std::optional<double>>;
@@ -46,6 +47,10 @@ using StatisticValues = std::vector<std::optional<double>>;
 [[nodiscard]] StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
                                                const Solution& solution,
                                                const std::optional<Lock>& lock);
+
+/// Likewise for a system, which has other statistics.
+[[nodiscard]] StatisticValues system_statistics(const EnsembleSpec& spec, const System& system,
+                                                const BasicSolution<System>& solution);
 
 /// Of an engine's run of it.
 [[nodiscard]] StatisticValues run_statistics(const EnsembleSpec& spec,

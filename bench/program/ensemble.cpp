@@ -242,7 +242,7 @@ int write_draw(const EnsembleCommand& command) {
     return exit_usage;
   }
   const EnsembleSetup exact = setups_of(spec, {}).front();
-  const Case the_case = named_case_of(spec, exact, static_cast<std::size_t>(*command.draw));
+  const AnyCase the_case = named_case_of(spec, exact, static_cast<std::size_t>(*command.draw));
   if (const auto broken = problems(the_case); !broken.empty()) {
     complain({fmt::format("--draw {}: no such case: {}", *command.draw, broken.front())});
     return exit_failed;
@@ -250,7 +250,7 @@ int write_draw(const EnsembleCommand& command) {
   const bool is_default = spec.law == SolveOptions{}.law;
   fmt::print("# draw {} of {}{}\n{}", *command.draw, printable(command.spec),
              is_default ? "" : fmt::format(", which is solved with --law {}", to_string(spec.law)),
-             write_case(the_case));
+             written(the_case));
   return exit_done;
 }
 

@@ -68,7 +68,7 @@ DistributionsRow row_of(const EnsembleRequest& request, const Findings& findings
 
 Distributions distributions_of(const EnsembleRequest& request, const Findings& findings) {
   Distributions result;
-  result.the_case = request.spec.the_case.name;
+  result.the_case = name_of(request.spec.the_case);
   result.draws = request.spec.count;
   result.deviation = start_deviation;
   result.page = std::string(folder) + "/index.html";

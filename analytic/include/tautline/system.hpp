@@ -137,6 +137,25 @@ struct BasicSystem {
 };
 using System = BasicSystem<double, 2>;  // in double, in the plane
 
+/// Calls `visit` with each function of `system` over time, a `BasicSystem` that may be const: of
+/// gravity, of the bodies, of the lengths and ends of the cables.
+template <class TheSystem, class Visit>
+void each_function(TheSystem& system, const Visit& visit) {
+  visit(system.gravity);
+  for (auto& body : system.bodies) {
+    visit(body.force);
+    visit(body.moment);
+  }
+  for (auto& cable : system.cables) {
+    visit(cable.length);
+    visit(cable.from.motion);
+    for (auto& ring : cable.through) {
+      visit(ring.motion);
+    }
+    visit(cable.to.motion);
+  }
+}
+
 /// `function` in numbers of another type.
 template <class To, class Real, int N>
 [[nodiscard]] BasicFunction<To, N> converted(const BasicFunction<Real, N>& function) {

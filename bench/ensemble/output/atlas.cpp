@@ -57,7 +57,7 @@ AtlasMap map_of(const EnsembleReport& report, const std::string& name, std::size
     }
   }
   if (is_cable) {
-    for (std::size_t cable = 0; cable < report.request.spec.the_case.cables.size(); ++cable) {
+    for (std::size_t cable = 0; cable < cables_of(report.request.spec.the_case); ++cable) {
       map.names.push_back(fmt::format("cable {}", cable));
     }
   } else if (name == "captured" && is_whole) {
@@ -87,7 +87,13 @@ std::optional<Atlas> atlas_of(const EnsembleReport& report) {
     atlas.pictured.push_back(cells <= most_pictures && !report.result.interrupted &&
                              draws.solved(draw));
   }
-  for (const char* name : {"impacts", "settled_fast", "swing_energy", "captured", "first_cable"}) {
+  const bool is_system = std::holds_alternative<System>(spec.the_case);
+  const std::vector<std::string> of_case = {"impacts", "settled_fast", "swing_energy", "captured",
+                                            "first_cable"};
+  const std::vector<std::string> of_system = {
+      "impacts",          "settled_fast", "largest_impulse", "largest_tension",
+      "impacts_a_period", "repeats",      "first_cable"};
+  for (const std::string& name : is_system ? of_system : of_case) {
     atlas.maps.push_back(map_of(report, name, cells));
   }
   return atlas;

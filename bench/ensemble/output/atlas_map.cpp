@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bench/base/text.hpp"
-#include "bench/cases/quantity.hpp"
 #include "bench/ensemble/output/atlas.hpp"
 #include "bench/page/document.hpp"
 #include "bench/plot/svg.hpp"
@@ -41,10 +40,9 @@ std::string colour_of(double part) {
 
 /// "velocity x [m/s]".
 std::string axis_title(const Varied& axis) {
-  const std::string_view unit = unit_of_quantity(axis.quantity);
   std::string words = axis.quantity;
   std::replace(words.begin(), words.end(), '_', ' ');
-  return words + fmt::format(" [{}]", unit.empty() ? "-" : unit);
+  return words + fmt::format(" [{}]", axis.unit.empty() ? "-" : axis.unit);
 }
 
 /// The side of a map [px]: large enough for cells that lead to pictures.

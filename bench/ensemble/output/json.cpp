@@ -246,8 +246,8 @@ std::optional<MapsRow> maps_of(const EnsembleReport& report) {
 
 std::string ensemble_json(const EnsembleReport& report) {
   const EnsembleSpec& spec = report.request.spec;
-  Ensemble row{printable(spec.the_case.name),
-               spec.the_case.duration,
+  Ensemble row{printable(name_of(spec.the_case)),
+               duration_of(spec.the_case),
                draw_count(spec),
                spec.seed,
                spec.sampling == Sampling::sobol ? "sobol" : "random",

@@ -81,8 +81,15 @@ void write_pictures(const std::filesystem::path& out, const EnsembleReport& repo
   const EnsembleSetup& exact = report.request.setups.front();
   for (std::size_t cell = 0; cell < atlas->draws.size(); ++cell) {
     if (atlas->pictured[cell]) {
-      const Case the_case = named_case_of(report.request.spec, exact, atlas->draws[cell]);
-      write_file(out / picture_name(cell), plot_svg(the_case, solve(the_case, options_of(exact))));
+      const AnyCase any = named_case_of(report.request.spec, exact, atlas->draws[cell]);
+      std::visit(
+          [&](const auto& the_case) {
+            if constexpr (std::is_same_v<decltype(the_case), const Case&>) {
+              write_file(out / picture_name(cell),
+                         plot_svg(the_case, solve(the_case, options_of(exact))));
+            }
+          },
+          any);
     }
   }
 }

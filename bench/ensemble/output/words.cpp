@@ -92,7 +92,7 @@ void add_incomplete(std::vector<std::string>& sentences, const EnsembleReport& r
           "{}: {} not locked by {:g} s: later impacts than the last ones until then may "
           "follow.",
           name, part_of_draws(locks.without, locks.count + locks.without),
-          report.request.spec.the_case.duration));
+          duration_of(report.request.spec.the_case)));
     }
   }
 }
@@ -163,8 +163,8 @@ std::string ensemble_title(const EnsembleReport& report) {
   const EnsembleSpec& spec = report.request.spec;
   const std::size_t points = grid_points(spec);
   const std::size_t draws = draw_count(spec);
-  return fmt::format("{} to {:g} s, {} {}{}, seed {}", printable(spec.the_case.name),
-                     spec.the_case.duration, draws, draws == 1 ? "draw" : "draws",
+  return fmt::format("{} to {:g} s, {} {}{}, seed {}", printable(name_of(spec.the_case)),
+                     duration_of(spec.the_case), draws, draws == 1 ? "draw" : "draws",
                      points > 1 ? fmt::format(" ({} points of a grid)", points) : "", spec.seed);
 }
 

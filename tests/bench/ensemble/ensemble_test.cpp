@@ -188,7 +188,7 @@ TEST(Ensemble, StatisticsOfADrawAreThoseOfItsMotion) {
   const EnsembleRequest request = request_of(perturbed("1910121100", 3));
   const EnsembleResult result = solved(request);
   for (std::size_t draw = 0; draw < 3; ++draw) {
-    const Case the_case = case_of(request.spec, request.setups.front(), draw);
+    const auto the_case = std::get<Case>(case_of(request.spec, request.setups.front(), draw));
     const Solution solution = solve(the_case);
     const Settling settled = settling(the_case, solution);
     ASSERT_TRUE(settled.lock && settled.lock->swing);
@@ -222,7 +222,7 @@ TEST_P(PassedOver, ChangesNoStatistic) {
   const EnsembleRequest request = request_of("until = 12\n" + perturbed(GetParam(), 20));
   const EnsembleResult result = solved(request);
   for (std::size_t draw = 0; draw < 20; ++draw) {
-    const Case the_case = case_of(request.spec, request.setups.front(), draw);
+    const auto the_case = std::get<Case>(case_of(request.spec, request.setups.front(), draw));
     const Solution solution = solve(the_case, {.until_locked = true});
     double fast = 0.0;
     std::vector<double> lost(the_case.cables.size(), 0.0);

@@ -35,7 +35,7 @@ class LargestOf {
 
   [[nodiscard]] std::size_t size() const { return result_.draws.front().size(); }
   [[nodiscard]] Case the_case(std::size_t draw) const {
-    return case_of(request_.spec, request_.setups.front(), draw);
+    return std::get<Case>(case_of(request_.spec, request_.setups.front(), draw));
   }
   [[nodiscard]] double value(std::size_t draw, const std::string& name) const {
     const std::size_t place = place_of_statistic(statistics_of(request_.spec), name);
@@ -156,7 +156,7 @@ TEST_P(LargestOfTheChapter, IsThatOfTheWholeMotion) {
   const EnsembleResult result = solved(request);
   const std::size_t place = place_of_statistic(statistics_of(request.spec), "largest_tension");
   for (std::size_t draw = 0; draw < 10; ++draw) {
-    const Case the_case = case_of(request.spec, request.setups.front(), draw);
+    const auto the_case = std::get<Case>(case_of(request.spec, request.setups.front(), draw));
     const Solution solution = solve(the_case, {.until_locked = true});
     const double right = tautline::test::largest_sampled_tension(solution);
     const double found = result.draws.front().value(draw, place).value();

@@ -60,7 +60,7 @@ TEST(EnsembleWords, WhatHasNotLockedIsNeitherCapturedNorReleased) {
   const EnsembleRequest request =
       request_of(perturbed("1910121100", 12) + "[[exact]]\nname = \"a\"\n");
   EnsembleRequest early = request;
-  early.spec.the_case.duration = 3.0;  // it locks after some 8 s
+  std::get<Case>(early.spec.the_case).duration = 3.0;  // it locks after some 8 s
   const EnsembleResult result = solved(early);
   const std::size_t captured = place_of_statistic(statistics_of(early.spec), "captured");
   for (const DrawTable& draws : result.draws) {

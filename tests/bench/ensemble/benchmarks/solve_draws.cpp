@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   } else if (what != "nothing") {
     std::vector<Case> cases;
     for (std::size_t draw = 0; draw < draws; ++draw) {
-      cases.push_back(case_of(request.spec, request.setups.front(), draw));
+      cases.push_back(std::get<Case>(case_of(request.spec, request.setups.front(), draw)));
     }
     count = cases.size();
     if (what == "motions") {

@@ -1,0 +1,187 @@
+// Ensembles of systems: what may vary, and what a draw is reduced to.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "bench/ensemble/draw.hpp"
+#include "bench/ensemble/output/comparison.hpp"
+#include "bench/ensemble/output/output.hpp"
+#include "bench/ensemble/statistic.hpp"
+#include "tautline/scenarios.hpp"
+#include "tautline/solve.hpp"
+#include "tautline/system_settling.hpp"
+#include "tests/bench/ensemble/solved.hpp"
+
+namespace tautline::bench {
+namespace {
+
+System shipped(const std::string& name) {
+  for (const ShippedSystem& one : shipped_systems()) {
+    if (one.system.name == name) {
+      return one.system;
+    }
+  }
+  ADD_FAILURE() << "no shipped system is called " << name;
+  return {};
+}
+
+bool has(const System& system, const std::string& name) {
+  const auto names = quantities_of(system);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// every number that may vary takes what it is given, for every shipped system
+TEST(SystemQuantities, TakeEveryValue) {
+  for (const ShippedSystem& one : shipped_systems()) {
+    for (const std::string& name : quantities_of(one.system)) {
+      System changed = one.system;
+      set_quantity(changed, name, 0.75);
+      EXPECT_NEAR(quantity(changed, name), 0.75, 1e-15) << one.system.name << ' ' << name;
+      scale_quantity(changed, name, 2.0);
+      EXPECT_NEAR(quantity(changed, name), 1.5, 1e-15) << one.system.name << ' ' << name;
+    }
+  }
+}
+
+TEST(SystemQuantities, AreOfAllBodiesOrOfOne) {
+  System tow = shipped("tow");
+  set_quantity(tow, "drag", 100.0);
+  set_quantity(tow, "drag_barge", 200.0);
+  EXPECT_EQ(tow.bodies[0].drag, 100.0);
+  EXPECT_EQ(tow.bodies[1].drag, 200.0);
+  set_quantity(tow, "velocity_x_tug", 2.0);
+  EXPECT_EQ(tow.initial.bodies[0].velocity.x(), 2.0);
+  EXPECT_EQ(tow.initial.bodies[1].velocity.x(), 0.0);
+  set_quantity(tow, "cut_at_0", 12.0);
+  EXPECT_EQ(tow.cables[0].cut_at, 12.0);
+  EXPECT_FALSE(has(tow, "from_time")) << "its line is there from the start";
+  EXPECT_FALSE(has(tow, "phase")) << "without a wave";
+  EXPECT_TRUE(has(shipped("breakwater-in-waves"), "phase"));
+}
+
+// the same winch with its rate halved takes in half as much, from and to the same instants
+TEST(SystemQuantities, ChangeTheRateOfAWinch) {
+  System winch = shipped("winch");
+  const auto before = winch.cables[0].length;
+  const double rate = quantity(winch, "length_rate_0");
+  EXPECT_LT(rate, 0.0) << "it takes in";
+  set_quantity(winch, "length_rate", rate / 2.0);
+  const auto& after = winch.cables[0].length;
+  for (double time = 0.0; time < winch.duration; time += 0.1) {
+    EXPECT_NEAR(after.at(time)[0], 0.5 * (before.at(0.0)[0] + before.at(time)[0]), 1e-15) << time;
+  }
+  EXPECT_TRUE(problems(winch).empty()) << "it is continuous";
+  set_quantity(winch, "length", before.at(0.0)[0] + 1.0);
+  EXPECT_NEAR(winch.cables[0].length.at(winch.duration)[0],
+              0.5 * (before.at(0.0)[0] + before.at(winch.duration)[0]) + 1.0, 1e-15);
+}
+
+// a phase turns the whole sea: what pushes and what turns the body keep their places in it
+TEST(SystemQuantities, ShiftAllWavesInTime) {
+  System waves = shipped("breakwater-in-waves");
+  const auto before = waves.bodies[0];
+  const double first = quantity(waves, "phase");
+  const double frequency = 2.0 * std::numbers::pi / quantity(waves, "period");
+  set_quantity(waves, "phase", first + 0.3);
+  for (const double time : {0.0, 0.7, 3.1}) {
+    const double then = time + 0.3 / frequency;
+    EXPECT_NEAR(waves.bodies[0].force.at(time)[0], before.force.at(then)[0], 1e-14);
+    EXPECT_NEAR(waves.bodies[0].moment.at(time)[0], before.moment.at(then)[0], 1e-14);
+  }
+  set_quantity(waves, "amplitude", 2.0 * quantity(waves, "amplitude"));
+  EXPECT_NEAR(waves.bodies[0].moment.at(1.0)[0], 2.0 * before.moment.at(1.0 + 0.3 / frequency)[0],
+              1e-14)
+      << "all grow together";
+  set_quantity(waves, "amplitude_0", 5.0);
+  EXPECT_NEAR(quantity(waves, "amplitude_0"), 5.0, 1e-14);
+  EXPECT_NE(quantity(waves, "amplitude_1"), 5.0);
+}
+
+double value_of(const EnsembleRequest& request, const EnsembleResult& result, std::size_t draw,
+                const std::string& name) {
+  const std::size_t place = place_of_statistic(statistics_of(request.spec), name);
+  const auto value = result.draws.front().value(draw, place);
+  EXPECT_TRUE(value) << name << " of draw " << draw;
+  return value.value_or(NAN);
+}
+
+// two point masses: a snap of 6 N s in closed form, in proportion to the speed that varies
+TEST(SystemEnsemble, HasTheSnapOfTwoBodies) {
+  const EnsembleRequest request = request_of(
+      "case = \"two-bodies\"\ncount = 1\n[[vary]]\nquantities = [\"velocity_x_thrown\"]\n"
+      "grid = [3.5, 14]\npoints = 4\n");
+  const EnsembleResult result = solved(request);
+  ASSERT_EQ(result.draws.front().problems(), 0U) << result.draws.front().first_problem();
+  for (std::size_t draw = 0; draw < 4; ++draw) {
+    const double speed = 3.5 + 3.5 * static_cast<double>(draw);
+    const System system = std::get<System>(case_of(request.spec, request.setups.front(), draw));
+    const auto& cable = system.cables.front();
+    const double mass = 2.0 * 1.5 / (2.0 + 1.5);
+    const double snap = mass * (1.0 + cable.restitution) * speed;
+    EXPECT_NEAR(value_of(request, result, draw, "largest_impulse"), snap, 1e-12);
+    EXPECT_EQ(value_of(request, result, draw, "impacts"), 1.0);
+    EXPECT_EQ(value_of(request, result, draw, "first_cable"), 0.0);
+    EXPECT_NEAR(value_of(request, result, draw, "loss_0"), 1.0, 1e-12);
+  }
+}
+
+// what `settling` says of a draw is what stands in the table
+TEST(SystemEnsemble, SaysWhatTheSettlingOfEachDrawSays) {
+  const EnsembleRequest request = request_of(
+      "case = \"bouncer-stable\"\nuntil = 40\ncount = 6\n[[vary]]\nquantities = [\"amplitude\"]\n"
+      "uniform = [0.12, 0.14]\n");
+  const EnsembleResult result = solved(request);
+  for (std::size_t draw = 0; draw < 6; ++draw) {
+    const System system = std::get<System>(case_of(request.spec, request.setups.front(), draw));
+    EXPECT_EQ(system.duration, 40.0);
+    const SystemSettling settled = settling(system, solve(system));
+    ASSERT_TRUE(settled.forced);
+    EXPECT_EQ(value_of(request, result, draw, "impacts_a_period"), settled.forced->impacts);
+    EXPECT_EQ(value_of(request, result, draw, "taut_share_0"), settled.cables[0].taut_share);
+    ASSERT_TRUE(settled.cables[0].impulse);
+    EXPECT_EQ(value_of(request, result, draw, "largest_impulse"), settled.cables[0].impulse->value);
+  }
+}
+
+// threads have no say, nor has the page a gap
+TEST(SystemEnsemble, IsTheSameInAnyNumberOfThreads) {
+  const EnsembleRequest request = request_of(
+      "case = \"breakwater-and-ball\"\nuntil = 2\ncount = 8\n[[vary]]\n"
+      "quantities = [\"x_ball\", \"y_ball\", \"mass_ball\"]\nnormal = 1e-3\n");
+  const EnsembleResult one = solved(request, 1);
+  const EnsembleResult two = solved(request, 2);
+  const std::vector<Statistic> statistics = statistics_of(request.spec);
+  for (std::size_t draw = 0; draw < 8; ++draw) {
+    for (std::size_t place = 0; place < statistics.size(); ++place) {
+      EXPECT_EQ(one.draws.front().value(draw, place), two.draws.front().value(draw, place))
+          << statistics[place].name;
+    }
+  }
+  const Findings findings = findings_of(request, one, 1);
+  const std::string text = ensemble_markdown({request, one, findings});
+  for (const char* part : {"breakwater-and-ball to 2 s", "cable 2 taut", "residual energy"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  }
+}
+
+TEST(SystemEnsemble, HasNoEngines) {
+  const SpecReading reading = read_spec_text(
+      "case = \"tow\"\n[[vary]]\nquantities = [\"drag_tugg\"]\nnormal = 1\n[engines]\n"
+      "names = [\"ode\"]\n",
+      "test.toml");
+  std::string all;
+  for (const std::string& sentence : reading.problems) {
+    all += sentence + "\n";
+  }
+  for (const char* part : {"test.toml:6: engines.names", "tow is a system",
+                           "drag_tugg is none of this case; did you mean drag_tug?"}) {
+    EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
+  }
+}
+
+}  // namespace
+}  // namespace tautline::bench

@@ -2,11 +2,15 @@
 
 #include "bench/plot/motion.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "bench/base/text.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -22,11 +26,13 @@ struct Path {
   std::vector<Vec2> points;
   double end;  // [s]
 };
-Path path_of(const Solution& solution) {
+/// It has `most` points, each of them `place(arc, time since its start)`.
+template <class TheCase, class Place>
+Path path_of(const BasicSolution<TheCase>& solution, const Place& place, std::size_t most) {
   const auto& arcs = solution.arcs();
   const std::size_t count = arcs.size();  // what repeats lies on its first period
-  const auto position = [&](const Arc& arc, double part) {
-    return arc.after(part * (arc.end - arc.start), solution.gravity()).position;
+  const auto position = [&](const BasicArc<TheCase>& arc, double part) {
+    return place(arc, part * (arc.end - arc.start));
   };
   Extent extent;
   for (std::size_t index = 0; index < count; ++index) {
@@ -37,8 +43,8 @@ Path path_of(const Solution& solution) {
   constexpr double sharpness = 4000.0;  // [-], of the path's size: a sixth of a pixel
   const double chord = std::max(extent.size().maxCoeff(), 1e-300) / sharpness;
   Path result{{position(arcs.front(), 0.0)}, arcs.front().start};
-  for (std::size_t index = 0; index < count && result.points.size() < path_points; ++index) {
-    const Arc& arc = arcs[index];
+  for (std::size_t index = 0; index < count && result.points.size() < most; ++index) {
+    const BasicArc<TheCase>& arc = arcs[index];
     const Vec2 first = position(arc, 0.0);
     const Vec2 last = position(arc, 1.0);
     double deepest = 0.0;  // [m], of the arc's chord: that of n parts is smaller by n^2
@@ -55,16 +61,110 @@ Path path_of(const Solution& solution) {
     }
     result.end = arc.end;
   }
-  if (result.points.size() < path_points) {
+  if (result.points.size() < most) {
     result.end = solution.end_time();
   }
   return result;
 }
 
 /// The unit vector down; where nothing pulls, down on the sheet.
-Vec2 down(const Case& the_case) {
-  const double size = the_case.gravity.norm();
-  return size > 0.0 ? Vec2(the_case.gravity / size) : Vec2(0.0, -1.0);
+Vec2 down_by(const Vec2& gravity) {
+  const double size = gravity.norm();
+  return size > 0.0 ? Vec2(gravity / size) : Vec2(0.0, -1.0);
+}
+
+Pose pose_of(const Case& the_case, const State& state, CableSet taut) {
+  Pose result{{{state.position, {}}}, {}};
+  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+    const Cable& cable = the_case.cables[index];
+    const Vec2 end = attachment_point(state, cable);
+    result.bodies.front().points.push_back(end);
+    result.cables.push_back(
+        {index,
+         {cable.anchor, end},
+         cable.length,
+         taut.contains(index) || gap(cable, state) <= gap_rounding * cable.length});
+  }
+  return result;
+}
+
+Pose pose_of(const System& system, const SystemState& state, CableSet taut) {
+  Pose result;
+  for (const State& body : state.bodies) {
+    result.bodies.push_back({body.position, {}});
+  }
+  for (std::size_t index = 0; index < system.cables.size(); ++index) {
+    const CableOfSystem& cable = system.cables[index];
+    DrawnCable drawn{index, {}, cable.length.at(state.time)[0], false};
+    for (std::size_t i = 0; i <= cable.segments(); ++i) {
+      drawn.points.push_back(moving_point(cable.end(i), state).position);
+      if (cable.end(i).body) {
+        result.bodies[*cable.end(i).body].points.push_back(drawn.points.back());
+      }
+    }
+    if (cable.acts_at(state.time)) {
+      drawn.taut = taut.contains(index) || gap(cable, state) <= gap_rounding * drawn.length;
+      result.cables.push_back(std::move(drawn));
+    }
+  }
+  return result;
+}
+
+/// The places of the bodies that the cables of an event hold.
+std::vector<Vec2> places_of(const Case& /*the_case*/, const Event& event) {
+  return {event.before.position};
+}
+
+std::vector<Vec2> places_of(const System& system, const BasicEvent<System>& event) {
+  std::vector<bool> held(system.bodies.size());
+  for (const std::size_t index : event.cables) {
+    const CableOfSystem& cable = system.cables[index];
+    for (std::size_t i = 0; i <= cable.segments(); ++i) {
+      if (cable.end(i).body) {
+        held[*cable.end(i).body] = true;
+      }
+    }
+  }
+  std::vector<Vec2> result;
+  for (std::size_t body = 0; body < held.size(); ++body) {
+    if (held[body]) {
+      result.push_back(event.before.bodies[body].position);
+    }
+  }
+  return result;
+}
+
+/// Paths, impacts and poses: what cases and systems share.
+template <class TheCase>
+PlotMotion drawn_motion(const TheCase& the_case, const BasicSolution<TheCase>& solution) {
+  PlotMotion result;
+  result.name = the_case.name;
+  result.end_time = solution.end_time();
+  result.ending = solution.ending();
+  result.path_end = result.end_time;
+  const std::size_t bodies = bodies_of(the_case.initial).size();
+  for (std::size_t body = 0; body < bodies; ++body) {
+    Path path = path_of(
+        solution,
+        [&](const BasicArc<TheCase>& arc, double dt) {
+          return bodies_of(arc.after(dt, solution.gravity()))[body].position;
+        },
+        path_points / bodies);
+    result.paths.push_back(std::move(path.points));
+    result.path_end = std::min(result.path_end, path.end);
+  }
+  result.marks = impact_marks(the_case, solution);
+  for (std::size_t index = 0; index < std::min(faint_bodies, result.marks.size()); ++index) {
+    const auto& event = solution.events()[result.marks[index].event];
+    result.fastest.push_back(pose_of(the_case, event.before, {}));
+  }
+  result.start = pose_of(the_case, the_case.initial, solution.arcs().front().taut);
+  result.end = pose_of(the_case, solution.at(result.end_time), solution.arcs().back().taut);
+  const std::size_t cables = the_case.cables.size();
+  result.subject =
+      fmt::format("{} on {} cable{}", bodies == 1 ? "a body" : fmt::format("{} bodies", bodies),
+                  cables, cables == 1 ? "" : "s");
+  return result;
 }
 
 }  // namespace
@@ -126,47 +226,93 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   return hull;
 }
 
-std::vector<Mark> impact_marks(const Case& the_case, const Solution& solution) {
+std::string body_name(const BodyOfSystem& body, std::size_t index) {
+  constexpr std::size_t longest = 24;  // [bytes]
+  return body.name.empty() ? fmt::format("body {}", index) : printable(body.name, longest);
+}
+
+std::string horizon_words(const SystemMotion& motion) {
+  return motion.horizon ? fmt::format("; one of many motions from t = {:.6g} s on", *motion.horizon)
+                        : "";
+}
+
+template <class TheCase>
+std::vector<Mark> impact_marks(const TheCase& the_case, const BasicSolution<TheCase>& solution) {
   std::vector<Mark> marks;
-  for (const Event& event : solution.events()) {
+  for (std::size_t place = 0; place < solution.events().size(); ++place) {
+    const BasicEvent<TheCase>& event = solution.events()[place];
     if (event.kind != EventKind::impact) {
       continue;
     }
-    marks.push_back(
-        {closing_speed(the_case, event.cables, event.before), event.time, event.before});
+    double fastest = 0.0;
+    for (const std::size_t index : event.cables) {
+      fastest = std::max(fastest, -gap_rate(the_case.cables[index], event.before));
+    }
+    marks.push_back({fastest, event.time, place, places_of(the_case, event)});
   }
   std::stable_sort(marks.begin(), marks.end(),
                    [](const Mark& a, const Mark& b) { return a.speed > b.speed; });
   return marks;
 }
+template std::vector<Mark> impact_marks(const Case& the_case, const Solution& solution);
+template std::vector<Mark> impact_marks(const System& system,
+                                        const BasicSolution<System>& solution);
 
 PlotMotion plot_motion(const Case& the_case, const Solution& solution) {
-  Path path = path_of(solution);
-  return {the_case,
-          solution,
-          std::move(path.points),
-          path.end,
-          impact_marks(the_case, solution),
-          solution.at(solution.end_time())};
+  PlotMotion result = drawn_motion(the_case, solution);
+  result.down = down_by(the_case.gravity);
+  for (const Cable& cable : the_case.cables) {
+    result.anchors.push_back(cable.anchor);
+  }
+  return result;
 }
 
-Vec2 lowest_point(const Case& the_case, const Cable& cable, const State& state) {
-  const Vec2 end = attachment_point(state, cable);
-  return 0.5 * (cable.anchor + end) +
-         sag(cable.length, (end - cable.anchor).norm()) * down(the_case);
+PlotMotion plot_motion(const System& system, const BasicSolution<System>& solution) {
+  PlotMotion result = drawn_motion(system, solution);
+  result.down = down_by(system.gravity.at(0.0));
+  for (std::size_t index = 0; system.bodies.size() > 1 && index < system.bodies.size(); ++index) {
+    result.bodies.push_back(body_name(system.bodies[index], index));
+  }
+  result.numbers_cables = system.cables.size() > 1;
+  const SystemState last = solution.at(result.end_time);
+  for (const CableOfSystem& cable : system.cables) {
+    for (std::size_t i = 0; i <= cable.segments(); ++i) {
+      const End& end = cable.end(i);
+      const bool ring = i > 0 && i < cable.segments();
+      if (!end.body || ring) {
+        (ring ? result.rings : result.anchors).push_back(moving_point(end, last).position);
+      }
+      if (!end.body && !end.motion.empty()) {
+        const auto place = [&](const BasicArc<System>& arc, double dt) {
+          return moving_point(end, SystemState{arc.start + dt, {}}).position;
+        };
+        result.moving.push_back(path_of(solution, place, path_points / max_bodies).points);
+      }
+    }
+  }
+  return result;
+}
+
+Vec2 lowest_point(const Vec2& from, const Vec2& to, double length, const Vec2& down) {
+  return 0.5 * (from + to) + sag(length, (to - from).norm()) * down;
 }
 
 Extent extent_of_bodies(const PlotMotion& motion) {
   Extent result;
-  for (const Vec2& point : motion.path) {
-    result.add(point);
-  }
-  for (const Cable& cable : motion.the_case.cables) {
-    for (const State& state : {motion.the_case.initial, motion.end}) {
-      result.add(attachment_point(state, cable));
+  const auto add = [&](const std::vector<Vec2>& points) {
+    for (const Vec2& point : points) {
+      result.add(point);
     }
-    for (std::size_t index = 0; index < std::min(faint_bodies, motion.marks.size()); ++index) {
-      result.add(attachment_point(motion.marks[index].pose, cable));
+  };
+  std::for_each(motion.paths.begin(), motion.paths.end(), add);
+  for (const Pose* pose : {&motion.start, &motion.end}) {
+    for (const DrawnBody& body : pose->bodies) {
+      add(body.points);
+    }
+  }
+  for (const Pose& pose : motion.fastest) {
+    for (const DrawnBody& body : pose.bodies) {
+      add(body.points);
     }
   }
   return result;
@@ -174,10 +320,20 @@ Extent extent_of_bodies(const PlotMotion& motion) {
 
 Extent extent_of_all(const PlotMotion& motion) {
   Extent result = extent_of_bodies(motion);
-  for (const Cable& cable : motion.the_case.cables) {
-    result.add(cable.anchor);
-    result.add(lowest_point(motion.the_case, cable, motion.the_case.initial));
-    result.add(lowest_point(motion.the_case, cable, motion.end));
+  for (const Pose* pose : {&motion.start, &motion.end}) {
+    for (const DrawnCable& cable : pose->cables) {
+      each_part(cable, [&](const Vec2& from, const Vec2& to, double length) {
+        result.add(from);
+        result.add(to);
+        result.add(lowest_point(from, to, length, motion.down));
+      });
+    }
+  }
+  for (const auto* points : {&motion.anchors, &motion.rings}) {
+    std::for_each(points->begin(), points->end(), [&](const Vec2& one) { result.add(one); });
+  }
+  for (const std::vector<Vec2>& path : motion.moving) {
+    std::for_each(path.begin(), path.end(), [&](const Vec2& one) { result.add(one); });
   }
   return result;
 }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "bench/base/text.hpp"
 #include "bench/plot/motion.hpp"
 #include "bench/plot/svg.hpp"
-#include "tautline/geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -25,8 +25,29 @@ constexpr double legend_end = 388.0;  // [px], of the words left of the scale ba
 constexpr double enlarged_below = 0.33;
 
 // Of a panel [px].
-constexpr double widest = 636.0;  // of a sheet of 720
+constexpr double widest = panel_width;  // of a sheet of 720
 constexpr double tallest = 900.0;
+
+/// The looks that a picture of a system adds: of cables by their state, and of ends that move.
+constexpr const char* system_style = R"(<style>
+.slack{stroke:#8a8a8a}
+.moving{fill:none;stroke:#8a4fb0;stroke-width:1.6}
+.ring{fill:#fff;stroke:#1a1a1a;stroke-width:1.8}
+@media (prefers-color-scheme:dark){.moving{stroke:#c79be8}.ring{fill:#16181c;stroke:#eee}}
+</style>
+)";
+
+std::string anchor_at(double x, double y) {
+  return fmt::format(
+      "<rect class=\"anchor\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" height=\"8\"/>\n", x - 4.0,
+      y - 4.0);
+}
+
+std::string ring_at(double x, double y) {
+  return fmt::format("<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\"/>\n", x, y);
+}
+
+const char* colour_of(std::size_t body) { return line_colours[body % line_colours.size()]; }
 
 /// One view of a motion: axes, cables, bodies and impacts.
 class PlotPanel {
@@ -44,21 +65,18 @@ class PlotPanel {
         height_(scale_ * view.size().y()) {}
 
   [[nodiscard]] std::string text(Kind kind) const {
-    const Case& the_case = motion_.the_case;
-    const auto& arcs = motion_.solution.arcs();
-    std::string out = axes(kind) + cables(the_case.initial, arcs.front().taut, "cable before");
+    std::string out = axes(kind) + cables(motion_.start, "cable before");
     if (kind != Kind::whole) {
-      for (std::size_t index = std::min(faint_bodies, motion_.marks.size()); index-- > 0;) {
-        out += body(motion_.marks[index].pose, "faint");
+      for (std::size_t index = motion_.fastest.size(); index-- > 0;) {
+        out += bodies(motion_.fastest[index], "faint");
       }
     }
-    out += cables(motion_.end, arcs.back().taut, "cable");
-    out += body(the_case.initial, "start") + body(motion_.end, "end") + anchors();
-    out += path();  // over the bodies: it runs inside them
+    out += cables(motion_.end, "cable");
+    out += bodies(motion_.start, "start") + bodies(motion_.end, "end") + anchors();
+    out += paths() + moving_ends();  // over the bodies: they run inside them
     if (kind != Kind::whole) {
-      const bool start_above = the_case.initial.position.y() > motion_.end.position.y();
-      out += impacts() + label(the_case.initial, start_above ? -14.0 : 24.0, "start") +
-             label(motion_.end, start_above ? 24.0 : -14.0, "end");
+      out += impacts() + (motion_.bodies.empty() ? start_and_end() : "") +
+             (motion_.numbers_cables ? cable_numbers() : "");
     }
     return out + "</g>\n";
   }
@@ -116,81 +134,164 @@ class PlotPanel {
                names.at(static_cast<std::size_t>(kind)));
   }
 
-  [[nodiscard]] std::string cables(const State& state, CableSet taut, const char* kind) const {
+  [[nodiscard]] std::string cables(const Pose& pose, const char* kind) const {
     std::string out;
-    for (std::size_t index = 0; index < motion_.the_case.cables.size(); ++index) {
-      const Cable& cable = motion_.the_case.cables[index];
-      const Vec2 end = attachment_point(state, cable);
-      const bool is_taut = taut.contains(index) || gap(cable, state) <= gap_rounding * cable.length;
-      // the control point of a parabola lies twice as deep as its vertex
-      const Vec2 control =
-          2.0 * lowest_point(motion_.the_case, cable, state) - 0.5 * (cable.anchor + end);
-      out += fmt::format("<path class=\"{}{}\" d=\"M{:.1f} {:.1f}", kind, is_taut ? "" : " slack",
-                         px(cable.anchor), py(cable.anchor));
-      out += is_taut ? fmt::format("L{:.1f} {:.1f}\"/>\n", px(end), py(end))
-                     : fmt::format("Q{:.1f} {:.1f} {:.1f} {:.1f}\"/>\n", px(control), py(control),
-                                   px(end), py(end));
+    for (const DrawnCable& cable : pose.cables) {
+      out +=
+          fmt::format("<path class=\"{}{}\" d=\"M{:.1f} {:.1f}", kind, cable.taut ? "" : " slack",
+                      px(cable.points.front()), py(cable.points.front()));
+      each_part(cable, [&](const Vec2& from, const Vec2& to, double length) {
+        // the control point of a parabola lies twice as deep as its vertex
+        const Vec2 control = 2.0 * lowest_point(from, to, length, motion_.down) - 0.5 * (from + to);
+        out += cable.taut ? fmt::format("L{:.1f} {:.1f}", px(to), py(to))
+                          : fmt::format("Q{:.1f} {:.1f} {:.1f} {:.1f}", px(control), py(control),
+                                        px(to), py(to));
+      });
+      out += "\"/>\n";
     }
     return out;
   }
 
-  /// The body as the hull of its centre and attachments; a bar where those lie on one line.
-  [[nodiscard]] std::string body(const State& state, const char* kind) const {
-    std::vector<Vec2> points = {state.position};
-    for (const Cable& cable : motion_.the_case.cables) {
-      points.push_back(attachment_point(state, cable));
+  /// The colour of body `index`, as an attribute; "" of one alone.
+  [[nodiscard]] std::string colour(std::size_t index) const {
+    return motion_.bodies.empty() ? "" : fmt::format(" style=\"stroke:{}\"", colour_of(index));
+  }
+
+  [[nodiscard]] std::string bodies(const Pose& pose, const char* kind) const {
+    std::string out;
+    for (std::size_t index = 0; index < pose.bodies.size(); ++index) {
+      out += body(pose.bodies[index], kind, colour(index));
     }
+    return out;
+  }
+
+  /// A body as the hull of its centre and attachments; a bar where those lie on one line, and a dot
+  /// where they are one point.
+  [[nodiscard]] std::string body(const DrawnBody& drawn, const char* kind,
+                                 const std::string& look) const {
+    std::vector<Vec2> points = {drawn.centre};
+    points.insert(points.end(), drawn.points.begin(), drawn.points.end());
     const std::vector<Vec2> hull = convex_hull(points);
     std::string line;
+    bool dot = !look.empty();
     for (const Vec2& point : hull) {
       add_point(line, px(point), py(point));
+      dot = dot && (point - drawn.centre).norm() * scale_ < 0.5;
     }
     std::string out = fmt::format("<g class=\"{}\">", kind);
-    out += hull.size() > 2 ? "<path class=\"body\" d=\"" + line + "Z\"/>"
-                           : "<path class=\"bar\" d=\"" + line + "\"/><path class=\"core\" d=\"" +
-                                 line + "\"/>";
+    if (dot) {
+      out += fmt::format("<circle class=\"body\"{} cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"/>", look,
+                         px(drawn.centre), py(drawn.centre));
+    } else {
+      out += hull.size() > 2 ? "<path class=\"body\"" + look + " d=\"" + line + "Z\"/>"
+                             : "<path class=\"bar\"" + look + " d=\"" + line +
+                                   "\"/><path class=\"core\" d=\"" + line + "\"/>";
+    }
     out += fmt::format("<circle class=\"centre\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"/></g>\n",
-                       px(state.position), py(state.position));
+                       px(drawn.centre), py(drawn.centre));
     return out;
   }
 
   [[nodiscard]] std::string anchors() const {
     std::string out;
-    for (const Cable& cable : motion_.the_case.cables) {
-      const double x = px(cable.anchor);
-      const double y = py(cable.anchor);
-      out += fmt::format(
-          "<rect class=\"anchor\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"8\" "
-          "height=\"8\"/>\n",
-          x - 4.0, y - 4.0);
+    for (const Vec2& anchor : motion_.anchors) {
+      out += anchor_at(px(anchor), py(anchor));
+    }
+    for (const Vec2& ring : motion_.rings) {
+      out += ring_at(px(ring), py(ring));
     }
     return out;
   }
 
-  [[nodiscard]] std::string path() const {
+  /// The points of a path as a line.
+  [[nodiscard]] std::string line_of(const std::vector<Vec2>& points) const {
     std::string line;
-    for (const Vec2& point : motion_.path) {
+    for (const Vec2& point : points) {
       if (point.allFinite()) {
         add_point(line, px(point), py(point));
       }
     }
-    return "<path class=\"path\" d=\"" + line + "\"/>\n";
+    return line;
+  }
+
+  [[nodiscard]] std::string paths() const {
+    std::string out;
+    for (std::size_t index = 0; index < motion_.paths.size(); ++index) {
+      out += "<path class=\"path\"" + colour(index) + " d=\"" + line_of(motion_.paths[index]) +
+             "\"/>\n";
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string moving_ends() const {
+    std::string out;
+    for (const std::vector<Vec2>& path : motion_.moving) {
+      out += "<path class=\"moving\" d=\"" + line_of(path) + "\"/>\n";
+    }
+    return out;
   }
 
   [[nodiscard]] std::string impacts() const {
     std::string out;
     for (std::size_t index = 0; index < std::min(marked_impacts, motion_.marks.size()); ++index) {
-      const Vec2& at = motion_.marks[index].pose.position;
-      out += fmt::format("<circle class=\"impact\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"/>\n",
-                         px(at), py(at));
+      for (const Vec2& at : motion_.marks[index].places) {
+        out += fmt::format("<circle class=\"impact\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"/>\n",
+                           px(at), py(at));
+      }
     }
     return out;
   }
 
-  /// A word below a body, away from the other one.
-  [[nodiscard]] std::string label(const State& state, double dy, const char* word) const {
-    const double x = std::clamp(px(state.position), panel_left + 24.0, panel_left + width_ - 24.0);
-    const double y = std::clamp(py(state.position) + dy, top_ + 16.0, top_ + height_ - 8.0);
+  /// A word below the only body, away from the other one.
+  [[nodiscard]] std::string start_and_end() const {
+    const Vec2& start = motion_.start.bodies.front().centre;
+    const Vec2& end = motion_.end.bodies.front().centre;
+    const bool start_above = start.y() > end.y();
+    return label(start, start_above ? -14.0 : 24.0, "start") +
+           label(end, start_above ? 24.0 : -14.0, "end");
+  }
+
+  /// In the middle of what is seen of each cable at the end; those of one place together.
+  [[nodiscard]] std::string cable_numbers() const {
+    std::vector<std::pair<Vec2, std::string>> labels;
+    const Vec2 high = view_.low() + view_.size();
+    for (const DrawnCable& cable : motion_.end.cables) {
+      std::vector<Vec2> seen;
+      each_part(cable, [&](const Vec2& from, const Vec2& to, double length) {
+        const Vec2 hang = lowest_point(from, to, length, motion_.down) - 0.5 * (from + to);
+        constexpr int pieces = 40;
+        for (int k = 0; k <= pieces; ++k) {
+          const double part = static_cast<double>(k) / pieces;
+          const Vec2 point = from + part * (to - from) + 4.0 * part * (1.0 - part) * hang;
+          if ((point.array() >= view_.low().array() && point.array() <= high.array()).all()) {
+            seen.push_back(point);
+          }
+        }
+      });
+      if (seen.empty()) {
+        continue;
+      }
+      const Vec2 at = seen[seen.size() / 2];
+      const auto near = std::find_if(labels.begin(), labels.end(), [&](const auto& one) {
+        constexpr double apart = 18.0;  // [px]
+        return scale_ * (one.first - at).cwiseAbs().maxCoeff() < apart;
+      });
+      if (near != labels.end()) {
+        near->second += ", " + std::to_string(cable.index);
+      } else {
+        labels.emplace_back(at, std::to_string(cable.index));
+      }
+    }
+    std::string out;
+    for (const auto& [at, word] : labels) {
+      out += label(at, 5.0, word);
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string label(const Vec2& at, double dy, const std::string& word) const {
+    const double x = std::clamp(px(at), panel_left + 24.0, panel_left + width_ - 24.0);
+    const double y = std::clamp(py(at) + dy, top_ + 16.0, top_ + height_ - 8.0);
     return fmt::format(
         "<text class=\"halo\" text-anchor=\"middle\" x=\"{:.1f}\" "
         "y=\"{:.1f}\">{}</text>\n",
@@ -219,8 +320,8 @@ struct ScaleBar {
 };
 
 /// How the motion ends, after "ends".
-std::string ending_words(const Solution& solution) {
-  switch (solution.ending()) {
+std::string ending_words(Ending ending) {
+  switch (ending) {
     case Ending::reached_duration:
       return "at its duration";
     case Ending::rest:
@@ -234,18 +335,17 @@ std::string ending_words(const Solution& solution) {
     case Ending::ceiling:
       return "at the ceiling";
     default:
-      return std::string(to_string(solution.ending()));
+      return std::string(to_string(ending));
   }
 }
 
 /// The words below the title.
 std::string heading_of(const PlotMotion& motion) {
-  return fmt::format("t = 0 to {:.6g} s, {} impact{}, ends {}{}", motion.solution.end_time(),
-                     motion.marks.size(), motion.marks.size() == 1 ? "" : "s",
-                     ending_words(motion.solution),
-                     motion.path_end < motion.solution.end_time()
-                         ? fmt::format("; path to t = {:.6g} s", motion.path_end)
-                         : "");
+  return fmt::format(
+      "t = 0 to {:.6g} s, {} impact{}, ends {}{}", motion.end_time, motion.marks.size(),
+      motion.marks.size() == 1 ? "" : "s", ending_words(motion.ending),
+      motion.path_end < motion.end_time ? fmt::format("; path to t = {:.6g} s", motion.path_end)
+                                        : "");
 }
 
 /// What the lines mean, and the scale bar of the last panel.
@@ -264,44 +364,81 @@ std::string legend(const PlotPanel& panel, double y) {
       panel_left + legend_end - 8.0, y - 4.0, bar.width, bar.text_start(), bar.label);
 }
 
-/// The sheet around its panels, of which `last` is the lowest; they need `panels_end` [px].
-std::string sheet(const PlotMotion& motion, const std::string& panels, const PlotPanel& last,
-                  double panels_end) {
+/// The panels of a sheet; `last` is the lowest.
+struct Views {
+  std::string drawn;
+  PlotPanel last;
+  double end;  // [px], where the words next to them end
+};
+
+Views views_of(const PlotMotion& motion) {
+  const Extent all = extent_of_all(motion).with_margin();
+  const Extent bodies = extent_of_bodies(motion).with_margin();
+  const PlotPanel whole(motion, all, first_top);
+  const bool enlarge = bodies.size().maxCoeff() < enlarged_below * all.size().maxCoeff();
+  if (!enlarge) {
+    return {whole.text(PlotPanel::Kind::all), whole, whole.labels_end()};
+  }
+  const PlotPanel enlarged(motion, bodies, whole.bottom() + between_views);
+  return {whole.text(PlotPanel::Kind::whole) + whole.frame(bodies) +
+              muted_text(panel_left, enlarged.top() - 10.0, "the dotted part, enlarged") +
+              enlarged.text(PlotPanel::Kind::enlarged),
+          enlarged, std::max(whole.labels_end(), enlarged.labels_end())};
+}
+
+/// The sheet around its views, with what is drawn below them.
+std::string sheet(const PlotMotion& motion, const Views& views, const std::string& heading,
+                  const std::string& below, double height, double least_width) {
   constexpr std::size_t longest_title = 64;  // [bytes]
-  const std::string name = printable(motion.the_case.name, longest_title);
-  const std::string words = heading_of(motion);
-  const ScaleBar bar(last);
-  const double end =
-      std::max({panels_end, bar.text_start() + room_for(bar.label, letters),
-                panel_left + room_for(name, title_letters), panel_left + room_for(words, letters)});
-  const std::size_t cables = motion.the_case.cables.size();
-  return svg_sheet({.width = std::max(end + right_margin, narrowest),
-                    .height = last.bottom() + below_panels,
+  const std::string name = printable(motion.name, longest_title);
+  const ScaleBar bar(views.last);
+  const double end = std::max({views.end, bar.text_start() + room_for(bar.label, letters),
+                               panel_left + room_for(name, title_letters),
+                               panel_left + room_for(heading, letters)});
+  return svg_sheet({.width = std::max(end + right_margin, least_width),
+                    .height = height,
                     .left = panel_left,
                     .title = name,
-                    .description = fmt::format("Exact motion of a body on {} cable{}: {}.", cables,
-                                               cables == 1 ? "" : "s", words),
-                    .line = words},
-                   panels + legend(last, last.bottom() + 68.0));
+                    .description = "Exact motion of " + motion.subject + ": " + heading + ".",
+                    .line = heading},
+                   views.drawn + legend(views.last, views.last.bottom() + 68.0) + below);
 }
 
 }  // namespace
 
 std::string plot_svg(const Case& the_case, const Solution& solution) {
   const PlotMotion motion = plot_motion(the_case, solution);
-  const Extent all = extent_of_all(motion).with_margin();
-  const Extent bodies = extent_of_bodies(motion).with_margin();
-  const PlotPanel whole(motion, all, first_top);
-  const bool enlarge = bodies.size().maxCoeff() < enlarged_below * all.size().maxCoeff();
-  if (!enlarge) {
-    return sheet(motion, whole.text(PlotPanel::Kind::all), whole, whole.labels_end());
+  const Views views = views_of(motion);
+  return sheet(motion, views, heading_of(motion), "", views.last.bottom() + below_panels,
+               narrowest);
+}
+
+std::string plot_svg(const SystemMotion& asked) {
+  const PlotMotion motion = plot_motion(asked.system, asked.solution);
+  const Views views = views_of(motion);
+  LegendRows rows(views.last.bottom() + 68.0);
+  if (!motion.bodies.empty()) {
+    for (std::size_t index = 0; index < motion.bodies.size(); ++index) {
+      rows.add(fmt::format("<path style=\"fill:none;stroke:{};stroke-width:2.5\" d=\"M0 0h26\"/>",
+                           colour_of(index)),
+               motion.bodies[index]);
+    }
+    rows.add("<g class=\"start\"><circle class=\"body\" cx=\"13\" cy=\"0\" r=\"5\"/></g>", "start");
+    rows.add("<circle class=\"body\" cx=\"13\" cy=\"0\" r=\"5\"/>", "end");
   }
-  const PlotPanel enlarged(motion, bodies, whole.bottom() + between_views);
-  const std::string panels =
-      whole.text(PlotPanel::Kind::whole) + whole.frame(bodies) +
-      muted_text(panel_left, enlarged.top() - 10.0, "the dotted part, enlarged") +
-      enlarged.text(PlotPanel::Kind::enlarged);
-  return sheet(motion, panels, enlarged, std::max(whole.labels_end(), enlarged.labels_end()));
+  if (!motion.anchors.empty()) {
+    rows.add(anchor_at(13.0, 0.0), "anchor");
+  }
+  if (!motion.moving.empty()) {
+    rows.add("<path class=\"moving\" d=\"M0 0h26\"/>", "moving end");
+  }
+  if (!motion.rings.empty()) {
+    rows.add(ring_at(13.0, 0.0), "ring");
+  }
+  const TensionPanel tensions = tension_panel(asked, rows.bottom() + 52.0);
+  return sheet(motion, views, heading_of(motion) + horizon_words(asked),
+               system_style + rows.drawn() + tensions.drawn, tensions.bottom,
+               panel_left + widest + right_margin);
 }
 
 }  // namespace tautline::bench

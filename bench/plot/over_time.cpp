@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "bench/base/listed.hpp"
@@ -10,12 +11,12 @@
 #include "bench/plot/motion.hpp"
 #include "bench/plot/svg.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
 // The sheet [px].
-constexpr double panel_width = 636.0;
 constexpr double panel_height = 112.0;
 constexpr double motion_width = panel_left + panel_width + 20.0;
 constexpr double motion_top = 76.0;
@@ -34,7 +35,7 @@ constexpr std::array<const char*, max_cables> cable_lines = {
 
 /// A curve over time.
 struct Curve {
-  const char* line;            // how it is drawn
+  std::string line;            // how it is drawn
   std::vector<double> values;  // one for each time
 };
 
@@ -50,13 +51,24 @@ struct Curves {
   std::array<Panel, 5> panels;
 };
 
+template <class TheCase>
 class Gatherer {
  public:
-  Gatherer(const Case& the_case, const Solution& solution) : case_(the_case), solution_(solution) {
-    constexpr const char* plain = "stroke=\"#1f6fb4\"";
-    result_.panels = {Panel{"x [m]", {{plain, {}}}}, Panel{"y [m]", {{plain, {}}}},
-                      Panel{"angle [rad]", {{plain, {}}}}, Panel{"gap [m]", {}},
-                      Panel{"tension [N]", {}}};
+  using Arc = BasicArc<TheCase>;
+  using State = StateOf<TheCase>;
+
+  Gatherer(const TheCase& the_case, const BasicSolution<TheCase>& solution)
+      : case_(the_case), solution_(solution) {
+    result_.panels = {Panel{"x [m]", {}}, Panel{"y [m]", {}}, Panel{"angle [rad]", {}},
+                      Panel{"gap [m]", {}}, Panel{"tension [N]", {}}};
+    const std::size_t bodies = bodies_of(case_.initial).size();
+    for (std::size_t index = 0; index < bodies; ++index) {
+      const std::string line =
+          bodies == 1 ? std::string("stroke=\"#1f6fb4\"") : line_look(index, index);
+      for (const std::size_t panel : {0U, 1U, 2U}) {
+        result_.panels.at(panel).curves.push_back({line, {}});
+      }
+    }
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       result_.panels[3].curves.push_back({cable_lines.at(index), {}});
       result_.panels[4].curves.push_back({cable_lines.at(index), {}});
@@ -73,7 +85,9 @@ class Gatherer {
       const double pixels = end > 0.0 ? length / end * panel_width : 0.0;
       const int parts = static_cast<int>(std::clamp(pixels, bends, panel_width));
       for (int k = 0; k <= parts && (k == 0 || length > 0.0); ++k) {
-        const double dt = k == parts ? length : length * k / parts;
+        // what is cut at the end of an arc pulls up to there
+        constexpr double before_end = TheCase::has_several_bodies ? 1.0 - 1e-9 : 1.0;  // [-]
+        const double dt = k == parts ? length * before_end : length * k / parts;
         add(arc.start + dt, arc.after(dt, solution_.gravity()), arc.taut,
             solution_.tensions(arc, dt));
       }
@@ -102,9 +116,12 @@ class Gatherer {
 
   void add(double time, const State& state, CableSet taut, const CableVector& tensions) {
     result_.times.push_back(time);
-    result_.panels[0].curves.front().values.push_back(state.position.x());
-    result_.panels[1].curves.front().values.push_back(state.position.y());
-    result_.panels[2].curves.front().values.push_back(state.angle);
+    std::size_t place = 0;
+    for (const auto& body : bodies_of(state)) {
+      result_.panels[0].curves[place].values.push_back(body.position.x());
+      result_.panels[1].curves[place].values.push_back(body.position.y());
+      result_.panels[2].curves[place++].values.push_back(body.angle);
+    }
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       const double open = taut.contains(index) ? 0.0 : gap(case_.cables[index], state);
       result_.panels[3].curves[index].values.push_back(open);
@@ -112,13 +129,14 @@ class Gatherer {
     }
   }
 
-  const Case& case_;
-  const Solution& solution_;
+  const TheCase& case_;
+  const BasicSolution<TheCase>& solution_;
   Curves result_;
 };
 
 /// The instants of the fastest impacts.
-std::vector<double> impact_times(const Case& the_case, const Solution& solution) {
+template <class TheCase>
+std::vector<double> impact_times(const TheCase& the_case, const BasicSolution<TheCase>& solution) {
   std::vector<Mark> marks = impact_marks(the_case, solution);
   marks.resize(std::min(marks.size(), marked_impacts));
   std::vector<double> result = listed(marks, &Mark::time);
@@ -162,8 +180,8 @@ class DrawnPanel {
       out += "<path class=\"impact\" style=\"stroke-width:.6;opacity:.35\" d=\"" + marks + "\"/>\n";
     }
     for (const Curve& curve : panel_.curves) {
-      out += "<path fill=\"none\" stroke-width=\"1.3\" " + std::string(curve.line) + " d=\"" +
-             line(curve) + "\"/>\n";
+      out += "<path fill=\"none\" stroke-width=\"1.3\" " + curve.line + " d=\"" + line(curve) +
+             "\"/>\n";
     }
     return out;
   }
@@ -233,10 +251,10 @@ class DrawnPanel {
 };
 
 /// Which line is which cable.
-std::string legend(const Case& the_case, double y) {
+std::string cable_legend(std::size_t cables, double y) {
   std::string out;
   constexpr double step = 78.0;  // [px]
-  for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+  for (std::size_t index = 0; index < cables; ++index) {
     const double x = panel_left + step * static_cast<double>(index);
     out += fmt::format(
         "<path fill=\"none\" stroke-width=\"1.6\" {} d=\"M{:.1f} {:.1f}h22\"/><text x=\"{:.1f}\" "
@@ -246,9 +264,12 @@ std::string legend(const Case& the_case, double y) {
   return out;
 }
 
-}  // namespace
-
-std::string plot_motion_svg(const Case& the_case, const Solution& solution) {
+/// The panels below each other, with more words below the title; what is drawn `below` them is
+/// `more` high [px].
+template <class TheCase>
+std::string panels_over_time(const TheCase& the_case, const BasicSolution<TheCase>& solution,
+                             const std::string& more_words,
+                             const std::function<std::string(double)>& below, double more) {
   constexpr std::size_t longest_title = 64;  // [bytes]
   const Curves curves = Gatherer(the_case, solution).gather();
   const std::vector<double> impacts = impact_times(the_case, solution);
@@ -262,16 +283,60 @@ std::string plot_motion_svg(const Case& the_case, const Solution& solution) {
                  .text(impacts, last);
     from_top += panel_height + between_panels;
   }
-  const std::string words =
-      fmt::format("t = 0 to {:.6g} s; a thin line marks an impact", solution.end_time());
+  const std::string words = fmt::format("t = 0 to {:.6g} s; a thin line marks an impact{}",
+                                        solution.end_time(), more_words);
   return svg_sheet(
       {.width = motion_width,
-       .height = bottom + 92.0,
+       .height = bottom + 92.0 + more,
        .left = panel_left,
        .title = printable(the_case.name, longest_title),
        .description = "Exact motion over time: position, angle, gaps and tensions, " + words + ".",
        .line = words},
-      drawn + legend(the_case, bottom + 66.0));
+      drawn + cable_legend(the_case.cables.size(), bottom + 66.0) + below(bottom + 66.0));
+}
+
+}  // namespace
+
+std::string plot_motion_svg(const Case& the_case, const Solution& solution) {
+  return panels_over_time(
+      the_case, solution, "", [](double) { return std::string(); }, 0.0);
+}
+
+std::string plot_motion_svg(const SystemMotion& motion) {
+  LegendRows rows(0.0);
+  const auto& bodies = motion.system.bodies;
+  for (std::size_t index = 0; bodies.size() > 1 && index < bodies.size(); ++index) {
+    rows.add("<path stroke-width=\"1.6\" " + line_look(index, index) + " d=\"M0 0h26\"/>",
+             body_name(bodies[index], index));
+  }
+  return panels_over_time(
+      motion.system, motion.solution, horizon_words(motion),
+      [&](double y) {
+        return fmt::format("<g transform=\"translate(0 {:.1f})\">{}</g>\n", y, rows.drawn());
+      },
+      rows.bottom());
+}
+
+TensionPanel tension_panel(const SystemMotion& motion, double top) {
+  Curves curves = Gatherer(motion.system, motion.solution).gather();
+  Panel& panel = curves.panels.back();
+  const CableUse* most = nullptr;
+  for (const CableUse& use : motion.settling.cables) {
+    if (use.tension && (most == nullptr || use.tension->value > most->tension->value)) {
+      most = &use;
+    }
+  }
+  panel.name +=
+      (most != nullptr && most->tension->value > 0.0
+           ? fmt::format("; largest {:.5g} on cable {} at t = {:.4g} s", most->tension->value,
+                         most - motion.settling.cables.data(), most->tension->time)
+           : std::string("; zero except in impacts")) +
+      "; a thin line marks an impact";
+  const double bottom = top + panel_height;
+  return {DrawnPanel(panel, curves.times, motion.solution.end_time(), top)
+                  .text(impact_times(motion.system, motion.solution), true) +
+              cable_legend(motion.system.cables.size(), bottom + 66.0),
+          bottom + 92.0};
 }
 
 }  // namespace tautline::bench

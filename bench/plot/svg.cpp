@@ -119,6 +119,25 @@ std::string legend_entry(double x, double y, const std::string& look, const std:
                      look, x + 48.0, y + 4.0, xml_text(name));
 }
 
+void LegendRows::skip() {
+  constexpr double row = 22.0;  // [px]
+  x_ = panel_left;
+  y_ += row;
+}
+
+void LegendRows::add(const std::string& mark, const std::string& name) {
+  constexpr double before_name = 32.0;  // [px]
+  constexpr double after = 12.0;
+  const double width = before_name + room_for(name, letters);
+  if (x_ == 0.0 || (x_ > panel_left && x_ + width > panel_left + panel_width)) {
+    skip();
+  }
+  drawn_ += fmt::format(
+      "<g transform=\"translate({:.1f} {:.1f})\">{}</g><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+      x_, y_, mark, x_ + before_name, y_ + 4.0, xml_text(name));
+  x_ += width + after;
+}
+
 void add_point(std::string& path, double x, double y) {
   path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', x, y);
 }

@@ -60,6 +60,25 @@ inline constexpr const char* frame_look = "class=\"frame\" ";
 [[nodiscard]] std::string legend_entry(double x, double y, const std::string& look,
                                        const std::string& name);
 
+/// Entries of a legend in rows as wide as a panel.
+class LegendRows {
+ public:
+  explicit LegendRows(double y) : y_(y) {}
+
+  /// The next entry begins a row.
+  void skip();
+  /// A mark drawn from 0 to 26 to the right and about 0 down, and its name.
+  void add(const std::string& mark, const std::string& name);
+
+  [[nodiscard]] const std::string& drawn() const { return drawn_; }
+  [[nodiscard]] double bottom() const { return y_; }
+
+ private:
+  double x_ = 0.0;
+  double y_;
+  std::string drawn_;
+};
+
 /// Goes on to a point; the first one begins the path.
 void add_point(std::string& path, double x, double y);
 
@@ -70,6 +89,7 @@ inline constexpr double title_letters = 16.0;
 
 /// Left of a panel is room for the numbers of its axis.
 inline constexpr double panel_left = 64.0;
+inline constexpr double panel_width = 636.0;  // at most
 
 /// Round numbers in [low, low + size]: 3 to 8 of them, 1, 2 or 5 times a power of ten apart.
 [[nodiscard]] std::vector<double> ticks(double low, double size);

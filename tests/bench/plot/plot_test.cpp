@@ -8,6 +8,7 @@
 #include "bench/plot/motion.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/system_settling.hpp"
 #include "tests/bench/program.hpp"
 
 namespace tautline::test {
@@ -160,6 +161,58 @@ TEST(Plot, NoLabelIsCutOffAtAnySizeOrShape) {
     tall.cables.front().anchor.y() = height;
     EXPECT_EQ(cut_off(plot_svg(tall, solve(tall))), "") << height;
   }
+}
+
+TEST(Plot, ASystemHasItsBodiesCablesRingsAndMovingEnds) {
+  for (const ShippedSystem& one : shipped_systems()) {
+    const System& system = one.system;
+    const auto solution = solve(system);
+    const SystemSettling settled = settling(system, solution);
+    const bench::SystemMotion motion = {system, solution, settled, std::nullopt};
+    const std::string svg = plot_svg(motion);
+    const std::string over_time = bench::plot_motion_svg(motion);
+    const std::size_t bodies = system.bodies.size();
+    const std::size_t panels = count(svg, "x [m]");
+    EXPECT_EQ(count(svg, "<path class=\"path\""), bodies * panels + 1) << system.name;
+    EXPECT_EQ(count(svg, "tension [N]"), 1U);
+    bool rings = false;
+    bool moves = false;
+    for (const CableOfSystem& cable : system.cables) {
+      rings = rings || !cable.through.empty();
+      moves = moves || !cable.to.motion.empty();
+    }
+    EXPECT_EQ(count(svg, ">ring</text>"), rings ? 1U : 0U) << system.name;
+    EXPECT_EQ(count(svg, ">moving end</text>"), moves ? 1U : 0U) << system.name;
+    for (const BodyOfSystem& body : system.bodies) {
+      EXPECT_EQ(count(svg, ">" + body.name + "</text>"), bodies > 1 ? 1U : 0U) << system.name;
+      EXPECT_EQ(count(over_time, ">" + body.name + "</text>"), bodies > 1 ? 1U : 0U);
+    }
+    for (std::size_t index = 0; index < system.cables.size(); ++index) {
+      const std::string name = ">cable " + std::to_string(index) + "</text>";
+      EXPECT_EQ(count(svg, name) + count(over_time, name), 2U) << system.name << name;
+    }
+    for (const std::string& picture : {svg, over_time}) {
+      EXPECT_TRUE(all_finite(picture)) << system.name;
+      EXPECT_EQ(cut_off(picture), "") << system.name;
+      EXPECT_LT(picture.size(), 1'000'000U) << system.name;
+    }
+  }
+}
+
+TEST(Plot, ASystemOfACaseIsDrawnAsTheCase) {
+  const Case the_case = case_named("plate-four-cables");
+  const System system = as_system(the_case);
+  const auto solution = solve(system);
+  const SystemSettling settled = settling(system, solution);
+  const bench::PlotMotion one = bench::plot_motion(the_case, solve(the_case));
+  const bench::PlotMotion other = bench::plot_motion(system, solution);
+  EXPECT_EQ(one.marks.size(), other.marks.size());
+  EXPECT_EQ(one.anchors, other.anchors);
+  EXPECT_TRUE(other.moving.empty());
+  EXPECT_LT((one.end.bodies[0].centre - other.end.bodies[0].centre).norm(), 1e-6);
+  const std::string svg = plot_svg({system, solution, settled, 1.5});
+  EXPECT_NE(svg.find("one of many motions from t = 1.5 s on"), std::string::npos);
+  EXPECT_NE(svg.find(">start</text>"), std::string::npos);
 }
 
 TEST(Plot, GoesToAFileOrToStandardOutputAndSaysWhenItCannot) {

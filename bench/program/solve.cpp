@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 
@@ -18,10 +19,10 @@
 #include "bench/program/patience.hpp"
 #include "bench/program/solve_files.hpp"
 #include "bench/solution/certify.hpp"
+#include "bench/solution/json/solution_json.hpp"
 #include "bench/solution/many_digits.hpp"
 #include "bench/solution/sample_times.hpp"
 #include "bench/solution/samples.hpp"
-#include "bench/solution/solution_json.hpp"
 #include "bench/solution/system_text.hpp"
 #include "bench/solution/texts.hpp"
 #include "tautline/settling.hpp"
@@ -88,7 +89,6 @@ std::vector<std::string> for_cases_alone(const SolveCommand& command) {
        {std::pair("--angle-limit", command.angle_limit.has_value()),
         std::pair("--ceiling", command.ceiling.has_value()),
         std::pair("--certify", command.certify), std::pair("--digits", command.digits.has_value()),
-        std::pair("--json", !command.json.empty()), std::pair("--plot", !command.plots.empty()),
         std::pair("--taut", !command.taut.empty())}) {
     if (is_there) {
       result.push_back(fmt::format("{}: is for cases alone, not for systems", option));
@@ -226,53 +226,95 @@ SolveOptions options_of(const SolveCommand& command) {
   return options;
 }
 
-/// Solves one system of `command` and writes what is asked of it. Returns the exit code.
-int solve_one(const SolveCommand& command, const System& system) {
-  const CheckedMotion motion(system, options_of(command), !command.fast);
-  const double end = motion.solution().end_time();
-  std::vector<double> times = times_for(command, system.duration).times;
-  if (command.every) {
-    std::erase_if(times, [&](double time) { return time > end; });
-  }
-  if (complain(sample_problems(end, motion.solution().ending(), times_at(command.at).times))) {
-    return exit_usage;
-  }
-  if (!command.csv.empty()) {
-    write_output(file_for(command.csv, system.name), samples_csv(motion, times));
-  }
-  if (command.csv != "-") {
-    const TerminalStyle style = output_style();
-    const auto count = [](std::size_t number, const char* word) {
-      return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
-    };
-    const std::string bodies =
-        system.bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", system.bodies.size());
-    fmt::print("{}: {}, {}, {}\n\n{}{}{}", printable(system.name), bodies,
-               count(system.cables.size(), "cable"),
-               count(motion.solution().events().size(), "event"),
-               wrapped_lines(system_text(motion), style.text),
-               command.csv.empty() ? samples_text(motion, times, style) : "",
-               events_text(motion, command.events, style));
-  }
-  return exit_code(motion.solution().ending());
-}
-
-/// Solves one case of `command` and writes what is asked of it, but for the JSON, which it returns.
+/// One case or system of `command` that is solved. Its JSON is written with that of the others.
 struct Solved {
   int code = exit_done;
   std::string json;
 };
+
+/// Writes the pictures and the table of samples that are asked for. True if one of them, or the
+/// JSON, goes to standard output.
+bool write_files(const SolveCommand& command, const std::string& name,
+                 const std::function<std::string(const Picture&)>& svg_of,
+                 const std::function<std::string()>& csv) {
+  bool to_output = command.json == "-" || command.csv == "-";
+  for (const std::string& plot : command.plots) {
+    const Picture picture = picture_of(plot);
+    to_output = to_output || picture.file == "-";
+    const std::string svg = svg_of(picture);
+    write_output(file_for(picture.file, name), is_png(picture.file) ? png_of(svg) : svg);
+  }
+  if (!command.csv.empty()) {
+    write_output(file_for(command.csv, name), csv());
+  }
+  return to_output;
+}
+
+/// The times to sample up to the end of `solution`; none, after complaining, if one is beyond it.
+template <class Solution>
+std::optional<std::vector<double>> times_within(const SolveCommand& command, double duration,
+                                                const Solution& solution) {
+  std::vector<double> times = times_for(command, duration).times;
+  if (command.every) {  // it goes as far as the solution does
+    std::erase_if(times, [&](double time) { return time > solution.end_time(); });
+  }
+  const std::vector<double> given = times_at(command.at).times;
+  if (complain(sample_problems(solution.end_time(), solution.ending(), given))) {
+    return std::nullopt;
+  }
+  return times;
+}
+
+/// The summary of a system first, and below it what was asked for.
+void print_solution(const SolveCommand& command, const CheckedMotion& motion,
+                    const std::vector<double>& times) {
+  const System& system = motion.system();
+  const TerminalStyle style = output_style();
+  const auto count = [](std::size_t number, const char* word) {
+    return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
+  };
+  const std::string bodies =
+      system.bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", system.bodies.size());
+  fmt::print("{}: {}, {}, {}\n\n{}{}{}", printable(system.name), bodies,
+             count(system.cables.size(), "cable"),
+             count(motion.solution().events().size(), "event"),
+             wrapped_lines(system_text(motion), style.text),
+             command.csv.empty() ? samples_text(motion, times, style) : "",
+             events_text(motion, command.events, style));
+}
+
+/// Solves one system of `command` and writes what is asked of it.
+Solved solve_one(const SolveCommand& command, const System& system) {
+  const SolveOptions options = options_of(command);
+  const CheckedMotion motion(system, options, !command.fast);
+  const auto times = times_within(command, system.duration, motion.solution());
+  if (!times) {
+    return {exit_usage, ""};
+  }
+  const SystemMotion drawn = {motion.system(), motion.solution(), motion.settling(),
+                              motion.is_checked() ? motion.horizon() : std::nullopt};
+  const bool to_output = write_files(
+      command, system.name,
+      [&](const Picture& picture) {
+        return picture.motion ? plot_motion_svg(drawn) : plot_svg(drawn);
+      },
+      [&] { return samples_csv(motion, *times); });
+  if (command.json.empty() && !to_output) {
+    print_solution(command, motion, *times);
+  }
+  return {exit_code(motion.solution().ending()),
+          command.json.empty() ? "" : solution_json(motion, options, *times)};
+}
+
+/// Solves one case of `command` and writes what is asked of it.
 Solved solve_one(const SolveCommand& command, const Case& the_case, const std::string& argument) {
   const SolveOptions options = options_of(command);
   const Solution solution = solve(the_case, options);
-  Extras extras{{}, std::nullopt, times_for(command, the_case.duration).times};
-  if (command.every) {  // it goes as far as the solution does
-    std::erase_if(extras.times, [&](double time) { return time > solution.end_time(); });
-  }
-  std::vector<double> given = times_at(command.at).times;
-  if (complain(sample_problems(solution.end_time(), solution.ending(), given))) {
+  const auto times = times_within(command, the_case.duration, solution);
+  if (!times) {
     return {exit_usage, ""};
   }
+  Extras extras{{}, std::nullopt, *times};
   const int code = exit_code(solution.ending());
   if (command.digits && !command.certify) {
     fmt::print("{}", many_digits_text(the_case, options, solution,
@@ -286,20 +328,15 @@ Solved solve_one(const SolveCommand& command, const Case& the_case, const std::s
     extras.certificate =
         certify(the_case, options, solution, command.digits.value_or(default_digits));
   }
-  bool to_output = command.json == "-";
-  for (const std::string& plot : command.plots) {
-    const Picture picture = picture_of(plot);
-    to_output = to_output || picture.file == "-";
-    const std::string svg =
-        picture.motion ? plot_motion_svg(the_case, solution) : plot_svg(the_case, solution);
-    write_output(file_for(picture.file, the_case.name), is_png(picture.file) ? png_of(svg) : svg);
-  }
-  if (!command.csv.empty()) {
-    to_output = to_output || command.csv == "-";
-    const Uncertainty uncertainty(the_case, solution, options);
-    write_output(file_for(command.csv, the_case.name),
-                 samples_csv(the_case, solution, uncertainty, extras.times));
-  }
+  const bool to_output = write_files(
+      command, the_case.name,
+      [&](const Picture& picture) {
+        return picture.motion ? plot_motion_svg(the_case, solution) : plot_svg(the_case, solution);
+      },
+      [&] {
+        const Uncertainty uncertainty(the_case, solution, options);
+        return samples_csv(the_case, solution, uncertainty, extras.times);
+      });
   if (command.json.empty()) {
     if (!to_output) {
       print_solution(command, the_case, options, solution, extras);
@@ -346,29 +383,29 @@ int solve_command(const SolveCommand& command) {
   }
   const bool several = names.size() > 1;
   int code = exit_done;
-  std::string all;  // the JSON of every case, where it goes into one list
-  for (const Case& the_case : cases) {
-    if (several && &the_case != &cases.front() && command.json.empty() && command.csv != "-") {
+  std::string all;  // the JSON of each, where it goes into one list
+  auto name = names.begin();
+  const auto take = [&](const std::function<Solved()>& solve_next) {
+    if (name != names.begin() && command.json.empty() && command.csv != "-") {
       fmt::print("\n");
     }
-    const Solved solved = solve_one(command, the_case, argument_of(command, the_case));
+    const Solved solved = solve_next();
     code = std::max(code, solved.code);
-    if (command.json.empty() || solved.json.empty()) {
-      continue;
+    if (!solved.json.empty()) {
+      if (several && !names_case(command.json)) {
+        all += (all.empty() ? "[\n" : ",\n") + solved.json.substr(0, solved.json.size() - 1);
+      } else {
+        write_output(file_for(command.json, *name), solved.json);
+      }
     }
-    if (several && !names_case(command.json)) {
-      all += (all.empty() ? "[\n" : ",\n") + solved.json.substr(0, solved.json.size() - 1);
-    } else {
-      write_output(file_for(command.json, the_case.name), solved.json);
-    }
+    ++name;
+  };
+  for (const Case& the_case : cases) {
+    take([&] { return solve_one(command, the_case, argument_of(command, the_case)); });
   }
   for (const System& system : selection.systems) {
-    if (several && (!cases.empty() || &system != &selection.systems.front()) &&
-        command.csv != "-") {
-      fmt::print("\n");
-    }
     try {
-      code = std::max(code, solve_one(command, system));
+      take([&] { return solve_one(command, system); });
     } catch (const std::invalid_argument& error) {  // a law that does not take it
       complain({printable(system.name) + ": " + error.what()});
       return exit_usage;

@@ -120,8 +120,8 @@ double off_by(double one, const Multi& other) {
   if (!std::isfinite(one)) {
     return -1.0;
   }
-  const double difference = std::abs(static_cast<double>(Multi(one - other)));
-  return std::nextafter(difference, HUGE_VAL);
+  const Multi difference = abs(Multi(one - other));
+  return difference > 0 ? std::nextafter(static_cast<double>(difference), HUGE_VAL) : 0.0;
 }
 
 double off_by(const std::optional<double>& one, const std::optional<Multi>& other) {
@@ -268,6 +268,21 @@ std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
     result.push_back({impulse, error});
   }
   return result;
+}
+
+double CheckedMotion::accumulation_error(std::size_t index) const {
+  const Accumulation& mine = solution_.accumulations()[index];
+  double nearest = -1.0;
+  if (!digits_ || (horizon_ && mine.start >= *horizon_)) {
+    return nearest;
+  }
+  for (const auto& other : digits_->solution.accumulations()) {
+    const double off = off_by(mine.time, other.time);
+    if (other.cables == mine.cables && (nearest < 0.0 || off < nearest)) {
+      nearest = off;
+    }
+  }
+  return nearest < 0.0 ? nearest : nearest + mine.uncertainty;
 }
 
 SystemSettlingErrors CheckedMotion::settling_errors() const {

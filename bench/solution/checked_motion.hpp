@@ -78,6 +78,9 @@ class CheckedMotion {
   /// Its impulses [N s], one for each of its cables.
   [[nodiscard]] std::vector<Bounded> impulses(std::size_t index) const;
 
+  /// How far the limit of accumulation `index` is right [s]; < 0 where that is not known.
+  [[nodiscard]] double accumulation_error(std::size_t index) const;
+
  private:
   struct InDigits;
 

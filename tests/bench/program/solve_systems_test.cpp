@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <regex>
+#include <sstream>
 
 #include "tautline/scenarios.hpp"
 #include "tests/bench/program.hpp"
+#include "tests/bench/schema.hpp"
 
 namespace tautline::test {
 namespace {
@@ -59,8 +64,8 @@ TEST(SolveSystems, EachShippedOneComesToItsDurationOrToRest) {
 }
 
 TEST(SolveSystems, WhatIsForCasesAloneIsRefused) {
-  for (const char* option : {"--certify", "--digits=3", "--json=-", "--plot=-", "--taut=0",
-                             "--angle-limit=1", "--ceiling=1"}) {
+  for (const char* option :
+       {"--certify", "--digits=3", "--taut=0", "--angle-limit=1", "--ceiling=1"}) {
     const Outcome outcome = program({"solve", "two-bodies", option});
     EXPECT_EQ(outcome.code, 2) << option;
     EXPECT_NE(outcome.errors.find("is for cases alone, not for systems"), std::string::npos)
@@ -69,6 +74,154 @@ TEST(SolveSystems, WhatIsForCasesAloneIsRefused) {
   const Outcome outcome = program({"solve", "bouncing-ball", "--fast"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.errors.find("--fast: is for systems alone"), std::string::npos);
+}
+
+/// The JSON of `arguments`.
+nlohmann::json json_of(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "solve");
+  arguments.insert(arguments.end(), {"--json", "-"});
+  const Outcome outcome = program(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  return nlohmann::json::parse(outcome.output);
+}
+
+TEST(SolveSystems, JsonIsWhatItsSchemaSays) {
+  const auto schema = nlohmann::json::parse(program({"solve", "--schema"}).output);
+  const auto of_files = nlohmann::json::parse(program({"schema", "case"}).output);
+  std::vector<std::string> all = {"bouncing-ball", "--fast", "--every", "1.7"};
+  for (const ShippedSystem& one : shipped_systems()) {
+    all.push_back(one.system.name);
+  }
+  std::vector<nlohmann::json> motions = json_of(all);
+  ASSERT_EQ(motions.size(), shipped_systems().size() + 1);
+  EXPECT_EQ(motions.front()["schema"], 4);
+  EXPECT_EQ(motions.front()["case"]["name"], "bouncing-ball");
+  const nlohmann::json checked = json_of({"two-bodies", "winch", "pulley", "--at", "0,0.5"});
+  motions.insert(motions.end(), checked.begin(), checked.end());
+  for (std::size_t index = 1; index < motions.size(); ++index) {
+    const auto& motion = motions[index];
+    EXPECT_EQ(motion["schema"], 5);
+    EXPECT_EQ(broken_rules(motion, schema), "") << motion["system"]["name"];
+    EXPECT_EQ(broken_rules(motion["system"], of_files), "") << motion["system"]["name"];
+    EXPECT_EQ(motion["digits"].is_null(), index + 3 < motions.size());
+  }
+  motions.back().erase("horizon");
+  EXPECT_NE(broken_rules(motions.back(), schema), "");
+}
+
+TEST(SolveSystems, JsonHasTheClosedFormOfTwoBodies) {
+  const nlohmann::json motion = json_of({"two-bodies", "--at", "0.05"});
+  const auto& impact = motion["events"][0];
+  EXPECT_NEAR(impact["time"], 0.1, 1e-15);
+  EXPECT_NEAR(impact["impulses"][0], 6.0, 1e-14);
+  EXPECT_EQ(impact["before"]["bodies"][0]["name"], "thrown");
+  EXPECT_NEAR(impact["before"]["bodies"][0]["velocity"][0], 7.0, 1e-14);
+  for (const auto& body : impact["after"]["bodies"]) {
+    EXPECT_NEAR(body["velocity"][0], 4.0, 1e-14) << body;
+  }
+  EXPECT_LT(impact["errors"]["after"]["bodies"][1]["velocity"][0], 1e-14);
+  EXPECT_NEAR(motion["energy"]["impacts"], 21.0, 1e-13);
+  EXPECT_NEAR(motion["settling"]["cables"][0]["impulse"]["value"]["value"], 6.0, 1e-14);
+  EXPECT_TRUE(motion["horizon"].is_null());
+  EXPECT_EQ(motion["digits"], 30);
+  const auto& sample = motion["samples"][0];
+  EXPECT_NEAR(sample["gaps"][0], 0.35, 1e-14);
+  EXPECT_NEAR(sample["points"][0][0][0], 0.65, 1e-14);  // of the cable, from the body thrown
+  EXPECT_EQ(sample["points"][0][1], nlohmann::json({0.0, 0.0}));
+}
+
+TEST(SolveSystems, JsonKnowsWhenACableActs) {
+  const nlohmann::json motion = json_of({"tow", "--fast", "--at", "29,31"});
+  EXPECT_TRUE(motion["samples"][0]["gaps"][0].is_number());
+  EXPECT_TRUE(motion["samples"][1]["gaps"][0].is_null()) << "it is cut at 30 s";
+  EXPECT_TRUE(motion["samples"][0]["errors"].is_null());
+  EXPECT_TRUE(motion["events"][0]["errors"].is_null());
+  EXPECT_EQ(motion["horizon"], 0.0);
+}
+
+TEST(SolveSystems, JsonHasThePrintedEvents) {
+  for (const char* name : {"winch", "pulley", "chain-of-three"}) {
+    const auto events = json_of({name})["events"];
+    std::istringstream printed(program({"solve", name, "--events"}).output);
+    std::size_t next = 0;
+    for (std::string line; std::getline(printed, line);) {
+      std::istringstream words(line);
+      std::string time;
+      std::string kind;
+      words >> time >> kind;
+      if (kind != "impact" && kind != "taut" && kind != "slack") {
+        continue;
+      }
+      ASSERT_LT(next, events.size());
+      const auto& event = events[next++];
+      const auto digits = static_cast<double>(time.size() - time.find('.') - 1);
+      EXPECT_NEAR(event["time"], std::stod(time), 0.51 * std::pow(10.0, -digits)) << line;
+      EXPECT_EQ(event["kind"], kind);
+    }
+    EXPECT_EQ(next, events.size()) << name;
+    EXPECT_GT(next, 1U) << name;
+  }
+}
+
+TEST(SolveSystems, ThePictureHasTheNumbersOfTheMotion) {
+  for (const char* name : {"winch", "tow", "breakwater-and-ball"}) {
+    const nlohmann::json motion = json_of({name, "--fast"});
+    const std::string svg = program({"solve", name, "--fast", "--plot", "-"}).output;
+    const auto impacts = std::count_if(motion["events"].begin(), motion["events"].end(),
+                                       [](const auto& event) { return event["kind"] == "impact"; });
+    expect_says(svg, std::to_string(impacts) + (impacts == 1 ? " impact," : " impacts,"));
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(
+        svg, found, std::regex("largest ([-0-9.e+]+) on cable ([0-9]) at t = ([-0-9.e+]+) s")));
+    double largest = 0.0;
+    for (const auto& cable : motion["settling"]["cables"]) {
+      largest = cable["tension"].is_null()
+                    ? largest
+                    : std::max(largest, cable["tension"]["value"]["value"].get<double>());
+    }
+    const auto& peak = motion["settling"]["cables"][std::stoul(found[2])]["tension"];
+    EXPECT_EQ(peak["value"]["value"], largest) << name;
+    EXPECT_NEAR(std::stod(found[1]), largest, 5.1e-4 * largest) << name;
+    EXPECT_NEAR(std::stod(found[3]), peak["time"]["value"], 5.1e-4 * std::stod(found[3])) << name;
+  }
+  expect_says(program({"solve", "bouncer-unstable", "--plot", "-"}).output,
+              "one of many motions from t = ");
+}
+
+TEST(SolveSystems, FilesTakeWhatTheOutputDoes) {
+  const TemporaryFolder folder;
+  const std::string base = (folder.path() / "{case}").string();
+  const Outcome to_files = program({"solve", "two-bodies", "pulley", "--plot", base + ".svg",
+                                    "--plot", "motion=" + base + "-m.svg", "--json", base + ".json",
+                                    "--every", "0.25", "--csv", base + ".csv"});
+  EXPECT_EQ(to_files.code, 0) << to_files.errors;
+  for (const char* name : {"two-bodies", "pulley"}) {
+    const std::string stem = (folder.path() / name).string();
+    EXPECT_EQ(program({"solve", name, "--plot", "-"}).output, content_of(stem + ".svg"));
+    EXPECT_EQ(program({"solve", name, "--plot", "motion"}).output, content_of(stem + "-m.svg"));
+    EXPECT_EQ(program({"solve", name, "--every", "0.25", "--json", "-"}).output,
+              content_of(stem + ".json"));
+    EXPECT_EQ(program({"solve", name, "--every", "0.25", "--csv", "-"}).output,
+              content_of(stem + ".csv"));
+  }
+}
+
+TEST(SolveSystems, SaysThatAFileCannotBeWritten) {
+  for (const char* option : {"--json=/dev/full", "--plot=/dev/full", "--csv=/dev/full"}) {
+    const Outcome full = program({"solve", "two-bodies", "--fast", "--at", "0", option});
+    EXPECT_EQ(full.code, 1) << option;
+    EXPECT_NE(full.errors.find("No space left on device"), std::string::npos) << full.errors;
+  }
+  for (const auto& [option, file] : {std::pair("--plot", "/proc/p.svg"), {"--json", "/proc/p"}}) {
+    const Outcome nowhere = program({"solve", "two-bodies", "--fast", option, file});
+    EXPECT_EQ(nowhere.code, 1);
+    EXPECT_NE(nowhere.errors.find(std::string("cannot write ") + file), std::string::npos)
+        << nowhere.errors;
+  }
+  EXPECT_EQ(program({"solve", "two-bodies", "--plot", "-", "--json", "-"}).code, 2);
+  EXPECT_EQ(program({"solve", "two-bodies", "--plot", ""}).code, 2);
+  EXPECT_EQ(program({"solve", "two-bodies", "pulley", "--plot", "p.svg"}).code, 2);
+  EXPECT_FALSE(std::filesystem::exists("p.svg"));
 }
 
 }  // namespace

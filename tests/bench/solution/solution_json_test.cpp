@@ -1,4 +1,4 @@
-#include "bench/solution/solution_json.hpp"
+#include "bench/solution/json/solution_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
-#include "bench/solution/solution_json.hpp"
+#include "bench/solution/json/solution_json.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "bench/base/text.hpp"
-#include "bench/data/describer.hpp"
-#include "bench/data/motion_fields.hpp"
+#include "bench/solution/json/solution_fields.hpp"
 #include "bench/solution/samples.hpp"
 #include "bench/solution/taut_phases.hpp"
 #include "bench/solution/time_errors.hpp"
@@ -19,10 +18,7 @@ namespace tautline::bench {
 template <class Visitor>
 void fields(Visitor& visit, EventErrors& errors) {
   visit.means("bounds of the errors of the event's numbers");
-  visit("time", errors.time, "[s]; of a completed accumulation: of its limit");
-  visit("impulses", errors.impulses, "[N s]");
-  visit("before", errors.before);
-  visit("after", errors.after);
+  error_fields(visit, errors, "[s]; of a completed accumulation: of its limit");
 }
 
 struct EventRow {
@@ -33,25 +29,11 @@ struct EventRow {
 
 template <class Visitor>
 void fields(Visitor& visit, EventRow& row) {
-  Event& event = row.event;
-  event.impulses = event.impulses.cwiseMax(0.0);  // below are gravity's
-  visit("time", event.time, "[s]");
-  visit("kind", event.kind);
-  visit("cables", event.cables);
-  visit("impulses", event.impulses, at_least(0, "of each of `cables` [N s]"));
-  visit("before", event.before);
-  visit("after", event.after);
-  visit("errors", row.errors, "null within `unsure`: the motion is one of many that start alike");
+  event_fields(visit, row.event, row.errors,
+               "null within `unsure`: the motion is one of many that start alike");
   const auto split = row.indeterminate.empty() ? std::nullopt : std::optional(row.indeterminate);
   visit.if_any("indeterminate", split,
                "cables among which the impulse can be split in several ways; it is the smallest");
-}
-
-template <class Visitor>
-void fields(Visitor& visit, Bounded& number) {
-  const auto error = number.error < 0.0 ? std::nullopt : std::optional(number.error);
-  visit("value", number.value);
-  visit("error", error, "null: no digit is right");
 }
 
 template <class Visitor>
@@ -125,20 +107,6 @@ static SettlingRow settling_row(const Settling& settling, const std::optional<do
     row.lock = {*settling.lock, error, {}};
   }
   return row;
-}
-
-struct AccumulationRow {
-  Accumulation accumulation;
-  std::optional<double> error;
-};
-
-template <class Visitor>
-void fields(Visitor& visit, AccumulationRow& row) {
-  visit("start", row.accumulation.start, "[s]");
-  visit("time", row.accumulation.time, "of its limit [s]");
-  visit("uncertainty", row.error, "of that time [s]");
-  visit("cables", row.accumulation.cables);
-  visit("energy_lost", row.accumulation.energy_lost, "[J]");
 }
 
 template <class Visitor>
@@ -271,12 +239,7 @@ template <class Visitor>
 void fields(Visitor& visit, SolutionRow& solution) {
   schema_field(visit, solution_schema);
   visit("case", solution.the_case);
-  visit.group("options", "", [&](auto& inside) {
-    inside("law", std::string(to_string(solution.options.law)));
-    inside("completion_error", solution.options.completion.error);
-    inside("max_events", solution.options.max_events);
-    inside("max_steps", solution.options.max_steps);
-  });
+  visit("options", solution.options);
   visit("events", solution.events);
   visit("ending", std::string(to_string(solution.ending)));
   visit("end_time", solution.end_time, "[s]");
@@ -303,9 +266,10 @@ std::vector<std::string> sample_problems(double end, Ending ending,
 }
 
 std::string solution_schema_json() {
-  return text_of(headed("Motion of `tautline solve --json`",
-                        "The exact motion of a case. Each value, event and sample is a line.",
-                        schema_of(SolutionRow())));
+  return text_of(
+      headed("Motion of `tautline solve --json`",
+             "The exact motion of a case or of a system. Each value, event and sample is a line.",
+             {{"oneOf", {schema_of(SolutionRow()), schema_of_system_solution()}}}));
 }
 
 std::string solution_json(const Case& the_case, const SolveOptions& options,

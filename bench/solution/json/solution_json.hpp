@@ -7,16 +7,19 @@
 #include <vector>
 
 #include "bench/solution/certificate.hpp"
+#include "bench/solution/checked_motion.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solution.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {
 
-/// The number of the format below; it changes when a name or a meaning does.
+/// The numbers of the formats of a case and of a system below. One changes when a name or a meaning
+/// does.
 inline constexpr std::int32_t solution_schema = 4;
+inline constexpr std::int32_t system_solution_schema = 5;
 
-/// The schema of `solution_json`: the meaning and the unit of each of its members.
+/// The schema of `solution_json`, of either: the meaning and the unit of each of its members.
 [[nodiscard]] std::string solution_schema_json();
 
 /// One sentence for each of `sample_times` at which a solution that ends at `end` [s] has no state.
@@ -30,5 +33,9 @@ inline constexpr std::int32_t solution_schema = 4;
                                         const Solution& solution, const Settling& settling,
                                         std::span<const double> sample_times,
                                         const std::optional<Certificate>& certificate);
+
+/// The JSON of a system, likewise.
+[[nodiscard]] std::string solution_json(const CheckedMotion& motion, const SolveOptions& options,
+                                        std::span<const double> sample_times);
 
 }  // namespace tautline::bench

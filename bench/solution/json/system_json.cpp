@@ -1,0 +1,392 @@
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "bench/cases/case_tables.hpp"
+#include "bench/data/coordinates.hpp"
+#include "bench/solution/json/solution_fields.hpp"
+#include "bench/solution/json/solution_json.hpp"
+#include "tautline/case_text.hpp"
+#include "tautline/system_geometry.hpp"
+
+namespace tautline::bench {
+
+// The members of each object that a system has otherwise than a case.
+
+struct WrittenSystem {
+  System system;
+};
+static Json json_of(const WrittenSystem& written) {
+  return Json::parse(write_system_json(written.system));
+}
+static Json schema_of(const WrittenSystem& /*written*/) {
+  return {{"type", "object"},
+          {"description", "a case file as JSON: `tautline schema case` has its schema"}};
+}
+
+struct PlacedBody {
+  std::string name;
+  State state;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, PlacedBody& body) {
+  visit("name", body.name);
+  fields(visit, body.state);
+}
+
+struct PlacedBodies {
+  std::vector<PlacedBody> bodies;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, PlacedBodies& state) {
+  visit("bodies", state.bodies);
+}
+
+struct SystemEventErrors {
+  double time = 0.0;
+  CableVector impulses;
+  PlacedBodies before;
+  PlacedBodies after;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemEventErrors& errors) {
+  visit.means("how far the event's numbers are from those of the solution in more digits");
+  error_fields(visit, errors, "[s]");
+}
+
+struct SystemEventRow {
+  double time = 0.0;
+  EventKind kind = EventKind::impact;
+  CableSet cables;
+  CableVector impulses;
+  PlacedBodies before;
+  PlacedBodies after;
+  std::optional<SystemEventErrors> errors;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemEventRow& row) {
+  event_fields(visit, row, row.errors, "null from `horizon` on");
+}
+
+/// All values of a sample, or all errors.
+struct SystemSamplePart {
+  PlacedBodies state;
+  std::array<std::vector<double>, 3> of_cables;  // gaps, their rates, tensions
+  double energy = 0.0;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemSamplePart& part) {
+  fields(visit, part.state);
+  visit("gaps", part.of_cables[0], or_null("of each cable [m]; null: it does not act"));
+  visit("gap_rates", part.of_cables[1], "[m/s]");
+  visit("tensions", part.of_cables[2], "[N]");
+  visit("energy", part.energy, "[J]");
+}
+
+struct SystemSample {
+  double time = 0.0;
+  SystemSamplePart values;
+  std::vector<std::vector<Vec2>> points;
+  std::optional<SystemSamplePart> errors;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemSample& sample) {
+  visit("time", sample.time, "[s]");
+  fields(visit, sample.values);
+  visit("points", sample.points, "of each cable its ends, with the rings between them [m]");
+  visit("errors", sample.errors,
+        "how far these numbers are from those of the solution in more digits; null from `horizon` "
+        "on");
+}
+
+template <class Visitor>
+void ledger_fields(Visitor& visit, SystemLedger& ledger) {
+  visit("start", ledger.start, "kinetic [J]");
+  visit("work", ledger.work,
+        "of gravity, forces, moments and drag, and of what moves ends and lengths [J]");
+  visit("impacts", ledger.impacts, "lost in impacts [J]");
+  visit("completions", ledger.completions, "lost in the completed accumulations [J]");
+  visit("end", ledger.end, "kinetic [J]");
+}
+
+struct LedgerErrors {
+  SystemLedger ledger{};
+};
+
+template <class Visitor>
+void fields(Visitor& visit, LedgerErrors& errors) {
+  ledger_fields(visit, errors.ledger);
+}
+
+struct SystemLedgerRow {
+  SystemLedger ledger{};
+  std::optional<LedgerErrors> errors;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemLedgerRow& row) {
+  ledger_fields(visit, row.ledger);
+  visit("residual", row.ledger.residual, "of rounding: end - start - work + what is lost [J]");
+  visit("range", row.ledger.range, "the largest kinetic energy, or sum of works, on the way [J]");
+  visit("errors", row.errors, "null where the solutions part");
+}
+
+struct BoundedPeak {
+  Bounded value;
+  Bounded time;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, BoundedPeak& peak) {
+  visit("value", peak.value);
+  visit("time", peak.time, "the first of them [s]");
+}
+
+struct SystemLastImpact {
+  double speed = 0.0;
+  std::optional<Bounded> time;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemLastImpact& last) {
+  visit("speed", last.speed, "impacts that close faster than this [m/s]");
+  visit("time", last.time, "of the last of them [s]; null without one");
+}
+
+struct CableUseRow {
+  Bounded taut_share;
+  std::optional<BoundedPeak> tension;
+  std::optional<BoundedPeak> impulse;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, CableUseRow& use) {
+  visit("taut_share", use.taut_share, "of the run [-]");
+  visit("tension", use.tension, "the largest [N]; null where it is always slack");
+  visit("impulse", use.impulse, "the largest: its snap [N s]; null without an impact");
+}
+
+struct SystemLockRow {
+  Bounded time;
+  CableSet cables;
+  bool certain = false;
+  std::optional<Bounded> residual_energy;
+  std::optional<Bounded> one_percent;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemLockRow& lock) {
+  visit("time", lock.time, "from which on they are taut [s]");
+  visit("cables", lock.cables);
+  visit("certain", lock.certain, "the bodies rest; else the lock is observed in this run alone");
+  visit("residual_energy", lock.residual_energy,
+        "above the equilibrium on these cables, at the end [J]; null: there is none on them");
+  visit("one_percent", lock.one_percent,
+        "when drag has taken 99 % of that energy [s]; null: not within the run");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, ForcedMotion& forced) {
+  visit("period", forced.period, "common to all waves [s]");
+  visit("impacts", forced.impacts, "in a period, the mean of the last ones");
+  visit("repeats", forced.repeats,
+        "the motion comes again after this number of periods; null: it does not");
+}
+
+struct SystemSettlingRow {
+  std::vector<SystemLastImpact> last_impacts;
+  std::vector<CableUseRow> cables;
+  std::optional<SystemLockRow> lock;
+  std::optional<ForcedMotion> forced;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemSettlingRow& settling) {
+  visit("last_impacts", settling.last_impacts);
+  visit("cables", settling.cables, "of the system, in order");
+  visit("lock", settling.lock, "the final set of taut cables; null: none, or something varies");
+  visit("forced", settling.forced, "under waves; null: nothing varies, or without a period");
+}
+
+/// All that is written of a system.
+struct SystemSolutionRow {
+  WrittenSystem system;
+  SolveOptions options;
+  std::optional<std::int32_t> digits;
+  std::optional<double> horizon;
+  std::vector<SystemEventRow> events;
+  Ending ending = Ending::reached_duration;
+  double end_time = 0.0;
+  PlacedBodies end_state;
+  SystemLedgerRow energy;
+  SystemSettlingRow settling;
+  std::vector<AccumulationRow> accumulations;
+  std::optional<std::vector<SystemSample>> samples;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, SystemSolutionRow& solution) {
+  schema_field(visit, system_solution_schema);
+  visit("system", solution.system);
+  visit("options", solution.options);
+  visit(
+      "digits", solution.digits,
+      "decimal, of the solution that this one is compared with; null: --fast, nothing is checked");
+  visit("horizon", solution.horizon,
+        "from here on the two solutions part: the motion is one of many that start alike [s]; "
+        "null: they agree to the end");
+  visit("events", solution.events);
+  visit("ending", std::string(to_string(solution.ending)));
+  visit("end_time", solution.end_time, "[s]");
+  visit("end_state", solution.end_state);
+  visit("energy", solution.energy);
+  visit("settling", solution.settling);
+  visit("accumulations", solution.accumulations);
+  visit.if_any("samples", solution.samples, "at the times asked for");
+}
+
+/// All values or all errors of `numbers`, which are in the order of `CheckedMotion::names`.
+static SystemSamplePart part_of(const CheckedMotion& motion, const std::vector<Bounded>& numbers,
+                                double Bounded::*part) {
+  SystemSamplePart result;
+  auto next = numbers.begin();
+  const auto& bodies = motion.system().bodies;
+  for (std::size_t index = 0; index < bodies.size(); ++index) {
+    PlacedBody& body = result.state.bodies.emplace_back();
+    body.name = name_in_file(bodies, index);
+    for (const auto& one : coordinates(body.state)) {
+      one.value = *(next++).*part;
+    }
+  }
+  for (std::size_t cable = 0; cable < motion.system().cables.size(); ++cable) {
+    for (auto& list : result.of_cables) {
+      const double number = *(next++).*part;
+      list.push_back(part == &Bounded::error && number < 0.0 ? infinity<double>() : number);
+    }
+  }
+  result.energy = *next.*part;
+  return result;
+}
+
+/// None where the numbers of one instant are beyond the horizon.
+static std::optional<SystemSamplePart> errors_of(const CheckedMotion& motion,
+                                                 const std::vector<Bounded>& numbers) {
+  return numbers.front().error < 0.0 ? std::nullopt
+                                     : std::optional(part_of(motion, numbers, &Bounded::error));
+}
+
+static SystemEventRow event_row(const CheckedMotion& motion, std::size_t index) {
+  const auto& event = motion.solution().events()[index];
+  const auto before = motion.at_event(index, Side::before);
+  const auto after = motion.at_event(index, Side::after);
+  SystemEventRow row = {event.time,
+                        event.kind,
+                        event.cables,
+                        event.impulses,
+                        part_of(motion, before, &Bounded::value).state,
+                        part_of(motion, after, &Bounded::value).state,
+                        std::nullopt};
+  if (const double time = motion.time(index).error; time >= 0.0) {
+    SystemEventErrors& errors = row.errors.emplace();
+    errors.time = time;
+    errors.impulses = event.impulses;
+    Eigen::Index place = 0;
+    for (const Bounded& impulse : motion.impulses(index)) {
+      errors.impulses[place++] = impulse.error;
+    }
+    errors.before = part_of(motion, before, &Bounded::error).state;
+    errors.after = part_of(motion, after, &Bounded::error).state;
+  }
+  return row;
+}
+
+static SystemSettlingRow settling_row(const CheckedMotion& motion) {
+  const SystemSettling& settling = motion.settling();
+  const SystemSettlingErrors errors = motion.settling_errors();
+  const auto bounded_or_none = [](const std::optional<double>& value, double error) {
+    return value ? std::optional(Bounded{*value, error}) : std::nullopt;
+  };
+  const auto peak = [](const std::optional<Peak>& one, double value, double time) {
+    // no -0
+    return one ? std::optional(BoundedPeak{{one->value + 0.0, value}, {one->time, time}})
+               : std::nullopt;
+  };
+  SystemSettlingRow row;
+  for (std::size_t i = 0; i < settling.last_impacts.size(); ++i) {
+    const LastImpact& last = settling.last_impacts[i];
+    row.last_impacts.push_back({last.speed, bounded_or_none(last.time, errors.last_impacts[i])});
+  }
+  for (std::size_t i = 0; i < settling.cables.size(); ++i) {
+    const CableUse& use = settling.cables[i];
+    row.cables.push_back({{use.taut_share, errors.shares[i]},
+                          peak(use.tension, errors.tensions[i], errors.tension_times[i]),
+                          peak(use.impulse, errors.impulses[i], errors.impulse_times[i])});
+  }
+  if (const auto& lock = settling.lock) {
+    row.lock = {{lock->time, errors.lock},
+                lock->cables,
+                lock->certain,
+                bounded_or_none(lock->residual_energy, errors.residual_energy),
+                bounded_or_none(lock->one_percent, errors.one_percent)};
+  }
+  row.forced = settling.forced;
+  return row;
+}
+
+static SystemSample sample_at(const CheckedMotion& motion, double time) {
+  const std::vector<Bounded> numbers = motion.at(time);
+  SystemSample sample = {
+      time, part_of(motion, numbers, &Bounded::value), {}, errors_of(motion, numbers)};
+  const SystemState state = motion.solution().at(time);
+  for (const CableOfSystem& cable : motion.system().cables) {
+    auto& points = sample.points.emplace_back();
+    for (std::size_t index = 0; index <= cable.segments(); ++index) {
+      points.push_back(moving_point(cable.end(index), state).position);
+    }
+  }
+  return sample;
+}
+
+Json schema_of_system_solution() { return schema_of(SystemSolutionRow()); }
+
+std::string solution_json(const CheckedMotion& motion, const SolveOptions& options,
+                          std::span<const double> sample_times) {
+  const auto& solution = motion.solution();
+  const double end = solution.end_time();
+  SystemSolutionRow row;
+  row.system = {motion.system()};
+  row.options = options;
+  row.digits = motion.is_checked() ? std::optional(digits_of_systems) : std::nullopt;
+  row.horizon = motion.horizon();
+  for (std::size_t index = 0; index < solution.events().size(); ++index) {
+    row.events.push_back(event_row(motion, index));
+  }
+  row.ending = solution.ending();
+  row.end_time = end;
+  row.end_state = part_of(motion, motion.at(end), &Bounded::value).state;
+  row.energy.ledger = motion.ledger();
+  if (const SystemLedger errors = motion.ledger_errors(); errors.end >= 0.0) {
+    row.energy.errors = LedgerErrors{errors};
+  }
+  row.settling = settling_row(motion);
+  for (std::size_t index = 0; index < solution.accumulations().size(); ++index) {
+    const double error = motion.accumulation_error(index);
+    row.accumulations.push_back(
+        {solution.accumulations()[index], error < 0.0 ? std::nullopt : std::optional(error)});
+  }
+  if (!sample_times.empty()) {
+    auto& samples = row.samples.emplace();
+    for (const double time : sample_times) {
+      samples.push_back(sample_at(motion, time));
+    }
+  }
+  return in_lines(json_of(row));
+}
+
+}  // namespace tautline::bench

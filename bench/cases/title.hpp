@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tautline/case.hpp"
+#include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
 
@@ -10,5 +10,8 @@ namespace tautline::bench {
 /// 1.5", in the case's own units. A start at an angle or with a spin is named, and gravity that
 /// does not point down.
 [[nodiscard]] std::string title_of(const Case& the_case);
+
+/// The first of the sentences on a system.
+[[nodiscard]] std::string title_of(const ShippedSystem& one);
 
 }  // namespace tautline::bench

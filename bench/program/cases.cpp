@@ -33,8 +33,8 @@ std::string case_list(const TerminalStyle& style) {
 /// The systems, a paragraph each: its name, and the first of the two sentences on it.
 std::string system_list(const TerminalStyle& style) {
   std::string result = "systems\n";
-  for (const auto& [system, shows] : shipped_systems()) {
-    result += fmt::format("{}: {}\n", system.name, shows.substr(0, shows.find(". ") + 1));
+  for (const ShippedSystem& one : shipped_systems()) {
+    result += fmt::format("{}: {}\n", one.system.name, title_of(one));
   }
   return wrapped_lines(result, style.text, 2);
 }
@@ -47,8 +47,8 @@ std::string system_file(const std::string& name) {
   if (found == nullptr) {
     return "";
   }
-  const std::size_t second = found->shows.find(". ") + 1;
-  return fmt::format("# {}\n#{}\n{}", found->shows.substr(0, second), found->shows.substr(second),
+  const std::string title = title_of(*found);
+  return fmt::format("# {}\n#{}\n{}", title, found->shows.substr(title.size()),
                      write_system(found->system));
 }
 

@@ -38,10 +38,15 @@ Offers commands_of(const Outline& outline) {
   });
 }
 
-Offers cases_and_files() {
+Offers cases_and_files(bool systems) {
   Offers offers = {{":files", "*.toml"}};
   for (const Case& the_case : shipped_cases()) {
     offers.emplace_back(the_case.name, title_of(the_case));
+  }
+  if (systems) {
+    for (const ShippedSystem& one : shipped_systems()) {
+      offers.emplace_back(one.system.name, title_of(one));
+    }
   }
   return offers;
 }
@@ -87,10 +92,12 @@ struct Line {
   const Argument* asked = nullptr;   // the option whose value comes next
   bool has_word = false;             // one that is known by its place
   std::vector<std::string> engines;  // that are named
+  bool takes_systems = false;        // where it takes a case
 };
 
 Line read_line(const Command& command, const std::vector<std::string>& words) {
   Line line;
+  line.takes_systems = command.name == "solve" || command.name == "cases";
   for (const std::string& word : words) {
     const Argument* argument = std::exchange(line.asked, nullptr);
     if (argument == nullptr && word.starts_with('-')) {
@@ -127,7 +134,7 @@ Offers values_of(const Argument& argument, const Line& line, const Outline& outl
     return {{":folders", ""}};
   }
   if (kind == "CASE" || kind == "CASES") {
-    return cases_and_files();
+    return cases_and_files(line.takes_systems);
   }
   if (kind == "COMMAND") {
     return commands_of(outline);

@@ -150,6 +150,9 @@ TEST(Completion, OffersWhatFits) {
   EXPECT_EQ(offered({"so"}), "solve\n");
   EXPECT_EQ(offered({"solve", "--pl"}), "--plot\n");
   EXPECT_EQ(offered({"solve", "bounc"}), "bouncing-ball\n");
+  EXPECT_EQ(offered({"solve", "two-b"}), "two-bodies\n");
+  EXPECT_EQ(offered({"cases", "two-b"}), "two-bodies\n");
+  EXPECT_EQ(offered({"run", "two-b"}), "\n") << "engines run cases alone";
   EXPECT_EQ(offered({"run", "bouncing-ball", "--engine", "exa"}), "exact\n");
   EXPECT_EQ(offered({"run", "bouncing-ball", "--engine", "=", "exa"}), "exact\n");
   EXPECT_EQ(offered({"run", "--engine", "exact", "--model", "ev"}), "event\n");

@@ -86,18 +86,33 @@ std::vector<Real> numbers_at(const BasicSystem<Real, 2>& system,
                     solution.tensions(last, Real(last.end - last.start)));
 }
 
-/// How far the states of two solutions are apart [-].
-double distance(const System& system, const SystemState& one,
-                const BasicSystemState<Multi, 2>& other) {
+/// The length of the longest cable [m].
+double size_of(const System& system, const SystemState& state) {
   double length = 0.0;
-  double speed = 0.0;
   for (const CableOfSystem& cable : system.cables) {
-    length = std::max(length, cable.length.at(one.time)[0]);
+    length = std::max(length, cable.length.at(state.time)[0]);
   }
-  for (const State& body : one.bodies) {
+  for (const State& body : state.bodies) {
     length = length > 0.0 ? length : body.position.norm();
+  }
+  return length;
+}
+
+/// The speed of the fastest body, or of its turn [m/s].
+double speed_of(const System& system, const SystemState& state) {
+  const double length = size_of(system, state);
+  double speed = 0.0;
+  for (const State& body : state.bodies) {
     speed = std::max({speed, body.velocity.norm(), std::abs(body.spin) * length});
   }
+  return speed;
+}
+
+/// How far the states of two solutions are apart [-], whose largest speed is `speed` [m/s]: at rest
+/// they have none of their own.
+double distance(const System& system, const SystemState& one,
+                const BasicSystemState<Multi, 2>& other, double speed) {
+  const double length = size_of(system, one);
   double result = 0.0;
   for (std::size_t i = 0; i < one.bodies.size(); ++i) {
     const State& a = one.bodies[i];
@@ -174,6 +189,10 @@ void CheckedMotion::align() {
   const Alignment alignment(solution_, digits_->solution);
   same_.resize(solution_.events().size());
   const auto& others = digits_->solution.events();
+  double speed = speed_of(system_, system_.initial);
+  for (const auto& event : solution_.events()) {
+    speed = std::max({speed, speed_of(system_, event.before), speed_of(system_, event.after)});
+  }
   double last = 0.0;
   for (const auto& [mine, other] : alignment.places()) {
     if (mine == 0) {
@@ -182,7 +201,7 @@ void CheckedMotion::align() {
     const auto& event = solution_.events()[mine - 1];
     const auto& same = others[other - 1];
     if (off_by(event.time, same.time) > parted * std::max(event.time, 1e-300) ||
-        distance(system_, event.after, same.after) > parted) {
+        distance(system_, event.after, same.after, speed) > parted) {
       horizon_ = last;
       return;
     }

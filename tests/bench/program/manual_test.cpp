@@ -149,7 +149,7 @@ TEST(Completion, OffersWhatFits) {
   }
   EXPECT_EQ(offered({"so"}), "solve\n");
   EXPECT_EQ(offered({"solve", "--pl"}), "--plot\n");
-  EXPECT_EQ(offered({"solve", "bounc"}), "bouncing-ball\n");
+  EXPECT_EQ(offered({"solve", "bouncing"}), "bouncing-ball\n");
   EXPECT_EQ(offered({"solve", "two-b"}), "two-bodies\n");
   EXPECT_EQ(offered({"cases", "two-b"}), "two-bodies\n");
   EXPECT_EQ(offered({"run", "two-b"}), "\n") << "engines run cases alone";

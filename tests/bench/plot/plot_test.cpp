@@ -215,6 +215,31 @@ TEST(Plot, ASystemOfACaseIsDrawnAsTheCase) {
   EXPECT_NE(svg.find(">start</text>"), std::string::npos);
 }
 
+TEST(Plot, ManyBodiesWithHostileNamesFit) {
+  System system = shipped_systems().back().system;  // a row of balls
+  system.bodies.clear();
+  system.cables.clear();
+  system.initial.bodies.clear();
+  for (std::size_t index = 0; index < max_bodies; ++index) {
+    system.bodies.emplace_back().name =
+        "</text><script>\x1b" + std::to_string(index) + std::string(200, 'W');
+    system.initial.bodies.push_back({{static_cast<double>(index), 0.0}, 0.0, {0.0, 1.0}, 0.0});
+    CableOfSystem& cable = system.cables.emplace_back();
+    cable.from.body = index;
+    cable.to = {std::nullopt, {static_cast<double>(index), 0.5}, {}};
+  }
+  const auto solution = solve(system);
+  const SystemSettling settled = settling(system, solution);
+  const bench::SystemMotion motion = {system, solution, settled, std::nullopt};
+  for (const std::string& svg : {plot_svg(motion), bench::plot_motion_svg(motion)}) {
+    EXPECT_EQ(cut_off(svg), "");
+    EXPECT_EQ(svg.find("<script"), std::string::npos);
+    EXPECT_EQ(svg.find('\x1b'), std::string::npos);
+    EXPECT_EQ(count(svg, "&lt;/text&gt;&lt;script"), max_bodies);
+    EXPECT_EQ(count(svg, ">cable 7</text>"), 1U);
+  }
+}
+
 TEST(Plot, GoesToAFileOrToStandardOutputAndSaysWhenItCannot) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "p.svg").string();

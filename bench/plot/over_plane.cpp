@@ -30,7 +30,7 @@ constexpr double tallest = 900.0;
 
 /// The looks that a picture of a system adds: of cables by their state, and of ends that move.
 constexpr const char* system_style = R"(<style>
-.slack{stroke:#8a8a8a}
+.cable{stroke-width:2.8}.slack{stroke:#8a8a8a;stroke-width:1.6}
 .moving{fill:none;stroke:#8a4fb0;stroke-width:1.6}
 .ring{fill:#fff;stroke:#1a1a1a;stroke-width:1.8}
 @media (prefers-color-scheme:dark){.moving{stroke:#c79be8}.ring{fill:#16181c;stroke:#eee}}
@@ -47,7 +47,12 @@ std::string ring_at(double x, double y) {
   return fmt::format("<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\"/>\n", x, y);
 }
 
-const char* colour_of(std::size_t body) { return line_colours[body % line_colours.size()]; }
+/// The colour of a body, and the dashes of its path, as a style.
+std::string style_of(std::size_t body, bool path) {
+  return fmt::format(
+      " style=\"stroke:{}{}\"", line_colours[body % line_colours.size()],
+      path ? fmt::format(";stroke-dasharray:{}", line_dashes[body % line_dashes.size()]) : "");
+}
 
 /// One view of a motion: axes, cables, bodies and impacts.
 class PlotPanel {
@@ -152,15 +157,15 @@ class PlotPanel {
     return out;
   }
 
-  /// The colour of body `index`, as an attribute; "" of one alone.
-  [[nodiscard]] std::string colour(std::size_t index) const {
-    return motion_.bodies.empty() ? "" : fmt::format(" style=\"stroke:{}\"", colour_of(index));
+  /// The style of body `index`; "" of one alone.
+  [[nodiscard]] std::string look(std::size_t index, bool path) const {
+    return motion_.bodies.empty() ? "" : style_of(index, path);
   }
 
   [[nodiscard]] std::string bodies(const Pose& pose, const char* kind) const {
     std::string out;
     for (std::size_t index = 0; index < pose.bodies.size(); ++index) {
-      out += body(pose.bodies[index], kind, colour(index));
+      out += body(pose.bodies[index], kind, look(index, false));
     }
     return out;
   }
@@ -217,7 +222,7 @@ class PlotPanel {
   [[nodiscard]] std::string paths() const {
     std::string out;
     for (std::size_t index = 0; index < motion_.paths.size(); ++index) {
-      out += "<path class=\"path\"" + colour(index) + " d=\"" + line_of(motion_.paths[index]) +
+      out += "<path class=\"path\"" + look(index, true) + " d=\"" + line_of(motion_.paths[index]) +
              "\"/>\n";
     }
     return out;
@@ -419,8 +424,7 @@ std::string plot_svg(const SystemMotion& asked) {
   LegendRows rows(views.last.bottom() + 68.0);
   if (!motion.bodies.empty()) {
     for (std::size_t index = 0; index < motion.bodies.size(); ++index) {
-      rows.add(fmt::format("<path style=\"fill:none;stroke:{};stroke-width:2.5\" d=\"M0 0h26\"/>",
-                           colour_of(index)),
+      rows.add("<path class=\"path\"" + style_of(index, true) + " d=\"M0 0h26\"/>",
                motion.bodies[index]);
     }
     rows.add("<g class=\"start\"><circle class=\"body\" cx=\"13\" cy=\"0\" r=\"5\"/></g>", "start");

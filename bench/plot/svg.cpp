@@ -48,9 +48,9 @@ std::string anchor_attribute(const std::string& anchor) {
 }  // namespace
 
 std::string line_look(std::size_t colour, std::size_t dashes) {
-  constexpr std::array kinds = {"none", "8 3", "2 3", "10 3 2 3", "5 5"};
   return fmt::format("stroke=\"{}\" stroke-dasharray=\"{}\" style=\"fill:none\"",
-                     line_colours[colour % line_colours.size()], kinds[dashes % kinds.size()]);
+                     line_colours[colour % line_colours.size()],
+                     line_dashes[dashes % line_dashes.size()]);
 }
 
 std::string svg_start(double width, double height, const std::string& more) {

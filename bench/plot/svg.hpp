@@ -15,6 +15,8 @@ inline constexpr std::array line_colours = {"#0072b2", "#d55e00", "#009e73", "#c
                                             "#e69f00", "#56b4e9", "#8a8a8a", "#a6761d"};
 inline constexpr std::size_t grey_line = 6;  // the place of the one that is no colour
 
+inline constexpr std::array line_dashes = {"none", "8 3", "2 3", "10 3 2 3", "5 5"};
+
 /// How a line looks, as attributes. Dashes tell lines apart without colour, and let one be seen
 /// below another. Both numbers go round.
 [[nodiscard]] std::string line_look(std::size_t colour, std::size_t dashes);

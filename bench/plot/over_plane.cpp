@@ -30,7 +30,7 @@ constexpr double tallest = 900.0;
 
 /// The looks that a picture of a system adds: of cables by their state, and of ends that move.
 constexpr const char* system_style = R"(<style>
-.cable{stroke-width:2.8}.slack{stroke:#8a8a8a;stroke-width:1.6}
+.path{stroke-width:1.6}.cable{stroke-width:3}.slack{stroke:#8a8a8a;stroke-width:1.6}
 .moving{fill:none;stroke:#8a4fb0;stroke-width:1.6}
 .ring{fill:#fff;stroke:#1a1a1a;stroke-width:1.8}
 @media (prefers-color-scheme:dark){.moving{stroke:#c79be8}.ring{fill:#16181c;stroke:#eee}}
@@ -256,7 +256,7 @@ class PlotPanel {
            label(end, start_above ? 24.0 : -14.0, "end");
   }
 
-  /// In the middle of what is seen of each cable at the end; those of one place together.
+  /// About the middle of what is seen of each cable at the end; those of one place together.
   [[nodiscard]] std::string cable_numbers() const {
     std::vector<std::pair<Vec2, std::string>> labels;
     const Vec2 high = view_.low() + view_.size();
@@ -276,7 +276,7 @@ class PlotPanel {
       if (seen.empty()) {
         continue;
       }
-      const Vec2 at = seen[seen.size() / 2];
+      const Vec2 at = seen[2 * seen.size() / 5];  // and not on a ring
       const auto near = std::find_if(labels.begin(), labels.end(), [&](const auto& one) {
         constexpr double apart = 18.0;  // [px]
         return scale_ * (one.first - at).cwiseAbs().maxCoeff() < apart;
@@ -422,7 +422,9 @@ std::string plot_svg(const SystemMotion& asked) {
   const PlotMotion motion = plot_motion(asked.system, asked.solution);
   const Views views = views_of(motion);
   LegendRows rows(views.last.bottom() + 68.0);
+  std::string style = system_style;
   if (!motion.bodies.empty()) {
+    style += "<style>.path{stroke:#8a8a8a}</style>\n";  // in the legend: each has its own
     for (std::size_t index = 0; index < motion.bodies.size(); ++index) {
       rows.add("<path class=\"path\"" + style_of(index, true) + " d=\"M0 0h26\"/>",
                motion.bodies[index]);
@@ -441,7 +443,7 @@ std::string plot_svg(const SystemMotion& asked) {
   }
   const TensionPanel tensions = tension_panel(asked, rows.bottom() + 52.0);
   return sheet(motion, views, heading_of(motion) + horizon_words(asked),
-               system_style + rows.drawn() + tensions.drawn, tensions.bottom,
+               style + rows.drawn() + tensions.drawn, tensions.bottom,
                panel_left + widest + right_margin);
 }
 

@@ -178,7 +178,7 @@ Json schema_of(const Row& /*row*/) {
 }
 
 /// `schema` with what stands at the head of a schema.
-[[nodiscard]] inline Json headed(const char* title, const char* description, Json schema) {
+[[nodiscard]] inline Json headed(const char* title, const char* description, const Json& schema) {
   Json head = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                {"title", title},
                {"description", description}};

@@ -130,13 +130,18 @@ double distance(const System& system, const SystemState& one,
   return result;
 }
 
-/// The difference of two numbers, rounded up.
+/// The difference of two numbers, with room for what rounding takes of `one` less and plus it.
 double off_by(double one, const Multi& other) {
   if (!std::isfinite(one)) {
     return -1.0;
   }
   const Multi difference = abs(Multi(one - other));
-  return difference > 0 ? std::nextafter(static_cast<double>(difference), HUGE_VAL) : 0.0;
+  if (!(difference > 0)) {
+    return 0.0;
+  }
+  const double size = std::abs(one);
+  const double room = std::nextafter(size, HUGE_VAL) - size;
+  return std::nextafter(static_cast<double>(difference) + room, HUGE_VAL);
 }
 
 double off_by(const std::optional<double>& one, const std::optional<Multi>& other) {

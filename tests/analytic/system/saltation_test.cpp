@@ -144,8 +144,8 @@ double compare_saltations(const std::string& what, MultiSystem system, std::size
   const auto solution = solve(system, options);
   const auto& events = solution.events();
   const Multi end = (events[count - 1].time + events[count].time) / Multi(2);
-  Linear exact = Linear::Identity(numbers_of(system.initial).size(),
-                                  numbers_of(system.initial).size());
+  Linear exact =
+      Linear::Identity(numbers_of(system.initial).size(), numbers_of(system.initial).size());
   Linear timeless = exact;
   Multi now(0);
   for (std::size_t i = 0; i < count; ++i) {

@@ -132,6 +132,9 @@ void compare_with_truth(const System& system, const std::string& name, PrintedNu
     const std::string where = name + ", event " + std::to_string(i) + ": ";
     const auto& event = motion.solution().events()[i];
     const Bounded time = motion.time(i);
+    if (event.kind == EventKind::taut) {
+      continue;  // what completes an accumulation does so at an instant of each solution's own
+    }
     const auto* const same = nearest_event(truth, event);
     if (time.error < 0.0 || same == nullptr) {
       EXPECT_LT(time.error, 0.0) << where;

@@ -12,6 +12,7 @@
 #include "bench/page/document.hpp"
 #include "bench/plot/motion.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/system_settling.hpp"
 #include "tautline_bench_ensemble_words.inc"
 
 namespace tautline::bench {
@@ -72,6 +73,15 @@ Document document_of(const EnsembleReport& report, Medium medium) {
   return out.section("distributions", "Distributions", inside);
 }
 
+std::string picture(const AnyCase& any, const SolveOptions& options) {
+  if (const auto* const system = std::get_if<System>(&any)) {
+    const auto solution = solve(*system, options);
+    return plot_svg({*system, solution, settling(*system, solution), std::nullopt});
+  }
+  const Case& the_case = std::get<Case>(any);
+  return plot_svg(the_case, solve(the_case, options));
+}
+
 /// A picture of the first motion of each cell of the atlas.
 void write_pictures(const std::filesystem::path& out, const EnsembleReport& report) {
   const std::optional<Atlas> atlas = atlas_of(report);
@@ -82,14 +92,7 @@ void write_pictures(const std::filesystem::path& out, const EnsembleReport& repo
   for (std::size_t cell = 0; cell < atlas->draws.size(); ++cell) {
     if (atlas->pictured[cell]) {
       const AnyCase any = named_case_of(report.request.spec, exact, atlas->draws[cell]);
-      std::visit(
-          [&](const auto& the_case) {
-            if constexpr (std::is_same_v<decltype(the_case), const Case&>) {
-              write_file(out / picture_name(cell),
-                         plot_svg(the_case, solve(the_case, options_of(exact))));
-            }
-          },
-          any);
+      write_file(out / picture_name(cell), picture(any, options_of(exact)));
     }
   }
 }

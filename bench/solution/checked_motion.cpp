@@ -183,8 +183,8 @@ CheckedMotion::CheckedMotion(System system, const SolveOptions& options, bool ch
   auto solution = solve(many, sharper);
   auto settled = tautline::settling(many, solution);
   auto ledger = energy_ledger(many, solution);
-  digits_.reset(new InDigits{std::move(many), std::move(solution), std::move(settled),
-                             std::move(ledger)});
+  digits_.reset(
+      new InDigits{std::move(many), std::move(solution), std::move(settled), std::move(ledger)});
   align();
 }
 

@@ -17,7 +17,7 @@ namespace tautline::bench {
 namespace {
 
 // of the sheet [px]
-constexpr double panel_width = 330.0;
+constexpr double column_width = 330.0;
 constexpr double panel_height = 150.0;
 constexpr double left = 76.0;
 constexpr double top = 84.0;
@@ -112,7 +112,7 @@ struct Sheet {
   }
   [[nodiscard]] double x(std::size_t column, std::size_t version) const {
     const double part = (static_cast<double>(version) + 0.5) / static_cast<double>(versions.size());
-    return left + static_cast<double>(column) * (panel_width + across) + panel_width * part;
+    return left + static_cast<double>(column) * (column_width + across) + column_width * part;
   }
   /// How the line of a model looks, as attributes.
   [[nodiscard]] std::string look(const std::string& model) const {
@@ -123,7 +123,7 @@ struct Sheet {
   /// Of each version its name, or of so many that they would run into each other of every nth, back
   /// from the newest.
   [[nodiscard]] bool is_named(std::size_t version) const {
-    const auto most = static_cast<std::size_t>(panel_width / apart);
+    const auto most = static_cast<std::size_t>(column_width / apart);
     return (versions.size() - 1 - version) % (1 + (versions.size() - 1) / most) == 0;
   }
 
@@ -134,11 +134,11 @@ struct Sheet {
 };
 
 std::string frame(const Sheet& sheet, std::size_t column, double y, const Decades& decades) {
-  const double start = left + static_cast<double>(column) * (panel_width + across);
+  const double start = left + static_cast<double>(column) * (column_width + across);
   std::string out;
   const int every = std::max(1, (decades.high - decades.low) / 5);
   for (int power = decades.low; power <= decades.high; power += every) {
-    out += grid_across(start, y + decades.height_of(std::pow(10.0, power)), panel_width,
+    out += grid_across(start, y + decades.height_of(std::pow(10.0, power)), column_width,
                        fmt::format("1e{}", power));
   }
   for (std::size_t index = 0; index < sheet.versions.size(); ++index) {
@@ -148,7 +148,7 @@ std::string frame(const Sheet& sheet, std::size_t column, double y, const Decade
       out += turned_text(at, y + panel_height + 14.0, -40, sheet.versions[index], "end");
     }
   }
-  return out + rectangle(frame_look, start, y, panel_width, panel_height) + "\n";
+  return out + rectangle(frame_look, start, y, column_width, panel_height) + "\n";
 }
 
 /// A line for each model, interrupted where a version has no such run.
@@ -222,15 +222,16 @@ std::string version_svg(const VersionTrend& versions) {
     y += panel_height + versions_room + down;
   }
   for (std::size_t column = 0; column < sheet.steps.size(); ++column) {
-    panels += muted_text(left + static_cast<double>(column) * (panel_width + across) + panel_width,
-                         top - 8.0, fmt::format("step {:g} s", sheet.steps[column]), "end");
+    panels +=
+        muted_text(left + static_cast<double>(column) * (column_width + across) + column_width,
+                   top - 8.0, fmt::format("step {:g} s", sheet.steps[column]), "end");
   }
   const double columns = static_cast<double>(std::max<std::size_t>(1, sheet.steps.size()));
   const std::string reading = fmt::format(
       "Medians over the cases; 0 lies on the lowest line{}.",
       sheet.with_report.size() < sheet.versions.size() ? "; (a version) has no report" : "");
   const std::string title = version_title(versions);
-  return svg_sheet({.width = std::max({left + columns * (panel_width + across),
+  return svg_sheet({.width = std::max({left + columns * (column_width + across),
                                        left + room_for(title, title_letters),
                                        left + room_for(reading, letters)}),
                     .height = y + legend_line * static_cast<double>(sheet.models.size()),

@@ -59,6 +59,57 @@ TEST(SolveSystems, FastSaysThatNothingIsChecked) {
   expect_says(solved({"two-bodies", "--fast"}), "These digits are not checked");
 }
 
+/// Two bodies below each other, whose cables are hit by turns, ever faster, until both are taut.
+const char* const cascade = R"(name = "cascade"
+duration = 0.11
+gravity = [0.0, -9.81]
+[[bodies]]
+name = "hook"
+mass = 40.0
+position = [0.0, -9.45]
+[[bodies]]
+name = "load"
+mass = 400.0
+position = [0.0, -11.35]
+[[cables]]
+from = { body = "hook", at = [0.0, 0.0] }
+to = [0.0, 0.0]
+length = 9.5
+restitution = 0.1
+[[cables]]
+from = { body = "load", at = [0.0, 0.0] }
+to = { body = "hook", at = [0.0, 0.0] }
+length = 1.901
+restitution = 0.2
+)";
+
+// how many impacts each solution sees before it calls both taut is a matter of its digits
+TEST(SolveSystems, ACascadeOfImpactsIsNoHorizon) {
+  const TemporaryFolder folder;
+  const std::string output = solved({folder.file("cascade.toml", cascade).string()});
+  expect_says(output, "0+1");
+  expect_says(output, "All these digits are those of a solution in 30 digits, too.");
+}
+
+TEST(SolveSystems, SayWhichCableAsksForTooMuch) {
+  const TemporaryFolder folder;
+  const std::string held =
+      "gravity = [0.0, 0.0]\nduration = 3\n[[bodies]]\nmass = 1\nposition = [0, 0]\n"
+      "[[cables]]\nfrom = { body = \"body\" }\nto = [1.0, 0.0]\nlength = 1.0\n"
+      "[[cables]]\nfrom = { body = \"body\" }\nto = [-1.0, 0.0]\n";
+  const auto stops = [&](const std::string& cable) {
+    std::string output = program({"solve", folder.file("a.toml", held + cable).string()}).output;
+    std::replace(output.begin(), output.end(), '\n', ' ');
+    return output;
+  };
+  expect_says(stops("length = { times = [1.0, 2.0], values = [1.0, 0.5] }\n"),
+              "Stopped at t = 1.000000: cable 1 asks for more than the bodies on taut cables can "
+              "follow.");
+  expect_says(stops("length = 0.9\nfrom_time = 2.0\n"),
+              "Stopped at t = 2.000000: cable 1 is hooked up there, and too short for where the "
+              "ends are.");
+}
+
 TEST(SolveSystems, SamplesAreATable) {
   const std::string output = solved({"two-bodies", "--csv", "-", "--at", "0"});
   expect_says(output, "time,event,");

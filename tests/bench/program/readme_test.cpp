@@ -74,8 +74,8 @@ void expect_true_blocks(const std::string& page, std::size_t least) {
     std::vector<std::string> arguments;
     std::istringstream words(excerpt.command);
     for (std::string word; words >> word;) {
-      arguments.push_back(
-          word.starts_with("recipes/") ? std::string(TAUTLINE_DOCS) + "/guides/" + word : word);
+      const std::string file = std::string(TAUTLINE_DOCS) + "/guides/" + word;
+      arguments.push_back(std::filesystem::is_regular_file(file) ? file : word);
     }
     if (arguments.front() == "bench") {
       arguments.insert(arguments.end(), {"--out", (folder.path() / "r").string()});
@@ -110,6 +110,14 @@ TEST(Pages, ShowWhatTheProgramPrints) {
 
 TEST(Recipes, ShowWhatTheProgramPrints) {
   expect_true_blocks(TAUTLINE_DOCS "/guides/recipes.md", 9);
+}
+
+TEST(Crane, IsShownAsItsFileSaysAndMovesAsThePageShows) {
+  std::string file = content_of(TAUTLINE_DOCS "/guides/crane/crane.toml");
+  file.erase(0, file.find('\n') + 1);  // the schema, for editors
+  EXPECT_NE(content_of(TAUTLINE_DOCS "/guides/crane.md").find("```toml\n" + file + "```"),
+            std::string::npos);
+  expect_true_blocks(TAUTLINE_DOCS "/guides/crane.md", 2);
 }
 
 }  // namespace

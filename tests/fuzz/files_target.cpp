@@ -42,7 +42,7 @@ void read_as_spec(std::string_view text) {
   if (reading.spec) {
     const std::size_t draws = bench::draw_count(*reading.spec);
     require(draws > 0 && draws <= bench::most_draws, "the number of draws has its range");
-    require(problems(reading.spec->the_case).empty(), "the case of a spec can be solved");
+    require(bench::problems(reading.spec->the_case).empty(), "the case of a spec can be solved");
   }
 }
 

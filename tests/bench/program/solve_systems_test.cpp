@@ -254,7 +254,7 @@ TEST(SolveSystems, JsonAndPicturesKnowTheHorizon) {
   std::size_t beyond = 0;
   for (const auto& event : motion["events"]) {
     EXPECT_EQ(event["errors"].is_null(), event["time"] > horizon) << event;
-    beyond += event["errors"].is_null() ? 1 : 0;
+    beyond += event["errors"].is_null() ? 1U : 0U;
   }
   EXPECT_GT(beyond, 0U);
   EXPECT_TRUE(motion["energy"]["errors"].is_null());

@@ -18,6 +18,10 @@ namespace {
 /// times less than what would send a cable another way, and far more than what grows no further.
 constexpr double parted = 1e-4;
 
+/// Bounces are completed at an instant of each solution's own, later in more digits: more digits
+/// yet are further away than these are from each other [-].
+constexpr double completion_margin = 2.0;
+
 /// The error of completed accumulations in 30 digits, below that of doubles [-].
 constexpr double completion_of_digits = 1e-24;
 
@@ -270,13 +274,22 @@ std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const
     return agreeing(mine, {});
   }
   const tautline::Digits precision(digits_of_systems);
-  return agreeing(mine, numbers_at(digits_->system, digits_->solution, *same, side));
+  auto result = agreeing(mine, numbers_at(digits_->system, digits_->solution, *same, side));
+  for (Bounded& number : result) {
+    number.error *= margin_at(index);
+  }
+  return result;
+}
+
+double CheckedMotion::margin_at(std::size_t index) const {
+  return solution_.events()[index].kind == EventKind::taut ? completion_margin : 1.0;
 }
 
 Bounded CheckedMotion::time(std::size_t index) const {
   const double mine = solution_.events()[index].time;
   const auto same = same_event(index);
-  return {mine, same ? off_by(mine, digits_->solution.events()[*same].time) : -1.0};
+  return {mine,
+          same ? margin_at(index) * off_by(mine, digits_->solution.events()[*same].time) : -1.0};
 }
 
 std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {

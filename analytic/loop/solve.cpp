@@ -196,8 +196,12 @@ class Motion final : public PausedMotion<TheCase> {
       attempts_.note(case_, state_, bouncing);
       return Attempt::in_vain;
     }
-    const Real energy_before = energy(case_, state_);
-    record(EventKind::taut, done->cables, stopping_impulses(done->cables), done->after);
+    Real energy_before = energy(case_, state_);
+    const BasicCableVector<Real> impulses = stopping_impulses(done->cables);
+    if constexpr (TheCase::has_several_bodies) {  // whose cables may be moved
+      energy_before += work_of_impulses(case_, state_, done->cables, impulses);
+    }
+    record(EventKind::taut, done->cables, impulses, done->after);
     if (done->ends) {  // else an elastic cable goes on bouncing, too low to matter
       record_.accumulations.push_back({time_, time_ + done->remaining, done->uncertainty,
                                        done->cables, energy_before - energy(case_, state_)});

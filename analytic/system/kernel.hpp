@@ -205,6 +205,21 @@ template <class Real, int D>
 
 // ---- time
 
+/// The work of what moves ends and lengths at an instant [J]: of each impulse on `cables`, by the
+/// rate that bodies at rest would leave.
+template <class Real, int D>
+[[nodiscard]] Real work_of_impulses(const BasicSystem<Real, D>& system,
+                                    const BasicSystemState<Real, D>& before, CableSet cables,
+                                    const BasicCableVector<Real>& impulses) {
+  const BasicSystemState<Real, D> still = standing_still(before);
+  Real result(0);
+  Eigen::Index row = 0;
+  for (const std::size_t index : cables) {
+    result -= impulses[row++] * gap_rate(system.cables[index], still);
+  }
+  return result;
+}
+
 /// The next instant [s] at which something given over time is not smooth; infinite: never.
 template <class Real, int D>
 [[nodiscard]] Real next_knot(const BasicSystem<Real, D>& system,

@@ -29,19 +29,6 @@ Real work_along(const BasicSystem<Real, D>& system, const BasicArc<BasicSystem<R
   return motion.work(Real(arc.end - arc.start));
 }
 
-/// The work at `event` of what moves ends and lengths [J]: of each impulse, by the rate that bodies
-/// at rest would leave.
-template <class Real, int D>
-Real work_at(const BasicSystem<Real, D>& system, const BasicEvent<BasicSystem<Real, D>>& event) {
-  const BasicSystemState<Real, D> still = standing_still(event.before);
-  Real result(0);
-  Eigen::Index row = 0;
-  for (const std::size_t index : event.cables) {
-    result -= event.impulses[row++] * gap_rate(system.cables[index], still);
-  }
-  return result;
-}
-
 }  // namespace
 
 template <class Real, int D>
@@ -59,7 +46,7 @@ BasicSystemLedger<Real> energy_ledger(const BasicSystem<Real, D>& system,
     if (event.kind == EventKind::slack) {
       continue;
     }
-    const Real work = work_at(system, event);
+    const Real work = work_of_impulses(system, event.before, event.cables, event.impulses);
     const Real lost = kinetic_energy(system.bodies, event.before) + work -
                       kinetic_energy(system.bodies, event.after);
     result.work += work;

@@ -173,13 +173,18 @@ std::optional<BasicSystemLock<Real>> lock_of(const BasicSystem<Real, D>& system,
       break;
     }
   }
-  if (!is_constant_from(system, solution.at(lock.time))) {
-    return std::nullopt;
-  }
   for (const auto& one : solution.accumulations()) {
     if (one.start == lock.time) {
       lock.time = min(one.time, solution.end_time());
       lock.uncertainty = one.uncertainty;
+      break;
+    }
+  }
+  while (!is_constant_from(system, solution.at(lock.time))) {
+    lock.time = next_knot(system, solution.at(lock.time));
+    lock.uncertainty = Real(0);
+    if (!(lock.time < solution.end_time())) {
+      return std::nullopt;
     }
   }
   const auto end = solution.at(solution.end_time());

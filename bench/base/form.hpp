@@ -32,6 +32,9 @@ struct Key {
   std::string_view meaning;
 };
 
+/// Among the `words` of a form: any other text is right, too; an editor proposes the words.
+inline constexpr const char* other_texts = "*";
+
 /// The values that a key takes, as its reader asks for them. The schema of a file is made of it.
 struct Form {
   enum class Kind { text, flag, number, array, table };

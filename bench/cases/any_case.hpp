@@ -38,7 +38,7 @@ using AnyCase = std::variant<Case, System>;
 }
 
 /// The names of the numbers of a system that an ensemble may vary: of all bodies, cables or waves
-/// ("mass", "length", "phase"), and of one: "mass_" with the body's name, "length_0", "phase_0".
+/// ("mass", "length", "phase"), and of one: "hook.mass", "length_0", "phase_0".
 /// Waves are numbered in the order of `each_function`.
 [[nodiscard]] std::vector<std::string> quantities_of(const System& system);
 
@@ -47,7 +47,7 @@ using AnyCase = std::variant<Case, System>;
 
 /// The number that `name`, one of `quantities_of`, means; with several bodies, cables or waves the
 /// first one's. If they are given over time, "length", "gravity_x" and "gravity_y" are the value
-/// before the first knot, and "length_rate" is the first rate that is not zero.
+/// before the first knot, and "length_rate" is the first mean rate between knots that is not zero.
 [[nodiscard]] double quantity(const System& system, std::string_view name);
 /// Gives all of them this value. Of what is given over time all values move with the first, and all
 /// changes of a length grow with its rate. All waves are one sea: "amplitude" and "period" keep

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -27,6 +28,11 @@ MaybeNumber plain(std::optional<double>& number) {
   return number ? MaybeNumber(plain(*number)) : std::nullopt;
 }
 
+/// A point mass does not turn.
+MaybeNumber of_turn(const System& system, std::size_t body, double& number) {
+  return system.bodies[body].inertia > 0.0 ? MaybeNumber(plain(number)) : std::nullopt;
+}
+
 /// Its value before the first knot; all values move with it.
 template <int N>
 Number constant_part(BasicFunction<double, N>& function, int axis) {
@@ -44,11 +50,18 @@ Number constant_part(BasicFunction<double, N>& function, int axis) {
           }};
 }
 
-/// The first rate that is not zero; all changes grow with it.
+/// The first mean rate from knot to knot that is not zero, or the rate of the last piece; all
+/// changes grow with it.
 MaybeNumber rate(BasicFunction<double, 1>& function) {
   double now = 0.0;
-  for (const auto& piece : function.pieces) {
-    now = now == 0.0 && piece.coefficients.size() > 1 ? piece.coefficients[1][0] : now;
+  for (std::size_t i = 0; i < function.pieces.size() && now == 0.0; ++i) {
+    const auto& piece = function.pieces[i];
+    if (i + 1 < function.pieces.size()) {
+      const double next = function.pieces[i + 1].from;
+      now = (function.at(next)[0] - function.at(piece.from)[0]) / (next - piece.from);
+    } else if (piece.coefficients.size() > 1) {
+      now = piece.coefficients[1][0];
+    }
   }
   if (now == 0.0) {
     return std::nullopt;
@@ -121,7 +134,7 @@ constexpr std::array system_quantities = {
         [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].position.y()); }},
     SystemQuantity{
         "angle", "rad", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].angle); }},
+        [](System& s, Index i) -> MaybeNumber { return of_turn(s, i, s.initial.bodies[i].angle); }},
     SystemQuantity{
         "velocity_x", "m/s", Owner::bodies,
         [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].velocity.x()); }},
@@ -130,15 +143,17 @@ constexpr std::array system_quantities = {
         [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].velocity.y()); }},
     SystemQuantity{
         "spin", "rad/s", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].spin); }},
+        [](System& s, Index i) -> MaybeNumber { return of_turn(s, i, s.initial.bodies[i].spin); }},
     SystemQuantity{"mass", "kg", Owner::bodies,
                    [](System& s, Index i) -> MaybeNumber { return plain(s.bodies[i].mass); }},
-    SystemQuantity{"inertia", "kg m^2", Owner::bodies,
-                   [](System& s, Index i) -> MaybeNumber { return plain(s.bodies[i].inertia); }},
+    SystemQuantity{
+        "inertia", "kg m^2", Owner::bodies,
+        [](System& s, Index i) -> MaybeNumber { return of_turn(s, i, s.bodies[i].inertia); }},
     SystemQuantity{"drag", "N s/m", Owner::bodies,
                    [](System& s, Index i) -> MaybeNumber { return plain(s.bodies[i].drag); }},
-    SystemQuantity{"spin_drag", "N m s", Owner::bodies,
-                   [](System& s, Index i) -> MaybeNumber { return plain(s.bodies[i].spin_drag); }},
+    SystemQuantity{
+        "spin_drag", "N m s", Owner::bodies,
+        [](System& s, Index i) -> MaybeNumber { return of_turn(s, i, s.bodies[i].spin_drag); }},
     SystemQuantity{"gravity_x", "m/s^2", Owner::system,
                    [](System& s, Index) -> MaybeNumber { return constant_part(s.gravity, 0); }},
     SystemQuantity{"gravity_y", "m/s^2", Owner::system,
@@ -186,11 +201,11 @@ std::size_t how_many(const System& system, Owner owner) {
   return waves;
 }
 
-/// The name of a quantity of one body, cable or wave.
+/// The name of a quantity of one body, cable or wave: a body may be called as a quantity is.
 std::string name_of_one(const System& system, const SystemQuantity& quantity, std::size_t index) {
-  return std::string(quantity.name) + "_" +
-         (quantity.owner == Owner::bodies ? name_in_file(system.bodies, index)
-                                          : std::to_string(index));
+  const std::string name(quantity.name);
+  return quantity.owner == Owner::bodies ? name_in_file(system.bodies, index) + "." + name
+                                         : name + "_" + std::to_string(index);
 }
 
 /// A name of quantities_of, as it is understood.
@@ -218,15 +233,39 @@ void visit_quantities(System& system, const Visit& visit) {
   }
 }
 
+/// Without numbers where there are none now: an amplitude of 0 has no direction to grow in, and
+/// what is no system may have lost more.
 Meant meant(System& system, std::string_view name) {
-  std::optional<Meant> result;
+  Meant result{nullptr, {}};
   visit_quantities(system, [&](const std::string& known, const Meant& one) {
     if (known == name) {
       result = one;
     }
   });
-  assert(result && "the name is one of quantities_of");
-  return *result;
+  return result;
+}
+
+/// The unit of the amplitude of the wave that `name` ends with the number of, or of the first.
+std::string_view unit_of_wave(const System& system, std::string_view name) {
+  std::vector<std::string_view> units = {
+      "m/s^2"};  // of the functions, in the order of each_function
+  for (std::size_t body = 0; body < system.bodies.size(); ++body) {
+    units.insert(units.end(), {"N", "N m"});
+  }
+  std::size_t wave = 0;
+  if (const std::size_t at = name.find('_'); at != std::string_view::npos) {
+    std::from_chars(name.data() + at + 1, name.data() + name.size(), wave);
+  }
+  std::string_view result = "m";  // of lengths and ends
+  std::size_t waves = 0;
+  std::size_t function_index = 0;
+  each_function(system, [&](const auto& function) {
+    const bool has_it = waves <= wave && wave < waves + function.waves.size();
+    result = has_it && function_index < units.size() ? units[function_index] : result;
+    waves += function.waves.size();
+    ++function_index;
+  });
+  return result;
 }
 
 }  // namespace
@@ -244,16 +283,22 @@ std::string_view unit_of_quantity(const AnyCase& any, std::string_view name) {
     return unit_of_quantity(name);
   }
   System copy = *system;
-  return meant(copy, name).quantity->unit;
+  const Meant one = meant(copy, name);
+  assert(one.quantity != nullptr && "the name is one of quantities_of");
+  return one.quantity->name == "amplitude" ? unit_of_wave(copy, name) : one.quantity->unit;
 }
 
 double quantity(const System& system, std::string_view name) {
   System copy = system;
-  return meant(copy, name).numbers.front().value;
+  const std::vector<Number> numbers = meant(copy, name).numbers;
+  return numbers.empty() ? 0.0 : numbers.front().value;
 }
 
 void set_quantity(System& system, std::string_view name, double value) {
   const Meant all = meant(system, name);
+  if (all.numbers.empty()) {
+    return;
+  }
   const double first = all.numbers.front().value;
   const std::vector<Number> periods = all.quantity->name == "phase" && all.numbers.size() > 1
                                           ? meant(system, "period").numbers

@@ -24,14 +24,10 @@ namespace {
 template <class TheCase>
 double fastest_completed(const TheCase& the_case, const BasicSolution<TheCase>& solution) {
   double fastest = 0.0;
-  for (const auto& event : solution.events()) {
-    if (event.kind != EventKind::taut) {
-      continue;
-    }
-    const double lost = energy(the_case, event.before) - energy(the_case, event.after);
-    for (const std::size_t index : event.cables) {
+  for (const auto& completed : solution.accumulations()) {
+    for (const std::size_t index : completed.cables) {
       const double response = most_response(the_case, the_case.cables[index]);
-      fastest = std::max(fastest, std::sqrt(2.0 * std::max(0.0, lost) * response));
+      fastest = std::max(fastest, std::sqrt(2.0 * std::max(0.0, completed.energy_lost) * response));
     }
   }
   return fastest;

@@ -148,6 +148,42 @@ Distribution read_distribution(StrictTable& table) {
   return given.empty() ? Distribution{Kind::list, {0.0}} : given.front();
 }
 
+/// The names that an editor proposes: of any case, and of any system but for its bodies' names.
+std::vector<std::string> proposed_names() {
+  Case any_case;
+  any_case.cables.resize(max_cables);
+  std::vector<std::string> names = quantities_of(any_case);
+  System system;
+  system.bodies.resize(1);
+  system.bodies.front().inertia = 1.0;
+  system.initial.bodies.resize(1);
+  system.cables.resize(1);
+  CableOfSystem& cable = system.cables.front();
+  cable.length.pieces.front().coefficients.push_back(Function<1>::Value(1.0));
+  cable.length.waves = {{Function<1>::Value(1.0), 1.0}};
+  cable.from_time = 1.0;
+  cable.cut_at = 2.0;
+  for (const std::string& name : quantities_of(system)) {
+    const bool of_body = name.find('.') != std::string::npos;
+    if (!of_body && std::find(names.begin(), names.end(), name) == names.end()) {
+      names.push_back(name);
+    }
+  }
+  names.emplace_back(other_texts);
+  return names;
+}
+
+/// Refuses a `name` that is none of `names`.
+bool is_known(StrictTable& table, const char* key, const std::string& name,
+              const std::vector<std::string>& names) {
+  const bool known = std::find(names.begin(), names.end(), name) != names.end();
+  if (!known) {
+    table.refuse_value(key, printable(name) + " is none of this case" + suggestion(name, names) +
+                                "; it has " + joined(names, "and"));
+  }
+  return known;
+}
+
 /// What one table [[vary]] varies, each of its quantities independent of the others: `names` of
 /// `the_case`, and none of those `before`, which it joins.
 std::vector<Varied> read_varied(StrictTable& table, const AnyCase& the_case,
@@ -156,14 +192,10 @@ std::vector<Varied> read_varied(StrictTable& table, const AnyCase& the_case,
   std::vector<Varied> result;
   const auto chosen =
       table.texts({"quantities", "the numbers of the case that vary, each by itself"},
-                  "must be an array of names, such as [\"x\", \"y\"]", names);
+                  "must be an array of names, such as [\"x\", \"y\"]", proposed_names());
   const Distribution distribution = read_distribution(table);
   for (const std::string& name : chosen) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-      table.refuse_value("quantities", printable(name) + " is none of this case" +
-                                           suggestion(name, names) + "; it has " +
-                                           joined(names, "and"));
-    } else if (!before.insert(name).second) {
+    if (is_known(table, "quantities", name, names) && !before.insert(name).second) {
       table.refuse_value("quantities", printable(name) + " is varied twice");
     }
     const bool known = before.contains(name);
@@ -189,8 +221,9 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
     result.seed = static_cast<std::uint64_t>(*seed);
   }
   table.with("quantity", [&] {
-    result.quantity =
-        table.one_of({"quantity", "a number of the case that is another here"}, names);
+    result.quantity = table.text({"quantity", "a number of the case that is another here"});
+    static_cast<void>(result.quantity.empty() ||
+                      is_known(table, "quantity", result.quantity, names));
     result.factor =
         table.number({"factor", "by which the quantity is multiplied"}, case_number, "");
   });

@@ -144,6 +144,13 @@ std::vector<double> impact_times(const TheCase& the_case, const BasicSolution<Th
   return result;
 }
 
+/// Names the lines of `drawn` impacts: all of them, or the fastest ones.
+std::string words_on_marks(std::size_t drawn) {
+  return drawn < marked_impacts
+             ? "a thin line marks an impact"
+             : fmt::format("thin lines mark the {} fastest impacts", marked_impacts);
+}
+
 /// A panel on the sheet.
 class DrawnPanel {
  public:
@@ -283,8 +290,8 @@ std::string panels_over_time(const TheCase& the_case, const BasicSolution<TheCas
                  .text(impacts, last);
     from_top += panel_height + between_panels;
   }
-  const std::string words = fmt::format("t = 0 to {:.6g} s; a thin line marks an impact{}",
-                                        solution.end_time(), more_words);
+  const std::string words = fmt::format("t = 0 to {:.6g} s; {}{}", solution.end_time(),
+                                        words_on_marks(impacts.size()), more_words);
   return svg_sheet(
       {.width = motion_width,
        .height = bottom + 92.0 + more,
@@ -320,6 +327,7 @@ std::string plot_motion_svg(const SystemMotion& motion) {
 TensionPanel tension_panel(const SystemMotion& motion, double top) {
   Curves curves = Gatherer(motion.system, motion.solution).gather();
   Panel& panel = curves.panels.back();
+  const std::vector<double> impacts = impact_times(motion.system, motion.solution);
   const CableUse* most = nullptr;
   for (const CableUse& use : motion.settling.cables) {
     if (use.tension && (most == nullptr || use.tension->value > most->tension->value)) {
@@ -331,10 +339,9 @@ TensionPanel tension_panel(const SystemMotion& motion, double top) {
            ? fmt::format("; largest {:.5g} on cable {} at t = {:.4g} s", most->tension->value,
                          most - motion.settling.cables.data(), most->tension->time)
            : std::string("; zero except in impacts")) +
-      "; a thin line marks an impact";
+      "; " + words_on_marks(impacts.size());
   const double bottom = top + panel_height;
-  return {DrawnPanel(panel, curves.times, motion.solution.end_time(), top)
-                  .text(impact_times(motion.system, motion.solution), true) +
+  return {DrawnPanel(panel, curves.times, motion.solution.end_time(), top).text(impacts, true) +
               cable_legend(motion.system.cables.size(), bottom + 66.0),
           bottom + 92.0};
 }

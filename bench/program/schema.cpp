@@ -76,7 +76,10 @@ Json schema_of_form(const Form& form) {
   switch (form.kind) {
     case Form::Kind::text:
       schema["type"] = "string";
-      if (!form.words.empty()) {
+      if (const auto other = std::find(form.words.begin(), form.words.end(), other_texts);
+          other != form.words.end()) {
+        schema["anyOf"] = {{{"enum", std::vector(form.words.begin(), other)}}, {{"minLength", 1}}};
+      } else if (!form.words.empty()) {
         schema["enum"] = form.words;
       } else if (form.not_empty) {
         schema["minLength"] = 1;

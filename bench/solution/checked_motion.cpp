@@ -217,9 +217,21 @@ void CheckedMotion::align() {
     same_[mine - 1] = other - 1;
     last = event.time;
   }
-  if (!alignment.match().all || solution_.ending() != digits_->solution.ending()) {
+  if (!alignment.match().all || !end_alike(speed)) {
     horizon_ = last;
   }
+}
+
+/// Drag brings a motion to rest in double first: it is the same motion.
+bool CheckedMotion::end_alike(double speed) const {
+  const auto& other = digits_->solution;
+  const auto whole = [](Ending ending) {
+    return ending == Ending::rest || ending == Ending::reached_duration;
+  };
+  return solution_.ending() == other.ending() ||
+         (whole(solution_.ending()) && whole(other.ending()) &&
+          distance(system_, solution_.at(solution_.end_time()), other.at(other.end_time()),
+                   speed) <= parted);
 }
 
 std::optional<std::size_t> CheckedMotion::same_event(std::size_t index) const {

@@ -85,6 +85,7 @@ class CheckedMotion {
   struct InDigits;
 
   void align();
+  [[nodiscard]] bool end_alike(double speed) const;         // [m/s], the largest of the motion
   [[nodiscard]] double margin_at(std::size_t index) const;  // for its errors [-]
   /// The event in 30 digits that event `index` is; none from the horizon on.
   [[nodiscard]] std::optional<std::size_t> same_event(std::size_t index) const;

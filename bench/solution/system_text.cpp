@@ -60,6 +60,18 @@ class Sentences {
                          : in_words(right_fixed(value, error, summary_time_digits), value, error));
   }
 
+  /// A part of the ledger; 0 where it is rounding of the others.
+  [[nodiscard]] std::string part(double value, double error) const {
+    constexpr double rounding = 1e-12;
+    const bool none = std::abs(value) <= rounding * motion_.ledger().range;
+    return none ? "0" : number(value, error);
+  }
+  /// When a largest value is first there; nothing where equal ones come again and again.
+  [[nodiscard]] std::string when(double value, double error) const {
+    constexpr double too_wide = 1e-3;  // [-], of the run
+    return error > too_wide * motion_.solution().end_time() ? "" : " at " + time(value, error);
+  }
+
   [[nodiscard]] std::string ending() const {
     const auto& solution = motion_.solution();
     const bool rests = solution.ending() == Ending::rest;
@@ -122,17 +134,17 @@ class Sentences {
       const bool pulls = use.tension && use.tension->value > std::abs(errors_.tensions[index]);
       result += fmt::format(
           "taut for {} % of the run, with {}", number(100.0 * use.taut_share, 100.0 * error),
-          pulls ? fmt::format("a tension of at most {} at {}",
+          pulls ? fmt::format("a tension of at most {}{}",
                               number(use.tension->value, errors_.tensions[index]),
-                              time(use.tension->time, errors_.tension_times[index]))
+                              when(use.tension->time, errors_.tension_times[index]))
                 : "no tension to speak of");
     } else {
       result += "slack";
     }
     if (use.impulse) {
-      result += fmt::format("; its largest impulse is {} at {}",
+      result += fmt::format("; its largest impulse is {}{}",
                             number(use.impulse->value, errors_.impulses[index]),
-                            time(use.impulse->time, errors_.impulse_times[index]));
+                            when(use.impulse->time, errors_.impulse_times[index]));
     }
     return result + ".";
   }
@@ -151,13 +163,14 @@ class Sentences {
                             number(*lock.residual_energy, errors_.residual_energy));
     }
     if (lock.one_percent) {
-      result += fmt::format(" Drag has taken 99 % of it by {}.",
-                            time(*lock.one_percent, errors_.one_percent));
+      result +=
+          fmt::format(" By {} drag has taken 99 % of what there was of it at {}.",
+                      time(*lock.one_percent, errors_.one_percent), time(lock.time, errors_.lock));
     }
     return result;
   }
 
-  [[nodiscard]] static std::string forced(const ForcedMotion& forced) {
+  [[nodiscard]] std::string forced(const ForcedMotion& forced) const {
     const std::string count = fmt::format("{:.3g}", forced.impacts);
     std::string result =
         fmt::format("The waves come again every {:.6g}; in a period {} {} impact{}", forced.period,
@@ -166,7 +179,8 @@ class Sentences {
                   ? fmt::format(", and the motion repeats every {}.",
                                 *forced.repeats == 1 ? "period"
                                                      : fmt::format("{} periods", *forced.repeats))
-                  : ", and the motion does not repeat within 16 periods.";
+                  : fmt::format(", and no repetition is seen in the {:.3g} periods of the run.",
+                                motion_.solution().end_time() / forced.period);
     return result;
   }
 
@@ -178,8 +192,8 @@ class Sentences {
     return fmt::format(
         "Kinetic energy: {} at the start, {} at the end. Gravity, forces, drag and what moves ends "
         "and lengths give {}; impacts take {}.",
-        number(ledger.start, std::max(0.0, errors.start)), number(ledger.end, errors.end),
-        number(ledger.work, errors.work), number(lost, error));
+        part(ledger.start, std::max(0.0, errors.start)), part(ledger.end, errors.end),
+        part(ledger.work, errors.work), part(lost, error));
   }
 
   [[nodiscard]] std::string sureness() const {

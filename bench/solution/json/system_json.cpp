@@ -188,7 +188,7 @@ void fields(Visitor& visit, SystemLockRow& lock) {
   visit("residual_energy", lock.residual_energy,
         "above the equilibrium on these cables, at the end [J]; null: there is none on them");
   visit("one_percent", lock.one_percent,
-        "when drag has taken 99 % of that energy [s]; null: not within the run");
+        "when drag has taken 99 % of what it is at `time` [s]; null: not within the run");
 }
 
 template <class Visitor>
@@ -196,7 +196,8 @@ void fields(Visitor& visit, ForcedMotion& forced) {
   visit("period", forced.period, "common to all waves [s]");
   visit("impacts", forced.impacts, "in a period, the mean of the last ones");
   visit("repeats", forced.repeats,
-        "the motion comes again after this number of periods; null: it does not");
+        "the motion comes again after this number of periods; null: it is not seen to do so three "
+        "times");
 }
 
 struct SystemSettlingRow {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 
 #include "bench/ensemble/draw.hpp"
@@ -47,13 +48,25 @@ TEST(SystemQuantities, TakeEveryValue) {
   }
 }
 
+TEST(SystemQuantities, HaveNamesThatMeanOneThing) {
+  System system = shipped("two-bodies");
+  system.bodies[0].name = "drag";
+  system.bodies[1].name = "spin_drag";
+  const auto names = quantities_of(system);
+  const std::set<std::string> different(names.begin(), names.end());
+  EXPECT_EQ(different.size(), names.size());
+  EXPECT_EQ(unit_of_quantity(shipped("bouncer-stable"), "amplitude"), "m");
+  EXPECT_EQ(unit_of_quantity(shipped("breakwater-in-waves"), "amplitude_0"), "N");
+  EXPECT_EQ(unit_of_quantity(shipped("breakwater-in-waves"), "amplitude_2"), "N m");
+}
+
 TEST(SystemQuantities, AreOfAllBodiesOrOfOne) {
   System tow = shipped("tow");
   set_quantity(tow, "drag", 100.0);
-  set_quantity(tow, "drag_barge", 200.0);
+  set_quantity(tow, "barge.drag", 200.0);
   EXPECT_EQ(tow.bodies[0].drag, 100.0);
   EXPECT_EQ(tow.bodies[1].drag, 200.0);
-  set_quantity(tow, "velocity_x_tug", 2.0);
+  set_quantity(tow, "tug.velocity_x", 2.0);
   EXPECT_EQ(tow.initial.bodies[0].velocity.x(), 2.0);
   EXPECT_EQ(tow.initial.bodies[1].velocity.x(), 0.0);
   set_quantity(tow, "cut_at_0", 12.0);
@@ -112,7 +125,7 @@ double value_of(const EnsembleRequest& request, const EnsembleResult& result, st
 // two point masses: a snap of 6 N s in closed form, in proportion to the speed that varies
 TEST(SystemEnsemble, HasTheSnapOfTwoBodies) {
   const EnsembleRequest request = request_of(
-      "case = \"two-bodies\"\ncount = 1\n[[vary]]\nquantities = [\"velocity_x_thrown\"]\n"
+      "case = \"two-bodies\"\ncount = 1\n[[vary]]\nquantities = [\"thrown.velocity_x\"]\n"
       "grid = [3.5, 14]\npoints = 4\n");
   const EnsembleResult result = solved(request);
   ASSERT_EQ(result.draws.front().problems(), 0U) << result.draws.front().first_problem();
@@ -151,7 +164,7 @@ TEST(SystemEnsemble, SaysWhatTheSettlingOfEachDrawSays) {
 TEST(SystemEnsemble, IsTheSameInAnyNumberOfThreads) {
   const EnsembleRequest request = request_of(
       "case = \"breakwater-and-ball\"\nuntil = 2\ncount = 8\n[[vary]]\n"
-      "quantities = [\"x_ball\", \"y_ball\", \"mass_ball\"]\nnormal = 1e-3\n");
+      "quantities = [\"ball.x\", \"ball.y\", \"ball.mass\"]\nnormal = 1e-3\n");
   const EnsembleResult one = solved(request, 1);
   const EnsembleResult two = solved(request, 2);
   const std::vector<Statistic> statistics = statistics_of(request.spec);
@@ -168,9 +181,49 @@ TEST(SystemEnsemble, IsTheSameInAnyNumberOfThreads) {
   }
 }
 
+// a number that becomes 0 is no longer there to grow; a draw that is no system says so
+TEST(SystemEnsemble, SurvivesNumbersThatVanish) {
+  const EnsembleRequest flat = request_of(
+      "case = \"bouncer-unstable\"\nuntil = 4\ncount = 1\n[[vary]]\n"
+      "quantities = [\"amplitude\"]\ngrid = [0, 0.2]\npoints = 3\n[[exact]]\nname = \"twice\"\n"
+      "quantity = \"amplitude\"\nfactor = 0.5\n");
+  EXPECT_EQ(solved(flat).draws.front().problems(), 0U);
+  const EnsembleRequest period = request_of(
+      "case = \"bouncer-unstable\"\nuntil = 4\ncount = 40\n[[vary]]\n"
+      "quantities = [\"period\"]\nnormal = 3\n[[vary]]\nquantities = [\"phase\"]\n"
+      "uniform = [0, 6]\n");
+  const EnsembleResult result = solved(period);
+  EXPECT_GT(result.draws.front().problems(), 0U);
+  EXPECT_EQ(result.draws.front().first_problem().rfind("no such case: ", 0), 0U)
+      << result.draws.front().first_problem();
+  const EnsembleRequest winch = request_of(
+      "case = \"winch\"\ncount = 1\n[[vary]]\nquantities = [\"length_rate\"]\n"
+      "grid = [-0.5, 0.0]\npoints = 2\n[[vary]]\nquantities = [\"length_rate_0\"]\n"
+      "list = [-0.25]\n");
+  EXPECT_EQ(solved(winch).draws.front().problems(), 0U);
+}
+
+// what a winch does while bounces are completed is no speed of theirs
+TEST(SystemEnsemble, LosesNoDrawOfTheCrane) {
+  const EnsembleRequest request =
+      request_of("case = \"" TAUTLINE_SPECS
+                 "/../crane/crane.toml\"\ncount = 1\n[[vary]]\n"
+                 "quantities = [\"length_rate_0\"]\ngrid = [-1.0, -0.1]\npoints = 5\n[[vary]]\n"
+                 "quantities = [\"restitution\"]\ngrid = [0.0, 0.9]\npoints = 4\n");
+  const EnsembleResult result = solved(request);
+  EXPECT_EQ(result.draws.front().problems(), 0U) << result.draws.front().first_problem();
+  for (std::size_t draw = 0; draw < 20; ++draw) {
+    const double rate = 1.0 - 0.225 * static_cast<double>(draw % 5);
+    const double restitution = 0.3 * static_cast<double>(draw / 5);
+    EXPECT_NEAR(value_of(request, result, draw, "largest_impulse"),
+                440.0 * (1.0 + restitution) * rate, 1e-6)
+        << "draw " << draw;
+  }
+}
+
 TEST(SystemEnsemble, HasNoEngines) {
   const SpecReading reading = read_spec_text(
-      "case = \"tow\"\n[[vary]]\nquantities = [\"drag_tugg\"]\nnormal = 1\n[engines]\n"
+      "case = \"tow\"\n[[vary]]\nquantities = [\"tugg.drag\"]\nnormal = 1\n[engines]\n"
       "names = [\"ode\"]\n",
       "test.toml");
   std::string all;
@@ -178,7 +231,7 @@ TEST(SystemEnsemble, HasNoEngines) {
     all += sentence + "\n";
   }
   for (const char* part : {"test.toml:6: engines.names", "tow is a system",
-                           "drag_tugg is none of this case; did you mean drag_tug?"}) {
+                           "tugg.drag is none of this case; did you mean tug.drag?"}) {
     EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
   }
 }

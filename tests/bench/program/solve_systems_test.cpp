@@ -91,6 +91,25 @@ TEST(SolveSystems, ACascadeOfImpactsIsNoHorizon) {
   expect_says(output, "All these digits are those of a solution in 30 digits, too.");
 }
 
+// in double it stands still before 300 s, in 30 digits it does not
+TEST(SolveSystems, ComingToRestIsNoHorizon) {
+  const TemporaryFolder folder;
+  const std::string output = solved(
+      {folder
+           .file("drag.toml",
+                 "gravity = [0.0, -1.0]\nduration = 300.0\n[[bodies]]\nmass = 1.0\ndrag = 0.3\n"
+                 "position = [0.0, -0.9]\n[[cables]]\nfrom = { body = \"body\" }\n"
+                 "to = [0.1, 0.0]\nlength = 1.0\nrestitution = 0.3\n")
+           .string()});
+  expect_says(output, "at rest from");
+  expect_says(output, "All these digits are those of a solution in 30 digits, too.");
+}
+
+TEST(SolveSystems, NoRepetitionIsClaimedThatTheRunCannotShow) {
+  expect_says(solved({"bouncer-stable", "--until", "5", "--fast"}),
+              "and no repetition is seen in the 2.5 periods of the run.");
+}
+
 TEST(SolveSystems, SayWhichCableAsksForTooMuch) {
   const TemporaryFolder folder;
   const std::string held =

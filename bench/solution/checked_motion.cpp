@@ -20,7 +20,7 @@ constexpr double parted = 1e-4;
 
 /// Bounces are completed at an instant of each solution's own, later in more digits: more digits
 /// yet are further away than these are from each other [-].
-constexpr double completion_margin = 2.0;
+constexpr double other_completion = 2.0;
 
 /// The error of completed accumulations in 30 digits, below that of doubles [-].
 constexpr double completion_of_digits = 1e-24;
@@ -294,7 +294,7 @@ std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const
 }
 
 double CheckedMotion::margin_at(std::size_t index) const {
-  return solution_.events()[index].kind == EventKind::taut ? completion_margin : 1.0;
+  return solution_.events()[index].kind == EventKind::taut ? other_completion : 1.0;
 }
 
 Bounded CheckedMotion::time(std::size_t index) const {

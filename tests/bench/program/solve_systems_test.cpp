@@ -87,20 +87,20 @@ restitution = 0.2
 TEST(SolveSystems, ACascadeOfImpactsIsNoHorizon) {
   const TemporaryFolder folder;
   const std::string output = solved({folder.file("cascade.toml", cascade).string()});
-  expect_says(output, "0+1");
   expect_says(output, "All these digits are those of a solution in 30 digits, too.");
 }
 
 // in double it stands still before 300 s, in 30 digits it does not
 TEST(SolveSystems, ComingToRestIsNoHorizon) {
   const TemporaryFolder folder;
-  const std::string output = solved(
-      {folder
-           .file("drag.toml",
-                 "gravity = [0.0, -1.0]\nduration = 300.0\n[[bodies]]\nmass = 1.0\ndrag = 0.3\n"
-                 "position = [0.0, -0.9]\n[[cables]]\nfrom = { body = \"body\" }\n"
-                 "to = [0.1, 0.0]\nlength = 1.0\nrestitution = 0.3\n")
-           .string()});
+  const std::string output =
+      solved({folder
+                  .file("drag.toml",
+                        "name = \"drag\"\ngravity = [0.0, -1.0]\nduration = "
+                        "300.0\n[[bodies]]\nmass = 1.0\ndrag = 0.3\n"
+                        "position = [0.0, -0.9]\n[[cables]]\nfrom = { body = \"body\" }\n"
+                        "to = [0.1, 0.0]\nlength = 1.0\nrestitution = 0.3\n")
+                  .string()});
   expect_says(output, "at rest from");
   expect_says(output, "All these digits are those of a solution in 30 digits, too.");
 }
@@ -113,7 +113,8 @@ TEST(SolveSystems, NoRepetitionIsClaimedThatTheRunCannotShow) {
 TEST(SolveSystems, SayWhichCableAsksForTooMuch) {
   const TemporaryFolder folder;
   const std::string held =
-      "gravity = [0.0, 0.0]\nduration = 3\n[[bodies]]\nmass = 1\nposition = [0, 0]\n"
+      "name = \"held\"\ngravity = [0.0, 0.0]\nduration = 3\n[[bodies]]\nmass = 1\nposition = [0, "
+      "0]\n"
       "[[cables]]\nfrom = { body = \"body\" }\nto = [1.0, 0.0]\nlength = 1.0\n"
       "[[cables]]\nfrom = { body = \"body\" }\nto = [-1.0, 0.0]\n";
   const auto stops = [&](const std::string& cable) {

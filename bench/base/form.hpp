@@ -32,8 +32,8 @@ struct Key {
   std::string_view meaning;
 };
 
-/// Among the `words` of a form: any other text is right, too; an editor proposes the words.
-inline constexpr const char* other_texts = "*";
+/// Among the `words` of a form: names of one thing are right, too, "hook.mass" or "length_3".
+inline constexpr const char* names_of_one = "*";
 
 /// The values that a key takes, as its reader asks for them. The schema of a file is made of it.
 struct Form {

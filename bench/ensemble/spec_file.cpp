@@ -169,7 +169,7 @@ std::vector<std::string> proposed_names() {
       names.push_back(name);
     }
   }
-  names.emplace_back(other_texts);
+  names.emplace_back(names_of_one);
   return names;
 }
 

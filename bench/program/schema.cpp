@@ -76,9 +76,10 @@ Json schema_of_form(const Form& form) {
   switch (form.kind) {
     case Form::Kind::text:
       schema["type"] = "string";
-      if (const auto other = std::find(form.words.begin(), form.words.end(), other_texts);
+      if (const auto other = std::find(form.words.begin(), form.words.end(), names_of_one);
           other != form.words.end()) {
-        schema["anyOf"] = {{{"enum", std::vector(form.words.begin(), other)}}, {{"minLength", 1}}};
+        schema["anyOf"] = {{{"enum", std::vector(form.words.begin(), other)}},
+                           {{"pattern", "[.]|_[0-9]+$"}}};
       } else if (!form.words.empty()) {
         schema["enum"] = form.words;
       } else if (form.not_empty) {

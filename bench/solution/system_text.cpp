@@ -164,7 +164,7 @@ class Sentences {
     }
     if (lock.one_percent) {
       result +=
-          fmt::format(" By {} drag has taken 99 % of what there was of it at {}.",
+          fmt::format(" By {} drag has taken 99 % of the energy above the equilibrium at {}.",
                       time(*lock.one_percent, errors_.one_percent), time(lock.time, errors_.lock));
     }
     return result;

@@ -115,8 +115,8 @@ TEST(SolveSystems, SayWhichCableAsksForTooMuch) {
   const std::string held =
       "name = \"held\"\ngravity = [0.0, 0.0]\nduration = 3\n[[bodies]]\nmass = 1\nposition = [0, "
       "0]\n"
-      "[[cables]]\nfrom = { body = \"body\" }\nto = [1.0, 0.0]\nlength = 1.0\n"
-      "[[cables]]\nfrom = { body = \"body\" }\nto = [-1.0, 0.0]\n";
+      "[[cables]]\nfrom = { body = \"body\" }\nto = [1.0, 0.0]\nlength = 1.0\nrestitution = 0.5\n"
+      "[[cables]]\nfrom = { body = \"body\" }\nto = [-1.0, 0.0]\nrestitution = 0.5\n";
   const auto stops = [&](const std::string& cable) {
     std::string output = program({"solve", folder.file("a.toml", held + cable).string()}).output;
     std::replace(output.begin(), output.end(), '\n', ' ');

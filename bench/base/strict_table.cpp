@@ -43,10 +43,11 @@ bool Range::holds(double number) const {
 StrictTable::StrictTable(const toml::table* table, std::string path, FileProblems& wrong)
     : table_(table), path_(std::move(path)), wrong_(&wrong) {}
 
-std::string StrictTable::text(const Key& key) {
+std::string StrictTable::text(const Key& key, const std::vector<std::string>& words) {
   std::string value = text_or_empty(key, "must be a string that is not empty");
   if (form_ != nullptr) {
     form_->inside.back().not_empty = true;
+    form_->inside.back().words = words;
   }
   const toml::node* node = find(key.name);
   if (node != nullptr && node->is_string() && value.empty()) {

@@ -28,7 +28,8 @@ class StrictTable {
   StrictTable(const toml::table* table, std::string path, FileProblems& wrong);
   explicit StrictTable(Form& form) : form_(&form) {}
 
-  [[nodiscard]] std::string text(const Key& key);
+  /// An editor proposes `words`.
+  [[nodiscard]] std::string text(const Key& key, const std::vector<std::string>& words = {});
   /// A string that may be empty; `right` ends the sentence on another value.
   [[nodiscard]] std::string text_or_empty(const Key& key,
                                           const std::string& right = "must be a string");

@@ -221,7 +221,8 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
     result.seed = static_cast<std::uint64_t>(*seed);
   }
   table.with("quantity", [&] {
-    result.quantity = table.text({"quantity", "a number of the case that is another here"});
+    result.quantity =
+        table.text({"quantity", "a number of the case that is another here"}, proposed_names());
     static_cast<void>(result.quantity.empty() ||
                       is_known(table, "quantity", result.quantity, names));
     result.factor =

@@ -146,9 +146,8 @@ std::vector<double> impact_times(const TheCase& the_case, const BasicSolution<Th
 
 /// Names the lines of `drawn` impacts: all of them, or the fastest ones.
 std::string words_on_marks(std::size_t drawn) {
-  return drawn < marked_impacts
-             ? "a thin line marks an impact"
-             : fmt::format("thin lines mark the {} fastest impacts", marked_impacts);
+  return drawn < marked_impacts ? "a thin line marks an impact"
+                                : fmt::format("lines: {} fastest impacts", marked_impacts);
 }
 
 /// A panel on the sheet.

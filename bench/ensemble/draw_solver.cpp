@@ -10,11 +10,9 @@
 #include "bench/base/process.hpp"
 #include "bench/base/text.hpp"
 #include "bench/run/worker.hpp"
-#include "tautline/geometry.hpp"
 #include "tautline/settling.hpp"
 #include "tautline/solve.hpp"
 #include "tautline/solve_batch.hpp"
-#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {

@@ -94,6 +94,11 @@ if(TARGET tautline)
       "\`tautline ensemble\`, on one machine or a cluster. The results are those of"
       "one process.")
     set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "tautline ${same_version}")
+    file(WRITE "${PROJECT_BINARY_DIR}/generated/debian/tautline-mpi"
+      "# it calls MPI alone, whose library is linked against that of C\n"
+      "tautline-mpi: library-not-linked-against-libc *\n")
+    install(FILES "${PROJECT_BINARY_DIR}/generated/debian/tautline-mpi"
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT mpi EXCLUDE_FROM_ALL)
     list(APPEND suggested tautline-mpi)
   endif()
   list(JOIN recommended ", " CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS)
@@ -114,7 +119,12 @@ if(TARGET tautline_c)
     "The exact solver of tautline as functions of C, which every language can"
     "call. The header and the manual page are in tautline-dev.")
   set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-  set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+  # what programs that link it depend on, and the cache of the loader
+  file(WRITE "${PROJECT_BINARY_DIR}/generated/debian/shlibs"
+    "libtautline ${abi} libtautline${abi} (>= ${PROJECT_VERSION})\n")
+  file(WRITE "${PROJECT_BINARY_DIR}/generated/debian/triggers" "activate-noawait ldconfig\n")
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
+    "${PROJECT_BINARY_DIR}/generated/debian/shlibs" "${PROJECT_BINARY_DIR}/generated/debian/triggers")
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libtautline${abi} ${same_version}")
 endif()
 # the program's package has the guide to the cables

@@ -515,7 +515,34 @@ Real SystemSeries<Real, D>::reach(const Real& error) const {
     }
     limit(pull, pull_scale, k - 2);
   }
+  for (const CableSeries& cable : cables_) {
+    for (const SegmentSeries& segment : cable.segments) {
+      least = cable.straight ? least : apart_for(segment, least);
+    }
+  }
   return least;
+}
+
+/// How long [s], at most `most`, the ends of a segment surely stay apart: beyond their meeting its
+/// distance, which has a kink there, is not that of its series.
+template <class Real, int D>
+Real SystemSeries<Real, D>::apart_for(const SegmentSeries& segment, const Real& most) const {
+  const Real distance = segment.distance[0].x();
+  const Real rate = abs(segment.distance[1].x());
+  Real result = !isfinite(most) && rate > 0 ? Real(distance / rate) : most;
+  const auto may_meet = [&](const Real& time) {
+    Real change(0);
+    Real power(1);
+    for (std::size_t k = 1; k <= order_; ++k) {
+      power *= time;
+      change += abs(segment.distance[k].x()) * power;
+    }
+    return change >= distance;
+  };
+  while (result > 0 && may_meet(result)) {
+    result /= 2;
+  }
+  return result;
 }
 
 template class SystemSeries<Instance, 2>;

@@ -120,6 +120,7 @@ class SystemSeries {
   void add_power(const BodySeries& body, std::vector<Real>& result) const;
   void add_power(const CableSeries& cable, std::vector<Real>& result) const;
   [[nodiscard]] Real last_term(std::size_t k) const;
+  [[nodiscard]] Real apart_for(const SegmentSeries& segment, const Real& most) const;
 
   const TheCase* system_;
   CableSet taut_;

@@ -30,6 +30,8 @@ struct BasicWave {
   Real frequency;                       // [rad/s], >= 0
   Real phase = Real(0);                 // [rad], at time 0
 
+  /// True where it changes over time.
+  [[nodiscard]] bool varies() const { return frequency > 0 && amplitude.squaredNorm() > 0; }
   /// True where all of it is equal.
   bool operator==(const BasicWave&) const = default;
 };
@@ -94,7 +96,7 @@ struct BasicFunction {
 
   /// True where it is the same at all times.
   [[nodiscard]] bool is_constant() const {
-    return waves.empty() && pieces.size() < 2 &&
+    return !has_varying_waves() && pieces.size() < 2 &&
            (pieces.empty() || pieces.front().coefficients.size() < 2);
   }
 
@@ -148,11 +150,20 @@ struct BasicFunction {
   /// True where it does not change from `time` [s] on.
   [[nodiscard]] bool is_constant_from(const Real& time) const {
     const Piece* last = piece(time);
-    return is_constant() ||
-           (waves.empty() && last == &pieces.back() && last->coefficients.size() < 2);
+    return is_constant() || (!has_varying_waves() && !pieces.empty() && last == &pieces.back() &&
+                             last->coefficients.size() < 2);
   }
 
  private:
+  [[nodiscard]] bool has_varying_waves() const {
+    for (const Wave& wave : waves) {
+      if (wave.varies()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   [[nodiscard]] bool has_one_value() const {
     return pieces.size() == 1 && pieces.front().coefficients.size() < 2;
   }

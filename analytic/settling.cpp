@@ -99,17 +99,7 @@ template <class Real>
 BasicSettling<Real> settling(const BasicCase<Real>& the_case,
                              const BasicSolution<BasicCase<Real>>& solution) {
   BasicSettling<Real> result;
-  result.last_impacts = {{Real(1) / 100, std::nullopt}, {Real(1) / 1000, std::nullopt}};
-  for (const BasicEvent<BasicCase<Real>>& event : solution.events()) {
-    if (event.kind == EventKind::impact) {
-      const Real fastest = -gap_rates(the_case, event.before, event.cables).minCoeff();
-      for (BasicLastImpact<Real>& last : result.last_impacts) {
-        if (fastest > last.speed) {
-          last.time = event.time;
-        }
-      }
-    }
-  }
+  result.last_impacts = last_impacts(the_case, solution);
   result.lock = last_lock(the_case, solution);
   return result;
 }

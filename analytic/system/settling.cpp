@@ -11,25 +11,6 @@
 namespace tautline {
 namespace {
 
-/// The last impacts faster than 1e-2 and 1e-3.
-template <class Real, int D>
-std::vector<BasicLastImpact<Real>> last_impacts(
-    const BasicSystem<Real, D>& system, const BasicSolution<BasicSystem<Real, D>>& solution) {
-  std::vector<BasicLastImpact<Real>> result = {{Real(1) / 100, std::nullopt},
-                                               {Real(1) / 1000, std::nullopt}};
-  for (const auto& event : solution.events()) {
-    if (event.kind == EventKind::impact) {
-      const Real fastest = closing_speed(system, event.cables, event.before);
-      for (auto& last : result) {
-        if (fastest > last.speed) {
-          last.time = event.time;
-        }
-      }
-    }
-  }
-  return result;
-}
-
 /// The share of cable `index` in the run.
 template <class Real, int D>
 BasicCableUse<Real> use_of(const BasicSolution<BasicSystem<Real, D>>& solution, std::size_t index) {
@@ -308,7 +289,7 @@ std::optional<Real> common_period(const BasicSystem<Real, D>& system) {
   std::vector<Real> frequencies;
   each_function(system, [&](const auto& function) {
     for (const auto& wave : function.waves) {
-      if (wave.frequency > 0 && wave.amplitude.norm() > 0) {
+      if (wave.varies()) {
         frequencies.push_back(wave.frequency);
       }
     }

@@ -327,17 +327,6 @@ template <class Real, int D>
   return {sizes.acceleration, sizes.rate, margin};
 }
 
-/// The speed [m/s] at which the fastest of `cables` closes; 0 where none does.
-template <class Real, int D>
-[[nodiscard]] Real closing_speed(const BasicSystem<Real, D>& system, CableSet cables,
-                                 const BasicSystemState<Real, D>& state) {
-  Real fastest(0);
-  for (const std::size_t index : cables) {
-    fastest = max(fastest, Real(-gap_rate(system.cables[index], state)));
-  }
-  return fastest;
-}
-
 /// Cables of a system known to be at exactly zero gap.
 template <class Real, int D>
 struct SystemTouching {

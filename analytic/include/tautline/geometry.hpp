@@ -381,12 +381,12 @@ template <class Real>
 }
 
 /// The speed [m/s] at which the fastest of `cables` closes; 0 where none does.
-template <class Real>
-[[nodiscard]] Real closing_speed(const BasicCase<Real>& the_case, CableSet cables,
-                                 const BasicState<Real>& state) {
-  Real fastest(0);
+template <class TheCase>
+[[nodiscard]] RealOf<TheCase> closing_speed(const TheCase& the_case, CableSet cables,
+                                            const StateOf<TheCase>& state) {
+  RealOf<TheCase> fastest(0);
   for (const std::size_t index : cables) {
-    fastest = max(fastest, Real(-gap_rate(the_case.cables[index], state)));
+    fastest = max(fastest, RealOf<TheCase>(-gap_rate(the_case.cables[index], state)));
   }
   return fastest;
 }

@@ -5,6 +5,7 @@
 
 #include "tautline/case.hpp"
 #include "tautline/detail/swing.hpp"
+#include "tautline/geometry.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline {
@@ -16,6 +17,26 @@ struct BasicLastImpact {
   std::optional<Real> time;  // [s]; none: no impact is that fast
 };
 using LastImpact = BasicLastImpact<double>;
+
+/// The last impacts of `solution`, which solves `the_case`, faster than 1e-2 and 1e-3 [m/s].
+template <class TheCase>
+[[nodiscard]] std::vector<BasicLastImpact<RealOf<TheCase>>> last_impacts(
+    const TheCase& the_case, const BasicSolution<TheCase>& solution) {
+  using Real = RealOf<TheCase>;
+  std::vector<BasicLastImpact<Real>> result = {{Real(1) / 100, std::nullopt},
+                                               {Real(1) / 1000, std::nullopt}};
+  for (const BasicEvent<TheCase>& event : solution.events()) {
+    if (event.kind == EventKind::impact) {
+      const Real fastest = closing_speed(the_case, event.cables, event.before);
+      for (BasicLastImpact<Real>& last : result) {
+        if (fastest > last.speed) {
+          last.time = event.time;
+        }
+      }
+    }
+  }
+  return result;
+}
 
 /// The final set of taut cables.
 template <class Real>

@@ -88,11 +88,19 @@ std::vector<std::string> for_cases_alone(const SolveCommand& command) {
   for (const auto& [option, is_there] :
        {std::pair("--angle-limit", command.angle_limit.has_value()),
         std::pair("--ceiling", command.ceiling.has_value()),
-        std::pair("--certify", command.certify), std::pair("--digits", command.digits.has_value()),
         std::pair("--taut", !command.taut.empty())}) {
     if (is_there) {
       result.push_back(fmt::format("{}: is for cases alone, not for systems", option));
     }
+  }
+  if (command.digits && !command.certify) {
+    result.push_back(fmt::format(
+        "--digits {}: prints right digits of cases alone; of systems those that a solution in more "
+        "digits has, too, are printed, in how many says --certify --digits",
+        *command.digits));
+  }
+  if (command.certify && command.fast) {
+    result.emplace_back("--fast: leaves out the solution in more digits that --certify asks for");
   }
   return result;
 }
@@ -286,7 +294,8 @@ void print_solution(const SolveCommand& command, const CheckedMotion& motion,
 /// Solves one system of `command` and writes what is asked of it.
 Solved solve_one(const SolveCommand& command, const System& system) {
   const SolveOptions options = options_of(command);
-  const CheckedMotion motion(system, options, !command.fast);
+  const int digits = command.certify ? command.digits.value_or(default_digits) : digits_of_systems;
+  const CheckedMotion motion(system, options, command.fast ? 0 : digits);
   const auto times = times_within(command, system.duration, motion.solution());
   if (!times) {
     return {exit_usage, ""};
@@ -443,8 +452,10 @@ void add_solve(CLI::App& app, int& code) {
                    "0.001 of a length")
       ->delimiter(',');
   add_law(*command, asked->law, "the law for impacts on several cables");
-  command->add_flag("--certify", asked->certify,
-                    "also solve with many digits, and say until when the doubles are right");
+  command->add_flag(
+      "--certify", asked->certify,
+      "also solve with many digits, and say until when the doubles are right; of systems: "
+      "with 50 instead of 30");
   command->add_option("--digits", asked->digits,
                       "print this many right digits, 1 to 100; with --certify: the digits to "
                       "compute with, 20 to 1000 (default: 50)");

@@ -22,8 +22,12 @@ constexpr double parted = 1e-4;
 /// yet are further away than these are from each other [-].
 constexpr double other_completion = 2.0;
 
-/// The error of completed accumulations in 30 digits, below that of doubles [-].
-constexpr double completion_of_digits = 1e-24;
+/// The error of completed accumulations in more digits, below that of doubles [-]: it may have cost
+/// a few of them.
+double completion_of(int digits) {
+  constexpr int spare = 6;
+  return std::pow(10.0, spare - digits);
+}
 
 /// The name of body `index` in tables.
 std::string name_of(const System& system, std::size_t index) {
@@ -171,23 +175,24 @@ struct CheckedMotion::InDigits {
   BasicSystemLedger<Multi> ledger;
 };
 
-CheckedMotion::CheckedMotion(System system, const SolveOptions& options, bool checked)
+CheckedMotion::CheckedMotion(System system, const SolveOptions& options, int digits)
     : system_(std::move(system)),
       solution_(solve(system_, options)),
       settling_(tautline::settling(system_, solution_)),
-      ledger_(energy_ledger(system_, solution_)) {
-  if (!checked) {
+      ledger_(energy_ledger(system_, solution_)),
+      digits_(digits) {
+  if (digits == 0) {
     horizon_ = 0.0;
     return;
   }
-  const tautline::Digits precision(digits_of_systems);
+  const tautline::Digits precision(static_cast<unsigned>(digits_));
   SolveOptions sharper = options;
-  sharper.completion = {.error = completion_of_digits, .speed = std::nullopt};
+  sharper.completion = {.error = completion_of(digits), .speed = std::nullopt};
   auto many = converted<Multi>(system_);
   auto solution = solve(many, sharper);
   auto settled = tautline::settling(many, solution);
   auto ledger = energy_ledger(many, solution);
-  digits_.reset(
+  in_digits_.reset(
       new InDigits{std::move(many), std::move(solution), std::move(settled), std::move(ledger)});
   align();
 }
@@ -195,9 +200,9 @@ CheckedMotion::CheckedMotion(System system, const SolveOptions& options, bool ch
 CheckedMotion::~CheckedMotion() = default;
 
 void CheckedMotion::align() {
-  const Alignment alignment(solution_, digits_->solution);
+  const Alignment alignment(solution_, in_digits_->solution);
   same_.resize(solution_.events().size());
-  const auto& others = digits_->solution.events();
+  const auto& others = in_digits_->solution.events();
   double speed = speed_of(system_, system_.initial);
   for (const auto& event : solution_.events()) {
     speed = std::max({speed, speed_of(system_, event.before), speed_of(system_, event.after)});
@@ -224,7 +229,7 @@ void CheckedMotion::align() {
 
 /// Drag brings a motion to rest in double first: it is the same motion.
 bool CheckedMotion::end_alike(double speed) const {
-  const auto& other = digits_->solution;
+  const auto& other = in_digits_->solution;
   const auto whole = [](Ending ending) {
     return ending == Ending::rest || ending == Ending::reached_duration;
   };
@@ -240,14 +245,14 @@ std::optional<std::size_t> CheckedMotion::same_event(std::size_t index) const {
 
 SystemLedger CheckedMotion::ledger_errors() const {
   SystemLedger errors{-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0};
-  if (digits_ && !horizon_) {
+  if (in_digits_ && !horizon_) {
     for (const auto& [member, same] :
          {std::pair(&SystemLedger::start, &BasicSystemLedger<Multi>::start),
           std::pair(&SystemLedger::work, &BasicSystemLedger<Multi>::work),
           std::pair(&SystemLedger::impacts, &BasicSystemLedger<Multi>::impacts),
           std::pair(&SystemLedger::completions, &BasicSystemLedger<Multi>::completions),
           std::pair(&SystemLedger::end, &BasicSystemLedger<Multi>::end)}) {
-      errors.*member = off_by(ledger_.*member, digits_->ledger.*same);
+      errors.*member = off_by(ledger_.*member, in_digits_->ledger.*same);
     }
   }
   return errors;
@@ -271,12 +276,12 @@ std::vector<SampleName> CheckedMotion::names() const {
 
 std::vector<Bounded> CheckedMotion::at(double time) const {
   const std::vector<double> mine = numbers_at(system_, solution_, time);
-  const bool sure = digits_ && !(horizon_ && time >= *horizon_);
-  if (!sure || Multi(time) > digits_->solution.end_time()) {
+  const bool sure = in_digits_ && !(horizon_ && time >= *horizon_);
+  if (!sure || Multi(time) > in_digits_->solution.end_time()) {
     return agreeing(mine, {});
   }
-  const tautline::Digits precision(digits_of_systems);
-  return agreeing(mine, numbers_at(digits_->system, digits_->solution, Multi(time)));
+  const tautline::Digits precision(static_cast<unsigned>(digits_));
+  return agreeing(mine, numbers_at(in_digits_->system, in_digits_->solution, Multi(time)));
 }
 
 std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const {
@@ -285,8 +290,8 @@ std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const
   if (!same) {
     return agreeing(mine, {});
   }
-  const tautline::Digits precision(digits_of_systems);
-  auto result = agreeing(mine, numbers_at(digits_->system, digits_->solution, *same, side));
+  const tautline::Digits precision(static_cast<unsigned>(digits_));
+  auto result = agreeing(mine, numbers_at(in_digits_->system, in_digits_->solution, *same, side));
   for (Bounded& number : result) {
     number.error *= margin_at(index);
   }
@@ -301,7 +306,7 @@ Bounded CheckedMotion::time(std::size_t index) const {
   const double mine = solution_.events()[index].time;
   const auto same = same_event(index);
   return {mine,
-          same ? margin_at(index) * off_by(mine, digits_->solution.events()[*same].time) : -1.0};
+          same ? margin_at(index) * off_by(mine, in_digits_->solution.events()[*same].time) : -1.0};
 }
 
 std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
@@ -312,7 +317,8 @@ std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
     const double impulse = std::max(0.0, mine[row]);  // below are gravity's
     double error = -1.0;
     if (same) {
-      error = off_by(impulse, max(Multi(0), digits_->solution.events()[*same].impulses[row]));
+      error = margin_at(index) *
+              off_by(impulse, max(Multi(0), in_digits_->solution.events()[*same].impulses[row]));
     }
     result.push_back({impulse, error});
   }
@@ -322,10 +328,10 @@ std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
 double CheckedMotion::accumulation_error(std::size_t index) const {
   const Accumulation& mine = solution_.accumulations()[index];
   double nearest = -1.0;
-  if (!digits_ || (horizon_ && mine.start >= *horizon_)) {
+  if (!in_digits_ || (horizon_ && mine.start >= *horizon_)) {
     return nearest;
   }
-  for (const auto& other : digits_->solution.accumulations()) {
+  for (const auto& other : in_digits_->solution.accumulations()) {
     const double off = off_by(mine.time, other.time);
     if (other.cables == mine.cables && (nearest < 0.0 || off < nearest)) {
       nearest = off;
@@ -338,16 +344,17 @@ SystemSettlingErrors CheckedMotion::settling_errors() const {
   SystemSettlingErrors errors;
   const auto& mine = settling_;
   const std::size_t cables = mine.cables.size();
-  const bool whole = digits_ && !horizon_;
+  const bool whole = in_digits_ && !horizon_;
   const auto same = [&](const auto& one, const auto& other) {
     return whole ? off_by(one, other) : -1.0;
   };
   for (std::size_t i = 0; i < mine.last_impacts.size(); ++i) {
     errors.last_impacts.push_back(
-        whole ? off_by(mine.last_impacts[i].time, digits_->settling.last_impacts[i].time) : -1.0);
+        whole ? off_by(mine.last_impacts[i].time, in_digits_->settling.last_impacts[i].time)
+              : -1.0);
   }
   for (std::size_t i = 0; i < cables; ++i) {
-    const auto* other = whole ? &digits_->settling.cables[i] : nullptr;
+    const auto* other = whole ? &in_digits_->settling.cables[i] : nullptr;
     errors.shares.push_back(other ? same(mine.cables[i].taut_share, other->taut_share) : -1.0);
     const auto value = [&](const std::optional<Peak>& a, const std::optional<BasicPeak<Multi>>& b) {
       return a && b ? off_by(a->value, b->value) : -1.0;
@@ -361,9 +368,9 @@ SystemSettlingErrors CheckedMotion::settling_errors() const {
     errors.impulses.push_back(value(mine.cables[i].impulse, other ? other->impulse : none));
     errors.impulse_times.push_back(when(mine.cables[i].impulse, other ? other->impulse : none));
   }
-  if (whole && mine.lock && digits_->settling.lock &&
-      mine.lock->cables == digits_->settling.lock->cables) {
-    const auto& other = *digits_->settling.lock;
+  if (whole && mine.lock && in_digits_->settling.lock &&
+      mine.lock->cables == in_digits_->settling.lock->cables) {
+    const auto& other = *in_digits_->settling.lock;
     errors.lock = off_by(mine.lock->time, other.time) + mine.lock->uncertainty;
     if (mine.lock->residual_energy && other.residual_energy) {
       errors.residual_energy = off_by(*mine.lock->residual_energy, *other.residual_energy);

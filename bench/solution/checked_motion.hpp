@@ -14,7 +14,7 @@
 
 namespace tautline::bench {
 
-/// The digits of a system's second solution.
+/// The digits of a system's second solution where none are asked for.
 inline constexpr int digits_of_systems = 30;
 
 /// A number of a system's motion, and what it is called.
@@ -36,13 +36,13 @@ struct SystemSettlingErrors {
   double one_percent = -1.0;          // [s]
 };
 
-/// The motion of a system in double, and in 30 digits to say how far it is right: of a number those
-/// digits are right that both have. From the horizon on the motion is one of many.
+/// The motion of a system in double, and in more digits to say how far it is right: of a number
+/// those digits are right that both have. From the horizon on the motion is one of many.
 class CheckedMotion {
  public:
-  /// Solves `system`; with 30 digits, too, where `checked`. Not for several threads: see `Digits`.
+  /// Solves `system`; with `digits`, too, unless they are 0. Not for several threads: see `Digits`.
   /// Throws std::invalid_argument on a system that `solve` does not take by its law.
-  CheckedMotion(System system, const SolveOptions& options, bool checked);
+  CheckedMotion(System system, const SolveOptions& options, int digits = digits_of_systems);
   CheckedMotion(const CheckedMotion&) = delete;
   CheckedMotion& operator=(const CheckedMotion&) = delete;
   CheckedMotion(CheckedMotion&&) = delete;
@@ -56,7 +56,8 @@ class CheckedMotion {
   [[nodiscard]] const SystemLedger& ledger() const { return ledger_; }
   /// How far the members of the ledger agree, in their places; < 0 from the horizon on.
   [[nodiscard]] SystemLedger ledger_errors() const;
-  [[nodiscard]] bool is_checked() const { return digits_ != nullptr; }
+  [[nodiscard]] bool is_checked() const { return in_digits_ != nullptr; }
+  [[nodiscard]] int digits() const { return digits_; }  // of the second solution; 0: none
 
   /// From here on the two solutions part [s]; none: they agree to the end. Of a motion that is not
   /// checked: its start.
@@ -87,15 +88,16 @@ class CheckedMotion {
   void align();
   [[nodiscard]] bool end_alike(double speed) const;         // [m/s], the largest of the motion
   [[nodiscard]] double margin_at(std::size_t index) const;  // for its errors [-]
-  /// The event in 30 digits that event `index` is; none from the horizon on.
+  /// The event of the second solution that event `index` is; none from the horizon on.
   [[nodiscard]] std::optional<std::size_t> same_event(std::size_t index) const;
 
   System system_;
   BasicSolution<System> solution_;
   SystemSettling settling_;
   SystemLedger ledger_;
-  std::unique_ptr<InDigits> digits_;              // null: not checked
-  std::vector<std::optional<std::size_t>> same_;  // event in 30 digits, for each
+  int digits_;
+  std::unique_ptr<InDigits> in_digits_;           // null: not checked
+  std::vector<std::optional<std::size_t>> same_;  // event of the second solution, for each
   std::optional<double> horizon_;
 };
 

@@ -123,18 +123,7 @@ class Solver {
   [[nodiscard]] BasicSettling<Multi> settled_at(
       const BasicCase<Multi>& the_case, const BasicSolution<BasicCase<Multi>>& solution) const {
     BasicSettling<Multi> result;
-    for (const int parts : {100, 1000}) {
-      BasicLastImpact<Multi> last{Multi(1) / parts, std::nullopt};
-      for (const BasicEvent<BasicCase<Multi>>& event : solution.events()) {
-        for (const std::size_t index : event.cables) {
-          if (event.kind == EventKind::impact &&
-              gap_rate(the_case.cables[index], event.before) < -last.speed) {
-            last.time = event.time;
-          }
-        }
-      }
-      result.last_impacts.push_back(std::move(last));
-    }
+    result.last_impacts = last_impacts(the_case, solution);
     const auto& events = solution.events();
     const bool whole =
         solution.ending() == Ending::reached_duration || solution.ending() == Ending::rest;

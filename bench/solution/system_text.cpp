@@ -77,6 +77,12 @@ class Sentences {
     const bool rests = solution.ending() == Ending::rest;
     const double since = rests ? solution.arcs().back().start : solution.end_time();
     const double error = motion_.horizon() ? -1.0 : std::max(errors_.lock, 0.0);
+    if (const auto met = at_its_ring()) {
+      return fmt::format(
+          "Stopped at {}: an end of cable {} is at a ring of it, and the cable has no direction "
+          "there.",
+          time(since, error), *met);
+    }
     if (const auto culprits = asking_too_much(); !culprits.empty()) {
       const bool one = culprits.size() == 1;
       const bool hooked = is_hooked_up(*culprits.begin());
@@ -87,6 +93,25 @@ class Sentences {
     }
     return ending_sentence(solution.ending(), motion_.system().bodies.size(), time(since, error),
                            shortest(motion_.system().duration), solution.events().size());
+  }
+
+  /// The cable on which two ends have met, where that ends the motion.
+  [[nodiscard]] std::optional<std::size_t> at_its_ring() const {
+    constexpr double met = 1e-9;  // [-], of the cable's length
+    const auto& solution = motion_.solution();
+    const auto state = solution.at(solution.end_time());
+    std::optional<std::size_t> result;
+    for (std::size_t i = 0;
+         solution.ending() == Ending::singular && !result && i < motion_.system().cables.size();
+         ++i) {
+      const CableOfSystem& cable = motion_.system().cables[i];
+      each_segment(cable, state, [&](std::size_t, const auto& segment) {
+        if (segment.distance <= met * cable.length.at(state.time)[0]) {
+          result = i;
+        }
+      });
+    }
+    return result;
   }
 
   [[nodiscard]] bool is_hooked_up(std::size_t index) const {
@@ -187,6 +212,10 @@ class Sentences {
   [[nodiscard]] std::string energy() const {
     const SystemLedger& ledger = motion_.ledger();
     const SystemLedger errors = motion_.ledger_errors();
+    if (!std::isfinite(ledger.work)) {  // on the way to a ring tensions grow without bound
+      return "Kinetic energy: " + part(ledger.start, std::max(0.0, errors.start)) +
+             " at the start; at the end it is beyond all bounds.";
+    }
     const double lost = ledger.impacts + ledger.completions;
     const double error = errors.impacts < 0.0 ? -1.0 : errors.impacts + errors.completions;
     return fmt::format(
@@ -202,7 +231,8 @@ class Sentences {
              "digits.";
     }
     if (!motion_.horizon()) {
-      return "All these digits are those of a solution in 30 digits, too.";
+      return fmt::format("All these digits are those of a solution in {} digits, too.",
+                         motion_.digits());
     }
     return fmt::format(
         "From t = {:.6g} on the motion is beyond the horizon: this is one of many that start "
@@ -215,15 +245,6 @@ class Sentences {
   const SystemSettling& settling_;
   SystemSettlingErrors errors_;
 };
-
-/// The speed at which the fastest of an event's cables closes.
-double closing_speed(const System& system, const BasicEvent<System>& event) {
-  double fastest = 0.0;
-  for (const std::size_t index : event.cables) {
-    fastest = std::max(fastest, -gap_rate(system.cables[index], event.before));
-  }
-  return fastest;
-}
 
 }  // namespace
 
@@ -252,7 +273,7 @@ std::string events_text(const CheckedMotion& motion, bool all, const TerminalSty
       impulses += (impulses.empty() ? "" : ", ") +
                   right_general(one.value, std::max(one.error, 0.0), summary_digits);
     }
-    const double closing = closing_speed(motion.system(), event);
+    const double closing = closing_speed(motion.system(), event.cables, event.before);
     std::vector<std::string> cells = {
         right_fixed(time.value, std::max(time.error, 0.0), event_digits),
         std::string(to_string(event.kind)), cable_list(event.cables),

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t system_seed = 20240607;
 #ifdef TAUTLINE_SANITIZED
-constexpr int systems_per_count = 100;  // sanitizers slow this down tenfold
+constexpr int systems_per_count = 40;  // sanitizers slow this down tenfold
 #else
 constexpr int systems_per_count = 1250;  // 10,000 over the eight numbers of cables
 #endif

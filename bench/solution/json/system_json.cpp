@@ -363,7 +363,7 @@ std::string solution_json(const CheckedMotion& motion, const SolveOptions& optio
   SystemSolutionRow row;
   row.system = {motion.system()};
   row.options = options;
-  row.digits = motion.is_checked() ? std::optional(digits_of_systems) : std::nullopt;
+  row.digits = motion.is_checked() ? std::optional(motion.digits()) : std::nullopt;
   row.horizon = motion.horizon();
   for (std::size_t index = 0; index < solution.events().size(); ++index) {
     row.events.push_back(event_row(motion, index));

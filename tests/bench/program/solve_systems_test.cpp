@@ -130,6 +130,23 @@ TEST(SolveSystems, SayWhichCableAsksForTooMuch) {
               "ends are.");
 }
 
+TEST(SolveSystems, SayThatACableIsPulledIntoItsRing) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("ring.toml",
+                                "name = \"ring\"\ngravity = [0.0, 0.0]\nduration = 3\n"
+                                "[[bodies]]\nname = \"a\"\nmass = 1\nposition = [-1, 1]\n"
+                                "[[bodies]]\nname = \"b\"\nmass = 3\nposition = [2, 1]\n"
+                                "velocity = [1, 0]\n[[cables]]\nfrom = { body = \"a\" }\n"
+                                "through = [[0, 1]]\nto = { body = \"b\" }\nlength = 3\n"
+                                "restitution = 0\n");
+  std::string output = program({"solve", file.string()}).output;
+  std::replace(output.begin(), output.end(), '\n', ' ');
+  expect_says(output,
+              "Stopped at t = 1.333333: an end of cable 0 is at a ring of it, and the cable has no "
+              "direction there.");
+  EXPECT_EQ(output.find("nan"), std::string::npos) << output;
+}
+
 TEST(SolveSystems, SamplesAreATable) {
   const std::string output = solved({"two-bodies", "--csv", "-", "--at", "0"});
   expect_says(output, "time,event,");
@@ -144,16 +161,33 @@ TEST(SolveSystems, EachShippedOneComesToItsDurationOrToRest) {
 }
 
 TEST(SolveSystems, WhatIsForCasesAloneIsRefused) {
-  for (const char* option :
-       {"--certify", "--digits=3", "--taut=0", "--angle-limit=1", "--ceiling=1"}) {
+  for (const char* option : {"--digits=3", "--taut=0", "--angle-limit=1", "--ceiling=1"}) {
     const Outcome outcome = program({"solve", "two-bodies", option});
     EXPECT_EQ(outcome.code, 2) << option;
-    EXPECT_NE(outcome.errors.find("is for cases alone, not for systems"), std::string::npos)
-        << option << outcome.errors;
+    EXPECT_NE(outcome.errors.find("cases alone"), std::string::npos) << option << outcome.errors;
   }
   const Outcome outcome = program({"solve", "bouncing-ball", "--fast"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.errors.find("--fast: is for systems alone"), std::string::npos);
+}
+
+TEST(SolveSystems, AreComparedWithAsManyDigitsAsAreAskedFor) {
+  const std::string in_fifty = solved({"winch", "--certify", "--events"});
+  expect_says(in_fifty, "All these digits are those of a solution in 50 digits, too.");
+  const std::string in_twenty = solved({"winch", "--certify", "--digits", "20", "--events"});
+  expect_says(in_twenty, "All these digits are those of a solution in 20 digits, too.");
+  const std::string in_thirty = solved({"winch", "--events"});
+  const auto table = [](const std::string& output) {
+    return output.substr(output.find("event at"));
+  };
+  EXPECT_EQ(table(in_fifty), table(in_thirty));
+  EXPECT_EQ(table(in_twenty), table(in_thirty));
+  const Outcome both = program({"solve", "winch", "--certify", "--fast"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_NE(both.errors.find("--fast: leaves out the solution in more digits that --certify asks"),
+            std::string::npos)
+      << both.errors;
+  EXPECT_EQ(program({"solve", "winch", "--certify", "--digits", "5"}).code, 2);
 }
 
 /// The JSON of `arguments`.

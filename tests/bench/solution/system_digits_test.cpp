@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/solution/certify_events.hpp"
 #include "bench/solution/checked_motion.hpp"
 #include "bench/solution/right_digits.hpp"
 #include "system/random_system.hpp"
@@ -99,43 +100,36 @@ struct PrintedNumbers {
 
 using TrueSolution = BasicSolution<BasicSystem<Multi, 2>>;
 
-/// The event of `truth` that `event` should be: of the same cables and kind, the nearest in time.
-const BasicEvent<BasicSystem<Multi, 2>>* nearest_event(const TrueSolution& truth,
-                                                       const BasicEvent<System>& event) {
-  const BasicEvent<BasicSystem<Multi, 2>>* best = nullptr;
-  Multi distance(0);
-  for (const auto& other : truth.events()) {
-    if (other.kind != event.kind || !(other.cables == event.cables)) {
-      continue;
-    }
-    const Multi off = abs(Multi(other.time - event.time));
-    if (best == nullptr || off < distance) {
-      best = &other;
-      distance = off;
+/// For each event of `solution` the one of `truth` that it should be, in the same order; null:
+/// none.
+std::vector<const BasicEvent<BasicSystem<Multi, 2>>*> true_events(
+    const BasicSolution<System>& solution, const TrueSolution& truth) {
+  std::vector<const BasicEvent<BasicSystem<Multi, 2>>*> result(solution.events().size());
+  for (const auto& [mine, other] : Alignment(solution, truth).places()) {
+    if (mine > 0) {
+      result[mine - 1] = &truth.events()[other - 1];
     }
   }
-  return best;
+  return result;
 }
 
 /// All that is printed of `system`: its events, and samples between them.
 void compare_with_truth(const System& system, const std::string& name, PrintedNumbers& count) {
   SolveOptions options;
   options.max_events = most_system_events;
-  const CheckedMotion motion(system, options, true);
+  const CheckedMotion motion(system, options);
   const tautline::Digits precision(digits_of_truth);
   const auto sharp = converted<Multi>(system);
   options.completion = {.error = completion_of_truth, .speed = std::nullopt};
   options.max_events = 20 * most_system_events;
   const TrueSolution truth = solve(sharp, options);
   const auto names = motion.names();
+  const auto same_events = true_events(motion.solution(), truth);
   for (std::size_t i = 0; i < motion.solution().events().size(); ++i) {
     const std::string where = name + ", event " + std::to_string(i) + ": ";
     const auto& event = motion.solution().events()[i];
     const Bounded time = motion.time(i);
-    if (event.kind == EventKind::taut) {
-      continue;  // what completes an accumulation does so at an instant of each solution's own
-    }
-    const auto* const same = nearest_event(truth, event);
+    const auto* const same = same_events[i];
     if (time.error < 0.0 || same == nullptr) {
       EXPECT_LT(time.error, 0.0) << where;
       continue;

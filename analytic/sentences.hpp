@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +13,7 @@
 
 #include "tautline/case.hpp"
 #include "tautline/detail/rounding.hpp"
+#include "tautline/system_turning.hpp"
 #include "words.hpp"
 
 namespace tautline {
@@ -51,6 +54,10 @@ class Sentences {
   [[nodiscard]] std::vector<std::string> found() && { return std::move(found_); }
 
   void finite(const What& what, std::initializer_list<double> values) {
+    finite(what, std::span(values.begin(), values.size()));
+  }
+
+  void finite(const What& what, std::span<const double> values) {
     for (const double value : values) {
       if (!std::isfinite(value)) {
         add(what.words() + " " + text(value) + " is not a finite number");
@@ -110,6 +117,33 @@ class Sentences {
     }
   }
 
+  /// The mass and the principal moments of a body in space: all of them 0, or all above 0, and none
+  /// larger than the other two together.
+  void spatial_body(std::string_view owner, double mass, const std::array<double, 3>& moments,
+                    bool is_point) {
+    const auto of_body = [&](std::string_view number) {
+      return What{number, std::nullopt, std::nullopt, owner};
+    };
+    divisor(of_body("mass"), mass, "[kg]");
+    if (std::all_of(moments.begin(), moments.end(), [](double one) { return one == 0.0; })) {
+      if (!is_point) {
+        add(of_body("inertia").words() +
+            " [0, 0, 0] is for a point mass, whose attachments are all [0, 0, 0]; give three "
+            "moments above 0 [kg m^2]");
+      }
+      return;
+    }
+    for (std::size_t axis = 0; axis < moments.size(); ++axis) {
+      divisor(of_body("inertia[" + std::to_string(axis) + "]"), moments[axis], "[kg m^2]");
+    }
+    const double largest = *std::max_element(moments.begin(), moments.end());
+    const double others = moments[0] + moments[1] + moments[2] - largest;
+    if (others > 0.0 && largest > others * (1.0 + gap_rounding)) {  // of a plate they are equal
+      add(of_body("inertia").words() + ": the largest principal moment, " + text(largest) +
+          ", must not be above the sum of the other two, " + text(others) + " [kg m^2]");
+    }
+  }
+
   /// Its state at the start, of the body that `owner` names.
   void start(std::string_view owner, const State& state) {
     const auto of_body = [&](std::string_view number) {
@@ -119,6 +153,25 @@ class Sentences {
     finite(of_body("angle"), {state.angle});
     finite(of_body("velocity"), {state.velocity.x(), state.velocity.y()});
     finite(of_body("spin"), {state.spin});
+  }
+
+  /// Its state at the start in space.
+  void start(std::string_view owner, const SpatialState& state) {
+    const auto of_body = [&](std::string_view number) {
+      return What{number, std::nullopt, std::nullopt, owner};
+    };
+    const auto vector = [&](std::string_view number, const BasicVector<double, 3>& value) {
+      finite(of_body(number), {value.x(), value.y(), value.z()});
+    };
+    vector("position", state.position);
+    const Quaternion& q = state.orientation;
+    finite(of_body("orientation"), {q[0], q[1], q[2], q[3]});
+    if (std::isfinite(q.norm()) && std::abs(q.norm() - 1.0) > gap_rounding) {
+      add(of_body("orientation").words() + ": w x y z has the length " + text(q.norm()) +
+          "; must be 1");
+    }
+    vector("velocity", state.velocity);
+    vector("spin", state.spin);
   }
 
   /// The restitution of cable `index`, and what makes it depend on the speed.

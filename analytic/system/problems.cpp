@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,31 +20,35 @@ namespace {
 constexpr double shortest_segment = 1e-6;
 
 /// The place of `end` in the world at the start [m].
-Vec2 end_place(const End& end, const System& system) {
+template <int D>
+BasicVector<double, D> end_place(const BasicEnd<double, D>& end,
+                                 const BasicSystem<double, D>& system) {
   if (!end.body) {
     return end.at + end.motion.at(0.0);
   }
-  const State& state = system.initial.bodies[*end.body];
-  const auto [c, s] = heading(state.angle);
-  return state.position + Vec2(c * end.at + s * perpendicular<double>(end.at));
+  const auto& state = system.initial.bodies[*end.body];
+  return state.position + in_the_world(state, end.at);
 }
 
 /// The largest number that its place is computed from [m].
-double end_operand(const End& end, const System& system) {
+template <int D>
+double end_operand(const BasicEnd<double, D>& end, const BasicSystem<double, D>& system) {
   const double at = end.at.norm();
   return end.body ? std::max(at, system.initial.bodies[*end.body].position.norm())
                   : std::max(at, end.motion.at(0.0).norm());
 }
 
 /// "end 0", "ring 1" in the sentences on a segment.
-std::string end_name(const CableOfSystem& cable, std::size_t index) {
+template <int D>
+std::string end_name(const BasicCableOfSystem<double, D>& cable, std::size_t index) {
   return index == 0                      ? "end \"from\""
          : index <= cable.through.size() ? "ring " + std::to_string(index - 1)
                                          : "end \"to\"";
 }
 
 /// The key of an end in a file.
-std::string end_key(const CableOfSystem& cable, std::size_t index) {
+template <int D>
+std::string end_key(const BasicCableOfSystem<double, D>& cable, std::size_t index) {
   return index == 0                      ? "from"
          : index <= cable.through.size() ? "through[" + std::to_string(index - 1) + "]"
                                          : "to";
@@ -58,14 +63,32 @@ bool is_constant(const Function<N>& function) {
 }
 
 /// By which a file tells a body from the others.
-std::string told_name(const System& system, std::size_t index) {
+template <int D>
+std::string told_name(const BasicSystem<double, D>& system, std::size_t index) {
   const std::string& name = system.bodies[index].name;
   return name.empty() ? body_name(index) : name;
 }
 
+/// The mass and the inertia of the body that `owner` names.
+void check_inertia(Sentences& wrong, const std::string& owner, const BodyOfSystem& body,
+                   bool is_point) {
+  wrong.body(owner, body, is_point);
+}
+void check_inertia(Sentences& wrong, const std::string& owner, const SpatialBody& body,
+                   bool is_point) {
+  wrong.spatial_body(owner, body.mass, {body.inertia.x(), body.inertia.y(), body.inertia.z()},
+                     is_point);
+}
+
 /// Collects the sentences.
+template <int D>
 class SystemChecker {
  public:
+  using System = BasicSystem<double, D>;
+  using BodyOfSystem = BasicBodyOfSystem<double, D>;
+  using CableOfSystem = BasicCableOfSystem<double, D>;
+  using End = BasicEnd<double, D>;
+
   explicit SystemChecker(const System& system) : system_(system) {}
 
   std::vector<std::string> run() {
@@ -119,16 +142,17 @@ class SystemChecker {
   void check_body(std::size_t index) {
     const BodyOfSystem& body = system_.bodies[index];
     const std::string owner = body_name(index) + ": ";
-    wrong_.body(owner, body, is_point(index));
+    check_inertia(wrong_, owner, body, is_point(index));
     wrong_.zero_or_above({"drag", {}, {}, owner}, body.drag, "[N s/m]");
     wrong_.zero_or_above({"spin_drag", {}, {}, owner}, body.spin_drag, "[N m s]");
     check_function(owner + "force", body.force, "[N]");
     check_function(owner + "moment", body.moment, "[N m]");
-    if (body.inertia == 0.0 && body.spin_drag > 0.0) {
+    const bool turns = moments(body.inertia).cwiseAbs().maxCoeff() > 0.0;
+    if (!turns && body.spin_drag > 0.0) {
       wrong_.add(owner + "spin_drag " + text(body.spin_drag) +
                  " is for a body with an inertia, which a point mass has not; must be 0 [N m s]");
     }
-    if (body.inertia == 0.0 && !body.moment.empty()) {
+    if (!turns && !body.moment.empty()) {
       wrong_.add(owner +
                  "moment is for a body with an inertia, which a point mass has not; must be left "
                  "out");
@@ -170,7 +194,7 @@ class SystemChecker {
     for (std::size_t i = 0; i <= cable.segments(); ++i) {
       const End& end = cable.end(i);
       const std::string owner = cable_name(index) + ": " + end_key(cable, i);
-      wrong_.finite({": at", {}, {}, owner}, {end.at.x(), end.at.y()});
+      wrong_.finite({": at", {}, {}, owner}, std::span<const double>(end.at.data(), D));
       check_function(owner, end.motion, "[m]");
       on_body = on_body || end.body;
       if (end.body && *end.body >= count()) {
@@ -347,6 +371,10 @@ class SystemChecker {
 
 }  // namespace
 
-std::vector<std::string> problems(const System& system) { return SystemChecker(system).run(); }
+std::vector<std::string> problems(const System& system) { return SystemChecker<2>(system).run(); }
+
+std::vector<std::string> problems(const SpatialSystem& system) {
+  return SystemChecker<3>(system).run();
+}
 
 }  // namespace tautline

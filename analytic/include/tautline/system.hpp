@@ -9,44 +9,30 @@
 
 #include "tautline/case.hpp"
 #include "tautline/function.hpp"
+#include "tautline/system_turning.hpp"
 
 namespace tautline {
 
 /// A system has 1 to this many bodies.
 inline constexpr std::size_t max_bodies = 8;
 
-/// A point of D dimensions, or a direction.
-template <class Real, int D>
-using BasicVector = Eigen::Matrix<Real, D, 1>;
-
-/// How many numbers a spin has.
-template <int D>
-inline constexpr int spins = D == 2 ? 1 : 3;
-
-/// The types that differ between the plane and space.
-template <class Real, int D>
-struct Turning;
-/// In the plane a body turns by an angle.
-template <class Real>
-struct Turning<Real, 2> {
-  using Inertia = Real;                ///< about the centre of mass
-  using BodyState = BasicState<Real>;  ///< place and velocity of one body
-};
-
 /// A rigid body of a system, or a point mass.
 template <class Real, int D>
 struct BasicBodyOfSystem {
   using Inertia = typename Turning<Real, D>::Inertia;  // its type
 
-  std::string name = {};                      // of its file; may be empty
-  Real mass = Real(1);                        // [kg], > 0
-  Inertia inertia = Inertia(0);               // [kg m^2], about its centre; 0: a point mass
+  std::string name = {};  // of its file; may be empty
+  Real mass = Real(1);    // [kg], > 0
+  /// [kg m^2], about its centre; in space its principal moments, whose axes are the body's. 0, in
+  /// space three times 0: a point mass.
+  Inertia inertia = Turning<Real, D>::of_point();
   Real drag = Real(0);                        // [N s/m], >= 0: force -drag velocity at the centre
   Real spin_drag = Real(0);                   // [N m s], >= 0: moment -spin_drag spin
   BasicFunction<Real, D> force = {};          // [N], in the world, at the centre of mass
-  BasicFunction<Real, spins<D>> moment = {};  // [N m]
+  BasicFunction<Real, spins<D>> moment = {};  // [N m], in the world
 };
 using BodyOfSystem = BasicBodyOfSystem<double, 2>;  // in double, in the plane
+using SpatialBody = BasicBodyOfSystem<double, 3>;   // in double, in space
 
 /// An end of a cable, or a ring that it runs through without friction: a point of a body or of the
 /// world.
@@ -60,7 +46,8 @@ struct BasicEnd {
   /// True where all of it is equal.
   bool operator==(const BasicEnd&) const = default;
 };
-using End = BasicEnd<double, 2>;  // in double, in the plane
+using End = BasicEnd<double, 2>;         // in double, in the plane
+using SpatialEnd = BasicEnd<double, 3>;  // in double, in space
 
 /// A massless inextensible line between two ends, straight or through rings. Its gap is its length
 /// minus the distances from end to end, summed.
@@ -94,6 +81,7 @@ struct BasicCableOfSystem {
   }
 };
 using CableOfSystem = BasicCableOfSystem<double, 2>;  // in double, in the plane
+using SpatialCable = BasicCableOfSystem<double, 3>;   // in double, in space
 
 /// The places of a system's bodies at a time, and their velocities.
 template <class Real, int D>
@@ -103,7 +91,8 @@ struct BasicSystemState {
   Real time = Real(0);       // [s]
   std::vector<Body> bodies;  // one for each of the system, in order
 };
-using SystemState = BasicSystemState<double, 2>;  // in double, in the plane
+using SystemState = BasicSystemState<double, 2>;         // in double, in the plane
+using SpatialSystemState = BasicSystemState<double, 3>;  // in double, in space
 
 template <class Real, int D>
 struct SystemTouching;
@@ -127,6 +116,9 @@ struct BasicSystem {
   static constexpr bool flies_in_closed_form = false;  // it may be forced
   static constexpr bool has_several_bodies = true;     // up to max_bodies
   static constexpr int most_freedoms = static_cast<int>(max_bodies) * (D + spins<D>);  // of all
+  /// An arc has one column for each of these numbers.
+  static constexpr int most_pose_numbers =
+      static_cast<int>(max_bodies) * Turning<Real, D>::pose_numbers;
 
   std::string name = {};                                              // of its file or its maker
   std::vector<Body> bodies;                                           // 1 to max_bodies
@@ -135,7 +127,8 @@ struct BasicSystem {
   State initial;            // at time 0; every gap >= 0 within `gap_rounding`
   Real duration = Real(1);  // [s], > 0
 };
-using System = BasicSystem<double, 2>;  // in double, in the plane
+using System = BasicSystem<double, 2>;         // in double, in the plane
+using SpatialSystem = BasicSystem<double, 3>;  // in double, in space
 
 /// Calls `visit` with each function of `system` over time, a `BasicSystem` that may be const: of
 /// gravity, of the bodies, of the lengths and ends of the cables.
@@ -159,19 +152,16 @@ void each_function(TheSystem& system, const Visit& visit) {
 /// `function` in numbers of another type.
 template <class To, class Real, int N>
 [[nodiscard]] BasicFunction<To, N> converted(const BasicFunction<Real, N>& function) {
-  const auto vector = [](const auto& from) {
-    return from.unaryExpr([](const Real& number) { return static_cast<To>(number); }).eval();
-  };
   BasicFunction<To, N> result;
   for (const auto& piece : function.pieces) {
     result.pieces.push_back({static_cast<To>(piece.from), {}});
     for (const auto& coefficient : piece.coefficients) {
-      result.pieces.back().coefficients.push_back(vector(coefficient));
+      result.pieces.back().coefficients.push_back(converted<To>(coefficient));
     }
   }
   for (const auto& wave : function.waves) {
-    result.waves.push_back(
-        {vector(wave.amplitude), static_cast<To>(wave.frequency), static_cast<To>(wave.phase)});
+    result.waves.push_back({converted<To>(wave.amplitude), static_cast<To>(wave.frequency),
+                            static_cast<To>(wave.phase)});
   }
   return result;
 }
@@ -184,8 +174,7 @@ template <class To, class Real, int D>
     return value ? std::optional<To>(number(*value)) : std::nullopt;
   };
   const auto end = [](const BasicEnd<Real, D>& from) {
-    const auto at = from.at.unaryExpr([](const Real& value) { return static_cast<To>(value); });
-    return BasicEnd<To, D>{from.body, at, converted<To>(from.motion)};
+    return BasicEnd<To, D>{from.body, converted<To>(from.at), converted<To>(from.motion)};
   };
   BasicCableOfSystem<To, D> result;
   result.from = end(cable.from);
@@ -205,17 +194,14 @@ template <class To, class Real, int D>
 }
 
 /// `system` in numbers of another type: the numbers of doubles are exact in many digits.
-template <class To, class Real>
-[[nodiscard]] BasicSystem<To, 2> converted(const BasicSystem<Real, 2>& system) {
+template <class To, class Real, int D>
+[[nodiscard]] BasicSystem<To, D> converted(const BasicSystem<Real, D>& system) {
   const auto number = [](const Real& value) { return static_cast<To>(value); };
-  const auto vector = [](const BasicVec2<Real>& v) {
-    return BasicVec2<To>(static_cast<To>(v.x()), static_cast<To>(v.y()));
-  };
-  BasicSystem<To, 2> result;
+  BasicSystem<To, D> result;
   result.name = system.name;
   for (const auto& body : system.bodies) {
-    result.bodies.push_back({body.name, number(body.mass), number(body.inertia), number(body.drag),
-                             number(body.spin_drag), converted<To>(body.force),
+    result.bodies.push_back({body.name, number(body.mass), inertia_in<To>(body.inertia),
+                             number(body.drag), number(body.spin_drag), converted<To>(body.force),
                              converted<To>(body.moment)});
   }
   for (const auto& cable : system.cables) {
@@ -224,8 +210,7 @@ template <class To, class Real>
   result.gravity = converted<To>(system.gravity);
   result.initial.time = number(system.initial.time);
   for (const auto& body : system.initial.bodies) {
-    result.initial.bodies.push_back(
-        {vector(body.position), number(body.angle), vector(body.velocity), number(body.spin)});
+    result.initial.bodies.push_back(converted<To>(body));
   }
   result.duration = number(system.duration);
   return result;
@@ -234,6 +219,7 @@ template <class To, class Real>
 /// One sentence for each rule `system` breaks, naming the thing, its value and what would be right.
 /// Empty means `solve` accepts it.
 [[nodiscard]] std::vector<std::string> problems(const System& system);
+[[nodiscard]] std::vector<std::string> problems(const SpatialSystem& system);
 
 /// `system` rounded to double.
 template <class Real, int D>

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <span>
+#include <type_traits>
 #include <utility>
 
 #include "tautline/geometry.hpp"
@@ -12,30 +12,6 @@ namespace tautline {
 
 // The names of geometry.hpp for systems. Equations (T2), (B6), ... are in analytic/README.md,
 // section 11.
-
-// Functions that differ between the plane and space: here the plane.
-
-/// `at`, in the frame of a body in `state`, in world axes [m].
-template <class Real>
-[[nodiscard]] BasicVec2<Real> in_the_world(const BasicState<Real>& state,
-                                           const BasicVec2<Real>& at) {
-  const auto [c, s] = heading(state.angle);
-  return c * at + s * perpendicular<Real>(at);
-}
-
-/// The velocity of the end of `arm` [m] that turns with `spin` [rad/s].
-template <class Real>
-[[nodiscard]] BasicVec2<Real> swept(const Real& spin, const BasicVec2<Real>& arm) {
-  return spin * perpendicular<Real>(arm);
-}
-
-/// The size of a spin [rad/s].
-template <class Real>
-[[nodiscard]] Real spin_size(const BasicState<Real>& state) {
-  return abs(state.spin);
-}
-
-// From here on in any dimension.
 
 /// How many freedoms each body has.
 template <int D>
@@ -54,8 +30,8 @@ template <class Real, int D>
                                                 const BasicSystemState<Real, D>& state) {
   if (end.body) {
     const auto& body = state.bodies[*end.body];
-    const BasicVector<Real, D> arm = in_the_world<Real>(body, end.at);
-    return {body.position + arm, body.velocity + swept<Real>(body.spin, arm)};
+    const BasicVector<Real, D> arm = in_the_world(body, end.at);
+    return {body.position + arm, body.velocity + swept(body, spin_of(body), arm)};
   }
   if (end.motion.empty()) {
     return {end.at, BasicVector<Real, D>::Zero()};
@@ -130,8 +106,9 @@ void add_wrench(const BasicEnd<Real, D>& end, const BasicSystemState<Real, D>& s
   }
   const Eigen::Index first = static_cast<Eigen::Index>(*end.body) * freedoms_of_body<D>;
   row.template segment<D>(first) += force;
-  const BasicVector<Real, D> arm = in_the_world<Real>(state.bodies[*end.body], end.at);
-  row[first + D] += cross<Real>(arm, force);
+  const auto& body = state.bodies[*end.body];
+  const BasicVector<Real, D> arm = in_the_world(body, end.at);
+  row.template segment<spins<D>>(first + D) += moment_of(body, end.at, arm, force);
 }
 
 /// No change of any freedom.
@@ -157,19 +134,21 @@ template <class Real, int D>
   return row;
 }
 
-/// The rate of that row along the motion (S18).
-template <class Real, int D>
+/// The rate of that row along the motion. `rate_of_moment` says what the turn of a body does to a
+/// moment.
+template <class Real, int D, class RateOfMoment>
 [[nodiscard]] RowOf<BasicSystem<Real, D>> gap_gradient_rate(
-    const BasicCableOfSystem<Real, D>& cable, const BasicSystemState<Real, D>& state) {
+    const BasicCableOfSystem<Real, D>& cable, const BasicSystemState<Real, D>& state,
+    const RateOfMoment& rate_of_moment) {
   RowOf<BasicSystem<Real, D>> row = no_change(state);
   const auto add = [&](const BasicEnd<Real, D>& end, const BasicVector<Real, D>& force,
                        const BasicVector<Real, D>& force_rate) {
     add_wrench<Real, D>(end, state, force_rate, row);
     if (end.body) {
       const auto& body = state.bodies[*end.body];
-      const BasicVector<Real, D> arm = in_the_world<Real>(body, end.at);
+      const BasicVector<Real, D> arm = in_the_world(body, end.at);
       const Eigen::Index first = static_cast<Eigen::Index>(*end.body) * freedoms_of_body<D>;
-      row[first + D] += cross<Real>(swept<Real>(body.spin, arm), force);
+      row.template segment<spins<D>>(first + D) += rate_of_moment(body, end.at, arm, force);
     }
   };
   each_segment(cable, state, [&](std::size_t i, const auto& segment) {
@@ -180,6 +159,21 @@ template <class Real, int D>
     add(cable.end(i + 1), u, u_rate);
   });
   return row;
+}
+
+/// The rate of its numbers, those of turns in the axes of the bodies.
+template <class Real, int D>
+[[nodiscard]] RowOf<BasicSystem<Real, D>> gap_gradient_rate(
+    const BasicCableOfSystem<Real, D>& cable, const BasicSystemState<Real, D>& state) {
+  return gap_gradient_rate(cable, state, [](const auto&... one) { return moment_rate(one...); });
+}
+
+/// The rate of its forces and moments in the world (S18).
+template <class Real, int D>
+[[nodiscard]] RowOf<BasicSystem<Real, D>> wrench_rate(const BasicCableOfSystem<Real, D>& cable,
+                                                      const BasicSystemState<Real, D>& state) {
+  return gap_gradient_rate(cable, state,
+                           [](const auto&... one) { return moment_rate_in_world(one...); });
 }
 
 /// The accelerations of all bodies in free flight: of their centres [m/s^2] and their spins
@@ -195,9 +189,11 @@ template <class Real, int D>
     const Eigen::Index first = static_cast<Eigen::Index>(i) * freedoms_of_body<D>;
     const BasicVector<Real, D> force = body.force.at(state.time) - body.drag * now.velocity;
     result.template segment<D>(first) = gravity + force / body.mass;
-    if (body.inertia > 0) {
-      const Real moment = body.moment.at(state.time)[0] - body.spin_drag * now.spin;
-      result[first + D] = moment / body.inertia;
+    if (has_inertia(body.inertia)) {
+      const BasicTurn<Real, D> moment = in_the_body(now, body.moment.at(state.time)) -
+                                        body.spin_drag * spin_of(now) +
+                                        gyroscopic(body.inertia, now);
+      result.template segment<spins<D>>(first + D) = moment.cwiseQuotient(moments(body.inertia));
     }
   }
   return result;
@@ -211,10 +207,11 @@ template <class Real, int D>
   if (end.body) {
     const auto& body = state.bodies[*end.body];
     const Eigen::Index first = static_cast<Eigen::Index>(*end.body) * freedoms_of_body<D>;
-    const BasicVector<Real, D> arm = in_the_world<Real>(body, end.at);
-    const BasicVector<Real, D> turning = swept<Real>(body.spin, arm);
-    return accelerations.template segment<D>(first) + swept<Real>(accelerations[first + D], arm) +
-           swept<Real>(body.spin, turning);
+    const BasicVector<Real, D> arm = in_the_world(body, end.at);
+    const BasicVector<Real, D> turning = swept(body, spin_of(body), arm);
+    return accelerations.template segment<D>(first) +
+           swept(body, accelerations.template segment<spins<D>>(first + D), arm) +
+           swept(body, spin_of(body), turning);
   }
   if (end.motion.empty()) {
     return BasicVector<Real, D>::Zero();
@@ -266,7 +263,10 @@ template <class Real, int D, class OfMass>
   Eigen::Index row = 0;
   for (const auto& body : bodies) {
     result.template segment<D>(row).setConstant(of_mass(body.mass));
-    result[row + D] = body.inertia > 0 ? Real(of_mass(body.inertia)) : Real(0);
+    for (Eigen::Index axis = 0; axis < spins<D>; ++axis) {
+      const Real moment = moments(body.inertia)[axis];
+      result[row + D + axis] = moment > 0 ? Real(of_mass(moment)) : Real(0);
+    }
     row += freedoms_of_body<D>;
   }
   return result;
@@ -320,10 +320,28 @@ template <class Real, int D>
   Eigen::Index row = 0;
   for (auto& body : state.bodies) {
     body.velocity += gain.template segment<D>(row);
-    body.spin += gain[row + D];
+    body = with_spin(body, spin_of(body) + gain.template segment<spins<D>>(row + D));
     row += freedoms_of_body<D>;
   }
   return state;
+}
+
+/// `there`, a state near `state`, with the momentum and the angular momentum that `state` has, and
+/// `gain` more over mass and inertia, in the axes of the bodies at `state` (S18).
+template <class Real, int D>
+[[nodiscard]] BasicSystemState<Real, D> with_momentum(
+    const std::vector<BasicBodyOfSystem<Real, D>>& bodies, BasicSystemState<Real, D> there,
+    const BasicSystemState<Real, D>& state,
+    const std::type_identity_t<RowOf<BasicSystem<Real, D>>>& gain) {
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    auto& body = there.bodies[i];
+    body.velocity += gain.template segment<D>(row);
+    body = with_spin(body, spin_carried(bodies[i].inertia, state.bodies[i], body,
+                                        gain.template segment<spins<D>>(row + D)));
+    row += freedoms_of_body<D>;
+  }
+  return there;
 }
 
 /// `state` after its poses have moved by `step` [m, rad].
@@ -334,7 +352,7 @@ template <class Real, int D>
   Eigen::Index row = 0;
   for (auto& body : state.bodies) {
     body.position += step.template segment<D>(row);
-    body.angle += step[row + D];
+    body = turned(body, step.template segment<spins<D>>(row + D));
     row += freedoms_of_body<D>;
   }
   return state;
@@ -361,14 +379,18 @@ template <class Real, int D>
   Real result(0);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto& now = state.bodies[i];
-    result += bodies[i].mass * now.velocity.squaredNorm() +
-              (bodies[i].inertia > 0 ? Real(bodies[i].inertia * now.spin * now.spin) : Real(0));
+    Real twice = bodies[i].mass * now.velocity.squaredNorm();
+    if (has_inertia(bodies[i].inertia)) {
+      twice += moments(bodies[i].inertia).cwiseProduct(spin_of(now)).dot(spin_of(now));
+    }
+    result += twice;
   }
   return result / 2;
 }
 
 /// Kinetic energy, and the potential energy of what gravity and the given forces and moments are at
-/// the time of `state` [J]; zero potential at the origin of the world, and at angle 0.
+/// the time of `state` [J]; zero potential at the origin of the world, and at angle 0. In space a
+/// moment has no potential.
 template <class Real, int D>
 [[nodiscard]] Real energy(const BasicSystem<Real, D>& system,
                           const BasicSystemState<Real, D>& state) {
@@ -377,7 +399,7 @@ template <class Real, int D>
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
     const auto& body = system.bodies[i];
     result -= (body.mass * gravity + body.force.at(state.time)).dot(state.bodies[i].position);
-    result -= body.moment.at(state.time)[0] * state.bodies[i].angle;
+    result -= body.moment.at(state.time).dot(angle_of_potential(state.bodies[i]));
   }
   return result;
 }
@@ -393,16 +415,27 @@ template <class Real, int D>
   return result;
 }
 
-/// Angular momentum of all bodies about a world point [N m s].
+/// Angular momentum of all bodies about a world point [N m s]: a number in the plane, a vector of
+/// the world in space.
 template <class Real>
 [[nodiscard]] Real angular_momentum(const BasicSystem<Real, 2>& system,
                                     const BasicSystemState<Real, 2>& state,
                                     const BasicVec2<Real>& about) {
   Real result(0);
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
-    const BasicVec2<Real> from = state.bodies[i].position - about;
-    result += system.bodies[i].mass * cross<Real>(from, state.bodies[i].velocity) +
-              system.bodies[i].inertia * state.bodies[i].spin;
+    result += angular_momentum(system.bodies[i].mass, system.bodies[i].inertia, state.bodies[i],
+                               about)[0];
+  }
+  return result;
+}
+template <class Real>
+[[nodiscard]] BasicVector<Real, 3> angular_momentum(const BasicSystem<Real, 3>& system,
+                                                    const BasicSystemState<Real, 3>& state,
+                                                    const BasicVector<Real, 3>& about) {
+  BasicVector<Real, 3> result = BasicVector<Real, 3>::Zero();
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    result +=
+        angular_momentum(system.bodies[i].mass, system.bodies[i].inertia, state.bodies[i], about);
   }
   return result;
 }

@@ -80,7 +80,7 @@ RowOf<TheCase> momentum_kept(const TheCase& the_case, const StateOf<TheCase>& st
                           : shared_multipliers(rows, basis, open, Real(almost_dependent));
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    result += shift[row++] * gap_gradient_rate(the_case.cables[index], state);
+    result += shift[row++] * wrench_rate(the_case.cables[index], state);
   }
   return result.cwiseProduct(inverse_mass(bodies_of(the_case)));
 }
@@ -153,7 +153,8 @@ StateOf<TheCase> projected(const TheCase& the_case, const StateOf<TheCase>& stat
                            CableSet cables) {
   const RowOf<TheCase> change = momentum_kept(the_case, state, cables);
   const StateOf<TheCase> closed = with_zero_gaps(the_case, state, cables);
-  return with_zero_rates(the_case, with_gain(closed, change), cables);
+  return with_zero_rates(the_case, with_momentum(bodies_of(the_case), closed, state, change),
+                         cables);
 }
 
 template BasicCableVector<Instance> multipliers(const InstanceCase&, const StateOf<InstanceCase>&,

@@ -19,7 +19,7 @@ StateOf<TheCase> BasicArc<TheCase>::after(const Real& dt, const GravityOf<TheCas
     return fly(initial, gravity, dt);
   }
   using Pose =
-      Eigen::Matrix<Real, 1, TheCase::freedoms, Eigen::RowMajor, 1, TheCase::most_freedoms>;
+      Eigen::Matrix<Real, 1, TheCase::freedoms, Eigen::RowMajor, 1, TheCase::most_pose_numbers>;
   Pose pose = Pose::Zero(series.cols());
   Pose rate = Pose::Zero(series.cols());
   for (Eigen::Index k = series.rows() - 1; k >= 0; --k) {

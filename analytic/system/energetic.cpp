@@ -60,8 +60,7 @@ SpringImpulses<Real> energetic_impulses(const BasicSystem<Real, D>& system,
   return {impact.impulses() * (speed_scale / row_scale), steps};
 }
 
-template SpringImpulses<Instance> energetic_impulses(const BasicSystem<Instance, 2>&,
-                                                     const BasicSystemState<Instance, 2>&,
-                                                     CableSet);
+template SpringImpulses<Instance> energetic_impulses(const InstanceCase&,
+                                                     const StateOf<InstanceCase>&, CableSet);
 
 }  // namespace tautline

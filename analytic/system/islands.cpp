@@ -157,10 +157,10 @@ BasicSystemMotion<Real, D> solve_islands(const BasicSystem<Real, D>& system,
   return BasicSystemMotion<Real, D>(system, std::move(parts));
 }
 
-template std::vector<Island> islands(const BasicSystem<Instance, 2>&);
-template BasicSystem<Instance, 2> part_of(const BasicSystem<Instance, 2>&, const Island&);
-template class BasicSystemMotion<Instance, 2>;
-template BasicSystemMotion<Instance, 2> solve_islands(const BasicSystem<Instance, 2>&,
-                                                      const SolveOptions&);
+template std::vector<Island> islands(const InstanceCase&);
+template InstanceCase part_of(const InstanceCase&, const Island&);
+template class BasicSystemMotion<Instance, instance_dimension>;
+template BasicSystemMotion<Instance, instance_dimension> solve_islands(const InstanceCase&,
+                                                                       const SolveOptions&);
 
 }  // namespace tautline

@@ -52,36 +52,35 @@ template <class Real, int D>
 [[nodiscard]] BasicSystemState<Real, D> state_of(
     const BasicSystemState<Real, D>& like,
     const Eigen::Matrix<Real, 1, Eigen::Dynamic, Eigen::RowMajor, 1,
-                        BasicSystem<Real, D>::most_freedoms>& pose,
+                        BasicSystem<Real, D>::most_pose_numbers>& pose,
     const Eigen::Matrix<Real, 1, Eigen::Dynamic, Eigen::RowMajor, 1,
-                        BasicSystem<Real, D>::most_freedoms>& rate,
+                        BasicSystem<Real, D>::most_pose_numbers>& rate,
     const Real& dt) {
+  constexpr int numbers = Turning<Real, D>::pose_numbers;
   BasicSystemState<Real, D> result = like;
   result.time += dt;
   Eigen::Index column = 0;
   for (auto& body : result.bodies) {
-    body = {{pose[column], pose[column + 1]},
-            pose[column + D],
-            {rate[column], rate[column + 1]},
-            rate[column + D]};
-    column += freedoms_of_body<D>;
+    body = body_of(body, pose.template segment<numbers>(column),
+                   rate.template segment<numbers>(column));
+    column += numbers;
   }
   return result;
 }
 
-/// Taylor coefficients of the poses of bodies that stay where they are, but for their spins.
+/// Taylor coefficients of the poses of bodies that stay where they are, but for their spins; none
+/// where turns at a constant spin are no polynomials (see `fly`).
 template <class Real, int D>
 [[nodiscard]] PosesOf<BasicSystem<Real, D>> resting_poses(const BasicSystemState<Real, D>& state) {
-  PosesOf<BasicSystem<Real, D>> result(
-      2, static_cast<Eigen::Index>(state.bodies.size()) * freedoms_of_body<D>);
+  constexpr Eigen::Index numbers = Turning<Real, D>::pose_numbers;
+  PosesOf<BasicSystem<Real, D>> result(2, static_cast<Eigen::Index>(state.bodies.size()) * numbers);
   result.setZero();
   Eigen::Index column = 0;
   for (const auto& body : state.bodies) {
-    result(0, column) = body.position.x();
-    result(0, column + 1) = body.position.y();
-    result(0, column + D) = body.angle;
-    result(1, column + D) = body.spin;
-    column += freedoms_of_body<D>;
+    if (!write_resting(body, result.template middleCols<numbers>(column))) {
+      return {};
+    }
+    column += numbers;
   }
   return result;
 }
@@ -96,19 +95,22 @@ template <class Real, int D>
 [[nodiscard]] bool fits(const BasicSystem<Real, D>& system,
                         const BasicSystemState<Real, D>& state) {
   for (const auto& body : state.bodies) {
-    if (!isfinite(body.angle) || !isfinite(body.position.squaredNorm()) ||
-        !isfinite(body.velocity.squaredNorm()) || !isfinite(Real(body.spin * body.spin))) {
+    if (!numbers_fit(body)) {
       return false;
     }
   }
   return isfinite(energy(system, state));
 }
 
-/// An arc without a series lasts for an instant: its state.
+/// An arc without a series lasts for an instant, or is a rest: its state, where bodies turn on.
 template <class Real, int D>
-[[nodiscard]] BasicSystemState<Real, D> fly(const BasicSystemState<Real, D>& state,
+[[nodiscard]] BasicSystemState<Real, D> fly(BasicSystemState<Real, D> state,
                                             const BasicFunction<Real, D>& /*gravity*/,
-                                            const std::type_identity_t<Real>& /*dt*/) {
+                                            const std::type_identity_t<Real>& dt) {
+  state.time += dt;
+  for (auto& body : state.bodies) {
+    body = turned(body, Real(dt) * spin_of(body));
+  }
   return state;
 }
 
@@ -301,26 +303,41 @@ template <class Real, int D, class Along>
 
 // ---- rest
 
-/// True where all that turns are bodies on which no cable has an arm.
+/// True where the spin of a body may go on for ever, and no cable notices: none has an arm across
+/// it.
+template <class Real, int D>
+[[nodiscard]] bool spins_unnoticed(const BasicSystem<Real, D>& system,
+                                   const BasicSystemState<Real, D>& state, std::size_t body) {
+  bool result = gyroscopic(system.bodies[body].inertia, state.bodies[body]).isZero(0);
+  for (const auto& cable : system.cables) {
+    for (std::size_t i = 0; i <= cable.segments(); ++i) {
+      const auto& end = cable.end(i);
+      result = result && (end.body != body || is_along(state.bodies[body], end.at));
+    }
+  }
+  return result;
+}
+
+/// True where all that turns are bodies whose spins no cable notices.
 template <class Real, int D>
 [[nodiscard]] bool turns_freely(const BasicSystem<Real, D>& system,
                                 const BasicSystemState<Real, D>& state, CableSet /*taut*/) {
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
-    if (longest_arm(system, i) > 0 && spin_size(state.bodies[i]) > 0) {
+    if (!spins_unnoticed(system, state, i)) {
       return false;
     }
   }
   return true;
 }
 
-/// The bodies of `state` at rest; those on which no cable has an arm go on turning.
+/// The bodies of `state` at rest; spins that no cable notices go on.
 template <class Real, int D>
 [[nodiscard]] BasicSystemState<Real, D> resting(const BasicSystem<Real, D>& system,
                                                 const BasicSystemState<Real, D>& state,
                                                 CableSet /*taut*/) {
   BasicSystemState<Real, D> still = standing_still(state);
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
-    if (!(longest_arm(system, i) > 0)) {
+    if (spins_unnoticed(system, state, i)) {
       still.bodies[i].spin = state.bodies[i].spin;
     }
   }
@@ -396,7 +413,7 @@ template <class Real, int D>
   for (auto& arc : arcs) {
     arc.initial = seen_from(origin, std::move(arc.initial));
     for (Eigen::Index column = 0; arc.series.rows() > 0 && column < arc.series.cols();
-         column += freedoms_of_body<D>) {
+         column += Turning<Real, D>::pose_numbers) {
       arc.series.row(0).template segment<D>(column) -= origin.transpose();
     }
   }

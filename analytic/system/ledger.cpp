@@ -56,7 +56,7 @@ BasicSystemLedger<Real> energy_ledger(const BasicSystem<Real, D>& system,
   return result;
 }
 
-template BasicSystemLedger<Instance> energy_ledger(const BasicSystem<Instance, 2>&,
-                                                   const BasicSolution<BasicSystem<Instance, 2>>&);
+template BasicSystemLedger<Instance> energy_ledger(const InstanceCase&,
+                                                   const BasicSolution<InstanceCase>&);
 
 }  // namespace tautline

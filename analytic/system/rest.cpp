@@ -6,15 +6,23 @@
 namespace tautline {
 namespace {
 
-/// How many freedoms cables can take: a turn on which none has an arm is no motion.
+/// How many freedoms cables can take: a turn across which none has an arm is no motion.
 template <class Real, int D>
 std::size_t freedoms_to_hold(const BasicSystem<Real, D>& system) {
-  std::size_t result = 0;
+  int result = 0;
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
-    const bool turns = longest_arm(system, i) > 0 && system.bodies[i].inertia > 0;
-    result += static_cast<std::size_t>(turns ? freedoms_of_body<D> : D);
+    Eigen::Matrix<Real, Eigen::Dynamic, D> arms(0, D);
+    for (const auto& cable : system.cables) {
+      for (std::size_t k = 0; k <= cable.segments(); ++k) {
+        if (cable.end(k).body == i) {
+          arms.conservativeResize(arms.rows() + 1, D);
+          arms.row(arms.rows() - 1) = cable.end(k).at.transpose();
+        }
+      }
+    }
+    result += D + (has_inertia(system.bodies[i].inertia) ? turns_held(arms) : 0);
   }
-  return result;
+  return static_cast<std::size_t>(result);
 }
 
 /// The rates of all gradients, one a column, of motions of one freedom each.
@@ -65,7 +73,7 @@ Real half_acceleration(const BasicSystem<Real, D>& system, const SystemSeries<Re
   Real result(0);
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
     result = max(result, Real(motion.position(i, 2).cwiseAbs().sum() +
-                              longest_arm(system, i) * abs(motion.angle(i, 2))));
+                              longest_arm(system, i) * motion.turn(i, 2).cwiseAbs().sum()));
   }
   return result;
 }
@@ -86,8 +94,9 @@ std::optional<Ending> equilibrium(const BasicSystem<Real, D>& system,
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
     const Real arm = longest_arm(system, i);
     const auto& body = system.bodies[i];
-    lightness =
-        body.inertia > 0 ? max(lightness, Real(body.mass * arm * arm / body.inertia)) : lightness;
+    if (has_inertia(body.inertia)) {
+      lightness = max(lightness, Real(body.mass * arm * arm / least_moment(body)));
+    }
   }
   const Real acceleration = half_acceleration(system, held.motion);
   const Real rounding =
@@ -102,8 +111,7 @@ std::optional<Ending> equilibrium(const BasicSystem<Real, D>& system,
                                                   : std::nullopt;
 }
 
-template std::optional<Ending> equilibrium(const BasicSystem<Instance, 2>&,
-                                           const BasicSystemState<Instance, 2>&,
-                                           const BasicHold<BasicSystem<Instance, 2>>&);
+template std::optional<Ending> equilibrium(const InstanceCase&, const StateOf<InstanceCase>&,
+                                           const BasicHold<InstanceCase>&);
 
 }  // namespace tautline

@@ -35,7 +35,8 @@ template <class Real, int D>
   Eigen::Index row = 0;
   for (const auto& body : state.bodies) {
     result.template segment<D>(row) = result[row] * body.velocity;
-    result[row + D] *= body.spin;
+    auto turning = result.template segment<spins<D>>(row + D);
+    turning = turning.cwiseProduct(spin_of(body)).eval();
     row += freedoms_of_body<D>;
   }
   return result;
@@ -290,7 +291,7 @@ class CableRows<BasicSystem<Real, D>> {
     for (std::size_t i = 0; i < system.bodies.size(); ++i) {
       const Eigen::Index first = static_cast<Eigen::Index>(i) * freedoms_of_body<D>;
       const Real arm = longest_arm(system, i);
-      const bool turns = arm > 0 && system.bodies[i].inertia > 0;
+      const bool turns = arm > 0 && has_inertia(system.bodies[i].inertia);
       result.template segment<D>(first).setOnes();
       result.template segment<spins<D>>(first + D).setConstant(turns ? Real(Real(1) / arm)
                                                                      : Real(0));

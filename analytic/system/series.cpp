@@ -33,7 +33,9 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
     advance(k);
   }
   for (std::size_t k = alike; k + 2 <= order_; ++k) {
-    turn_steadily(k + 2);
+    for (BodySeries& body : bodies_) {
+      body.turning.coast(k);
+    }
   }
   for (std::size_t index = 0; index < cables_.size(); ++index) {
     if (taut_.contains(index)) {
@@ -47,7 +49,7 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
   }
 }
 
-/// True where nothing but a constant gravity acts: the centres fly on parabolas, spins stay.
+/// True where nothing but a constant gravity acts: the centres fly on parabolas.
 template <class Real, int D>
 bool SystemSeries<Real, D>::is_ballistic() const {
   bool result = taut_.empty() && system_->gravity.is_constant();
@@ -58,30 +60,21 @@ bool SystemSeries<Real, D>::is_ballistic() const {
   return result;
 }
 
-/// Coefficient k of headings that turn at constant spins.
-template <class Real, int D>
-void SystemSeries<Real, D>::turn_steadily(std::size_t k) {
-  for (BodySeries& body : bodies_) {
-    if (body.turns) {
-      body.heading[k] = perpendicular<Real>(body.heading[k - 1]) * Real(body.angle[1] / number(k));
-    }
-  }
-}
-
 /// All numbers are zero at first.
 template <class Real, int D>
 void SystemSeries<Real, D>::make_channels() {
+  constexpr std::size_t stride = Places::stride;
   const std::size_t terms = order_ + 2 - order_ % 2;  // even: points stay aligned
-  std::size_t count = 9 * bodies_.size();
+  std::size_t count = (stride + TurningSeries<Real, D>::numbers) * bodies_.size();
   for (std::size_t index = 0; index < cables_.size(); ++index) {
     cables_[index].segments.resize(system_->cables[index].segments());
-    count += 6 * cables_[index].segments.size() + 3;
+    count += 3 * stride * cables_[index].segments.size() + 3;
   }
   store_ = std::make_unique<Real[]>(terms * count);
   Real* next = store_.get();
-  const auto points = [&](Points<Real>& result) {
-    result = Points<Real>(next);
-    next += 2 * terms;
+  const auto points = [&](Places& result) {
+    result = Places(next);
+    next += stride * terms;
   };
   const auto channel = [&](Channel& result, std::size_t size) {
     result = Channel(next, size);
@@ -89,10 +82,7 @@ void SystemSeries<Real, D>::make_channels() {
   };
   for (BodySeries& body : bodies_) {
     points(body.position);
-    points(body.heading);
-    points(body.turn);
-    points(body.moment);
-    channel(body.angle, order_ + 1);
+    body.turning.make(next, terms);
   }
   for (CableSeries& cable : cables_) {
     for (SegmentSeries& segment : cable.segments) {
@@ -120,9 +110,7 @@ void SystemSeries<Real, D>::expand_given(const Real& time) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BasicBodyOfSystem<Real, D>& body = system_->bodies[i];
     bodies_[i].body = &body;
-    bodies_[i].turns = body.inertia > 0;
     expand(body.force, bodies_[i].force);
-    expand(body.moment, bodies_[i].spinning);
   }
   for (std::size_t index = 0; index < cables_.size(); ++index) {
     const BasicCableOfSystem<Real, D>& given = system_->cables[index];
@@ -153,11 +141,12 @@ void SystemSeries<Real, D>::start_at(const BasicSystemState<Real, D>& start) {
     const auto& now = start.bodies[i];
     body.position[0] = now.position;
     body.position[1] = now.velocity;
-    const auto [cosine, sine] = heading(now.angle);
-    body.heading[0] = Vector(cosine, sine);
-    set_angle(body, 0, now.angle);
-    set_angle(body, 1, now.spin);
-    body.heading[1] = turned(body, 1);
+    std::vector<BasicTurn<Real, D>> moment;
+    if (const auto& given = system_->bodies[i].moment; !given.empty()) {
+      moment.resize(order_ + 1);
+      given.expand(start.time, moment);
+    }
+    body.turning.start(system_->bodies[i], now, std::move(moment));
   }
   for (const std::size_t index : taut_) {
     CableSeries& cable = cables_[index];
@@ -186,22 +175,8 @@ void SystemSeries<Real, D>::couple(const BasicSystemState<Real, D>& start) {
 }
 
 template <class Real, int D>
-void SystemSeries<Real, D>::set_angle(BodySeries& body, std::size_t k, const Real& value) {
-  body.angle[k] = value;
-  body.turn[k].setConstant(Real(value * number(k)));
-}
-
-template <class Real, int D>
 void SystemSeries<Real, D>::set_distance(SegmentSeries& segment, std::size_t k, const Real& value) {
   segment.distance[k].setConstant(value);
-}
-
-/// Coefficient k of the heading of a body; for k > 1 without the term of the angle's own.
-template <class Real, int D>
-typename SystemSeries<Real, D>::Vector SystemSeries<Real, D>::turned(const BodySeries& body,
-                                                                     std::size_t k) const {
-  const std::size_t end = k > 1 ? k : k + 1;
-  return perpendicular<Real>(series::products(body.turn, body.heading, k, 1, end)) / number(k);
 }
 
 /// Coefficient k of the place of an end, of a body's only the part that its turn gives.
@@ -211,7 +186,7 @@ typename SystemSeries<Real, D>::Vector SystemSeries<Real, D>::turned_place(std::
                                                                            std::size_t k) const {
   const BasicEnd<Real, D>& one = system_->cables[index].end(end);
   if (one.body) {
-    return series::in_the_world<Real>(one.at, bodies_[*one.body].heading[k]);
+    return bodies_[*one.body].turning.arm(one.at, k);
   }
   Vector result = k == 0 ? one.at : Vector(Vector::Zero());
   if (const Given& given = cables_[index].ends[end]; !given.empty()) {
@@ -274,9 +249,7 @@ template <class Real, int D>
 void SystemSeries<Real, D>::begin(std::size_t k) {
   for (BodySeries& body : bodies_) {
     body.pull.setZero();
-    if (body.turns) {
-      body.heading[k + 2] = turned(body, k + 2);
-    }
+    body.turning.begin(k);
   }
 }
 
@@ -287,7 +260,7 @@ void SystemSeries<Real, D>::add_pull(const BasicEnd<Real, D>& end, std::size_t k
   if (end.body) {
     BodySeries& body = bodies_[*end.body];
     body.pull += force;
-    body.moment[k] += series::moment<Real>(end.at, force);
+    body.turning.add_moment(end.at, force, k);
   }
 }
 
@@ -344,15 +317,9 @@ RowOf<BasicSystem<Real, D>> SystemSeries<Real, D>::driving(std::size_t k) const 
       force += body.force[k];
     }
     result.template segment<D>(row) = force * weight_[row];
-    Real torque(0);
-    if (body.turns) {
-      torque = -body.body->spin_drag * number(k + 1) * body.angle[k + 1];
-      torque += taut_.empty()
-                    ? Real(0)
-                    : Real(series::products(body.heading, body.moment, k, 0, k + 1).sum());
-      torque += body.spinning.empty() ? Real(0) : body.spinning[k][0];
-    }
-    result[row + D] = torque * weight_[row + D];
+    auto turning = result.template segment<spins<D>>(row + D);
+    turning = body.turning.torque(k, !taut_.empty())
+                  .cwiseProduct(weight_.template segment<spins<D>>(row + D));
     row += freedoms_of_body<D>;
   }
   return result;
@@ -364,10 +331,7 @@ void SystemSeries<Real, D>::accelerate(std::size_t k, const RowOf<TheCase>& acce
   Eigen::Index row = 0;
   for (BodySeries& body : bodies_) {
     body.position[k + 2] = accelerations.template segment<D>(row);
-    if (body.turns) {
-      set_angle(body, k + 2, accelerations[row + D]);
-      body.heading[k + 2] += accelerations[row + D] * perpendicular<Real>(body.heading[0]);
-    }
+    body.turning.turn(k, accelerations.template segment<spins<D>>(row + D));
     row += freedoms_of_body<D>;
   }
 }
@@ -384,9 +348,9 @@ void SystemSeries<Real, D>::tighten(std::size_t index, std::size_t k, const Real
       return Vector(Vector::Zero());
     }
     const Eigen::Index row = static_cast<Eigen::Index>(*end.body) * freedoms_of_body<D>;
-    const Vector arm = series::in_the_world<Real>(end.at, bodies_[*end.body].heading[0]);
     return Vector(accelerations.template segment<D>(row) +
-                  accelerations[row + D] * perpendicular<Real>(arm));
+                  bodies_[*end.body].turning.swept(
+                      end.at, accelerations.template segment<spins<D>>(row + D)));
   };
   for (std::size_t i = 0; i < cable.segments.size(); ++i) {
     SegmentSeries& segment = cable.segments[i];
@@ -427,7 +391,7 @@ void SystemSeries<Real, D>::expand_gap(std::size_t index) {
     }
     return;
   }
-  const Points<Real>& along = cable.segments[0].along;
+  const Places& along = cable.segments[0].along;
   cable.gap[0] = (length * length - along[0].squaredNorm()) / (2 * length);
   for (std::size_t k = 1; k <= order_; ++k) {
     Real half(0);  // of coefficient k of the length's square
@@ -443,7 +407,7 @@ bool SystemSeries<Real, D>::fits() const {
   Real all(0);  // NaN, where one is not finite
   for (const BodySeries& body : bodies_) {
     for (std::size_t k = 0; k <= order_; ++k) {
-      all += (body.position[k].sum() + body.angle[k]) * Real(0);
+      all += (body.position[k].sum() + body.turning.sum(k)) * Real(0);
     }
   }
   for (const CableSeries& cable : cables_) {
@@ -456,15 +420,16 @@ bool SystemSeries<Real, D>::fits() const {
 
 template <class Real, int D>
 PosesOf<BasicSystem<Real, D>> SystemSeries<Real, D>::pose() const {
-  PosesOf<TheCase> result(static_cast<Eigen::Index>(order_ + 1), weight_.size());
+  constexpr Eigen::Index numbers = Turning<Real, D>::pose_numbers;
+  PosesOf<TheCase> result(static_cast<Eigen::Index>(order_ + 1),
+                          static_cast<Eigen::Index>(bodies_.size()) * numbers);
   for (std::size_t k = 0; k <= order_; ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
+    auto row = result.row(static_cast<Eigen::Index>(k));
     Eigen::Index column = 0;
     for (const BodySeries& body : bodies_) {
-      result(row, column) = body.position[k].x();
-      result(row, column + 1) = body.position[k].y();
-      result(row, column + D) = body.angle[k];
-      column += freedoms_of_body<D>;
+      row.template segment<D>(column) = body.position[k].transpose();
+      body.turning.write(k, order_, row.segment(column + D, numbers - D));
+      column += numbers;
     }
   }
   return result;
@@ -476,7 +441,7 @@ Real SystemSeries<Real, D>::last_term(std::size_t k) const {
   Real angle(0);
   Real length(0);
   for (const BodySeries& body : bodies_) {
-    angle = max(angle, Real(abs(body.angle[k])));
+    angle = max(angle, body.turning.size(k));
     length = max(length, Real(body.position[k].cwiseAbs().maxCoeff()));
   }
   for (const CableSeries& cable : cables_) {
@@ -502,6 +467,9 @@ Real SystemSeries<Real, D>::reach(const Real& error) const {
   };
   for (const std::size_t k : {order_ - 1, order_}) {
     limit(last_term(k), Real(1), k);
+    for (const BodySeries& body : bodies_) {
+      body.turning.limit_reach(k, limit);
+    }
     Real pull(0);
     Real pull_scale(0);  // a tension may fall to zero
     for (const BodySeries& body : bodies_) {
@@ -545,6 +513,6 @@ Real SystemSeries<Real, D>::apart_for(const SegmentSeries& segment, const Real& 
   return result;
 }
 
-template class SystemSeries<Instance, 2>;
+template class SystemSeries<Instance, instance_dimension>;
 
 }  // namespace tautline

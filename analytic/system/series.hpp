@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "system/rows.hpp"
-#include "tautline/detail/series.hpp"
+#include "system/turning_series.hpp"
 
 namespace tautline {
 
@@ -30,15 +30,17 @@ class SystemSeries {
 
   [[nodiscard]] CableSet taut() const { return taut_; }
 
-  /// Coefficients of all poses, one row each.
+  /// Coefficients of all poses, one row each: of each body the position, then in the plane the
+  /// angle, in space the quaternion and the spin.
   [[nodiscard]] PosesOf<TheCase> pose() const;
 
-  /// Coefficient k of the pose of a body.
+  /// Coefficient k of the place of a body.
   [[nodiscard]] Vector position(std::size_t body, std::size_t k) const {
     return bodies_[body].position[k];
   }
-  [[nodiscard]] const Real& angle(std::size_t body, std::size_t k) const {
-    return bodies_[body].angle[k];
+  /// The turn of a body of order k, at least 1.
+  [[nodiscard]] BasicTurn<Real, D> turn(std::size_t body, std::size_t k) const {
+    return bodies_[body].turning.turn_of(k);
   }
 
   /// Coefficients 0 to order of (length^2 - distance^2) / (2 length at the start) [m] of a slack
@@ -63,23 +65,19 @@ class SystemSeries {
 
  private:
   using Channel = std::span<Real>;  // of coefficients, in store_
+  using Places = Points<Real, D>;   // likewise
   using Given = std::vector<Vector>;
   struct BodySeries {
     const BasicBodyOfSystem<Real, D>* body;
-    Points<Real> position;
-    Points<Real> heading;  // cosine and sine of the angle
-    Points<Real> turn;     // k times the angle's coefficient k, twice
-    Points<Real> moment;   // of all pulls, in the body's axes: heading . moment is the torque [N m]
-    Channel angle;
-    Given force;                                      // [N]; empty: none
-    std::vector<Eigen::Matrix<Real, 1, 1>> spinning;  // the given moment [N m]; empty: none
-    Vector pull;                                      // [N], at the order that is computed
-    bool turns;                                       // else a point mass
+    Places position;
+    TurningSeries<Real, D> turning;
+    Given force;  // [N]; empty: none
+    Vector pull;  // [N], at the order that is computed
   };
   struct SegmentSeries {
-    Points<Real> along;     // from its second end to its first [m]
-    Points<Real> distance;  // [m], twice; of a straight taut cable its length
-    Points<Real> pull;      // tension / distance [N/m], twice
+    Places along;     // from its second end to its first [m]
+    Places distance;  // [m], each number of the point; of a straight taut cable its length
+    Places pull;      // tension / distance [N/m], each number of the point
   };
   struct CableSeries {
     std::vector<SegmentSeries> segments;
@@ -96,7 +94,6 @@ class SystemSeries {
   };
 
   [[nodiscard]] bool is_ballistic() const;
-  void turn_steadily(std::size_t k);
   void make_channels();
   void expand_given(const Real& time);
   void start_at(const BasicSystemState<Real, D>& start);
@@ -110,10 +107,8 @@ class SystemSeries {
   void tighten(std::size_t index, std::size_t k, const Real& tension,
                const RowOf<TheCase>& accelerations);
   void expand_gap(std::size_t index);
-  void set_angle(BodySeries& body, std::size_t k, const Real& value);
   void set_distance(SegmentSeries& segment, std::size_t k, const Real& value);
   void add_pull(const BasicEnd<Real, D>& end, std::size_t k, const Vector& force);
-  [[nodiscard]] Vector turned(const BodySeries& body, std::size_t k) const;
   [[nodiscard]] Vector place(std::size_t index, std::size_t end, std::size_t k) const;
   [[nodiscard]] Vector turned_place(std::size_t index, std::size_t end, std::size_t k) const;
   [[nodiscard]] Real distance_of(const SegmentSeries& segment, std::size_t k) const;

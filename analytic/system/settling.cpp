@@ -61,7 +61,7 @@ BasicSystem<Real, D> calmed(BasicSystem<Real, D> system, const BasicSystemState<
   each_function(system, fix);
   for (auto& body : system.bodies) {
     body.drag = 2 * body.mass * rate;
-    body.spin_drag = 2 * body.inertia * rate;
+    body.spin_drag = 2 * moments(body.inertia).maxCoeff() * rate;
   }
   for (auto& cable : system.cables) {
     cable.restitution = Real(0);
@@ -193,16 +193,14 @@ Real apart(const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& 
            const BasicSystemState<Real, D>& b) {
   const Real length = shortest_length(system, a);
   const Real rate = sqrt(Real(acceleration_scale(system, a) / length));
-  const Real turn = 2 * acos(Real(-1));
   Real result(0);
   for (std::size_t i = 0; i < a.bodies.size(); ++i) {
     const auto& one = a.bodies[i];
     const auto& other = b.bodies[i];
-    const Real angle = one.angle - other.angle;
     result = max(result, Real((one.position - other.position).norm() / length));
     result = max(result, Real((one.velocity - other.velocity).norm() / (length * rate)));
-    result = max(result, Real(abs(Real(angle - turn * floor(Real(angle / turn + Real(0.5)))))));
-    result = max(result, Real(abs(Real(one.spin - other.spin)) / rate));
+    result = max(result, turn_between(one, other));
+    result = max(result, Real((spin_of(one) - spin_of(other)).cwiseAbs().maxCoeff() / rate));
   }
   return result;
 }

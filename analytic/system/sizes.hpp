@@ -159,14 +159,22 @@ template <class Real, int D>
          late * sizes_of(cable, state.time).acceleration;
 }
 
+/// The smallest moment of inertia of `body` [kg m^2].
+template <class Real, int D>
+[[nodiscard]] Real least_moment(const BasicBodyOfSystem<Real, D>& body) {
+  return moments(body.inertia).minCoeff();
+}
+
 /// The size of the accelerations that forces, moments and drag give `body` [m/s^2], its points up
 /// to `arm` [m] from its centre.
 template <class Real, int D, class State>
 [[nodiscard]] Real driven(const BasicBodyOfSystem<Real, D>& body, const State& now,
                           const Real& time, const Real& arm) {
   Real result = (size_of(body.force, time) + body.drag * now.velocity.norm()) / body.mass;
-  if (body.inertia > 0 && arm > 0) {
-    result += arm * (size_of(body.moment, time) + body.spin_drag * spin_size(now)) / body.inertia;
+  if (has_inertia(body.inertia) && arm > 0) {
+    result +=
+        arm * (size_of(body.moment, time) + body.spin_drag * spin_size(now)) / least_moment(body);
+    result += arm * gyroscopic_size(body.inertia, now);
   }
   return result;
 }
@@ -200,8 +208,9 @@ template <class Real, int D>
     for (const auto& cable : system.cables) {
       height = max(height, Real(cable.length.at(state.time)[0]));
     }
-    result += (body.mass * gravity + size_of(body.force, state.time)) * height +
-              size_of(body.moment, state.time) * abs(state.bodies[i].angle);
+    result +=
+        (body.mass * gravity + size_of(body.force, state.time)) * height +
+        size_of(body.moment, state.time) * angle_of_potential(state.bodies[i]).cwiseAbs().sum();
   }
   return epsilon<Real>() * result;
 }
@@ -250,8 +259,8 @@ template <class Real, int D>
     most = max(most, driven(body, state.bodies[i], state.time, longest_arm(system, i)));
     result.frequency = max(result.frequency, Real(body.drag / body.mass));
     result.frequency = max(result.frequency, sizes_of(body.force, state.time).frequency);
-    if (body.inertia > 0) {
-      result.frequency = max(result.frequency, Real(body.spin_drag / body.inertia));
+    if (has_inertia(body.inertia)) {
+      result.frequency = max(result.frequency, Real(body.spin_drag / least_moment(body)));
       result.frequency = max(result.frequency, sizes_of(body.moment, state.time).frequency);
     }
   }

@@ -8,45 +8,10 @@
 
 namespace tautline {
 
+using series::add_product;
 using series::number;
-
-namespace {
-
-/// Adds the product of two polynomials with all its terms: the power of waves
-/// has twice their frequency, and its series would end too soon.
-template <class Real>
-void add_product(std::vector<Real>& result, const std::vector<Real>& a,
-                 const std::vector<Real>& b) {
-  if (a.empty() || b.empty()) {
-    return;
-  }
-  result.resize(std::max(result.size(), a.size() + b.size() - 1), Real(0));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      result[i + j] += a[i] * b[j];
-    }
-  }
-}
-
-/// The polynomial whose coefficient k is `coefficient(k)`, for k below `count`.
-template <class Real, class Coefficient>
-std::vector<Real> polynomial(std::size_t count, const Coefficient& coefficient) {
-  std::vector<Real> result;
-  result.reserve(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    result.push_back(coefficient(k));
-  }
-  return result;
-}
-
-/// The rate of that polynomial.
-template <class Real, class Coefficient>
-std::vector<Real> rate_of(std::size_t count, const Coefficient& coefficient) {
-  return polynomial<Real>(count - 1,
-                          [&](std::size_t k) { return Real(number(k + 1) * coefficient(k + 1)); });
-}
-
-}  // namespace
+using series::polynomial;
+using series::rate_of;
 
 /// Adds the power of gravity, force, moment and drag on a body [W].
 template <class Real, int D>
@@ -61,13 +26,8 @@ void SystemSeries<Real, D>::add_power(const BodySeries& body, std::vector<Real>&
     });
     add_product(result, force, velocity);
   }
-  if (body.turns) {
-    const auto spin = rate_of<Real>(order_ + 1, [&](std::size_t k) { return body.angle[k]; });
-    const auto moment = polynomial<Real>(order_, [&](std::size_t k) {
-      return Real((body.spinning.empty() ? Real(0) : body.spinning[k][0]) -
-                  body.body->spin_drag * spin[k]);
-    });
-    add_product(result, moment, spin);
+  if (body.turning.turns()) {
+    body.turning.add_power(order_, result);
   }
 }
 
@@ -121,6 +81,6 @@ Real SystemSeries<Real, D>::work(const Real& dt) const {
   return result * dt;
 }
 
-template Instance SystemSeries<Instance, 2>::work(const Instance&) const;
+template Instance SystemSeries<Instance, instance_dimension>::work(const Instance&) const;
 
 }  // namespace tautline

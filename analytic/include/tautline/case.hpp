@@ -89,6 +89,7 @@ struct BasicCase {
   using Gravity = BasicVec2<Real>;       // constant
   static constexpr std::size_t freedoms = 3;          // of the body
   static constexpr std::size_t most_freedoms = 3;     // the same for all cases
+  static constexpr int most_pose_numbers = 3;         // the columns of an arc
   static constexpr bool flies_in_closed_form = true;  // with no cable taut
   static constexpr bool has_several_bodies = false;   // it has one
 

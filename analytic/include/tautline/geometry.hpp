@@ -135,6 +135,13 @@ template <class Real>
   return {-u_rate.x(), -u_rate.y(), -(cross(arm_rate, u) + cross(arm, u_rate))};
 }
 
+/// That rate as one of forces and moments in the world: in the plane the same.
+template <class Real>
+[[nodiscard]] Eigen::Matrix<Real, 3, 1> wrench_rate(const BasicCable<Real>& cable,
+                                                    const BasicState<Real>& state) {
+  return gap_gradient_rate(cable, state);
+}
+
 /// Diagonal of the inverse mass matrix for (x, y, angle) [1/kg, 1/kg, 1/(kg m^2)].
 /// A point mass does not turn: its third entry is 0.
 template <class Real>
@@ -268,6 +275,16 @@ template <class Real>
   state.velocity += gain.template head<2>();
   state.spin += gain[2];
   return state;
+}
+
+/// `there`, a state near `state` with the same velocity, with `gain` added to its velocity and
+/// spin.
+template <class Real>
+[[nodiscard]] BasicState<Real> with_momentum(const BasicBody<Real>& /*body*/,
+                                             BasicState<Real> there,
+                                             const BasicState<Real>& /*state*/,
+                                             const Eigen::Matrix<Real, 3, 1>& gain) {
+  return with_gain(there, gain);
 }
 
 /// `state` after its pose has moved by `step` [m, m, rad].

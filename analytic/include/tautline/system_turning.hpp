@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <type_traits>
 
+#include "tautline/detail/rounding.hpp"
 #include "tautline/geometry.hpp"
 
 // All that differs between bodies in the plane and in space: how they turn. The rest of a system
@@ -30,7 +31,7 @@ template <class Real>
 using BasicQuaternion = Eigen::Matrix<Real, 4, 1>;
 using Quaternion = BasicQuaternion<double>;  // in double
 
-/// Where a body in space is and how it moves.
+/// The place of a body in space, and its motion.
 template <class Real>
 struct BasicSpatialState {
   BasicVector<Real, 3> position = BasicVector<Real, 3>::Zero();  // [m], of the centre of mass
@@ -57,9 +58,9 @@ struct Turning<Real, 2> {
 /// In space a body turns by a quaternion. The axes of a body are its principal axes.
 template <class Real>
 struct Turning<Real, 3> {
-  using Inertia = BasicVector<Real, 3>;      ///< [kg m^2], the principal moments
-  using BodyState = BasicSpatialState<Real>; ///< place and velocity of one body
-  static constexpr int pose_numbers = 10;    ///< of an arc: position, quaternion and spin
+  using Inertia = BasicVector<Real, 3>;       ///< [kg m^2], the principal moments
+  using BodyState = BasicSpatialState<Real>;  ///< place and velocity of one body
+  static constexpr int pose_numbers = 10;     ///< of an arc: position, quaternion and spin
 
   /// The inertia of a point mass.
   [[nodiscard]] static Inertia of_point() { return Inertia::Zero(); }
@@ -201,9 +202,9 @@ template <class Real>
   return spin[0] * perpendicular<Real>(arm);
 }
 template <class Real>
-[[nodiscard]] BasicVector<Real, 3> swept(
-    const BasicSpatialState<Real>& state, const std::type_identity_t<BasicTurn<Real, 3>>& spin,
-    const std::type_identity_t<BasicVector<Real, 3>>& arm) {
+[[nodiscard]] BasicVector<Real, 3> swept(const BasicSpatialState<Real>& state,
+                                         const std::type_identity_t<BasicTurn<Real, 3>>& spin,
+                                         const std::type_identity_t<BasicVector<Real, 3>>& arm) {
   return in_the_world(state, spin).cross(arm);
 }
 
@@ -280,7 +281,10 @@ template <class Real>
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> gyroscopic(const BasicVector<Real, 3>& inertia,
                                             const BasicSpatialState<Real>& state) {
-  return inertia.cwiseProduct(state.spin).cross(state.spin);
+  const BasicVector<Real, 3>& spin = state.spin;
+  return {Real((inertia.y() - inertia.z()) * spin.y() * spin.z()),
+          Real((inertia.z() - inertia.x()) * spin.z() * spin.x()),
+          Real((inertia.x() - inertia.y()) * spin.x() * spin.y())};
 }
 
 /// A bound of the spin's acceleration by that moment [rad/s^2] (S12).
@@ -302,20 +306,18 @@ template <class Real>
   return state;
 }
 template <class Real>
-[[nodiscard]] BasicSpatialState<Real> turned(
-    BasicSpatialState<Real> state, const std::type_identity_t<BasicTurn<Real, 3>>& step) {
-  state.orientation =
-      product<Real>(state.orientation, quaternion_of<Real>(step)).normalized();
+[[nodiscard]] BasicSpatialState<Real> turned(BasicSpatialState<Real> state,
+                                             const std::type_identity_t<BasicTurn<Real, 3>>& step) {
+  state.orientation = product<Real>(state.orientation, quaternion_of<Real>(step)).normalized();
   return state;
 }
 
 /// The spin of a body that is at `there`, where its angular momentum is what it is at `state` and
 /// `gain` more, in the axes of the body at `state`, over the inertia (S18).
 template <class Real>
-[[nodiscard]] BasicTurn<Real, 2> spin_carried(const Real& /*inertia*/,
-                                              const BasicState<Real>& state,
-                                              const BasicState<Real>& /*there*/,
-                                              const std::type_identity_t<BasicTurn<Real, 2>>& gain) {
+[[nodiscard]] BasicTurn<Real, 2> spin_carried(
+    const Real& /*inertia*/, const BasicState<Real>& state, const BasicState<Real>& /*there*/,
+    const std::type_identity_t<BasicTurn<Real, 2>>& gain) {
   return spin_of(state) + gain;
 }
 template <class Real>
@@ -360,8 +362,7 @@ template <class Real>
                                                   const BasicState<Real>& state,
                                                   const BasicVec2<Real>& about) {
   const BasicVec2<Real> from = state.position - about;
-  return BasicTurn<Real, 2>(
-      Real(mass * cross<Real>(from, state.velocity) + inertia * state.spin));
+  return BasicTurn<Real, 2>(Real(mass * cross<Real>(from, state.velocity) + inertia * state.spin));
 }
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> angular_momentum(const Real& mass,
@@ -428,6 +429,58 @@ template <class Real, class Numbers>
           BasicQuaternion<Real>(pose[3], pose[4], pose[5], pose[6]).normalized(),
           {rate[0], rate[1], rate[2]},
           {pose[7], pose[8], pose[9]}};
+}
+
+/// Writes the two coefficients of a body that stays where it is to its columns of an arc; false
+/// where it turns, and its turn is no polynomial.
+template <class Real, class Columns>
+[[nodiscard]] bool write_resting(const BasicState<Real>& state, Columns&& columns) {
+  columns.row(0) << state.position.x(), state.position.y(), state.angle;
+  columns(1, 2) = state.spin;
+  return true;
+}
+template <class Real, class Columns>
+[[nodiscard]] bool write_resting(const BasicSpatialState<Real>& state, Columns&& columns) {
+  columns.row(0) << state.position.transpose(), state.orientation.transpose(),
+      state.spin.transpose();
+  return state.spin.isZero(0);
+}
+
+/// True where a turn by the spin of `state` leaves the point `at` of the body where it is, up to
+/// rounding.
+template <class Real>
+[[nodiscard]] bool is_along(const BasicState<Real>& state,
+                            const std::type_identity_t<BasicVec2<Real>>& at) {
+  return state.spin == 0 || at.isZero(0);
+}
+template <class Real>
+[[nodiscard]] bool is_along(const BasicSpatialState<Real>& state,
+                            const std::type_identity_t<BasicVector<Real, 3>>& at) {
+  return state.spin.cross(at).norm() <=
+         few_roundings * epsilon<Real>() * state.spin.norm() * at.norm();
+}
+
+/// How many freedoms to turn the directions of `arms` notice, one a row: in space one less where
+/// they are on a line.
+template <class Real>
+[[nodiscard]] int turns_held(const Eigen::Matrix<Real, Eigen::Dynamic, 2>& arms) {
+  return arms.isZero(0) ? 0 : 1;
+}
+template <class Real>
+[[nodiscard]] int turns_held(const Eigen::Matrix<Real, Eigen::Dynamic, 3>& arms) {
+  if (arms.isZero(0)) {
+    return 0;
+  }
+  Eigen::Index longest = 0;
+  arms.rowwise().norm().maxCoeff(&longest);
+  const BasicVector<Real, 3> one = arms.row(longest);
+  for (Eigen::Index i = 0; i < arms.rows(); ++i) {
+    const BasicVector<Real, 3> across = one.cross(BasicVector<Real, 3>(arms.row(i)));
+    if (across.norm() > few_roundings * epsilon<Real>() * one.squaredNorm()) {
+      return 3;
+    }
+  }
+  return 2;
 }
 
 /// An inertia in numbers of another type.

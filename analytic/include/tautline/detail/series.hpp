@@ -75,19 +75,24 @@ template <class Real>
   return f.least(horizon) > 0 ? BasicRootSearch<Real>{} : first_root(f, horizon);
 }
 
-/// Points of the plane one after the other among numbers that another owns.
-template <class Real>
+/// Points of D dimensions one after the other among numbers that another owns.
+template <class Real, int D = 2>
 class Points {
  public:
   /// An array of numbers that have to be destroyed begins with how many there are.
   static constexpr int alignment =
       std::is_trivially_destructible_v<Real> ? Eigen::Aligned16 : Eigen::Unaligned;
-  using Point = Eigen::Map<BasicVec2<Real>, alignment>;
+  /// How many numbers a point takes: doubles are kept in pairs.
+  static constexpr std::size_t stride =
+      D == 3 && std::is_trivially_destructible_v<Real> ? 4 : static_cast<std::size_t>(D);
+  using Point = Eigen::Map<Eigen::Matrix<Real, D, 1>, alignment>;
 
   Points() = default;
   explicit Points(Real* first) : first_(first) {}
-  [[nodiscard]] Point operator[](std::size_t k) const { return Point(first_ + 2 * k); }
+  [[nodiscard]] Point operator[](std::size_t k) const { return Point(first_ + stride * k); }
   [[nodiscard]] const Real* data() const { return first_; }
+  /// The numbers of point k.
+  [[nodiscard]] const Real* data(std::size_t k) const { return first_ + stride * k; }
 
  private:
   Real* first_ = nullptr;

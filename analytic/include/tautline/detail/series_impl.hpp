@@ -59,15 +59,86 @@ template <class Real>
   return {even[0], even[1]};
 }
 
+/// A sum of products of points of three or four numbers, number by number; of doubles in pairs.
+template <class Real, int D>
+class SumOfProducts {
+ public:
+  void add(const Real* a, const Real* b) {
+    for (Eigen::Index i = 0; i < D; ++i) {
+      sum_[i] += a[i] * b[i];
+    }
+  }
+  void subtract(const Real* a, const Real* b) {
+    for (Eigen::Index i = 0; i < D; ++i) {
+      sum_[i] -= a[i] * b[i];
+    }
+  }
+  void add_times(const Real& factor, const Real* a) {
+    for (Eigen::Index i = 0; i < D; ++i) {
+      sum_[i] += factor * a[i];
+    }
+  }
+  [[nodiscard]] Eigen::Matrix<Real, D, 1> point() const { return sum_; }
+
+ private:
+  Eigen::Matrix<Real, D, 1> sum_ = Eigen::Matrix<Real, D, 1>::Zero();
+};
+template <int D>
+class SumOfProducts<double, D> {
+ public:
+  void add(const double* a, const double* b) {
+    low_ += Two::at(a) * Two::at(b);
+    high_ += Two::at(a + 2) * Two::at(b + 2);
+  }
+  void subtract(const double* a, const double* b) {
+    low_ -= Two::at(a) * Two::at(b);
+    high_ -= Two::at(a + 2) * Two::at(b + 2);
+  }
+  void add_times(double factor, const double* a) {
+    low_ += factor * Two::at(a);
+    high_ += factor * Two::at(a + 2);
+  }
+  [[nodiscard]] Eigen::Matrix<double, D, 1> point() const {
+    if constexpr (D == 3) {
+      return {low_[0], low_[1], high_[0]};
+    } else {
+      return {low_[0], low_[1], high_[0], high_[1]};
+    }
+  }
+
+ private:
+  using Two = SideBySide<double>;
+  typename Two::Numbers low_ = Two::zero();
+  typename Two::Numbers high_ = Two::zero();
+};
+
+/// The sum of a[j] b[k - j] over j from `first` up to `end`, in space.
+template <class Real>
+[[nodiscard]] Eigen::Matrix<Real, 3, 1> products(const Points<Real, 3>& a, const Points<Real, 3>& b,
+                                                 std::size_t k, std::size_t first,
+                                                 std::size_t end) {
+  SumOfProducts<Real, 3> even;
+  SumOfProducts<Real, 3> odd;
+  std::size_t j = first;
+  for (; j + 1 < end; j += 2) {
+    even.add(a.data(j), b.data(k - j));
+    odd.add(a.data(j + 1), b.data(k - j - 1));
+  }
+  if (j < end) {
+    even.add(a.data(j), b.data(k - j));
+  }
+  return even.point() + odd.point();
+}
+
 /// A small number as one to count with.
 [[nodiscard]] inline double number(std::size_t k) {
   return static_cast<double>(static_cast<int>(k));
 }
 
 /// Half of coefficient k of a^2; k >= 1.
-template <class Real>
-[[nodiscard, gnu::always_inline]] inline Real half_square(const Points<Real>& a, std::size_t k) {
-  const BasicVec2<Real> pairs = products(a, a, k, 0, (k + 1) / 2);
+template <class Real, int D>
+[[nodiscard, gnu::always_inline]] inline Real half_square(const Points<Real, D>& a, std::size_t k) {
+  const Eigen::Matrix<Real, D, 1> pairs = products(a, a, k, 0, (k + 1) / 2);
   return k % 2 == 0 ? Real(pairs.sum() + a[k / 2].squaredNorm() / 2) : Real(pairs.sum());
 }
 

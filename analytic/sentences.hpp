@@ -136,8 +136,10 @@ class Sentences {
     for (std::size_t axis = 0; axis < moments.size(); ++axis) {
       divisor(of_body("inertia[" + std::to_string(axis) + "]"), moments[axis], "[kg m^2]");
     }
-    const double largest = *std::max_element(moments.begin(), moments.end());
-    const double others = moments[0] + moments[1] + moments[2] - largest;
+    std::array<double, 3> sorted = moments;
+    std::sort(sorted.begin(), sorted.end());
+    const double largest = sorted[2];
+    const double others = sorted[0] + sorted[1];
     if (others > 0.0 && largest > others * (1.0 + gap_rounding)) {  // of a plate they are equal
       add(of_body("inertia").words() + ": the largest principal moment, " + text(largest) +
           ", must not be above the sum of the other two, " + text(others) + " [kg m^2]");

@@ -87,6 +87,11 @@ std::optional<Ending> equilibrium(const BasicSystem<Real, D>& system,
   if (!is_constant_from(system, state)) {
     return std::nullopt;
   }
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    if (!(longest_arm(system, i) > 0) && !spins_unnoticed(system, state, i)) {
+      return std::nullopt;  // it tumbles about the centre that it hangs at
+    }
+  }
   if (held.pulling.size() >= freedoms_to_hold(system)) {
     return Ending::rest;
   }

@@ -59,14 +59,20 @@ template <class Real = double>
 /// Every case that ships, by name: `breakwater/<number>` and the others in this file.
 [[nodiscard]] std::vector<Case> shipped_cases();
 
-/// A system that ships.
-struct ShippedSystem {
-  System system;           // as its file has it
-  std::string_view shows;  // in two sentences
+/// A system that ships, of D dimensions.
+template <int D>
+struct BasicShippedSystem {
+  BasicSystem<double, D> system;  // as its file has it
+  std::string_view shows;         // in two sentences
 };
+using ShippedSystem = BasicShippedSystem<2>;         // in the plane
+using ShippedSpatialSystem = BasicShippedSystem<3>;  // in space
 
 /// Every system that ships. No case is one of them: each has several bodies, or something changes
 /// over time.
 [[nodiscard]] std::vector<ShippedSystem> shipped_systems();
+
+/// Every system in space that ships.
+[[nodiscard]] std::vector<ShippedSpatialSystem> shipped_spatial_systems();
 
 }  // namespace tautline

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "support.hpp"
+#include "system/spatial_truths.hpp"
 #include "system/systems.hpp"
 #include "tautline/multiprecision.hpp"
 #include "tautline/scenarios.hpp"
@@ -15,16 +16,19 @@
 namespace tautline::test {
 namespace {
 
-State in_doubles(const BasicState<Multi>& state) {
-  const auto number = [](const Multi& value) { return static_cast<double>(value); };
-  return {{number(state.position.x()), number(state.position.y())},
-          number(state.angle),
-          {number(state.velocity.x()), number(state.velocity.y())},
-          number(state.spin)};
+using test::difference;  // of planar states
+
+/// The largest difference of a number of two states in space.
+double difference(const SpatialState& a, const SpatialState& b) {
+  return std::max({(a.position - b.position).cwiseAbs().maxCoeff(),
+                   angle_between<double>(a.orientation, b.orientation),
+                   (a.velocity - b.velocity).cwiseAbs().maxCoeff(),
+                   (a.spin - b.spin).cwiseAbs().maxCoeff()});
 }
 
 /// The largest difference of times and states over the first `count` impacts.
-double error_after(const System& system, std::size_t count) {
+template <int D>
+double error_after(const BasicSystem<double, D>& system, std::size_t count) {
   const Digits digits(40);
   SolveOptions options;
   options.max_events = 200;
@@ -38,8 +42,8 @@ double error_after(const System& system, std::size_t count) {
     EXPECT_EQ(one.kind, other.kind) << "event " << i;
     most = std::max(most, std::abs(one.time - static_cast<double>(other.time)));
     for (std::size_t body = 0; body < system.bodies.size(); ++body) {
-      most =
-          std::max(most, difference(one.after.bodies[body], in_doubles(other.after.bodies[body])));
+      most = std::max(
+          most, difference(one.after.bodies[body], converted<double>(other.after.bodies[body])));
     }
     impacts += one.kind == EventKind::impact ? 1U : 0U;
     if (impacts == count) {
@@ -59,6 +63,22 @@ TEST(SystemDigits, AgreeOverTwentyImpacts) {
   expect_within("chain", error_after(chain<double>(0.9), 18), 1e-11);
 }
 
+TEST(SystemDigits, AgreeOverTwentyImpactsInSpace) {
+  for (const auto& [system, shows] : shipped_spatial_systems()) {
+    if (system.name == "hoisted-load" || system.name == "tumbling-brick" ||
+        system.name == "moored-buoy" || system.name == "breakwater-in-a-tilted-plane") {
+      expect_within(system.name, error_after(system, 20), 1e-11);
+    }
+  }
+}
+
+TEST(InSpace, FortyDigitsAreThoseOfTheClosedForms) {
+  const Digits digits(40);
+  for (const Difference& one : Differences<Multi>().all()) {
+    expect_within(one.of, one.size, 1e-30);
+  }
+}
+
 /// The largest error of the times and states of `events`, of one body each.
 template <class Events, class BodyOf>
 double error_of(const Events& events, const BasicSolution<BasicSystem<Multi, 2>>& truth,
@@ -68,8 +88,8 @@ double error_of(const Events& events, const BasicSolution<BasicSystem<Multi, 2>>
     const auto& right = truth.events()[i];
     EXPECT_EQ(events[i].kind, right.kind) << "event " << i;
     most = std::max({most, std::abs(static_cast<double>(Multi(events[i].time - right.time))),
-                     difference(body(events[i].before), in_doubles(right.before.bodies[0])),
-                     difference(body(events[i].after), in_doubles(right.after.bodies[0]))});
+                     difference(body(events[i].before), converted<double>(right.before.bodies[0])),
+                     difference(body(events[i].after), converted<double>(right.after.bodies[0]))});
   }
   return most;
 }
@@ -87,8 +107,9 @@ double rounding_grown(const BasicSystem<Multi, 2>& system,
                               &start.velocity.x(), &start.velocity.y(), &start.spin};
     *numbers[number] += rounding;
     const auto moved = solve(nearby, options);
-    most = std::max(most, error_of(moved.events(), truth,
-                                   [](const auto& state) { return in_doubles(state.bodies[0]); }));
+    most = std::max(most, error_of(moved.events(), truth, [](const auto& state) {
+                      return converted<double>(state.bodies[0]);
+                    }));
   }
   return most;
 }

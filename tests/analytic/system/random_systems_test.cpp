@@ -21,8 +21,6 @@
 namespace tautline::test {
 namespace {
 
-using SystemSolution = BasicSolution<System>;
-
 /// What became of many systems.
 struct Tally {
   int solved = 0;
@@ -33,11 +31,12 @@ struct Tally {
   double slowest = 0.0;           // [s] of processor time
 };
 
-void measure(const System& system, Tally& tally) {
+template <int D>
+void measure(const BasicSystem<double, D>& system, Tally& tally) {
   SolveOptions options;
   options.max_events = 2000;
   const std::clock_t start = std::clock();
-  const SystemSolution solution = solve(system, options);
+  const auto solution = solve(system, options);
   tally.slowest = std::max(tally.slowest, static_cast<double>(std::clock() - start) /
                                               static_cast<double>(CLOCKS_PER_SEC));
   ++tally.solved;
@@ -45,8 +44,8 @@ void measure(const System& system, Tally& tally) {
   constexpr int samples = 300;
   for (int k = 0; k <= samples; ++k) {
     const double time = std::min(solution.end_time(), solution.end_time() * k / samples);
-    const SystemState state = solution.at(time);
-    for (const CableOfSystem& cable : system.cables) {
+    const auto state = solution.at(time);
+    for (const auto& cable : system.cables) {
       tally.overstretch =
           std::max(tally.overstretch, -gap(cable, state) / cable.length.at(time)[0]);
     }
@@ -60,6 +59,17 @@ void measure(const System& system, Tally& tally) {
   tally.gained = std::max(tally.gained, -ledger.impacts / range);
 }
 
+void report(const Tally& tally) {
+  std::printf("%d solved; endings:", tally.solved);
+  for (const int count : tally.endings) {
+    std::printf(" %d", count);
+  }
+  std::printf("; slowest %.2f s\n", tally.slowest);
+  expect_within("overstretch [-]", tally.overstretch, 1e-12);
+  expect_within("ledger [-]", tally.residual, 1e-12);
+  expect_within("energy gained in impacts [-]", tally.gained, 1e-12);
+}
+
 TEST(RandomSystems, NeverOverstretchAndTheirLedgersClose) {
   Random random(39);
   Tally tally;
@@ -70,27 +80,44 @@ TEST(RandomSystems, NeverOverstretchAndTheirLedgersClose) {
       measure(system, tally);
     }
   }
-  std::printf("%d solved; endings:", tally.solved);
-  for (const int count : tally.endings) {
-    std::printf(" %d", count);
-  }
-  std::printf("; slowest %.2f s\n", tally.slowest);
   EXPECT_GT(tally.solved, 300);
-  expect_within("overstretch [-]", tally.overstretch, 1e-12);
-  expect_within("ledger [-]", tally.residual, 1e-12);
-  expect_within("energy gained in impacts [-]", tally.gained, 1e-12);
+  report(tally);
+}
+
+TEST(RandomSystems, NeverOverstretchInSpace) {
+  Random random(40);
+  Tally tally;
+  for (int i = 0; i < 1000; ++i) {
+    const SpatialSystem system = random_spatial_system(random);
+    if (problems(system).empty()) {
+      SCOPED_TRACE("system " + std::to_string(i));
+      measure(system, tally);
+    }
+  }
+  EXPECT_GT(tally.solved, 900);
+  report(tally);
+}
+
+/// A point of a body in the world, by matrices.
+Vec2 placed(const State& body, const Vec2& at) {
+  return body.position + Eigen::Rotation2Dd(body.angle) * at;
+}
+Eigen::Vector3d placed(const SpatialState& body, const Eigen::Vector3d& at) {
+  const Quaternion& q = body.orientation;
+  return body.position + Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix() * at;
 }
 
 /// The length of a cable that its ends and rings take up at `state` [m].
-double taken_up(const CableOfSystem& cable, const SystemState& state) {
-  std::vector<Vec2> points;
+template <int D>
+double taken_up(const BasicCableOfSystem<double, D>& cable,
+                const BasicSystemState<double, D>& state) {
+  std::vector<BasicVector<double, D>> points;
   for (std::size_t i = 0; i <= cable.segments(); ++i) {
-    const End& end = cable.end(i);
+    const auto& end = cable.end(i);
     if (end.body) {
-      const State& body = state.bodies[*end.body];
-      points.push_back(body.position + Eigen::Rotation2Dd(body.angle) * end.at);
+      points.push_back(placed(state.bodies[*end.body], end.at));
     } else {
-      points.push_back(end.at + (end.motion.empty() ? Vec2(0.0, 0.0) : end.motion.at(state.time)));
+      points.push_back(end.at + end.motion.at(state.time));
     }
   }
   double length = 0.0;
@@ -100,29 +127,58 @@ double taken_up(const CableOfSystem& cable, const SystemState& state) {
   return length;
 }
 
+/// The acceleration of the spin, from the numbers of an arc, their rates and those of the rates.
+template <class Numbers>
+Eigen::Matrix<double, 1, 1> spin_rate(const State& /*plane*/, const Numbers& /*rate*/,
+                                      const Numbers& second) {
+  return Eigen::Matrix<double, 1, 1>(second[2]);
+}
+template <class Numbers>
+Eigen::Vector3d spin_rate(const SpatialState& /*space*/, const Numbers& rate,
+                          const Numbers& /*second*/) {
+  return rate.template tail<3>();
+}
+
 /// Mass times acceleration, less all forces but those of cables, `dt` after the start of `arc`.
-Eigen::VectorXd pull_along(const System& system, const BasicArc<System>& arc, double dt) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(arc.series.cols());
-  for (Eigen::Index k = arc.series.rows() - 1; k >= 2; --k) {
-    result = dt * result + static_cast<double>(k * (k - 1)) * arc.series.row(k).transpose();
+template <int D>
+Eigen::VectorXd pull_along(const BasicSystem<double, D>& system,
+                           const BasicArc<BasicSystem<double, D>>& arc, double dt) {
+  constexpr int numbers = Turning<double, D>::pose_numbers;
+  Eigen::VectorXd rate = Eigen::VectorXd::Zero(arc.series.cols());
+  Eigen::VectorXd second = rate;
+  for (Eigen::Index k = arc.series.rows() - 1; k >= 1; --k) {
+    const auto row = arc.series.row(k).transpose();
+    rate = dt * rate + static_cast<double>(k) * row;
+    second = k < 2 ? second : Eigen::VectorXd(dt * second + static_cast<double>(k * (k - 1)) * row);
   }
-  const SystemState state = arc.after(dt, system.gravity);
-  Eigen::Index first = 0;
+  const auto state = arc.after(dt, system.gravity);
+  Eigen::VectorXd result = no_change(state);
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
-    const BodyOfSystem& body = system.bodies[i];
-    result.segment<2>(first) =
-        body.mass * (result.segment<2>(first) - system.gravity.at(state.time)) -
-        body.force.at(state.time) + body.drag * state.bodies[i].velocity;
-    result[first + 2] = body.inertia * result[first + 2] - body.moment.at(state.time)[0] +
-                        body.spin_drag * state.bodies[i].spin;
-    first += 3;
+    const auto& body = system.bodies[i];
+    const auto& now = state.bodies[i];
+    const Eigen::Index first = static_cast<Eigen::Index>(i) * freedoms_of_body<D>;
+    const Eigen::Index column = static_cast<Eigen::Index>(i) * numbers;
+    const Eigen::Matrix<double, numbers, 1> rates = rate.segment<numbers>(column);
+    const Eigen::Matrix<double, numbers, 1> seconds = second.segment<numbers>(column);
+    result.segment<D>(first) =
+        body.mass * (seconds.template head<D>() - system.gravity.at(state.time)) -
+        body.force.at(state.time) + body.drag * now.velocity;
+    if (has_inertia(body.inertia)) {
+      result.segment<spins<D>>(first + D) =
+          moments(body.inertia).cwiseProduct(spin_rate(now, rates, seconds)) -
+          gyroscopic(body.inertia, now) - in_the_body(now, body.moment.at(state.time)) +
+          body.spin_drag * spin_of(now);
+    }
   }
   return result;
 }
 
 /// What is looked for on the arcs of motions, between all that the solver looks at.
+template <int D>
 class DenseScan {
  public:
+  using System = BasicSystem<double, D>;
+
   explicit DenseScan(const System& system) : system_(system) {}
 
   /// Looks at `arc` on a grid, and where a cable comes nearest to its length between its points.
@@ -150,11 +206,11 @@ class DenseScan {
 
  private:
   double overstretch(const BasicArc<System>& arc, std::size_t index, double dt) {
-    const CableOfSystem& cable = system_.cables[index];
+    const auto& cable = system_.cables[index];
     if (!cable.acts_at(arc.start)) {
       return -1.0;
     }
-    const SystemState state = arc.after(dt, system_.gravity);
+    const auto state = arc.after(dt, system_.gravity);
     const double length = cable.length.at(state.time)[0];
     const double over = taken_up(cable, state) / length - 1.0;
     most = std::max(most, arc.taut.contains(index) ? std::abs(over) : over);
@@ -164,13 +220,13 @@ class DenseScan {
 
   void look_at_pulls(const BasicArc<System>& arc, double dt) {
     const Eigen::VectorXd pull = pull_along(system_, arc, dt);
-    const SystemState state = arc.after(dt, system_.gravity);
+    const auto state = arc.after(dt, system_.gravity);
     Eigen::MatrixXd rows(pull.size(), static_cast<Eigen::Index>(arc.taut.size()));
     Eigen::Index column = 0;
     for (const std::size_t index : arc.taut) {
       rows.col(column++) = gap_gradient(system_.cables[index], state).transpose();
     }
-    for (const BodyOfSystem& body : system_.bodies) {
+    for (const auto& body : system_.bodies) {
       force_ = std::max(force_, body.mass * system_.gravity.at(state.time).norm());
     }
     force_ = std::max(force_, pull.cwiseAbs().maxCoeff());
@@ -202,23 +258,25 @@ class DenseScan {
   double force_ = 0.0;  // [N], the largest so far
 };
 
-TEST(RandomSystems, SkipNoImpactAndNeverPush) {
-  Random random(3902);
+/// Scans the motions of 200 systems that `draw` gives.
+template <int D, class Draw>
+void scan_random_systems(std::uint64_t seed, const Draw& draw) {
+  Random random(seed);
   double most = -1.0;
   double push = 0.0;
   double amiss = 0.0;
   long long looks = 0;
   int solved = 0;
   while (solved < 200) {
-    const System system = random_system(random);
+    const BasicSystem<double, D> system = draw(random);
     if (!problems(system).empty()) {
       continue;
     }
     SolveOptions options;
     options.max_events = 500;
-    const SystemSolution solution = solve(system, options);
-    DenseScan scan(system);
-    for (const BasicArc<System>& arc : solution.arcs()) {
+    const auto solution = solve(system, options);
+    DenseScan<D> scan(system);
+    for (const auto& arc : solution.arcs()) {
       scan.look_at(arc);
     }
     EXPECT_LE(scan.most, 1e-12) << "system " << solved;
@@ -237,11 +295,17 @@ TEST(RandomSystems, SkipNoImpactAndNeverPush) {
   expect_within("force of nothing [-]", amiss, 1e-7);
 }
 
+TEST(RandomSystems, SkipNoImpactAndNeverPush) { scan_random_systems<2>(3902, random_system); }
+
+TEST(RandomSystems, SkipNoImpactAndNeverPushInSpace) {
+  scan_random_systems<3>(4002, random_spatial_system);
+}
+
 TEST(DenseScan, SeesAnArcThatGoesOnPastItsImpact) {
   const System system = shaken<double>();
-  const SystemSolution solution = solve(system);
+  const auto solution = solve(system);
   BasicArc<System> arc = solution.arcs().front();
-  DenseScan scan(system);
+  DenseScan<2> scan(system);
   scan.look_at(arc);
   EXPECT_LE(scan.most, 1e-12);
   arc.end += 1e-11;

@@ -11,13 +11,13 @@ namespace {
 using Point = BasicVector<double, 3>;
 using One = Function<1>::Value;
 
-constexpr double quarter_turn = std::numbers::pi / 2.0;  // cos(x - quarter_turn) = sin(x)
+constexpr double quarter = std::numbers::pi / 2.0;  // cos(x - quarter) = sin(x)
 
-SpatialEnd on_body(std::size_t body, const Point& at = Point::Zero()) { return {body, at, {}}; }
+SpatialEnd body_end(std::size_t body, const Point& at = Point::Zero()) { return {body, at, {}}; }
 
-SpatialEnd in_world(const Point& at) { return {std::nullopt, at, {}}; }
+SpatialEnd world_end(const Point& at) { return {std::nullopt, at, {}}; }
 
-SpatialCable cable(SpatialEnd from, SpatialEnd to, double length, double restitution) {
+SpatialCable spatial_cable(SpatialEnd from, SpatialEnd to, double length, double restitution) {
   SpatialCable result;
   result.from = std::move(from);
   result.to = std::move(to);
@@ -26,7 +26,7 @@ SpatialCable cable(SpatialEnd from, SpatialEnd to, double length, double restitu
   return result;
 }
 
-SpatialSystem empty_system(const std::string& name, double gravity, double duration) {
+SpatialSystem empty_space(const std::string& name, double gravity, double duration) {
   SpatialSystem result;
   result.name = name;
   result.gravity = Function<3>::constant(Point(0.0, 0.0, -gravity));
@@ -34,8 +34,8 @@ SpatialSystem empty_system(const std::string& name, double gravity, double durat
   return result;
 }
 
-void add_body(SpatialSystem& system, const std::string& name, double mass, const Point& inertia,
-              const SpatialState& start) {
+void add_spatial_body(SpatialSystem& system, const std::string& name, double mass,
+                      const Point& inertia, const SpatialState& start) {
   SpatialBody& body = system.bodies.emplace_back();
   body.name = name;
   body.mass = mass;
@@ -43,7 +43,7 @@ void add_body(SpatialSystem& system, const std::string& name, double mass, const
   system.initial.bodies.push_back(start);
 }
 
-SpatialState at_rest(const Point& position) {
+SpatialState still_at(const Point& position) {
   SpatialState result;
   result.position = position;
   return result;
@@ -64,27 +64,28 @@ Point box(double mass, double x, double y, double z) {
 /// A body on equal cables around its axis, turned by `yaw` and let go, nondimensional.
 SpatialSystem filar(const std::string& name, int cables, double anchors, double attachments,
                     double above, double yaw) {
-  SpatialSystem result = empty_system(name, 1.0, 12.0);
+  SpatialSystem result = empty_space(name, 1.0, 12.0);
   const double drop = 1.0 - anchors * anchors - attachments * attachments +
                       2.0 * anchors * attachments * std::cos(yaw);
-  SpatialState start = at_rest(Point(0.0, 0.0, -std::sqrt(drop) - above));
+  SpatialState start = still_at(Point(0.0, 0.0, -std::sqrt(drop) - above));
   start.orientation = turn(yaw, Point::UnitZ());
-  add_body(result, "body", 1.0, Point(0.014, 0.01, 0.02), start);
+  add_spatial_body(result, "body", 1.0, Point(0.014, 0.01, 0.02), start);
   for (int i = 0; i < cables; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / cables;
     const Point around(std::cos(angle), std::sin(angle), 0.0);
-    result.cables.push_back(cable(on_body(0, attachments * around + Point(0.0, 0.0, above)),
-                                  in_world(anchors * around), 1.0, 0.5));
+    result.cables.push_back(
+        spatial_cable(body_end(0, attachments * around + Point(0.0, 0.0, above)),
+                      world_end(anchors * around), 1.0, 0.5));
   }
   return result;
 }
 
 SpatialSystem spherical_slack() {
-  SpatialSystem result = empty_system("spherical-slack", 1.0, 12.0);
-  SpatialState start = at_rest(Point(0.8, 0.0, -0.6));
+  SpatialSystem result = empty_space("spherical-slack", 1.0, 12.0);
+  SpatialState start = still_at(Point(0.8, 0.0, -0.6));
   start.velocity = Point(0.96, 0.3, 1.28);
-  add_body(result, "ball", 1.0, Point::Zero(), start);
-  result.cables = {cable(on_body(0), in_world(Point::Zero()), 1.0, 0.5)};
+  add_spatial_body(result, "ball", 1.0, Point::Zero(), start);
+  result.cables = {spatial_cable(body_end(0), world_end(Point::Zero()), 1.0, 0.5)};
   return result;
 }
 
@@ -95,34 +96,37 @@ SpatialSystem conical() {
   constexpr double of_cable = 0.478624255703534453;  // [rad] likewise
   constexpr double rate = 0.926550954845583893;      // [rad/s]
   constexpr double arm = 0.3;
-  SpatialSystem result = empty_system("conical", 1.0, 20.0);
+  SpatialSystem result = empty_space("conical", 1.0, 20.0);
   const double radius = std::sin(of_cable) + arm * std::sin(axis);
-  SpatialState start = at_rest(Point(radius, 0.0, -std::cos(of_cable) - arm * std::cos(axis)));
+  SpatialState start = still_at(Point(radius, 0.0, -std::cos(of_cable) - arm * std::cos(axis)));
   start.orientation = turn(-axis, Point::UnitY());
   start.velocity = Point(0.0, rate * radius, 0.0);
   start.spin = rate * Point(std::sin(axis), 0.0, std::cos(axis));
-  add_body(result, "spindle", 1.0, Point(0.03, 0.03, 0.01), start);
-  result.cables = {cable(on_body(0, Point(0.0, 0.0, arm)), in_world(Point::Zero()), 1.0, 0.5)};
+  add_spatial_body(result, "spindle", 1.0, Point(0.03, 0.03, 0.01), start);
+  result.cables = {
+      spatial_cable(body_end(0, Point(0.0, 0.0, arm)), world_end(Point::Zero()), 1.0, 0.5)};
   return result;
 }
 
 SpatialSystem tethered_ball() {
-  SpatialSystem result = empty_system("tethered-ball", 1.0, 6.0);
-  SpatialState start = at_rest(Point(0.2, 0.0, -0.3));
+  SpatialSystem result = empty_space("tethered-ball", 1.0, 6.0);
+  SpatialState start = still_at(Point(0.2, 0.0, -0.3));
   start.velocity = Point(0.5, 0.4, 0.6);
   start.spin = Point(3.0, -4.0, 12.0);
-  add_body(result, "ball", 1.0, Point(0.004, 0.004, 0.004), start);
-  result.cables = {cable(on_body(0, Point(0.1, 0.0, 0.0)), in_world(Point::Zero()), 1.0, 0.7)};
+  add_spatial_body(result, "ball", 1.0, Point(0.004, 0.004, 0.004), start);
+  result.cables = {
+      spatial_cable(body_end(0, Point(0.1, 0.0, 0.0)), world_end(Point::Zero()), 1.0, 0.7)};
   return result;
 }
 
 SpatialSystem dzhanibekov() {
-  SpatialSystem result = empty_system("dzhanibekov", 0.01, 40.0);
-  SpatialState start = at_rest(Point(0.0, 0.0, -0.4));
+  SpatialSystem result = empty_space("dzhanibekov", 0.01, 40.0);
+  SpatialState start = still_at(Point(0.0, 0.0, -0.4));
   start.velocity = Point(0.03, 0.01, 0.02);
   start.spin = Point(0.02, 6.0, 0.01);
-  add_body(result, "box", 1.0, box(1.0, 0.3, 0.2, 0.08), start);
-  result.cables = {cable(on_body(0, Point(0.15, 0.1, 0.04)), in_world(Point::Zero()), 1.0, 0.8)};
+  add_spatial_body(result, "box", 1.0, box(1.0, 0.3, 0.2, 0.08), start);
+  result.cables = {
+      spatial_cable(body_end(0, Point(0.15, 0.1, 0.04)), world_end(Point::Zero()), 1.0, 0.8)};
   return result;
 }
 
@@ -130,23 +134,24 @@ SpatialSystem dzhanibekov() {
 /// moments and its spins, 10, 20 and 30 degrees a second.
 SpatialSystem tumbling_brick() {
   constexpr double degree = std::numbers::pi / 180.0;
-  SpatialSystem result = empty_system("tumbling-brick", 9.81, 6.0);
-  SpatialState start = at_rest(Point(0.0, 0.0, -0.4));
+  SpatialSystem result = empty_space("tumbling-brick", 9.81, 6.0);
+  SpatialState start = still_at(Point(0.0, 0.0, -0.4));
   start.velocity = Point(0.4, 0.2, 3.0);
   start.spin = Point(10.0, 20.0, 30.0) * degree;
-  add_body(result, "brick", 2.26796, Point(0.00256822, 0.00842101, 0.00975466), start);
+  add_spatial_body(result, "brick", 2.26796, Point(0.00256822, 0.00842101, 0.00975466), start);
   const Point corner(0.1016, 0.0508, 0.028575);
-  result.cables = {cable(on_body(0, corner), in_world(Point::Zero()), 1.0, 0.8)};
+  result.cables = {spatial_cable(body_end(0, corner), world_end(Point::Zero()), 1.0, 0.8)};
   return result;
 }
 
 SpatialSystem crane_slings() {
-  SpatialSystem result = empty_system("crane-slings", 9.81, 10.0);
-  add_body(result, "load", 1000.0, box(1000.0, 2.0, 1.0, 0.5), at_rest(Point(0.0, 0.0, -1.55)));
+  SpatialSystem result = empty_space("crane-slings", 9.81, 10.0);
+  add_spatial_body(result, "load", 1000.0, box(1000.0, 2.0, 1.0, 0.5),
+                   still_at(Point(0.0, 0.0, -1.55)));
   const double length = std::sqrt(3.5);
   for (const auto& [x, y] : {std::pair{1.0, 0.5}, {-1.0, 0.5}, {-1.0, -0.5}, {1.0, -0.5}}) {
-    result.cables.push_back(cable(on_body(0, Point(x, y, 0.25)), in_world(Point::Zero()),
-                                  result.cables.empty() ? length - 0.05 : length, 0.2));
+    result.cables.push_back(spatial_cable(body_end(0, Point(x, y, 0.25)), world_end(Point::Zero()),
+                                          result.cables.empty() ? length - 0.05 : length, 0.2));
   }
   return result;
 }
@@ -154,18 +159,18 @@ SpatialSystem crane_slings() {
 /// The cables go from the top of a frame to the corners across, and are a little longer than the
 /// platform at (0, 0, -1.4) needs.
 SpatialSystem parallel_robot() {
-  SpatialSystem result = empty_system("parallel-robot", 9.81, 5.0);
-  SpatialState start = at_rest(Point(0.003, -0.002, -1.38));
+  SpatialSystem result = empty_space("parallel-robot", 9.81, 5.0);
+  SpatialState start = still_at(Point(0.003, -0.002, -1.38));
   start.orientation = turn(0.02, Point(0.6, 0.8, 0.0));
-  add_body(result, "platform", 20.0, box(20.0, 0.5, 0.4, 0.3), start);
+  add_spatial_body(result, "platform", 20.0, box(20.0, 0.5, 0.4, 0.3), start);
   constexpr std::array<double, 8> longer{0.0, 0.004, 0.001, 0.006, 0.003, 0.002, 0.005, 0.0015};
   for (const auto& [x, y] : {std::pair{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}}) {
     for (const double sign : {1.0, -1.0}) {
       const Point at(0.25 * x * sign, -0.2 * y * sign, 0.15 * sign);
       const Point anchor(2.0 * x, 1.5 * y, sign > 0.0 ? 0.0 : -0.1);
       const double length = (Point(0.0, 0.0, -1.4) + at - anchor).norm();
-      result.cables.push_back(cable(on_body(0, at), in_world(anchor),
-                                    length + longer[result.cables.size()], 0.3));
+      result.cables.push_back(spatial_cable(body_end(0, at), world_end(anchor),
+                                            length + longer[result.cables.size()], 0.3));
     }
   }
   return result;
@@ -173,40 +178,40 @@ SpatialSystem parallel_robot() {
 
 /// Nondimensional: the hook is a point mass.
 SpatialSystem hoisted_load() {
-  SpatialSystem result = empty_system("hoisted-load", 1.0, 8.0);
-  SpatialState load = at_rest(Point(0.05, 0.02, -1.35));
+  SpatialSystem result = empty_space("hoisted-load", 1.0, 8.0);
+  SpatialState load = still_at(Point(0.05, 0.02, -1.35));
   load.velocity = Point(0.1, -0.2, 0.1);
   load.spin = Point(0.4, -0.3, 1.0);
-  add_body(result, "load", 2.0, Point(0.08, 0.1, 0.12), load);
-  SpatialState hook = at_rest(Point(0.1, 0.0, -0.85));
+  add_spatial_body(result, "load", 2.0, Point(0.08, 0.1, 0.12), load);
+  SpatialState hook = still_at(Point(0.1, 0.0, -0.85));
   hook.velocity = Point(0.0, 0.1, 0.0);
-  add_body(result, "hook", 0.3, Point::Zero(), hook);
+  add_spatial_body(result, "hook", 0.3, Point::Zero(), hook);
   for (const auto& [x, y] : {std::pair{-0.3, -0.2}, {0.3, -0.2}, {-0.3, 0.2}, {0.3, 0.2}}) {
     const double length = result.cables.size() < 3 ? 0.7 : 0.68;
-    result.cables.push_back(cable(on_body(0, Point(x, y, 0.1)), on_body(1), length, 0.8));
+    result.cables.push_back(spatial_cable(body_end(0, Point(x, y, 0.1)), body_end(1), length, 0.8));
   }
-  SpatialEnd trolley = in_world(Point::Zero());
+  SpatialEnd trolley = world_end(Point::Zero());
   trolley.motion.waves = {{Point(0.15, 0.0, 0.0), 1.5, -0.5}, {Point(0.0, 0.1, 0.02), 2.2, 0.3}};
-  result.cables.push_back(cable(on_body(1), trolley, 1.0, 0.8));
+  result.cables.push_back(spatial_cable(body_end(1), trolley, 1.0, 0.8));
   result.cables.back().length = Function<1>::linear({0.5, 1.5}, {One(1.0), One(0.7)});
   return result;
 }
 
 /// The force is buoyancy, 11 kN, and two waves.
 SpatialSystem moored_buoy() {
-  SpatialSystem result = empty_system("moored-buoy", 9.81, 60.0);
-  add_body(result, "buoy", 800.0, Point(200.0, 200.0, 200.0), at_rest(Point::Zero()));
+  SpatialSystem result = empty_space("moored-buoy", 9.81, 60.0);
+  add_spatial_body(result, "buoy", 800.0, Point(200.0, 200.0, 200.0), still_at(Point::Zero()));
   SpatialBody& buoy = result.bodies.front();
   buoy.drag = 400.0;
   buoy.spin_drag = 100.0;
   buoy.force = Function<3>::constant(Point(0.0, 0.0, 11e3));
   buoy.force.waves = {{Point(1500.0, 0.0, 0.0), 0.8, 0.0},
-                      {Point(0.0, 400.0, 3500.0), 0.8, quarter_turn}};
+                      {Point(0.0, 400.0, 3500.0), 0.8, quarter}};
   for (const auto& [x, y] : {std::pair{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}}) {
     const Point at(0.4 * x, 0.4 * y, 0.0);
     const Point anchor(6.0 * x, 6.0 * y, -8.0);
     result.cables.push_back(
-        cable(on_body(0, at), in_world(anchor), (at - anchor).norm() + 0.2, 0.0));
+        spatial_cable(body_end(0, at), world_end(anchor), (at - anchor).norm() + 0.2, 0.0));
   }
   return result;
 }
@@ -218,19 +223,19 @@ SpatialSystem breakwater_in_a_tilted_plane() {
   Eigen::Matrix3d axes;
   axes << 0.8, 0.36, -0.48, -0.6, 0.48, -0.64, 0.0, 0.8, 0.6;
   const auto place = [&](const Vec2& v) { return Point(axes.leftCols<2>() * v); };
-  SpatialSystem result = empty_system("breakwater-in-a-tilted-plane", 1.0, 8.0);
+  SpatialSystem result = empty_space("breakwater-in-a-tilted-plane", 1.0, 8.0);
   result.gravity = Function<3>::constant(place(planar.gravity.at(0.0)));
   const Eigen::Quaterniond q(axes);
   const State& start = planar.initial.bodies.front();
-  SpatialState body = at_rest(place(start.position));
+  SpatialState body = still_at(place(start.position));
   body.orientation = Quaternion(q.w(), q.x(), q.y(), q.z()).normalized();
   body.velocity = place(start.velocity);
   const double inertia = planar.bodies.front().inertia;
-  add_body(result, "breakwater", 1.0, Point(0.6, 0.7, 1.0) * inertia, body);
+  add_spatial_body(result, "breakwater", 1.0, Point(0.6, 0.7, 1.0) * inertia, body);
   for (const CableOfSystem& one : planar.cables) {
     const Point at(one.from.at.x(), one.from.at.y(), 0.0);
-    result.cables.push_back(cable(on_body(0, at), in_world(place(one.to.at)),
-                                  one.length.at(0.0)[0], one.restitution));
+    result.cables.push_back(spatial_cable(body_end(0, at), world_end(place(one.to.at)),
+                                          one.length.at(0.0)[0], one.restitution));
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #include "bench/base/strict_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bench/base/text.hpp"
@@ -17,11 +18,18 @@ bool has_key(const toml::table* table, std::string_view key) {
   return table != nullptr && table->contains(key);
 }
 
-/// Makes `form` an array of two numbers.
-Form pair_form(Form form, const Range& range) {
+/// "two numbers [x, y]", as a sentence has them; `form` is what they are, if not coordinates.
+std::string so_many_numbers(std::size_t count, std::string_view form = "") {
+  constexpr std::array<std::string_view, 5> words = {"", "", "two", "three", "four"};
+  constexpr std::array<std::string_view, 5> forms = {"", "", "[x, y]", "[x, y, z]", "[w, x, y, z]"};
+  return std::string(words[count]) + " numbers " + std::string(form.empty() ? forms[count] : form);
+}
+
+/// Makes `form` an array of `count` numbers.
+Form form_of_numbers(Form form, std::size_t count, const Range& range) {
   form.kind = Form::Kind::array;
-  form.least = 2;
-  form.most = 2;
+  form.least = count;
+  form.most = count;
   form.inside.push_back({.kind = Form::Kind::number, .range = range});
   return form;
 }
@@ -171,29 +179,29 @@ std::vector<double> StrictTable::numbers(const Key& key, std::string_view unit, 
   return result;
 }
 
-Vec2 StrictTable::pair(const Key& key, std::string_view unit, const Range& range) {
+std::vector<double> StrictTable::numbers_of(const Key& key, std::size_t count,
+                                            std::string_view unit, const Range& range) {
   if (Form* const form = note(Form::Kind::array, key, unit)) {
-    *form = pair_form(std::move(*form), range);
+    *form = form_of_numbers(std::move(*form), count, range);
   }
-  const toml::node* node = find_required(key.name, with_unit("two numbers [x, y]", unit));
-  return node != nullptr ? checked_pair(*node, full_name(key.name), "[x, y]", unit, range)
-                         : Vec2(Vec2::Zero());
+  const toml::node* node = find_required(key.name, with_unit(so_many_numbers(count), unit));
+  return node != nullptr ? checked_numbers(*node, full_name(key.name), count, "", unit, range)
+                         : std::vector<double>(count, 0.0);
 }
 
-std::optional<Vec2> StrictTable::optional_pair(const Key& key, std::string_view unit,
-                                               const Range& range) {
-  return if_there(key, [&] { return pair(key, unit, range); });
-}
-
-std::vector<Vec2> StrictTable::pairs(const Key& key, std::string_view form, std::string_view unit,
-                                     bool required) {
+std::vector<std::vector<double>> StrictTable::all_numbers_of(const Key& key, std::size_t count,
+                                                             std::string_view form,
+                                                             std::string_view unit, bool required) {
+  const std::string numbers = so_many_numbers(count, form);
+  const std::string what = numbers.substr(numbers.find('['));
   if (Form* const notes = note(Form::Kind::array, key, unit)) {
     notes->required = notes->required && required;
     notes->least = 1;
-    notes->inside.push_back(pair_form({.meaning = std::string(form)}, any_number));
+    notes->inside.push_back(form_of_numbers({.meaning = what}, count, any_number));
   }
-  std::vector<Vec2> result;
-  const std::string right = with_unit("an array of pairs " + std::string(form), unit);
+  std::vector<std::vector<double>> result;
+  const std::string right =
+      with_unit("an array of " + std::string(count == 2 ? "pairs " : "points ") + what, unit);
   const toml::node* node = required ? find_required(key.name, right) : find(key.name);
   if (node == nullptr) {
     return result;
@@ -207,7 +215,7 @@ std::vector<Vec2> StrictTable::pairs(const Key& key, std::string_view form, std:
   }
   for (std::size_t index = 0; index < array->size(); ++index) {
     const std::string name = full_name(key.name) + "[" + std::to_string(index) + "]";
-    result.push_back(checked_pair(*array->get(index), name, form, unit));
+    result.push_back(checked_numbers(*array->get(index), name, count, form, unit));
   }
   return result;
 }
@@ -247,7 +255,8 @@ StrictTable StrictTable::table_or_value(const toml::node* node, std::string name
 }
 
 std::vector<StrictTable> StrictTable::tables(const Key& key, std::size_t most,
-                                             const std::string& right, std::string_view inside) {
+                                             const std::string& right, std::string_view inside,
+                                             std::size_t count) {
   if (Form* const form = note(Form::Kind::array, key)) {
     form->least = 1;
     if (most != no_most) {
@@ -283,7 +292,7 @@ std::vector<StrictTable> StrictTable::tables(const Key& key, std::size_t most,
     } else {
       refuse(entry, name,
              "is " + type_name(entry) + ", must be a table" +
-                 (inside.empty() ? "" : " or two numbers [x, y]"));
+                 (inside.empty() ? "" : " or " + so_many_numbers(count)));
     }
   }
   return result;
@@ -291,13 +300,14 @@ std::vector<StrictTable> StrictTable::tables(const Key& key, std::size_t most,
 
 std::vector<StrictTable> StrictTable::optional_tables(const Key& key, std::size_t most,
                                                       const std::string& right,
-                                                      std::string_view inside) {
+                                                      std::string_view inside, std::size_t count) {
   if (form_ != nullptr) {
-    std::vector<StrictTable> described = tables(key, most, right, inside);
+    std::vector<StrictTable> described = tables(key, most, right, inside, count);
     form_->inside.back().required = false;
     return described;
   }
-  return find(key.name) != nullptr ? tables(key, most, right, inside) : std::vector<StrictTable>();
+  return find(key.name) != nullptr ? tables(key, most, right, inside, count)
+                                   : std::vector<StrictTable>();
 }
 
 std::vector<StrictTable> StrictTable::each(std::size_t most) {
@@ -402,6 +412,12 @@ Form* StrictTable::note(Form::Kind kind, const Key& key, std::string_view unit) 
   return &form;
 }
 
+void StrictTable::may_be_missing() {
+  if (form_ != nullptr) {
+    form_->inside.back().required = false;
+  }
+}
+
 template <class Ask>
 auto StrictTable::if_there(const Key& key, const Ask& ask) -> std::optional<decltype(ask())> {
   if (form_ != nullptr) {
@@ -447,20 +463,23 @@ double StrictTable::checked(const toml::node& node, const std::string& name, con
   return *value;
 }
 
-Vec2 StrictTable::checked_pair(const toml::node& node, const std::string& name,
-                               std::string_view form, std::string_view unit, const Range& range) {
+std::vector<double> StrictTable::checked_numbers(const toml::node& node, const std::string& name,
+                                                 std::size_t count, std::string_view form,
+                                                 std::string_view unit, const Range& range) {
+  std::vector<double> result(count, 0.0);
   const toml::array* array = node.as_array();
-  const std::string right = with_unit("two numbers " + std::string(form), unit);
+  const std::string right = with_unit(so_many_numbers(count, form), unit);
   if (array == nullptr) {
     refuse(node, name, "is " + type_name(node) + ", " + right);
-    return Vec2::Zero();
-  }
-  if (array->size() != 2) {
+  } else if (array->size() != count) {
     refuse(node, name, "is an array of length " + std::to_string(array->size()) + ", " + right);
-    return Vec2::Zero();
+  } else {
+    for (std::size_t index = 0; index < count; ++index) {
+      result[index] =
+          checked(*array->get(index), name + "[" + std::to_string(index) + "]", range, unit);
+    }
   }
-  return {checked(*array->get(0), name + "[0]", range, unit),
-          checked(*array->get(1), name + "[1]", range, unit)};
+  return result;
 }
 
 void StrictTable::refuse(const toml::node& node, const std::string& name, const std::string& why) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -10,9 +11,12 @@
 #include "bench/base/form.hpp"
 #include "bench/base/problems.hpp"
 #include "bench/base/toml.hpp"
-#include "tautline/case.hpp"
 
 namespace tautline::bench {
+
+/// N numbers that a file has as an array.
+template <int N>
+using Numbers = Eigen::Matrix<double, N, 1>;
 
 /// The most entries of an array of tables that may have any number of them.
 inline constexpr std::size_t no_most = std::numeric_limits<std::size_t>::max();
@@ -53,9 +57,25 @@ class StrictTable {
   /// `required`.
   [[nodiscard]] std::vector<double> numbers(const Key& key, std::string_view unit,
                                             const Range& range = any_number, bool required = false);
-  [[nodiscard]] Vec2 pair(const Key& key, std::string_view unit, const Range& range = any_number);
-  [[nodiscard]] std::optional<Vec2> optional_pair(const Key& key, std::string_view unit,
-                                                  const Range& range = any_number);
+  /// An array of N numbers, 2 to 4: a point or a direction, or a quaternion.
+  template <int N>
+  [[nodiscard]] Numbers<N> vector(const Key& key, std::string_view unit,
+                                  const Range& range = any_number) {
+    return Numbers<N>(numbers_of(key, N, unit, range).data());
+  }
+  template <int N>
+  [[nodiscard]] std::optional<Numbers<N>> optional_vector(const Key& key, std::string_view unit,
+                                                          const Range& range = any_number) {
+    if (!describes() && !has(key.name)) {
+      return std::nullopt;
+    }
+    const Numbers<N> result = vector<N>(key, unit, range);
+    if (describes()) {
+      may_be_missing();
+      return std::nullopt;
+    }
+    return result;
+  }
   [[nodiscard]] StrictTable table(const Key& key);
   /// A table, or the value of its key `inside` may be there instead of the table: 1.5 for
   /// { value = 1.5 }, if 1.5 is in `range`.
@@ -85,21 +105,31 @@ class StrictTable {
   /// How many of `keys` the table has. It must have one of them: the caller refuses another number.
   [[nodiscard]] std::size_t count(const std::vector<std::string>& keys);
 
-  /// An array of pairs, such as [[0.0, 0.9], [1.0, 0.5]]; empty where the key is missing, which it
-  /// may be unless it is `required`. `form` tells what the two numbers are.
-  [[nodiscard]] std::vector<Vec2> pairs(const Key& key, std::string_view form,
-                                        std::string_view unit, bool required = false);
+  /// An array of those, such as [[0.0, 0.9], [1.0, 0.5]]; empty where the key is missing, which it
+  /// may be unless it is `required`. `form` tells what the numbers are, if not coordinates.
+  template <int N>
+  [[nodiscard]] std::vector<Numbers<N>> vectors(const Key& key, std::string_view unit,
+                                                bool required = false, std::string_view form = "") {
+    std::vector<Numbers<N>> result;
+    for (const std::vector<double>& one : all_numbers_of(key, N, form, unit, required)) {
+      result.emplace_back(one.data());
+    }
+    return result;
+  }
 
   /// One table for each of the 1 to `most` entries of an array; `right` tells what it should hold.
-  /// The pair [x, y] that its key `inside` has may be there instead of a table, unless that is "".
+  /// The `count` coordinates that its key `inside` has may be there instead of a table, unless that
+  /// is "".
   [[nodiscard]] std::vector<StrictTable> tables(const Key& key, std::size_t most,
                                                 const std::string& right,
-                                                std::string_view inside = "");
+                                                std::string_view inside = "",
+                                                std::size_t count = 2);
 
   /// The same; none where the key is missing.
   [[nodiscard]] std::vector<StrictTable> optional_tables(const Key& key, std::size_t most,
                                                          const std::string& right,
-                                                         std::string_view inside = "");
+                                                         std::string_view inside = "",
+                                                         std::size_t count = 2);
 
   /// A table for each entry of the array `each`: what an entry does not say, this table says for
   /// all of them. This table itself where the key is missing.
@@ -127,8 +157,15 @@ class StrictTable {
   const toml::node* find_required(std::string_view key, const std::string& right);
   double checked(const toml::node& node, const std::string& name, const Range& range,
                  std::string_view unit);
-  Vec2 checked_pair(const toml::node& node, const std::string& name, std::string_view form,
-                    std::string_view unit, const Range& range = any_number);
+  std::vector<double> numbers_of(const Key& key, std::size_t count, std::string_view unit,
+                                 const Range& range);
+  std::vector<std::vector<double>> all_numbers_of(const Key& key, std::size_t count,
+                                                  std::string_view form, std::string_view unit,
+                                                  bool required);
+  std::vector<double> checked_numbers(const toml::node& node, const std::string& name,
+                                      std::size_t count, std::string_view form,
+                                      std::string_view unit, const Range& range = any_number);
+  void may_be_missing();
   void refuse(const toml::node& node, const std::string& name, const std::string& why);
   [[nodiscard]] std::string full_name(std::string_view key) const;
   void refuse_unknown_keys(const toml::table& table);

@@ -1,8 +1,10 @@
 #include "bench/cases/case_tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -15,8 +17,11 @@
 namespace tautline::bench {
 namespace {
 
-constexpr Key gravity_key = {"gravity", "the acceleration, x and y"};
-constexpr Key anchor_key = {"anchor", "the end in the world, x and y"};
+constexpr Key gravity_key = {
+    "gravity",
+    "the acceleration; its two or three numbers say whether the case is in the plane or in "
+    "space"};
+constexpr Key anchor_key = {"anchor", "the end in the world"};
 constexpr Key attachment_key = {
     "attachment", "the end on the body, from its centre of mass, in the body's frame"};
 constexpr Key length_key = {"length", "the length at which the cable is taut"};
@@ -34,9 +39,22 @@ void ask_with(StrictTable& table, std::string_view key, const Ask& ask) {
   }
 }
 
-/// One number, or two, as a function of N numbers has them.
+/// N numbers, as a function of N numbers has them; one is no array.
 template <int N>
-struct Ask;
+struct Ask {
+  using Value = typename Function<N>::Value;
+  static Value one(StrictTable& table, const Key& key, std::string_view unit,
+                   const Range& /*range*/ = any_number) {
+    return table.vector<N>(key, unit);
+  }
+  static std::optional<Value> optional_one(StrictTable& table, const Key& key,
+                                           std::string_view unit) {
+    return table.optional_vector<N>(key, unit);
+  }
+  static std::vector<Value> several(StrictTable& table, const Key& key, std::string_view unit) {
+    return table.vectors<N>(key, unit, true);
+  }
+};
 
 template <>
 struct Ask<1> {
@@ -56,22 +74,6 @@ struct Ask<1> {
       result.emplace_back(number);
     }
     return result;
-  }
-};
-
-template <>
-struct Ask<2> {
-  using Value = Vec2;
-  static Value one(StrictTable& table, const Key& key, std::string_view unit,
-                   const Range& /*range*/ = any_number) {
-    return table.pair(key, unit);
-  }
-  static std::optional<Value> optional_one(StrictTable& table, const Key& key,
-                                           std::string_view unit) {
-    return table.optional_pair(key, unit);
-  }
-  static std::vector<Value> several(StrictTable& table, const Key& key, std::string_view unit) {
-    return table.pairs(key, "[x, y]", unit, true);
   }
 };
 
@@ -191,15 +193,21 @@ Function<N> read_optional_function(StrictTable& table, const Key& key, std::stri
 }
 
 /// Reads the ends of cables.
+template <int D>
 class EndReader {
  public:
-  explicit EndReader(const std::vector<BodyOfSystem>& bodies) {
+  using End = BasicEnd<double, D>;
+  using Point = typename Function<D>::Value;
+
+  explicit EndReader(const std::vector<BasicBodyOfSystem<double, D>>& bodies) {
     for (std::size_t index = 0; index < bodies.size(); ++index) {
-      names_.push_back(name_in_file(bodies, index));
+      names_.push_back(name_in_file(bodies[index].name, index, bodies.size()));
     }
   }
 
   [[nodiscard]] std::size_t bodies() const { return names_.size(); }
+
+  static constexpr const char* example = D == 2 ? "[0.1, 0.0]" : "[0.1, 0.0, 0.0]";
 
   /// An end in the world: where it is by itself, or a table.
   static End in_world(StrictTable table) {
@@ -215,14 +223,14 @@ class EndReader {
     if (!table.describes() &&
         table.refuse_other_than_array(
             "must be a table such as { body = \"" + (names_.empty() ? "ball" : names_.front()) +
-            "\", at = [0.1, 0.0] }, or a point [x, y] of the world [m]")) {
+            "\", at = " + example + " }, or a point " + coordinates + " of the world [m]")) {
       return end;
     }
     if (table.describes() || table.has("body")) {
       read_body(table, end);
     }
     if (end.body) {
-      end.at = table.optional_pair({"at", at_meaning}, "[m]").value_or(Vec2(Vec2::Zero()));
+      end.at = table.optional_vector<D>({"at", at_meaning}, "[m]").value_or(Point(Point::Zero()));
       for (const char* const key : {"waves", "times", "values", "spline", "pieces"}) {
         table.refuse_value(key, "is for an end in the world; leave it out, or leave body out");
       }
@@ -234,9 +242,10 @@ class EndReader {
   }
 
  private:
+  static constexpr const char* coordinates = D == 2 ? "[x, y]" : "[x, y, z]";
   static constexpr std::string_view at_meaning =
-      "the constant part of its place, x and y; on a body from its centre of mass, in the body's "
-      "frame; default 0";
+      "the constant part of its place; on a body from its centre of mass, in the body's frame; "
+      "default 0";
 
   void read_body(StrictTable& table, End& end) const {
     const std::optional<std::string> name =
@@ -263,10 +272,10 @@ class EndReader {
   static void read_place(StrictTable& table, End& end) {
     const Key key = {"at", at_meaning};
     if (table.is_short()) {
-      end.at = table.pair(key, "[m]");
+      end.at = table.vector<D>(key, "[m]");
     } else {
-      end.at = table.optional_pair(key, "[m]").value_or(Vec2(Vec2::Zero()));
-      end.motion = read_changes<2>(table, "[m]", std::nullopt);
+      end.at = table.optional_vector<D>(key, "[m]").value_or(Point(Point::Zero()));
+      end.motion = read_changes<D>(table, "[m]", std::nullopt);
     }
   }
 
@@ -279,7 +288,8 @@ class EndReader {
 };
 
 /// How a cable names its ends; says what is wrong with both forms at once.
-void read_ends(StrictTable& table, CableOfSystem& cable, const EndReader& ends) {
+template <int D>
+void read_ends(StrictTable& table, BasicCableOfSystem<double, D>& cable, const EndReader<D>& ends) {
   const auto has_one = [&](std::initializer_list<std::string_view> keys) {
     return std::any_of(keys.begin(), keys.end(), [&](auto key) { return table.has(key); });
   };
@@ -291,15 +301,16 @@ void read_ends(StrictTable& table, CableOfSystem& cable, const EndReader& ends) 
                              (ends.bodies() > 1 && !has_one({"anchor", "attachment"})));
   if (!by_ends) {
     ask_with(table, "anchor", [&] {
-      cable.to = EndReader::in_world(table.table_or(anchor_key, "at", true));
-      cable.from.at = table.pair(attachment_key, "[m]");
+      cable.to = EndReader<D>::in_world(table.table_or(anchor_key, "at", true));
+      cable.from.at = table.vector<D>(attachment_key, "[m]");
       cable.from.body = 0;
     });
     if (!table.describes() && ends.bodies() > 1) {
       table.refuse_value("attachment", "is for the only body of a file, which has " +
                                            std::to_string(ends.bodies()) +
                                            "; must be from and to, such as from = { body = \""
-                                           "ball\", at = [0.1, 0.0] }");
+                                           "ball\", at = " +
+                                           EndReader<D>::example + " }");
     }
   }
   if (by_ends || table.describes()) {
@@ -307,7 +318,7 @@ void read_ends(StrictTable& table, CableOfSystem& cable, const EndReader& ends) 
       cable.from = ends.anywhere(table.table_or({"from", "the first end"}, "at", true));
       for (StrictTable& ring : table.optional_tables(
                {"through", "rings that the cable runs through without friction, in order"}, no_most,
-               "must be tables, each a point of a body or of the world", "at")) {
+               "must be tables, each a point of a body or of the world", "at", D)) {
         cable.through.push_back(ends.anywhere(std::move(ring)));
       }
       cable.to = ends.anywhere(table.table_or({"to", "the last end"}, "at", true));
@@ -322,15 +333,16 @@ void read_ends(StrictTable& table, CableOfSystem& cable, const EndReader& ends) 
 /// A cable, and whether it starts taut.
 template <class TheCase>
 std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const TheCase& the_case) {
-  constexpr bool is_system = std::is_same_v<TheCase, System>;
+  constexpr bool is_system = !std::is_same_v<TheCase, Case>;
   typename TheCase::Cable cable;
   if constexpr (is_system) {
-    read_ends(table, cable, EndReader(the_case.bodies));
+    constexpr int dimension = TheCase::Vector::RowsAtCompileTime;
+    read_ends(table, cable, EndReader<dimension>(the_case.bodies));
     cable.length =
         read_function<1>(table.table_or(length_key, "value", true, above_zero), "[m]", above_zero);
   } else {
-    cable.anchor = table.pair(anchor_key, "[m]");
-    cable.attachment = table.pair(attachment_key, "[m]");
+    cable.anchor = table.vector<2>(anchor_key, "[m]");
+    cable.attachment = table.vector<2>(attachment_key, "[m]");
     cable.length = table.number(length_key, above_zero, "[m]");
   }
   cable.restitution = table.number(
@@ -344,7 +356,7 @@ std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const Th
           .value_or(0.0);
   const Key by_speed = {"restitution_table",
                         "replaces restitution: pairs of speed and restitution, in rising speed"};
-  for (const Vec2& point : table.pairs(by_speed, "[speed, restitution]", "[m/s, -]")) {
+  for (const Vec2& point : table.vectors<2>(by_speed, "[m/s, -]", false, "[speed, restitution]")) {
     cable.restitution_table.push_back({point.x(), point.y()});
   }
   bool taut = false;
@@ -364,21 +376,61 @@ std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const Th
   return {std::move(cable), taut};
 }
 
-State read_state(StrictTable& table) {
-  State state;
-  state.position = table.pair({"position", "of the centre of mass, x and y"}, "[m]");
+void read_orientation(StrictTable& table, State& state) {
   state.angle = table.optional_number({"angle", "anticlockwise; default 0"}, any_number, "[rad]")
                     .value_or(0.0);
-  state.velocity =
-      table.optional_pair({"velocity", "of the centre of mass, x and y; default 0"}, "[m/s]")
-          .value_or(Vec2(Vec2::Zero()));
+}
+
+/// As a quaternion, which typed digits leave a little off a length of 1, or as an axis times an
+/// angle.
+void read_orientation(StrictTable& table, SpatialState& state) {
+  const auto typed = table.optional_vector<4>(
+      {"orientation", "the turn from the body's axes to the world's, a unit quaternion w, x, y, z"},
+      "");
+  const auto rotation = table.optional_vector<3>(
+      {"rotation", "the same as an axis times an angle; instead of orientation"}, "[rad]");
+  if (typed) {
+    constexpr double by_digits = 1e-6;  // [-]
+    const double length = typed->norm();
+    if (length > 0.0 && std::abs(length - 1.0) > by_digits) {
+      table.refuse_value("orientation", "has the length " + shortest(length) +
+                                            ", must be 1: a unit quaternion w, x, y, z");
+    }
+    const bool exact = std::abs(length - 1.0) <= 2.0 * std::numeric_limits<double>::epsilon();
+    state.orientation = exact ? *typed : Quaternion(*typed / (length > 0.0 ? length : 1.0));
+    table.refuse_value("rotation", "is there with orientation, must be one of the two");
+  } else if (rotation) {
+    state.orientation = quaternion_of<double>(*rotation);
+  }
+}
+
+void read_spin(StrictTable& table, State& state) {
   state.spin = table.optional_number({"spin", "anticlockwise; default 0"}, any_number, "[rad/s]")
                    .value_or(0.0);
+}
+
+void read_spin(StrictTable& table, SpatialState& state) {
+  state.spin = table.optional_vector<3>({"spin", "in the body's axes; default 0"}, "[rad/s]")
+                   .value_or(Numbers<3>(Numbers<3>::Zero()));
+}
+
+template <class TheState>
+TheState read_state(StrictTable& table) {
+  TheState state;
+  using Vector = decltype(state.position);
+  constexpr int dimension = Vector::RowsAtCompileTime;
+  state.position = table.vector<dimension>({"position", "of the centre of mass"}, "[m]");
+  read_orientation(table, state);
+  state.velocity =
+      table.optional_vector<dimension>({"velocity", "of the centre of mass; default 0"}, "[m/s]")
+          .value_or(Vector(Vector::Zero()));
+  read_spin(table, state);
   return state;
 }
 
 /// Reads what moves a body, besides cables and gravity.
-void read_loads(StrictTable& table, BodyOfSystem& body) {
+template <int D>
+void read_loads(StrictTable& table, BasicBodyOfSystem<double, D>& body) {
   body.drag = table
                   .optional_number({"drag", "the drag per speed of the centre of mass; default 0"},
                                    zero_or_above, "[N s/m]")
@@ -388,13 +440,32 @@ void read_loads(StrictTable& table, BodyOfSystem& body) {
           .optional_number({"spin_drag", "the moment against the spin, per spin; default 0"},
                            zero_or_above, "[N m s]")
           .value_or(0.0);
-  body.force = read_optional_function<2>(
-      table, {"force", "on the centre of mass, x and y, over time; default 0"}, "[N]");
-  body.moment = read_optional_function<1>(
-      table, {"moment", "on the body, anticlockwise, over time; default 0"}, "[N m]");
+  body.force = read_optional_function<D>(
+      table, {"force", "on the centre of mass, over time; default 0"}, "[N]");
+  body.moment = read_optional_function<spins<D>>(
+      table, {"moment", "on the body, anticlockwise or in the world's axes, over time; default 0"},
+      "[N m]");
 }
 
 constexpr std::string_view inertia_meaning = "about the centre of mass; 0 makes a point mass";
+
+/// In the plane one number.
+void read_inertia(StrictTable& table, bool required, double& inertia) {
+  const Key key = {"inertia", inertia_meaning};
+  const Key optional = {"inertia", "about the centre of mass; 0 makes a point mass; default 0"};
+  inertia = required ? table.number(key, zero_or_above, "[kg m^2]")
+                     : table.optional_number(optional, zero_or_above, "[kg m^2]").value_or(0.0);
+}
+
+/// In space three, the principal moments.
+void read_inertia(StrictTable& table, bool /*required*/, Numbers<3>& inertia) {
+  inertia = table
+                .optional_vector<3>({"inertia",
+                                     "about the body's axes through its centre of mass, which are "
+                                     "its principal axes; default 0, a point mass"},
+                                    "[kg m^2]", zero_or_above)
+                .value_or(Numbers<3>(Numbers<3>::Zero()));
+}
 
 /// The only body.
 template <class TheBody>
@@ -402,36 +473,35 @@ TheBody read_only_body(StrictTable& root) {
   StrictTable table = root.table({"body", "the rigid body"});
   TheBody body;
   body.mass = table.number({"mass", "the mass"}, above_zero, "[kg]");
-  body.inertia = table.number({"inertia", inertia_meaning}, zero_or_above, "[kg m^2]");
-  if constexpr (std::is_same_v<TheBody, BodyOfSystem>) {
+  read_inertia(table, true, body.inertia);
+  if constexpr (!std::is_same_v<TheBody, Body>) {
     read_loads(table, body);
   }
   table.refuse_unknown_keys();
   return body;
 }
 
-State read_only_start(StrictTable& root) {
+template <class TheState>
+TheState read_only_start(StrictTable& root) {
   StrictTable table = root.table({"initial", "the start, at t = 0"});
-  State state = read_state(table);
+  TheState state = read_state<TheState>(table);
   table.refuse_unknown_keys();
   return state;
 }
 
 /// [[bodies]], each with its start.
-void read_bodies(StrictTable& root, System& system) {
+template <class TheSystem>
+void read_bodies(StrictTable& root, TheSystem& system) {
   const std::string right = "must be 1 to " + std::to_string(max_bodies) +
                             " tables [[bodies]], each with mass and position";
   for (StrictTable& table :
        root.tables({"bodies", "1 to 8 rigid bodies, instead of body"}, max_bodies, right)) {
-    BodyOfSystem& body = system.bodies.emplace_back();
+    auto& body = system.bodies.emplace_back();
     body.name = table.optional_text({"name", "by which cables name the body"}).value_or("");
     body.mass = table.number({"mass", "the mass"}, above_zero, "[kg]");
-    body.inertia = table
-                       .optional_number({"inertia", std::string(inertia_meaning) + "; default 0"},
-                                        zero_or_above, "[kg m^2]")
-                       .value_or(0.0);
+    read_inertia(table, false, body.inertia);
     read_loads(table, body);
-    system.initial.bodies.push_back(read_state(table));
+    system.initial.bodies.push_back(read_state<typename TheSystem::State::Body>(table));
     table.refuse_unknown_keys();
     const auto first = std::find_if(system.bodies.begin(), system.bodies.end(),
                                     [&](const auto& other) { return other.name == body.name; });
@@ -478,9 +548,44 @@ constexpr Key ceiling_key = {"ceiling", "the run ends when an attachment rises t
 
 }  // namespace
 
-std::string name_in_file(const std::vector<BodyOfSystem>& bodies, std::size_t index) {
-  const std::string& name = bodies[index].name;
-  return !name.empty() ? name : bodies.size() == 1 ? "body" : "body " + std::to_string(index);
+std::string name_in_file(const std::string& name, std::size_t index, std::size_t bodies) {
+  return !name.empty() ? name : bodies == 1 ? "body" : "body " + std::to_string(index);
+}
+
+/// The numbers of the first vector inside of `node`; none: it has none.
+static std::optional<std::size_t> numbers_in(const toml::node* node) {
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  if (const toml::array* array = node->as_array(); array != nullptr && !array->empty()) {
+    return array->get(0)->is_number() ? std::optional(array->size()) : numbers_in(array->get(0));
+  }
+  for (const char* const key : {"value", "values", "waves", "amplitude", "pieces", "polynomial"}) {
+    if (const auto found = numbers_in(node_inside(node, key))) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_in_space(const toml::table& file) {
+  bool has_points = false;
+  bool has_points_in_space = false;
+  const auto look_at = [&](const toml::node* table, std::string_view key) {
+    const auto numbers = numbers_in(node_inside(table, key));
+    has_points = has_points || numbers;
+    has_points_in_space = has_points_in_space || numbers == 3U;
+  };
+  look_at(file.get("initial"), "position");
+  for (const char* const list : {"bodies", "cables"}) {
+    const toml::array* entries = file[list].as_array();
+    for (std::size_t index = 0; entries != nullptr && index < entries->size(); ++index) {
+      for (const char* const key : {"position", "anchor", "attachment"}) {
+        look_at(entries->get(index), key);
+      }
+    }
+  }
+  return numbers_in(file.get("gravity")) == 3U && (has_points_in_space || !has_points);
 }
 
 std::optional<SystemKey> system_key(const toml::table& file) {
@@ -490,7 +595,8 @@ std::optional<SystemKey> system_key(const toml::table& file) {
   if (const toml::node* bodies = file.get("bodies")) {
     return key_of(*bodies, "bodies");
   }
-  if (const toml::node* gravity = file.get("gravity"); gravity && gravity->is_table()) {
+  if (const toml::node* gravity = file.get("gravity");
+      gravity != nullptr && (gravity->is_table() || is_in_space(file))) {
     return key_of(*gravity, "gravity");
   }
   for (const char* const key : {"drag", "spin_drag", "force", "moment"}) {
@@ -518,25 +624,27 @@ std::optional<SystemKey> system_key(const toml::table& file) {
 
 CaseTables<Case> read_case_tables(StrictTable root) {
   const auto read_bodies = [&](Case& the_case) {
-    the_case.gravity = root.pair(gravity_key, "[m/s^2]");
+    the_case.gravity = root.vector<2>(gravity_key, "[m/s^2]");
     the_case.angle_limit = root.optional_number(angle_limit_key, above_zero, "[rad]");
     the_case.ceiling = root.optional_number(ceiling_key, any_number, "[m]");
     the_case.body = read_only_body<Body>(root);
   };
-  const auto read_start = [&](Case& the_case) { the_case.initial = read_only_start(root); };
+  const auto read_start = [&](Case& the_case) { the_case.initial = read_only_start<State>(root); };
   return read_tables<Case>(root, "anchor, attachment, ", true, read_bodies, read_start);
 }
 
-System read_system_tables(StrictTable root) {
+template <class TheSystem>
+TheSystem read_system_tables(StrictTable root) {
+  constexpr int dimension = TheSystem::Vector::RowsAtCompileTime;
   const bool describes = root.describes();
   const bool has_bodies = !describes && root.has("bodies");
-  const auto read_only = [&](System& system) {
-    system.bodies = {read_only_body<BodyOfSystem>(root)};
-    system.initial.bodies = {read_only_start(root)};
+  const auto read_only = [&](TheSystem& system) {
+    system.bodies = {read_only_body<typename TheSystem::Body>(root)};
+    system.initial.bodies = {read_only_start<typename TheSystem::State::Body>(root)};
     root.needs("body", "cables");
   };
-  const auto read_all_bodies = [&](System& system) {
-    system.gravity = read_function<2>(root.table_or(gravity_key, "value", true), "[m/s^2]");
+  const auto read_all_bodies = [&](TheSystem& system) {
+    system.gravity = read_function<dimension>(root.table_or(gravity_key, "value", true), "[m/s^2]");
     if (describes) {
       static_cast<void>(root.optional_number(angle_limit_key, above_zero, "[rad]"));
       static_cast<void>(root.optional_number(ceiling_key, any_number, "[m]"));
@@ -556,15 +664,46 @@ System read_system_tables(StrictTable root) {
       root.refuse_value("initial", "is there with bodies, which have the start; leave it out");
     }
   };
-  return read_tables<System>(root, "from and to, or anchor and attachment, ",
-                             !has_bodies && !describes, read_all_bodies, [](System&) {})
+  return read_tables<TheSystem>(root, "from and to, or anchor and attachment, ",
+                                !has_bodies && !describes, read_all_bodies, [](TheSystem&) {})
       .the_case;
+}
+template System read_system_tables(StrictTable root);
+template SpatialSystem read_system_tables(StrictTable root);
+
+/// What both forms of a value take, in the plane and in space.
+static Form either_form(Form one, const Form& other) {
+  if (one.kind != other.kind) {
+    one.also = {other};
+    return one;
+  }
+  one.required = one.required && other.required;
+  one.meaning += one.meaning != other.meaning ? " or " + other.meaning : "";
+  if (one.kind == Form::Kind::array) {
+    one.least = std::min(one.least, other.least);
+    one.most =
+        one.most && other.most ? std::optional(std::max(*one.most, *other.most)) : std::nullopt;
+    one.inside.front() = either_form(one.inside.front(), other.inside.front());
+    return one;
+  }
+  for (const Form& key : other.inside) {
+    const auto same = std::find_if(one.inside.begin(), one.inside.end(),
+                                   [&](const Form& mine) { return mine.key == key.key; });
+    if (same == one.inside.end()) {
+      one.inside.push_back(key);
+    } else {
+      *same = either_form(*same, key);
+    }
+  }
+  return one;
 }
 
 Form case_form() {
-  Form form;
-  static_cast<void>(read_system_tables(StrictTable(form)));
-  return form;
+  Form in_plane;
+  Form in_space;
+  static_cast<void>(read_system_tables<System>(StrictTable(in_plane)));
+  static_cast<void>(read_system_tables<SpatialSystem>(StrictTable(in_space)));
+  return either_form(std::move(in_plane), in_space);
 }
 
 }  // namespace tautline::bench

@@ -145,18 +145,28 @@ CaseReading read_as_case(const toml::table& file, const std::string& source_name
 }
 
 /// Reads any other file.
+template <class TheSystem>
+std::optional<TheSystem> read_as(const toml::table& file, FileProblems& wrong) {
+  auto result = read_system_tables<TheSystem>(StrictTable(&file, "", wrong));
+  if (wrong.empty()) {
+    for (const std::string& sentence : problems(result)) {
+      wrong.add(line_of_system_problem(file, sentence), sentence);
+    }
+  }
+  return wrong.empty() ? std::optional(std::move(result)) : std::nullopt;
+}
+
 SystemReading read_as_system(const toml::table& file, CableSet taut, FileProblems& wrong) {
   SystemReading result;
-  result.system = read_system_tables(StrictTable(&file, "", wrong));
   for (const std::size_t index : taut) {
     wrong.add(0, "cable " + std::to_string(index) +
                      " cannot start taut: must be a cable of a case, one [body] where all is "
                      "constant");
   }
-  if (wrong.empty()) {
-    for (const std::string& sentence : problems(*result.system)) {
-      wrong.add(line_of_system_problem(file, sentence), sentence);
-    }
+  if (is_in_space(file)) {
+    result.in_space = read_as<SpatialSystem>(file, wrong);
+  } else {
+    result.system = read_as<System>(file, wrong);
   }
   if (!wrong.empty()) {
     return {.problems = wrong.sentences()};

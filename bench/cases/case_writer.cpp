@@ -20,15 +20,18 @@ std::string number(double value) {
   return text.find_first_not_of("+-0123456789") == std::string::npos ? text + ".0" : text;
 }
 
-std::string pair(const Vec2& value) {
-  return "[" + number(value.x()) + ", " + number(value.y()) + "]";
+/// An array, or one number by itself.
+template <int N>
+std::string value_of(const Eigen::Matrix<double, N, 1>& value) {
+  std::string result;
+  for (const double one : value) {
+    result += (result.empty() ? "" : ", ") + number(one);
+  }
+  return N == 1 ? result : "[" + result + "]";
 }
-
-std::string value_of(const Vec2& value) { return pair(value); }
-std::string value_of(const Function<1>::Value& value) { return number(value[0]); }
 std::string value_of(double value) { return number(value); }
 std::string value_of(const RestitutionPoint& point) {
-  return pair({point.speed, point.restitution});
+  return value_of(Vec2(point.speed, point.restitution));
 }
 std::string value_of(const std::string& text) { return text; }
 
@@ -137,17 +140,24 @@ void add_restitution(const TheCable& cable, Members& members) {
 }
 
 void add_state(const State& state, Members& members) {
-  members.add("position", pair(state.position));
+  members.add("position", value_of(state.position));
   members.add("angle", number(state.angle));
-  members.add("velocity", pair(state.velocity));
+  members.add("velocity", value_of(state.velocity));
   members.add("spin", number(state.spin));
+}
+
+void add_state(const SpatialState& state, Members& members) {
+  members.add("position", value_of(state.position));
+  members.add("orientation", value_of(state.orientation));
+  members.add("velocity", value_of(state.velocity));
+  members.add("spin", value_of(state.spin));
 }
 
 std::string case_text(const Case& the_case, Syntax syntax) {
   Members root(syntax);
   root.add("name", toml_string(the_case.name));
   root.add("duration", number(the_case.duration));
-  root.add("gravity", pair(the_case.gravity));
+  root.add("gravity", value_of(the_case.gravity));
   if (the_case.angle_limit) {
     root.add("angle_limit", number(*the_case.angle_limit));
   }
@@ -162,8 +172,8 @@ std::string case_text(const Case& the_case, Syntax syntax) {
   std::vector<Members> cables;
   for (const Cable& cable : the_case.cables) {
     Members& members = cables.emplace_back(syntax);
-    members.add("anchor", pair(cable.anchor));
-    members.add("attachment", pair(cable.attachment));
+    members.add("anchor", value_of(cable.anchor));
+    members.add("attachment", value_of(cable.attachment));
     members.add("length", number(cable.length));
     add_restitution(cable, members);
   }
@@ -264,15 +274,18 @@ std::string function_text(const Function<N>& function, Syntax syntax) {
 }
 
 /// Writes what a system has.
+template <int D>
 class SystemWriter {
  public:
+  using System = BasicSystem<double, D>;
+
   SystemWriter(const System& system, Syntax syntax) : system_(system), syntax_(syntax) {}
 
   [[nodiscard]] std::string text() const {
     Members root(syntax_);
     root.add("name", toml_string(system_.name));
     root.add("duration", number(system_.duration));
-    root.add("gravity", function_text<2>(system_.gravity, syntax_));
+    root.add("gravity", function_text<D>(system_.gravity, syntax_));
     Tables tables(syntax_, root);
     std::vector<Members> bodies;
     for (std::size_t index = 0; index < system_.bodies.size(); ++index) {
@@ -280,7 +293,7 @@ class SystemWriter {
     }
     tables.add("bodies", bodies);
     std::vector<Members> cables;
-    for (const CableOfSystem& one : system_.cables) {
+    for (const auto& one : system_.cables) {
       cables.push_back(cable(one));
     }
     tables.add("cables", cables);
@@ -288,31 +301,36 @@ class SystemWriter {
   }
 
  private:
-  [[nodiscard]] Members body(const BodyOfSystem& body, const State& start) const {
+  [[nodiscard]] Members body(const typename System::Body& body,
+                             const typename System::State::Body& start) const {
     Members members(syntax_);
     if (!body.name.empty()) {
       members.add("name", toml_string(body.name));
     }
     members.add("mass", number(body.mass));
-    members.add_unless_zero("inertia", body.inertia);
+    if constexpr (D == 2) {
+      members.add_unless_zero("inertia", body.inertia);
+    } else if (has_inertia(body.inertia)) {
+      members.add("inertia", value_of(body.inertia));
+    }
     members.add_unless_zero("drag", body.drag);
     members.add_unless_zero("spin_drag", body.spin_drag);
     if (!body.force.empty()) {
-      members.add("force", function_text<2>(body.force, syntax_));
+      members.add("force", function_text<D>(body.force, syntax_));
     }
     if (!body.moment.empty()) {
-      members.add("moment", function_text<1>(body.moment, syntax_));
+      members.add("moment", function_text<spins<D>>(body.moment, syntax_));
     }
     add_state(start, members);
     return members;
   }
 
-  [[nodiscard]] Members cable(const CableOfSystem& cable) const {
+  [[nodiscard]] Members cable(const typename System::Cable& cable) const {
     Members members(syntax_);
     members.add("from", end(cable.from));
     if (!cable.through.empty()) {
       std::vector<std::string> rings;
-      for (const End& ring : cable.through) {
+      for (const auto& ring : cable.through) {
         rings.push_back(end(ring));
       }
       members.add("through", list(rings));
@@ -329,16 +347,17 @@ class SystemWriter {
     return members;
   }
 
-  [[nodiscard]] std::string end(const End& end) const {
+  [[nodiscard]] std::string end(const BasicEnd<double, D>& end) const {
     Members members(syntax_);
     if (end.body) {
-      members.add("body", toml_string(name_in_file(system_.bodies, *end.body)));
+      members.add("body", toml_string(name_in_file(system_.bodies[*end.body].name, *end.body,
+                                                   system_.bodies.size())));
     }
-    members.add("at", pair(end.at));
+    members.add("at", value_of(end.at));
     if (!end.motion.pieces.empty()) {
-      add_pieces<2>(end.motion.pieces, syntax_, members);
+      add_pieces<D>(end.motion.pieces, syntax_, members);
     }
-    add_waves<2>(end.motion, syntax_, members);
+    add_waves<D>(end.motion, syntax_, members);
     return members.inside();
   }
 
@@ -360,11 +379,17 @@ std::string write_case_json(const Case& the_case) {
 }
 
 std::string write_system(const System& system) {
-  return bench::SystemWriter(system, bench::Syntax::toml).text();
+  return bench::SystemWriter<2>(system, bench::Syntax::toml).text();
+}
+std::string write_system(const SpatialSystem& system) {
+  return bench::SystemWriter<3>(system, bench::Syntax::toml).text();
 }
 
 std::string write_system_json(const System& system) {
-  return bench::SystemWriter(system, bench::Syntax::json).text();
+  return bench::SystemWriter<2>(system, bench::Syntax::json).text();
+}
+std::string write_system_json(const SpatialSystem& system) {
+  return bench::SystemWriter<3>(system, bench::Syntax::json).text();
 }
 
 }  // namespace tautline

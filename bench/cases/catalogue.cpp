@@ -20,13 +20,12 @@ bool is_case_file(const std::string& argument) {
   return argument.ends_with(".toml") || fs::exists(fs::path(argument), ignored);
 }
 
-std::optional<System> shipped_system(const std::string& argument) {
-  for (ShippedSystem& one : shipped_systems()) {
-    if (one.system.name == argument) {
-      return std::move(one.system);
-    }
-  }
-  return std::nullopt;
+/// The system of this name, if `shipped` has it.
+template <class Shipped>
+auto named(const std::vector<Shipped>& shipped, const std::string& name) {
+  const auto found = std::find_if(shipped.begin(), shipped.end(),
+                                  [&](const Shipped& one) { return one.system.name == name; });
+  return found != shipped.end() ? std::optional(found->system) : std::nullopt;
 }
 
 bool is_glob(const std::string& argument) {
@@ -51,13 +50,10 @@ class Selector {
       add_file(argument);
     } else if (is_glob(argument)) {
       add_matches(argument);
-    } else if (auto system = shipped_system(argument)) {
-      if (kinds_ == Kinds::cases_alone) {
-        problems_.push_back(printable(argument) +
-                            " is a system; must be a case here: one body, and "
-                            "constants alone");
-      }
-      add_system(std::move(*system), "a shipped system");
+    } else if (auto system = named(shipped_systems(), argument)) {
+      add_shipped(std::move(*system), systems_);
+    } else if (auto in_space = named(shipped_spatial_systems(), argument)) {
+      add_shipped(std::move(*in_space), in_space_);
     } else {
       const std::string near = suggestion(argument, names_);
       problems_.push_back(
@@ -86,6 +82,7 @@ class Selector {
         result.cases.push_back(std::move(chosen.the_case));
       }
       result.systems = std::move(systems_);
+      result.in_space = std::move(in_space_);
     }
     return result;
   }
@@ -133,11 +130,14 @@ class Selector {
     SystemReading reading = read_system(path, taut_);
     const bool is_case = reading.the_case.has_value();
     add_read(reading, path);
+    if (!is_case && reading.problems.empty() && !taut_.empty()) {
+      problems_.push_back(printable(path) + ": is a system; --taut is for cases alone");
+    }
     if (!is_case && reading.system) {
-      if (!taut_.empty()) {
-        problems_.push_back(printable(path) + ": is a system; --taut is for cases alone");
-      }
-      add_system(std::move(*reading.system), printable(path));
+      add_system(std::move(*reading.system), printable(path), systems_);
+    }
+    if (reading.in_space) {
+      add_system(std::move(*reading.in_space), printable(path), in_space_);
     }
   }
 
@@ -151,11 +151,22 @@ class Selector {
     notes_.insert(notes_.end(), reading.notes.begin(), reading.notes.end());
   }
 
-  void add_system(System system, const std::string& source) {
-    const bool known = std::any_of(systems_.begin(), systems_.end(),
-                                   [&](const System& other) { return other.name == system.name; });
+  template <class TheSystem>
+  void add_shipped(TheSystem system, std::vector<TheSystem>& same_kind) {
+    if (kinds_ == Kinds::cases_alone) {
+      problems_.push_back(printable(system.name) +
+                          " is a system; must be a case here: one body, and constants alone");
+    }
+    add_system(std::move(system), "a shipped system", same_kind);
+  }
+
+  template <class TheSystem>
+  void add_system(TheSystem system, const std::string& source, std::vector<TheSystem>& same_kind) {
+    const auto has_its_name = [&](const auto& other) { return other.name == system.name; };
+    const bool known = std::any_of(systems_.begin(), systems_.end(), has_its_name) ||
+                       std::any_of(in_space_.begin(), in_space_.end(), has_its_name);
     if (!known) {
-      systems_.push_back(std::move(system));
+      same_kind.push_back(std::move(system));
     } else if (source != "a shipped system") {
       problems_.push_back(source + ": name = \"" + printable(system.name) +
                           "\" is also the name of another system; two systems of one selection "
@@ -185,6 +196,7 @@ class Selector {
   std::vector<fs::path> read_;      // files seen so far
   std::vector<Chosen> files_;
   std::vector<System> systems_;
+  std::vector<SpatialSystem> in_space_;
   std::vector<std::string> problems_;
   std::vector<std::string> notes_;
 };

@@ -12,10 +12,11 @@ namespace tautline::bench {
 
 /// The cases that a command line names, or all that is wrong with it.
 struct CaseSelection {
-  std::vector<Case> cases;              // shipped ones in catalogue order, then files as given
-  std::vector<std::string> problems;    // sentences; `cases` is empty unless this is
-  std::vector<std::string> notes = {};  // sentences on starts that were changed to be taut
-  std::vector<System> systems = {};     // shipped ones and files, as given
+  std::vector<Case> cases;                   // shipped ones in catalogue order, then files as given
+  std::vector<std::string> problems;         // sentences; `cases` is empty unless this is
+  std::vector<std::string> notes = {};       // sentences on starts that were changed to be taut
+  std::vector<System> systems = {};          // shipped ones and files, as given
+  std::vector<SpatialSystem> in_space = {};  // likewise
 };
 
 /// The kinds that a command takes.

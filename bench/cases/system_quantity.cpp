@@ -204,8 +204,9 @@ std::size_t how_many(const System& system, Owner owner) {
 /// The name of a quantity of one body, cable or wave: a body may be called as a quantity is.
 std::string name_of_one(const System& system, const SystemQuantity& quantity, std::size_t index) {
   const std::string name(quantity.name);
-  return quantity.owner == Owner::bodies ? name_in_file(system.bodies, index) + "." + name
-                                         : name + "_" + std::to_string(index);
+  return quantity.owner == Owner::bodies
+             ? name_in_file(system.bodies[index].name, index, system.bodies.size()) + "." + name
+             : name + "_" + std::to_string(index);
 }
 
 /// A name of quantities_of, as it is understood.

@@ -107,8 +107,4 @@ std::string title_of(const Case& the_case) {
   return title;
 }
 
-std::string title_of(const ShippedSystem& one) {
-  return std::string(one.shows.substr(0, one.shows.find(". ") + 1));
-}
-
 }  // namespace tautline::bench

@@ -12,6 +12,20 @@ namespace tautline::bench {
 [[nodiscard]] std::string title_of(const Case& the_case);
 
 /// The first of the sentences on a system.
-[[nodiscard]] std::string title_of(const ShippedSystem& one);
+template <int D>
+[[nodiscard]] std::string title_of(const BasicShippedSystem<D>& one) {
+  return std::string(one.shows.substr(0, one.shows.find(". ") + 1));
+}
+
+/// All systems that ship, in the plane and then in space, for `use`.
+template <class Use>
+void each_shipped_system(const Use& use) {
+  for (const ShippedSystem& one : shipped_systems()) {
+    use(one);
+  }
+  for (const ShippedSpatialSystem& one : shipped_spatial_systems()) {
+    use(one);
+  }
+}
 
 }  // namespace tautline::bench

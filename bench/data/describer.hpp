@@ -27,11 +27,19 @@ inline Json schema_of(const std::string& /*value*/) { return {{"type", "string"}
 inline Json list_of(Json one) { return {{"type", "array"}, {"items", std::move(one)}}; }
 inline Json schema_of(const CableSet& /*value*/) { return list_of(schema_of(std::size_t())); }
 inline Json schema_of(const CableVector& /*values*/) { return list_of(schema_of(double())); }
-inline Json schema_of(const Vec2& /*value*/) {
+inline Json schema_of_numbers(int count) {
   Json schema = list_of(schema_of(double()));
-  schema["minItems"] = 2;
-  schema["maxItems"] = 2;
+  schema["minItems"] = count;
+  schema["maxItems"] = count;
   return schema;
+}
+template <int N>
+requires(N > 0) Json schema_of(const Eigen::Matrix<double, N, 1>& /*value*/) {
+  return schema_of_numbers(N);
+}
+template <int N>
+requires(N > 0) Json schema_of(const std::vector<Eigen::Matrix<double, N, 1>>& /*values*/) {
+  return list_of(schema_of_numbers(N));
 }
 
 inline Json or_nothing(Json schema) {

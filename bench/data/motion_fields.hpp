@@ -7,6 +7,7 @@
 #include "bench/data/says.hpp"
 #include "tautline/case.hpp"
 #include "tautline/settling.hpp"
+#include "tautline/system_turning.hpp"
 
 // The members of cases, states and settling by their names in JSON. A visitor is called with each
 // name, member, and what the schema says of it: Writer, Reader and Describer are such visitors.
@@ -24,6 +25,15 @@ void fields(Visitor& visit, State& state) {
   visit("angle", state.angle, "[rad]");
   visit("velocity", state.velocity, "[m/s]");
   visit("spin", state.spin, "[rad/s]");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, SpatialState& state) {
+  visit("position", state.position, "of the centre of mass [m]");
+  visit("orientation", state.orientation,
+        "from the body's axes to the world's, a unit quaternion w, x, y, z");
+  visit("velocity", state.velocity, "[m/s]");
+  visit("spin", state.spin, "in the body's axes [rad/s]");
 }
 
 template <class Visitor>

@@ -29,7 +29,10 @@ inline Json json_of(std::size_t value) { return value; }
 inline Json json_of(std::int32_t value) { return value; }
 inline Json json_of(bool value) { return value; }
 inline Json json_of(const std::string& value) { return value; }
-inline Json json_of(const Vec2& value) { return Json::array({value.x(), value.y()}); }
+template <int N>
+requires(N > 0) Json json_of(const Eigen::Matrix<double, N, 1>& value) {
+  return Json(std::vector<double>(value.begin(), value.end()));
+}
 inline Json json_of(CableSet value) { return value.indices(); }
 inline Json json_of(const CableVector& values) {
   Json list = Json::array();

@@ -86,6 +86,10 @@ std::optional<AnyCase> read_case(StrictTable& root, const std::filesystem::path&
   }
   CaseSelection selection = select_cases({&name, 1}, {}, Kinds::cases_and_systems);
   const std::size_t meant = selection.cases.size() + selection.systems.size();
+  if (!selection.in_space.empty()) {
+    selection.problems.push_back(printable(name) +
+                                 " is a system in space; must be a case, or a system in the plane");
+  }
   if (meant > 1) {
     selection.problems.push_back(fmt::format("means {} cases, must mean one", meant));
   }
@@ -112,7 +116,7 @@ std::vector<double> evenly(const Vec2& ends, double points) {
 }
 
 Vec2 rising_pair(StrictTable& table, const Key& key) {
-  Vec2 ends = table.optional_pair(key, "", number_of_pair).value_or(Vec2(0.0, 1.0));
+  Vec2 ends = table.optional_vector<2>(key, "", number_of_pair).value_or(Vec2(0.0, 1.0));
   if (ends.x() >= ends.y()) {
     table.refuse_value(key.name, "must be two numbers [low, high] with low below high");
   }
@@ -267,10 +271,10 @@ void read_engines(StrictTable table, const std::filesystem::path& source, Ensemb
 
 void read_speeds(StrictTable& root, EnsembleSpec& spec) {
   const Vec2 speeds =
-      root.optional_pair({"speeds",
-                          "two falling speeds: slower impacts are not counted; default "
-                          "[0.01, 0.001]"},
-                         "[m/s]", number_of_pair)
+      root.optional_vector<2>({"speeds",
+                               "two falling speeds: slower impacts are not counted; default "
+                               "[0.01, 0.001]"},
+                              "[m/s]", number_of_pair)
           .value_or(Vec2(spec.speeds[0], spec.speeds[1]));
   spec.speeds = {speeds.x(), speeds.y()};
   if (speeds.x() <= speeds.y() || speeds.y() < 1e-3) {

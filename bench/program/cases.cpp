@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "bench/base/listed.hpp"
 #include "bench/base/table.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/cases/title.hpp"
@@ -33,23 +32,22 @@ std::string case_list(const TerminalStyle& style) {
 /// The systems, a paragraph each: its name, and the first of the two sentences on it.
 std::string system_list(const TerminalStyle& style) {
   std::string result = "systems\n";
-  for (const ShippedSystem& one : shipped_systems()) {
-    result += fmt::format("{}: {}\n", one.system.name, title_of(one));
-  }
+  each_shipped_system(
+      [&](const auto& one) { result += fmt::format("{}: {}\n", one.system.name, title_of(one)); });
   return wrapped_lines(result, style.text, 2);
 }
 
 /// The file of a shipped system, below comments on what it shows; "" for any other name.
 std::string system_file(const std::string& name) {
-  const std::vector<ShippedSystem> systems = shipped_systems();
-  const ShippedSystem* const found = find_by(
-      systems, [](const ShippedSystem& one) { return one.system.name; }, name);
-  if (found == nullptr) {
-    return "";
-  }
-  const std::string title = title_of(*found);
-  return fmt::format("# {}\n#{}\n{}", title, found->shows.substr(title.size()),
-                     write_system(found->system));
+  std::string result;
+  each_shipped_system([&](const auto& one) {
+    if (one.system.name == name) {
+      const std::string title = title_of(one);
+      result = fmt::format("# {}\n#{}\n{}", title, one.shows.substr(title.size()),
+                           write_system(one.system));
+    }
+  });
+  return result;
 }
 
 int cases_command(const CasesCommand& command) {

@@ -44,9 +44,8 @@ Offers cases_and_files(bool systems) {
     offers.emplace_back(the_case.name, title_of(the_case));
   }
   if (systems) {
-    for (const ShippedSystem& one : shipped_systems()) {
-      offers.emplace_back(one.system.name, title_of(one));
-    }
+    each_shipped_system(
+        [&](const auto& one) { offers.emplace_back(one.system.name, title_of(one)); });
   }
   return offers;
 }

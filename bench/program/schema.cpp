@@ -73,6 +73,13 @@ Json schema_of_form(const Form& form) {
   if (!form.meaning.empty()) {
     schema["description"] = form.meaning;
   }
+  if (!form.also.empty()) {
+    Form alone = form;
+    alone.also.clear();
+    alone.meaning.clear();
+    schema["anyOf"] = {schema_of_form(alone), schema_of_form(form.also.front())};
+    return schema;
+  }
   switch (form.kind) {
     case Form::Kind::text:
       schema["type"] = "string";

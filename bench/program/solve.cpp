@@ -129,20 +129,26 @@ CaseSelection wanted_cases(const SolveCommand& command) {
       broken.push_back(several ? printable(found.name) + ": " + sentence : sentence);
     }
   }
-  for (System& found : selection.systems) {
-    found.duration = command.until.value_or(found.duration);
-    for (const std::string& sentence : problems(found)) {
-      broken.push_back(printable(found.name) + ": " + sentence);
+  const auto end_earlier = [&](auto& systems) {
+    for (auto& found : systems) {
+      found.duration = command.until.value_or(found.duration);
+      for (const std::string& sentence : problems(found)) {
+        broken.push_back(printable(found.name) + ": " + sentence);
+      }
     }
+  };
+  end_earlier(selection.systems);
+  end_earlier(selection.in_space);
+  if (!selection.in_space.empty() && !command.plots.empty()) {
+    broken.emplace_back("--plot: draws motions in the plane, not in space");
   }
-  if (!selection.systems.empty()) {
+  if (!selection.systems.empty() || !selection.in_space.empty()) {
     append(broken, for_cases_alone(command));
   } else if (command.fast && broken.empty()) {
     broken.push_back("--fast: is for systems alone; cases have bounds of their errors without it");
   }
   if (complain(broken)) {
-    selection.cases.clear();
-    selection.systems.clear();
+    selection = {};
   }
   return selection;
 }
@@ -274,9 +280,10 @@ std::optional<std::vector<double>> times_within(const SolveCommand& command, dou
 }
 
 /// The summary of a system first, and below it what was asked for.
-void print_solution(const SolveCommand& command, const CheckedMotion& motion,
+template <int D>
+void print_solution(const SolveCommand& command, const BasicCheckedMotion<D>& motion,
                     const std::vector<double>& times) {
-  const System& system = motion.system();
+  const auto& system = motion.system();
   const TerminalStyle style = output_style();
   const auto count = [](std::size_t number, const char* word) {
     return fmt::format("{} {}{}", number, word, number == 1 ? "" : "s");
@@ -291,22 +298,30 @@ void print_solution(const SolveCommand& command, const CheckedMotion& motion,
              events_text(motion, command.events, style));
 }
 
+/// The picture of a motion in the plane.
+std::string picture_svg(const Picture& picture, const CheckedMotion& motion) {
+  const SystemMotion drawn = {motion.system(), motion.solution(), motion.settling(),
+                              motion.is_checked() ? motion.horizon() : std::nullopt};
+  return picture.motion ? plot_motion_svg(drawn) : plot_svg(drawn);
+}
+
+/// None is asked for in space.
+std::string picture_svg(const Picture& /*picture*/, const BasicCheckedMotion<3>& /*motion*/) {
+  return "";
+}
+
 /// Solves one system of `command` and writes what is asked of it.
-Solved solve_one(const SolveCommand& command, const System& system) {
+template <int D>
+Solved solve_one(const SolveCommand& command, const BasicSystem<double, D>& system) {
   const SolveOptions options = options_of(command);
   const int digits = command.certify ? command.digits.value_or(default_digits) : digits_of_systems;
-  const CheckedMotion motion(system, options, command.fast ? 0 : digits);
+  const BasicCheckedMotion<D> motion(system, options, command.fast ? 0 : digits);
   const auto times = times_within(command, system.duration, motion.solution());
   if (!times) {
     return {exit_usage, ""};
   }
-  const SystemMotion drawn = {motion.system(), motion.solution(), motion.settling(),
-                              motion.is_checked() ? motion.horizon() : std::nullopt};
   const bool to_output = write_files(
-      command, system.name,
-      [&](const Picture& picture) {
-        return picture.motion ? plot_motion_svg(drawn) : plot_svg(drawn);
-      },
+      command, system.name, [&](const Picture& picture) { return picture_svg(picture, motion); },
       [&] { return samples_csv(motion, *times); });
   if (command.json.empty() && !to_output) {
     print_solution(command, motion, *times);
@@ -379,10 +394,14 @@ int solve_command(const SolveCommand& command) {
     append(broken, times_for(command, the_case.duration).problems);
     names.push_back(the_case.name);
   }
-  for (const System& system : selection.systems) {
-    append(broken, times_for(command, system.duration).problems);
-    names.push_back(system.name);
-  }
+  const auto name_all = [&](const auto& systems) {
+    for (const auto& system : systems) {
+      append(broken, times_for(command, system.duration).problems);
+      names.push_back(system.name);
+    }
+  };
+  name_all(selection.systems);
+  name_all(selection.in_space);
   if (names.empty()) {
     return exit_usage;
   }
@@ -412,13 +431,19 @@ int solve_command(const SolveCommand& command) {
   for (const Case& the_case : cases) {
     take([&] { return solve_one(command, the_case, argument_of(command, the_case)); });
   }
-  for (const System& system : selection.systems) {
-    try {
-      take([&] { return solve_one(command, system); });
-    } catch (const std::invalid_argument& error) {  // a law that does not take it
-      complain({printable(system.name) + ": " + error.what()});
-      return exit_usage;
+  const auto take_all = [&](const auto& systems) {
+    for (const auto& system : systems) {
+      try {
+        take([&] { return solve_one(command, system); });
+      } catch (const std::invalid_argument& error) {  // a law that does not take it
+        complain({printable(system.name) + ": " + error.what()});
+        return false;
+      }
     }
+    return true;
+  };
+  if (!take_all(selection.systems) || !take_all(selection.in_space)) {
+    return exit_usage;
   }
   if (!all.empty()) {
     write_output(command.json, all + "\n]\n");

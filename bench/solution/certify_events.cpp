@@ -135,5 +135,6 @@ bool Alignment<TheCase, InDigits>::between_same_events(double time) const {
 
 template class Alignment<Case, BasicCase<Multi>>;
 template class Alignment<System, BasicSystem<Multi, 2>>;
+template class Alignment<SpatialSystem, BasicSystem<Multi, 3>>;
 
 }  // namespace tautline::bench

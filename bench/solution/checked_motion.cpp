@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "bench/data/coordinates.hpp"
@@ -30,7 +31,8 @@ double completion_of(int digits) {
 }
 
 /// The name of body `index` in tables.
-std::string name_of(const System& system, std::size_t index) {
+template <int D>
+std::string name_of(const BasicSystem<double, D>& system, std::size_t index) {
   const std::string& name = system.bodies[index].name;
   if (system.bodies.size() == 1) {
     return "";
@@ -39,9 +41,9 @@ std::string name_of(const System& system, std::size_t index) {
 }
 
 /// The numbers of a sample in the order of `names`.
-template <class Real>
-std::vector<Real> numbers_of(const BasicSystem<Real, 2>& system,
-                             const BasicSystemState<Real, 2>& state, CableSet taut,
+template <class Real, int D>
+std::vector<Real> numbers_of(const BasicSystem<Real, D>& system,
+                             const BasicSystemState<Real, D>& state, CableSet taut,
                              const BasicCableVector<Real>& tensions) {
   std::vector<Real> result;
   for (const auto& body : state.bodies) {
@@ -60,22 +62,22 @@ std::vector<Real> numbers_of(const BasicSystem<Real, 2>& system,
 }
 
 /// The tension of all cables, none of them taut.
-template <class Real>
-BasicCableVector<Real> no_tensions(const BasicSystem<Real, 2>& system) {
+template <class Real, int D>
+BasicCableVector<Real> no_tensions(const BasicSystem<Real, D>& system) {
   return BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(system.cables.size()));
 }
 
-template <class Real>
-std::vector<Real> numbers_at(const BasicSystem<Real, 2>& system,
-                             const BasicSolution<BasicSystem<Real, 2>>& solution,
+template <class Real, int D>
+std::vector<Real> numbers_at(const BasicSystem<Real, D>& system,
+                             const BasicSolution<BasicSystem<Real, D>>& solution,
                              const Real& time) {
   return numbers_of(system, solution.at(time), taut_at(solution, time), solution.tensions(time));
 }
 
 /// They on one side of event `index`.
-template <class Real>
-std::vector<Real> numbers_at(const BasicSystem<Real, 2>& system,
-                             const BasicSolution<BasicSystem<Real, 2>>& solution, std::size_t index,
+template <class Real, int D>
+std::vector<Real> numbers_at(const BasicSystem<Real, D>& system,
+                             const BasicSolution<BasicSystem<Real, D>>& solution, std::size_t index,
                              Side side) {
   const auto& event = solution.events()[index];
   const auto& arcs = solution.arcs();
@@ -95,45 +97,47 @@ std::vector<Real> numbers_at(const BasicSystem<Real, 2>& system,
 }
 
 /// The length of the longest cable [m].
-double size_of(const System& system, const SystemState& state) {
+template <int D>
+double size_of(const BasicSystem<double, D>& system, const BasicSystemState<double, D>& state) {
   double length = 0.0;
-  for (const CableOfSystem& cable : system.cables) {
+  for (const auto& cable : system.cables) {
     length = std::max(length, cable.length.at(state.time)[0]);
   }
-  for (const State& body : state.bodies) {
+  for (const auto& body : state.bodies) {
     length = length > 0.0 ? length : body.position.norm();
   }
   return length;
 }
 
 /// The speed of the fastest body, or of its turn [m/s].
-double speed_of(const System& system, const SystemState& state) {
+template <int D>
+double speed_of(const BasicSystem<double, D>& system, const BasicSystemState<double, D>& state) {
   const double length = size_of(system, state);
   double speed = 0.0;
-  for (const State& body : state.bodies) {
-    speed = std::max({speed, body.velocity.norm(), std::abs(body.spin) * length});
+  for (const auto& body : state.bodies) {
+    speed = std::max({speed, body.velocity.norm(), spin_size(body) * length});
   }
   return speed;
 }
 
 /// How far the states of two solutions are apart [-], whose largest speed is `speed` [m/s]: at rest
 /// they have none of their own.
-double distance(const System& system, const SystemState& one,
-                const BasicSystemState<Multi, 2>& other, double speed) {
+template <int D>
+double distance(const BasicSystem<double, D>& system, const BasicSystemState<double, D>& one,
+                const BasicSystemState<Multi, D>& other, double speed) {
   const double length = size_of(system, one);
   double result = 0.0;
   for (std::size_t i = 0; i < one.bodies.size(); ++i) {
-    const State& a = one.bodies[i];
-    const BasicState<Multi>& b = other.bodies[i];
-    const auto off = [](double x, const Multi& y) {
-      return std::abs(static_cast<double>(Multi(x - y)));
-    };
-    for (int axis = 0; axis < 2; ++axis) {
-      result = std::max(result, off(a.position[axis], b.position[axis]) / std::max(length, 1e-300));
-      result = std::max(result, off(a.velocity[axis], b.velocity[axis]) / std::max(speed, 1e-300));
+    const auto mine = coordinates(one.bodies[i]);
+    const auto theirs = coordinates(other.bodies[i]);
+    for (std::size_t k = 0; k < mine.size(); ++k) {
+      const bool is_length = std::string_view(mine[k].unit).starts_with("m");
+      const double scale = mine[k].is_rate ? (is_length ? speed : speed / length)
+                           : is_length     ? length
+                                           : 1.0;
+      const Multi off = abs(Multi(mine[k].value - theirs[k].value));
+      result = std::max(result, static_cast<double>(off) / std::max(scale, 1e-300));
     }
-    result = std::max(result, off(a.angle, b.angle));
-    result = std::max(result, off(a.spin, b.spin) * length / std::max(speed, 1e-300));
   }
   return result;
 }
@@ -168,14 +172,16 @@ std::vector<Bounded> agreeing(const std::vector<double>& numbers,
 
 }  // namespace
 
-struct CheckedMotion::InDigits {
-  BasicSystem<Multi, 2> system;
-  BasicSolution<BasicSystem<Multi, 2>> solution;
+template <int D>
+struct BasicCheckedMotion<D>::InDigits {
+  BasicSystem<Multi, D> system;
+  BasicSolution<BasicSystem<Multi, D>> solution;
   BasicSystemSettling<Multi> settling;
   BasicSystemLedger<Multi> ledger;
 };
 
-CheckedMotion::CheckedMotion(System system, const SolveOptions& options, int digits)
+template <int D>
+BasicCheckedMotion<D>::BasicCheckedMotion(System system, const SolveOptions& options, int digits)
     : system_(std::move(system)),
       solution_(solve(system_, options)),
       settling_(tautline::settling(system_, solution_)),
@@ -197,9 +203,11 @@ CheckedMotion::CheckedMotion(System system, const SolveOptions& options, int dig
   align();
 }
 
-CheckedMotion::~CheckedMotion() = default;
+template <int D>
+BasicCheckedMotion<D>::~BasicCheckedMotion() = default;
 
-void CheckedMotion::align() {
+template <int D>
+void BasicCheckedMotion<D>::align() {
   const Alignment alignment(solution_, in_digits_->solution);
   same_.resize(solution_.events().size());
   const auto& others = in_digits_->solution.events();
@@ -228,7 +236,8 @@ void CheckedMotion::align() {
 }
 
 /// Drag brings a motion to rest in double first: it is the same motion.
-bool CheckedMotion::end_alike(double speed) const {
+template <int D>
+bool BasicCheckedMotion<D>::end_alike(double speed) const {
   const auto& other = in_digits_->solution;
   const auto whole = [](Ending ending) {
     return ending == Ending::rest || ending == Ending::reached_duration;
@@ -239,11 +248,13 @@ bool CheckedMotion::end_alike(double speed) const {
                    speed) <= parted);
 }
 
-std::optional<std::size_t> CheckedMotion::same_event(std::size_t index) const {
+template <int D>
+std::optional<std::size_t> BasicCheckedMotion<D>::same_event(std::size_t index) const {
   return index < same_.size() ? same_[index] : std::nullopt;
 }
 
-SystemLedger CheckedMotion::ledger_errors() const {
+template <int D>
+SystemLedger BasicCheckedMotion<D>::ledger_errors() const {
   SystemLedger errors{-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0};
   if (in_digits_ && !horizon_) {
     for (const auto& [member, same] :
@@ -258,7 +269,8 @@ SystemLedger CheckedMotion::ledger_errors() const {
   return errors;
 }
 
-std::vector<SampleName> CheckedMotion::names() const {
+template <int D>
+std::vector<SampleName> BasicCheckedMotion<D>::names() const {
   std::vector<SampleName> result;
   for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
     for (const auto& one : coordinates(system_.initial.bodies[i])) {
@@ -274,7 +286,8 @@ std::vector<SampleName> CheckedMotion::names() const {
   return result;
 }
 
-std::vector<Bounded> CheckedMotion::at(double time) const {
+template <int D>
+std::vector<Bounded> BasicCheckedMotion<D>::at(double time) const {
   const std::vector<double> mine = numbers_at(system_, solution_, time);
   const bool sure = in_digits_ && !(horizon_ && time >= *horizon_);
   if (!sure || Multi(time) > in_digits_->solution.end_time()) {
@@ -284,7 +297,8 @@ std::vector<Bounded> CheckedMotion::at(double time) const {
   return agreeing(mine, numbers_at(in_digits_->system, in_digits_->solution, Multi(time)));
 }
 
-std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const {
+template <int D>
+std::vector<Bounded> BasicCheckedMotion<D>::at_event(std::size_t index, Side side) const {
   const std::vector<double> mine = numbers_at(system_, solution_, index, side);
   const auto same = same_event(index);
   if (!same) {
@@ -298,18 +312,21 @@ std::vector<Bounded> CheckedMotion::at_event(std::size_t index, Side side) const
   return result;
 }
 
-double CheckedMotion::margin_at(std::size_t index) const {
+template <int D>
+double BasicCheckedMotion<D>::margin_at(std::size_t index) const {
   return solution_.events()[index].kind == EventKind::taut ? other_completion : 1.0;
 }
 
-Bounded CheckedMotion::time(std::size_t index) const {
+template <int D>
+Bounded BasicCheckedMotion<D>::time(std::size_t index) const {
   const double mine = solution_.events()[index].time;
   const auto same = same_event(index);
   return {mine,
           same ? margin_at(index) * off_by(mine, in_digits_->solution.events()[*same].time) : -1.0};
 }
 
-std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
+template <int D>
+std::vector<Bounded> BasicCheckedMotion<D>::impulses(std::size_t index) const {
   const CableVector& mine = solution_.events()[index].impulses;
   const auto same = same_event(index);
   std::vector<Bounded> result;
@@ -325,7 +342,8 @@ std::vector<Bounded> CheckedMotion::impulses(std::size_t index) const {
   return result;
 }
 
-double CheckedMotion::accumulation_error(std::size_t index) const {
+template <int D>
+double BasicCheckedMotion<D>::accumulation_error(std::size_t index) const {
   const Accumulation& mine = solution_.accumulations()[index];
   double nearest = -1.0;
   if (!in_digits_ || (horizon_ && mine.start >= *horizon_)) {
@@ -340,7 +358,8 @@ double CheckedMotion::accumulation_error(std::size_t index) const {
   return nearest < 0.0 ? nearest : nearest + mine.uncertainty;
 }
 
-SystemSettlingErrors CheckedMotion::settling_errors() const {
+template <int D>
+SystemSettlingErrors BasicCheckedMotion<D>::settling_errors() const {
   SystemSettlingErrors errors;
   const auto& mine = settling_;
   const std::size_t cables = mine.cables.size();
@@ -381,5 +400,8 @@ SystemSettlingErrors CheckedMotion::settling_errors() const {
   }
   return errors;
 }
+
+template class BasicCheckedMotion<2>;
+template class BasicCheckedMotion<3>;
 
 }  // namespace tautline::bench

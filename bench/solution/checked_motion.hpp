@@ -36,18 +36,22 @@ struct SystemSettlingErrors {
   double one_percent = -1.0;          // [s]
 };
 
-/// The motion of a system in double, and in more digits to say how far it is right: of a number
-/// those digits are right that both have. From the horizon on the motion is one of many.
-class CheckedMotion {
+/// The motion of a system of D dimensions in double, and in more digits to say how far it is right:
+/// of a number those digits are right that both have. From the horizon on the motion is one of
+/// many.
+template <int D>
+class BasicCheckedMotion {
  public:
+  using System = BasicSystem<double, D>;
+
   /// Solves `system`; with `digits`, too, unless they are 0. Not for several threads: see `Digits`.
   /// Throws std::invalid_argument on a system that `solve` does not take by its law.
-  CheckedMotion(System system, const SolveOptions& options, int digits = digits_of_systems);
-  CheckedMotion(const CheckedMotion&) = delete;
-  CheckedMotion& operator=(const CheckedMotion&) = delete;
-  CheckedMotion(CheckedMotion&&) = delete;
-  CheckedMotion& operator=(CheckedMotion&&) = delete;
-  ~CheckedMotion();
+  BasicCheckedMotion(System system, const SolveOptions& options, int digits = digits_of_systems);
+  BasicCheckedMotion(const BasicCheckedMotion&) = delete;
+  BasicCheckedMotion& operator=(const BasicCheckedMotion&) = delete;
+  BasicCheckedMotion(BasicCheckedMotion&&) = delete;
+  BasicCheckedMotion& operator=(BasicCheckedMotion&&) = delete;
+  ~BasicCheckedMotion();
 
   [[nodiscard]] const System& system() const { return system_; }
   [[nodiscard]] const BasicSolution<System>& solution() const { return solution_; }
@@ -100,5 +104,6 @@ class CheckedMotion {
   std::vector<std::optional<std::size_t>> same_;  // event of the second solution, for each
   std::optional<double> horizon_;
 };
+using CheckedMotion = BasicCheckedMotion<2>;  // in the plane
 
 }  // namespace tautline::bench

@@ -69,9 +69,10 @@ class CaseRows {
 };
 
 /// The rows of a system.
+template <int D>
 class SystemRows {
  public:
-  explicit SystemRows(const CheckedMotion& motion) : motion_(motion) {}
+  explicit SystemRows(const BasicCheckedMotion<D>& motion) : motion_(motion) {}
 
   [[nodiscard]] const auto& events() const { return motion_.solution().events(); }
   [[nodiscard]] std::size_t cables() const { return motion_.system().cables.size(); }
@@ -108,7 +109,7 @@ class SystemRows {
     return result;
   }
 
-  const CheckedMotion& motion_;
+  const BasicCheckedMotion<D>& motion_;
 };
 
 template <class Rows>
@@ -229,8 +230,11 @@ std::string samples_csv(const Case& the_case, const Solution& solution,
   return Csv(CaseRows(the_case, solution, uncertainty)).text(times);
 }
 
-std::string samples_csv(const CheckedMotion& motion, std::span<const double> times) {
-  return Csv(SystemRows(motion)).text(times);
+template <int D>
+std::string samples_csv(const BasicCheckedMotion<D>& motion, std::span<const double> times) {
+  return Csv(SystemRows<D>(motion)).text(times);
 }
+template std::string samples_csv(const BasicCheckedMotion<2>&, std::span<const double>);
+template std::string samples_csv(const BasicCheckedMotion<3>&, std::span<const double>);
 
 }  // namespace tautline::bench

@@ -26,9 +26,10 @@ constexpr int summary_digits = 6;
 constexpr int digits_of_one_motion = 3;
 
 /// A summary of one motion.
+template <int D>
 class Sentences {
  public:
-  explicit Sentences(const CheckedMotion& motion)
+  explicit Sentences(const BasicCheckedMotion<D>& motion)
       : motion_(motion), settling_(motion.settling()), errors_(motion.settling_errors()) {}
 
   [[nodiscard]] std::string text() const {
@@ -104,7 +105,7 @@ class Sentences {
     for (std::size_t i = 0;
          solution.ending() == Ending::singular && !result && i < motion_.system().cables.size();
          ++i) {
-      const CableOfSystem& cable = motion_.system().cables[i];
+      const auto& cable = motion_.system().cables[i];
       each_segment(cable, state, [&](std::size_t, const auto& segment) {
         if (segment.distance <= met * cable.length.at(state.time)[0]) {
           result = i;
@@ -127,7 +128,7 @@ class Sentences {
     CableSet hooked;
     CableSet given;
     for (std::size_t i = 0; i < motion_.system().cables.size(); ++i) {
-      const CableOfSystem& cable = motion_.system().cables[i];
+      const auto& cable = motion_.system().cables[i];
       const bool is_given =
           !(cable.length.is_constant_from(end) && cable.from.motion.is_constant_from(end) &&
             cable.to.motion.is_constant_from(end));
@@ -241,16 +242,20 @@ class Sentences {
         *motion_.horizon());
   }
 
-  const CheckedMotion& motion_;
+  const BasicCheckedMotion<D>& motion_;
   const SystemSettling& settling_;
   SystemSettlingErrors errors_;
 };
 
 }  // namespace
 
-std::string system_text(const CheckedMotion& motion) { return Sentences(motion).text(); }
+template <int D>
+std::string system_text(const BasicCheckedMotion<D>& motion) {
+  return Sentences<D>(motion).text();
+}
 
-std::string events_text(const CheckedMotion& motion, bool all, const TerminalStyle& style) {
+template <int D>
+std::string events_text(const BasicCheckedMotion<D>& motion, bool all, const TerminalStyle& style) {
   constexpr int event_digits = 12;
   const auto& events = motion.solution().events();
   const std::size_t shown = all ? events.size() : std::min(events.size(), most_events);
@@ -286,7 +291,8 @@ std::string events_text(const CheckedMotion& motion, bool all, const TerminalSty
   return "\n" + table.plain(style) + wrapped(rest, style.text);
 }
 
-std::string samples_text(const CheckedMotion& motion, const std::vector<double>& times,
+template <int D>
+std::string samples_text(const BasicCheckedMotion<D>& motion, const std::vector<double>& times,
                          const TerminalStyle& style) {
   constexpr int digits = 17;
   constexpr std::size_t longest_number = 24;  // [columns], -1.7976931348623157e+308
@@ -304,5 +310,14 @@ std::string samples_text(const CheckedMotion& motion, const std::vector<double>&
     return result;
   });
 }
+
+template std::string system_text(const BasicCheckedMotion<2>&);
+template std::string events_text(const BasicCheckedMotion<2>&, bool, const TerminalStyle&);
+template std::string samples_text(const BasicCheckedMotion<2>&, const std::vector<double>&,
+                                  const TerminalStyle&);
+template std::string system_text(const BasicCheckedMotion<3>&);
+template std::string events_text(const BasicCheckedMotion<3>&, bool, const TerminalStyle&);
+template std::string samples_text(const BasicCheckedMotion<3>&, const std::vector<double>&,
+                                  const TerminalStyle&);
 
 }  // namespace tautline::bench

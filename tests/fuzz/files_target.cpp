@@ -10,16 +10,23 @@
 namespace tautline::fuzz {
 namespace {
 
+template <class TheSystem>
+void require_same(const std::optional<TheSystem>& read,
+                  std::optional<TheSystem> SystemReading::*kind) {
+  if (read) {
+    require(problems(*read).empty(), "a system that is read can be solved");
+    const std::string written = write_system(*read);
+    const SystemReading again = read_system_text(written, "written.toml");
+    require((again.*kind).has_value(), "what is written reads back:\n" + written);
+    require(write_system(*(again.*kind)) == written, "it reads back bit by bit:\n" + written);
+  }
+}
+
 void read_as_system(std::string_view text) {
   const SystemReading reading = read_system_text(text, "input.toml");
-  require_sentences(reading.problems, !reading.system);
-  if (reading.system) {
-    require(problems(*reading.system).empty(), "a system that is read can be solved");
-    const std::string written = write_system(*reading.system);
-    const SystemReading again = read_system_text(written, "written.toml");
-    require(again.system.has_value(), "what is written reads back:\n" + written);
-    require(write_system(*again.system) == written, "it reads back bit by bit:\n" + written);
-  }
+  require_sentences(reading.problems, !reading.system && !reading.in_space);
+  require_same(reading.system, &SystemReading::system);
+  require_same(reading.in_space, &SystemReading::in_space);
 }
 
 void read_as_case(std::string_view text) {

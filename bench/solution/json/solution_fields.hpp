@@ -66,5 +66,6 @@ void fields(Visitor& visit, AccumulationRow& row) {
 
 /// The schema of what `solution_json` writes of a system.
 [[nodiscard]] Json schema_of_system_solution();
+[[nodiscard]] Json schema_of_spatial_solution();
 
 }  // namespace tautline::bench

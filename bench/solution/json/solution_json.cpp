@@ -266,10 +266,11 @@ std::vector<std::string> sample_problems(double end, Ending ending,
 }
 
 std::string solution_schema_json() {
-  return text_of(
-      headed("Motion of `tautline solve --json`",
-             "The exact motion of a case or of a system. Each value, event and sample is a line.",
-             {{"oneOf", {schema_of(SolutionRow()), schema_of_system_solution()}}}));
+  return text_of(headed(
+      "Motion of `tautline solve --json`",
+      "The exact motion of a case or of a system. Each value, event and sample is a line.",
+      {{"oneOf",
+        {schema_of(SolutionRow()), schema_of_system_solution(), schema_of_spatial_solution()}}}));
 }
 
 std::string solution_json(const Case& the_case, const SolveOptions& options,

@@ -35,7 +35,9 @@ inline constexpr std::int32_t system_solution_schema = 5;
                                         const std::optional<Certificate>& certificate);
 
 /// The JSON of a system, likewise.
-[[nodiscard]] std::string solution_json(const CheckedMotion& motion, const SolveOptions& options,
+template <int D>
+[[nodiscard]] std::string solution_json(const BasicCheckedMotion<D>& motion,
+                                        const SolveOptions& options,
                                         std::span<const double> sample_times);
 
 }  // namespace tautline::bench

@@ -14,73 +14,76 @@ namespace tautline::bench {
 // The members of each object that a system has otherwise than a case.
 
 struct WrittenSystem {
-  System system;
+  Json file;
 };
-static Json json_of(const WrittenSystem& written) {
-  return Json::parse(write_system_json(written.system));
-}
+static Json json_of(const WrittenSystem& written) { return written.file; }
 static Json schema_of(const WrittenSystem& /*written*/) {
   return {{"type", "object"},
           {"description", "a case file as JSON: `tautline schema case` has its schema"}};
 }
 
+template <int D>
 struct PlacedBody {
   std::string name;
-  State state;
+  typename Turning<double, D>::BodyState state;
 };
 
-template <class Visitor>
-void fields(Visitor& visit, PlacedBody& body) {
+template <class Visitor, int D>
+void fields(Visitor& visit, PlacedBody<D>& body) {
   visit("name", body.name);
   fields(visit, body.state);
 }
 
+template <int D>
 struct PlacedBodies {
-  std::vector<PlacedBody> bodies;
+  std::vector<PlacedBody<D>> bodies;
 };
 
-template <class Visitor>
-void fields(Visitor& visit, PlacedBodies& state) {
+template <class Visitor, int D>
+void fields(Visitor& visit, PlacedBodies<D>& state) {
   visit("bodies", state.bodies);
 }
 
+template <int D>
 struct SystemEventErrors {
   double time = 0.0;
   CableVector impulses;
-  PlacedBodies before;
-  PlacedBodies after;
+  PlacedBodies<D> before;
+  PlacedBodies<D> after;
 };
 
-template <class Visitor>
-void fields(Visitor& visit, SystemEventErrors& errors) {
+template <class Visitor, int D>
+void fields(Visitor& visit, SystemEventErrors<D>& errors) {
   visit.means("how far the event's numbers are from those of the solution in more digits");
   error_fields(visit, errors, "[s]");
 }
 
+template <int D>
 struct SystemEventRow {
   double time = 0.0;
   EventKind kind = EventKind::impact;
   CableSet cables;
   CableVector impulses;
-  PlacedBodies before;
-  PlacedBodies after;
-  std::optional<SystemEventErrors> errors;
+  PlacedBodies<D> before;
+  PlacedBodies<D> after;
+  std::optional<SystemEventErrors<D>> errors;
 };
 
-template <class Visitor>
-void fields(Visitor& visit, SystemEventRow& row) {
+template <class Visitor, int D>
+void fields(Visitor& visit, SystemEventRow<D>& row) {
   event_fields(visit, row, row.errors, "null from `horizon` on");
 }
 
 /// All values of a sample, or all errors.
+template <int D>
 struct SystemSamplePart {
-  PlacedBodies state;
+  PlacedBodies<D> state;
   std::array<std::vector<double>, 3> of_cables;  // gaps, their rates, tensions
   double energy = 0.0;
 };
 
-template <class Visitor>
-void fields(Visitor& visit, SystemSamplePart& part) {
+template <class Visitor, int D>
+void fields(Visitor& visit, SystemSamplePart<D>& part) {
   fields(visit, part.state);
   visit("gaps", part.of_cables[0], or_null("of each cable [m]; null: it does not act"));
   visit("gap_rates", part.of_cables[1], "[m/s]");
@@ -88,15 +91,16 @@ void fields(Visitor& visit, SystemSamplePart& part) {
   visit("energy", part.energy, "[J]");
 }
 
+template <int D>
 struct SystemSample {
   double time = 0.0;
-  SystemSamplePart values;
-  std::vector<std::vector<Vec2>> points;
-  std::optional<SystemSamplePart> errors;
+  SystemSamplePart<D> values;
+  std::vector<std::vector<BasicVector<double, D>>> points;
+  std::optional<SystemSamplePart<D>> errors;
 };
 
-template <class Visitor>
-void fields(Visitor& visit, SystemSample& sample) {
+template <class Visitor, int D>
+void fields(Visitor& visit, SystemSample<D>& sample) {
   visit("time", sample.time, "[s]");
   fields(visit, sample.values);
   visit("points", sample.points, "of each cable its ends, with the rings between them [m]");
@@ -216,23 +220,24 @@ void fields(Visitor& visit, SystemSettlingRow& settling) {
 }
 
 /// All that is written of a system.
+template <int D>
 struct SystemSolutionRow {
   WrittenSystem system;
   SolveOptions options;
   std::optional<std::int32_t> digits;
   std::optional<double> horizon;
-  std::vector<SystemEventRow> events;
+  std::vector<SystemEventRow<D>> events;
   Ending ending = Ending::reached_duration;
   double end_time = 0.0;
-  PlacedBodies end_state;
+  PlacedBodies<D> end_state;
   SystemLedgerRow energy;
   SystemSettlingRow settling;
   std::vector<AccumulationRow> accumulations;
-  std::optional<std::vector<SystemSample>> samples;
+  std::optional<std::vector<SystemSample<D>>> samples;
 };
 
-template <class Visitor>
-void fields(Visitor& visit, SystemSolutionRow& solution) {
+template <class Visitor, int D>
+void fields(Visitor& visit, SystemSolutionRow<D>& solution) {
   schema_field(visit, system_solution_schema);
   visit("system", solution.system);
   visit("options", solution.options);
@@ -253,14 +258,15 @@ void fields(Visitor& visit, SystemSolutionRow& solution) {
 }
 
 /// All values or all errors of `numbers`, which are in the order of `CheckedMotion::names`.
-static SystemSamplePart part_of(const CheckedMotion& motion, const std::vector<Bounded>& numbers,
-                                double Bounded::*part) {
-  SystemSamplePart result;
+template <int D>
+static SystemSamplePart<D> part_of(const BasicCheckedMotion<D>& motion,
+                                   const std::vector<Bounded>& numbers, double Bounded::*part) {
+  SystemSamplePart<D> result;
   auto next = numbers.begin();
   const auto& bodies = motion.system().bodies;
   for (std::size_t index = 0; index < bodies.size(); ++index) {
-    PlacedBody& body = result.state.bodies.emplace_back();
-    body.name = name_in_file(bodies, index);
+    PlacedBody<D>& body = result.state.bodies.emplace_back();
+    body.name = name_in_file(bodies[index].name, index, bodies.size());
     for (const auto& one : coordinates(body.state)) {
       one.value = *(next++).*part;
     }
@@ -276,25 +282,27 @@ static SystemSamplePart part_of(const CheckedMotion& motion, const std::vector<B
 }
 
 /// None where the numbers of one instant are beyond the horizon.
-static std::optional<SystemSamplePart> errors_of(const CheckedMotion& motion,
-                                                 const std::vector<Bounded>& numbers) {
+template <int D>
+static std::optional<SystemSamplePart<D>> errors_of(const BasicCheckedMotion<D>& motion,
+                                                    const std::vector<Bounded>& numbers) {
   return numbers.front().error < 0.0 ? std::nullopt
                                      : std::optional(part_of(motion, numbers, &Bounded::error));
 }
 
-static SystemEventRow event_row(const CheckedMotion& motion, std::size_t index) {
+template <int D>
+static SystemEventRow<D> event_row(const BasicCheckedMotion<D>& motion, std::size_t index) {
   const auto& event = motion.solution().events()[index];
   const auto before = motion.at_event(index, Side::before);
   const auto after = motion.at_event(index, Side::after);
-  SystemEventRow row = {event.time,
-                        event.kind,
-                        event.cables,
-                        event.impulses,
-                        part_of(motion, before, &Bounded::value).state,
-                        part_of(motion, after, &Bounded::value).state,
-                        std::nullopt};
+  SystemEventRow<D> row = {event.time,
+                           event.kind,
+                           event.cables,
+                           event.impulses,
+                           part_of(motion, before, &Bounded::value).state,
+                           part_of(motion, after, &Bounded::value).state,
+                           std::nullopt};
   if (const double time = motion.time(index).error; time >= 0.0) {
-    SystemEventErrors& errors = row.errors.emplace();
+    SystemEventErrors<D>& errors = row.errors.emplace();
     errors.time = time;
     errors.impulses = event.impulses;
     Eigen::Index place = 0;
@@ -307,7 +315,8 @@ static SystemEventRow event_row(const CheckedMotion& motion, std::size_t index) 
   return row;
 }
 
-static SystemSettlingRow settling_row(const CheckedMotion& motion) {
+template <int D>
+static SystemSettlingRow settling_row(const BasicCheckedMotion<D>& motion) {
   const SystemSettling& settling = motion.settling();
   const SystemSettlingErrors errors = motion.settling_errors();
   const auto bounded_or_none = [](const std::optional<double>& value, double error) {
@@ -340,12 +349,13 @@ static SystemSettlingRow settling_row(const CheckedMotion& motion) {
   return row;
 }
 
-static SystemSample sample_at(const CheckedMotion& motion, double time) {
+template <int D>
+static SystemSample<D> sample_at(const BasicCheckedMotion<D>& motion, double time) {
   const std::vector<Bounded> numbers = motion.at(time);
-  SystemSample sample = {
+  SystemSample<D> sample = {
       time, part_of(motion, numbers, &Bounded::value), {}, errors_of(motion, numbers)};
-  const SystemState state = motion.solution().at(time);
-  for (const CableOfSystem& cable : motion.system().cables) {
+  const auto state = motion.solution().at(time);
+  for (const auto& cable : motion.system().cables) {
     auto& points = sample.points.emplace_back();
     for (std::size_t index = 0; index <= cable.segments(); ++index) {
       points.push_back(moving_point(cable.end(index), state).position);
@@ -354,14 +364,16 @@ static SystemSample sample_at(const CheckedMotion& motion, double time) {
   return sample;
 }
 
-Json schema_of_system_solution() { return schema_of(SystemSolutionRow()); }
+Json schema_of_system_solution() { return schema_of(SystemSolutionRow<2>()); }
+Json schema_of_spatial_solution() { return schema_of(SystemSolutionRow<3>()); }
 
-std::string solution_json(const CheckedMotion& motion, const SolveOptions& options,
+template <int D>
+std::string solution_json(const BasicCheckedMotion<D>& motion, const SolveOptions& options,
                           std::span<const double> sample_times) {
   const auto& solution = motion.solution();
   const double end = solution.end_time();
-  SystemSolutionRow row;
-  row.system = {motion.system()};
+  SystemSolutionRow<D> row;
+  row.system = {Json::parse(write_system_json(motion.system()))};
   row.options = options;
   row.digits = motion.is_checked() ? std::optional(motion.digits()) : std::nullopt;
   row.horizon = motion.horizon();
@@ -389,5 +401,10 @@ std::string solution_json(const CheckedMotion& motion, const SolveOptions& optio
   }
   return in_lines(json_of(row));
 }
+
+template std::string solution_json(const BasicCheckedMotion<2>&, const SolveOptions&,
+                                   std::span<const double>);
+template std::string solution_json(const BasicCheckedMotion<3>&, const SolveOptions&,
+                                   std::span<const double>);
 
 }  // namespace tautline::bench

@@ -182,8 +182,7 @@ TEST(SettlingInSpace, KeepsTheEnergyAboveTheLowestPlace) {
 TEST(LawsInSpace, NeverGainEnergyAndRefuseWhatTheyDoNotTake) {
   SpatialSystem system = crane_slings<double>();
   system.duration = 2.0;
-  for (const ImpactLaw law :
-       {ImpactLaw::simultaneous, ImpactLaw::poisson, ImpactLaw::sequential}) {
+  for (const ImpactLaw law : {ImpactLaw::simultaneous, ImpactLaw::poisson, ImpactLaw::sequential}) {
     SolveOptions options;
     options.law = law;
     const auto ledger = energy_ledger(system, solve(system, options));
@@ -212,8 +211,7 @@ TEST(ProblemsInSpace, NameMomentsAndOrientationsThatNoBodyHas) {
             "body 0: inertia: the largest principal moment, 0.31, must not be above the sum of the "
             "other two, 0.30000000000000004 [kg m^2]");
   system.bodies[0].inertia = {0.1, 0.0, 0.1};
-  EXPECT_EQ(first(system),
-            "body 0: inertia[1] 0 must be a finite number above 0 [kg m^2]");
+  EXPECT_EQ(first(system), "body 0: inertia[1] 0 must be a finite number above 0 [kg m^2]");
   system.bodies[0].inertia = {0.0, 0.0, 0.0};
   EXPECT_EQ(first(system),
             "body 0: inertia [0, 0, 0] is for a point mass, whose attachments are all [0, 0, 0]; "
@@ -269,8 +267,8 @@ TEST(ShippedSpatialSystems, ShowWhatTheySay) {
               1e-13);
   }
   const Filar<double> three = trifilar<double>();
-  const double small = 2.0 * pi<double>() *
-                       std::sqrt(three.inertia * std::sqrt(1.0 - 0.01) / (0.3 * 0.2));
+  const double small =
+      2.0 * pi<double>() * std::sqrt(three.inertia * std::sqrt(1.0 - 0.01) / (0.3 * 0.2));
   EXPECT_NEAR(three.period() / small, 1.06, 0.005);
 
   const auto slack = solve(shipped("spherical-slack").system);

@@ -238,8 +238,7 @@ class Differences {
     const auto back = solution.at(period).bodies[0];
     const auto& start = system.initial.bodies[0];
     note(name + ": place after a period", (back.position - start.position).norm());
-    note(name + ": turn after a period",
-         angle_between<Real>(back.orientation, start.orientation));
+    note(name + ": turn after a period", angle_between<Real>(back.orientation, start.orientation));
     note(name + ": spin after a period", back.spin.norm());
   }
 
@@ -271,9 +270,9 @@ class Differences {
     const auto& start = system.initial.bodies[0];
     const Real turn = 2 * pi<Real>() / one.precession;
     const auto half = solution.at(Real(turn / 2)).bodies[0];
-    note("conical: across", (half.position + start.position -
-                             2 * Vector(Vector::Unit(2)) * start.position.z())
-                                .norm());
+    note(
+        "conical: across",
+        (half.position + start.position - 2 * Vector(Vector::Unit(2)) * start.position.z()).norm());
     const auto back = solution.at(turn).bodies[0];
     note("conical: place after a turn", (back.position - start.position).norm());
     note("conical: orientation", angle_between<Real>(back.orientation, start.orientation));

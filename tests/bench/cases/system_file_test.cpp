@@ -13,6 +13,7 @@ namespace tautline::bench {
 namespace {
 
 using Strings = std::vector<std::string>;
+using Vec3 = BasicVector<double, 3>;
 
 const std::string crane = R"(name = "crane"
 duration = 4.0
@@ -448,6 +449,122 @@ TEST_P(SystemMistake, GivesTheSameInJsonWithoutTheLine) {
 INSTANTIATE_TEST_SUITE_P(Each, SystemMistake, testing::ValuesIn(mistakes));
 
 TEST(SystemMistakes, AreAtLeast60) { EXPECT_GE(mistakes.size(), 60U); }
+
+/// A load on four slings below a hook, which a hoist draws up from a trolley.
+const char* const hoist = R"(name = "hoist"
+duration = 4.0
+gravity = [0.0, 0.0, -9.81]
+
+[[bodies]]
+name = "load"
+mass = 2.0
+inertia = [0.08, 0.10, 0.12]
+force = { waves = [{ amplitude = [0.3, 0.0, 0.1], frequency = 1.7 }] }
+moment = { value = [0.0, 0.1, 0.0] }
+position = [0.05, 0.02, -1.35]
+orientation = [0.8, 0.0, 0.0, 0.6]
+velocity = [0.1, -0.2, 0.1]
+spin = [0.4, -0.3, 1.0]
+
+[[bodies]]
+name = "hook"
+mass = 0.3
+position = [0.1, 0.0, -0.85]
+rotation = [0.0, 0.0, 3.0]
+
+[[cables]]
+from = { body = "load", at = [-0.1, -0.2, 0.1] }
+to = { body = "hook" }
+length = 0.8
+restitution = 0.8
+
+[[cables]]
+from = { body = "hook" }
+through = [[0.0, 0.0, 0.1]]
+to = { at = [0.0, 0.5, 0.1], waves = [{ amplitude = [0.15, 0.0, 0.0], frequency = 1.5 }] }
+length = { times = [0.5, 1.5], values = [1.7, 1.4] }
+restitution = 0.8
+)";
+
+TEST(SystemFileInSpace, SaysWhatEachNumberIs) {
+  const SystemReading reading = read_system_text(hoist, "hoist.toml");
+  ASSERT_EQ(reading.problems, Strings());
+  EXPECT_FALSE(reading.system);
+  EXPECT_FALSE(reading.the_case);
+  const SpatialSystem& system = *reading.in_space;
+  EXPECT_EQ(system.gravity.at(1.0), Vec3(0.0, 0.0, -9.81));
+  EXPECT_EQ(system.bodies[0].inertia, Vec3(0.08, 0.10, 0.12));
+  EXPECT_EQ(system.bodies[1].inertia, Vec3(0.0, 0.0, 0.0));
+  EXPECT_EQ(system.bodies[0].moment.at(2.0), Vec3(0.0, 0.1, 0.0));
+  EXPECT_EQ(system.bodies[0].force.at(0.0), Vec3(0.3, 0.0, 0.1));
+  const SpatialState& load = system.initial.bodies[0];
+  EXPECT_EQ(load.orientation, Quaternion(0.8, 0.0, 0.0, 0.6));
+  EXPECT_EQ(load.spin, Vec3(0.4, -0.3, 1.0));
+  const Quaternion turned(std::cos(1.5), 0.0, 0.0, std::sin(1.5));
+  EXPECT_LT((system.initial.bodies[1].orientation - turned).norm(), 1e-15);
+  EXPECT_EQ(system.cables[1].through[0].at, Vec3(0.0, 0.0, 0.1));
+  EXPECT_EQ(system.cables[1].to.motion.at(0.0), Vec3(0.15, 0.0, 0.0));
+}
+
+TEST(SystemFileInSpace, TypedDigitsOfAQuaternionAreMadeAUnit) {
+  const std::string text =
+      replaced(hoist, "[0.8, 0.0, 0.0, 0.6]", "[0.1830127, 0.6830127, 0.1830127, 0.6830127]");
+  const SystemReading reading = read_system_text(text, "hoist.toml");
+  ASSERT_EQ(reading.problems, Strings());
+  EXPECT_NEAR(reading.in_space->initial.bodies[0].orientation.norm(), 1.0, 2e-16);
+}
+
+TEST(SystemFileInSpace, AMistakeGivesOneSentence) {
+  const std::vector<Mistake> in_space = {
+      {"orientation = [0.8, 0.0, 0.0, 0.6]", "orientation = [0.8, 0.0, 0.6]",
+       "hoist.toml:12: bodies[0].orientation = [0.8, 0, 0.6]: is an array of length 3, must be "
+       "four numbers [w, x, y, z]"},
+      {"orientation = [0.8, 0.0, 0.0, 0.6]", "orientation = [0.8, 0.0, 0.0, 0.7]",
+       "hoist.toml:12: bodies[0].orientation = [0.8, 0, 0, 0.7]: has the length "
+       "1.063014581273465, must be 1: a unit quaternion w, x, y, z"},
+      {"orientation = [0.8, 0.0, 0.0, 0.6]",
+       "orientation = [0.8, 0.0, 0.0, 0.6]\nrotation = [0.0, 0.0, 1.0]",
+       "hoist.toml:13: bodies[0].rotation = [0, 0, 1]: is there with orientation, must be one of "
+       "the two"},
+      {"orientation = [0.8, 0.0, 0.0, 0.6]", "angle = 0.3",
+       "hoist.toml:12: bodies[0].angle = 0.3: unknown key, must be name, mass, inertia, drag, "
+       "spin_drag, force, moment, position, orientation, rotation, velocity or spin"},
+      {"orientation = [0.8, 0.0, 0.0, 0.6]", "orientation = [0.0, 0.0, 0.0, 0.0]",
+       "hoist.toml:12: body 0: orientation: w x y z has the length 0; must be 1"},
+      {"inertia = [0.08, 0.10, 0.12]", "inertia = 0.1",
+       "hoist.toml:8: bodies[0].inertia = 0.1: is a number, must be three numbers [x, y, z] [kg "
+       "m^2]"},
+      {"inertia = [0.08, 0.10, 0.12]", "inertia = [0.08, 0.10, 0.22]",
+       "hoist.toml:8: body 0: inertia: the largest principal moment, 0.22, must not be above the "
+       "sum of the other two, 0.18 [kg m^2]"},
+      {"inertia = [0.08, 0.10, 0.12]", "inertia = [0.08, -0.10, 0.12]",
+       "hoist.toml:8: bodies[0].inertia[1] = -0.1: must be a finite number, 0 or above [kg m^2]"},
+      {"spin = [0.4, -0.3, 1.0]", "spin = 1.0",
+       "hoist.toml:14: bodies[0].spin = 1: is a number, must be three numbers [x, y, z] [rad/s]"},
+      {"position = [0.1, 0.0, -0.85]", "position = [0.1, -0.85]",
+       "hoist.toml:19: bodies[1].position = [0.1, -0.85]: is an array of length 2, must be three "
+       "numbers [x, y, z] [m]"},
+      {"gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, nan]",
+       "hoist.toml:3: gravity[2] = nan: must be a finite number [m/s^2]"},
+      {"moment = { value = [0.0, 0.1, 0.0] }", "moment = 0.1",
+       "hoist.toml:10: bodies[0].moment = 0.1: is a number, must be three numbers [x, y, z] [N m]"},
+      {"through = [[0.0, 0.0, 0.1]]", "through = [[0.0, 0.1]]",
+       "hoist.toml:30: cables[1].through[0] = [0, 0.1]: is an array of length 2, must be three "
+       "numbers [x, y, z] [m]"},
+      {"to = { body = \"hook\" }", "to = \"hook\"",
+       "hoist.toml:24: cables[0].to = \"hook\": is a string, must be a table such as { body = "
+       "\"load\", at = [0.1, 0.0, 0.0] }, or a point [x, y, z] of the world [m]"},
+      {"values = [1.7, 1.4]", "values = [0.2, 1.4]",
+       "hoist.toml:28: cable 1: overstretched at the start by 1.2772639841726676 m: its ends are "
+       "1.4772639841726676 m apart through its rings, its length is 0.2 m; a length of "
+       "1.4772639841726676 m would do"},
+  };
+  for (const auto& [place, instead, sentence] : in_space) {
+    const SystemReading reading = read_system_text(replaced(hoist, place, instead), "hoist.toml");
+    EXPECT_EQ(reading.problems, Strings{sentence});
+    EXPECT_FALSE(reading.in_space);
+  }
+}
 
 TEST(SystemFile, IsWrittenWholeOrNotAtAll) {
   const test::TemporaryFolder folder;

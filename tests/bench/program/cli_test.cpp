@@ -244,7 +244,8 @@ TEST(Solve, CertifiesInTextAndJson) {
 
 TEST(Cases, ListTheSystemsApartAndPrintOneAsAFileWithWhatItShows) {
   const std::string list = program({"cases"}).output;
-  for (const auto& [system, shows] : shipped_systems()) {
+  const auto expect_listed = [&](const auto& one, auto kind) {
+    const auto& [system, shows] = one;
     const std::size_t at = list.find("\n" + system.name + ": ");
     ASSERT_NE(at, std::string::npos) << system.name;
     EXPECT_GT(at, list.find("level-beam")) << system.name << " is below the cases";
@@ -252,8 +253,14 @@ TEST(Cases, ListTheSystemsApartAndPrintOneAsAFileWithWhatItShows) {
     ASSERT_EQ(file.code, 0) << file.errors;
     EXPECT_TRUE(file.output.starts_with("# " + std::string(shows.substr(0, 20)))) << file.output;
     const SystemReading reading = read_system_text(file.output, system.name);
-    ASSERT_TRUE(reading.system) << reading.problems.front();
-    EXPECT_EQ(write_system(*reading.system), write_system(system));
+    ASSERT_TRUE(reading.*kind) << reading.problems.front();
+    EXPECT_EQ(write_system(*(reading.*kind)), write_system(system));
+  };
+  for (const ShippedSystem& one : shipped_systems()) {
+    expect_listed(one, &SystemReading::system);
+  }
+  for (const ShippedSpatialSystem& one : shipped_spatial_systems()) {
+    expect_listed(one, &SystemReading::in_space);
   }
 }
 

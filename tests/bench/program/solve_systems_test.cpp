@@ -147,6 +147,41 @@ TEST(SolveSystems, SayThatACableIsPulledIntoItsRing) {
   EXPECT_EQ(output.find("nan"), std::string::npos) << output;
 }
 
+/// A ball on a cable through its centre, which swings out of the plane and spins.
+const char* const ball_in_space = R"(name = "ball in space"
+duration = 6.0
+gravity = [0.0, 0.0, -1.0]
+[[bodies]]
+mass = 1.0
+inertia = [0.1, 0.2, 0.25]
+position = [0.8, 0.0, -0.6]
+velocity = [0.96, 0.3, 1.28]
+spin = [0.0, 0.3, 0.4]
+[[cables]]
+from = { body = "body" }
+to = [0.0, 0.0, 0.0]
+length = 1.0
+restitution = 0.5
+)";
+
+// a point that leaves its cable at once; when the cable catches it, and how fast, is the root of a
+// polynomial of degree four
+TEST(SolveSystems, InSpaceABallIsCaughtWhenItsPolynomialSays) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("ball.toml", ball_in_space).string();
+  const std::string output = solved({file, "--at", "2", "--events"});
+  expect_says(output, "ball in space: 1 body, 1 cable");
+  expect_says(output, "All these digits are those of a solution in 30 digits, too.");
+  expect_says(output, "qw");
+  expect_says(output, "wz");
+  const std::string table = solved({file, "--every", "0.5", "--csv", "-"});
+  expect_says(table, "time,event,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz,energy,gap_0");
+  const Outcome picture = program({"solve", file, "--plot", "-"});
+  EXPECT_EQ(picture.code, 2);
+  EXPECT_NE(picture.errors.find("--plot: draws motions in the plane, not in space"),
+            std::string::npos);
+}
+
 TEST(SolveSystems, SamplesAreATable) {
   const std::string output = solved({"two-bodies", "--csv", "-", "--at", "0"});
   expect_says(output, "time,event,");
@@ -154,10 +189,14 @@ TEST(SolveSystems, SamplesAreATable) {
 }
 
 TEST(SolveSystems, EachShippedOneComesToItsDurationOrToRest) {
-  for (const ShippedSystem& one : shipped_systems()) {
-    const std::string output = solved({one.system.name, "--fast"});
-    EXPECT_EQ(output.find("Stopped at"), std::string::npos) << output;
-  }
+  const auto expect_whole = [](const auto& shipped) {
+    for (const auto& one : shipped) {
+      const std::string output = solved({one.system.name, "--fast"});
+      EXPECT_EQ(output.find("Stopped at"), std::string::npos) << output;
+    }
+  };
+  expect_whole(shipped_systems());
+  expect_whole(shipped_spatial_systems());
 }
 
 TEST(SolveSystems, WhatIsForCasesAloneIsRefused) {
@@ -206,11 +245,15 @@ TEST(SolveSystems, JsonIsWhatItsSchemaSays) {
   for (const ShippedSystem& one : shipped_systems()) {
     all.push_back(one.system.name);
   }
+  for (const char* const in_space : {"bifilar", "conical", "dzhanibekov", "hoisted-load"}) {
+    all.emplace_back(in_space);
+  }
   std::vector<nlohmann::json> motions = json_of(all);
-  ASSERT_EQ(motions.size(), shipped_systems().size() + 1);
+  ASSERT_EQ(motions.size(), shipped_systems().size() + 5);
   EXPECT_EQ(motions.front()["schema"], 4);
   EXPECT_EQ(motions.front()["case"]["name"], "bouncing-ball");
-  const nlohmann::json checked = json_of({"two-bodies", "winch", "pulley", "--at", "0,0.5"});
+  const nlohmann::json checked =
+      json_of({"two-bodies", "winch", "spherical-slack", "--at", "0,0.5"});
   motions.insert(motions.end(), checked.begin(), checked.end());
   for (std::size_t index = 1; index < motions.size(); ++index) {
     const auto& motion = motions[index];

@@ -127,7 +127,6 @@ void compare_with_truth(const System& system, const std::string& name, PrintedNu
   const auto same_events = true_events(motion.solution(), truth);
   for (std::size_t i = 0; i < motion.solution().events().size(); ++i) {
     const std::string where = name + ", event " + std::to_string(i) + ": ";
-    const auto& event = motion.solution().events()[i];
     const Bounded time = motion.time(i);
     const auto* const same = same_events[i];
     if (time.error < 0.0 || same == nullptr) {

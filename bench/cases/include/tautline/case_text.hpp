@@ -29,9 +29,10 @@ inline constexpr std::size_t longest_case_file = std::size_t{1} << 20U;
 [[nodiscard]] CaseReading read_case_text(std::string_view text, const std::string& source_name,
                                          CableSet taut = {});
 
-/// A system, or all that is wrong with its file.
+/// A system, in the plane or in space, or all that is wrong with its file.
 struct SystemReading {
-  std::optional<System> system = {};  // present exactly when `problems` is empty
+  std::optional<System> system = {};  // in the plane; one of the two if `problems` is empty
+  std::optional<SpatialSystem> in_space = {};  // where gravity has three numbers
   /// It as a case, where the file has one [body], cables with anchor and attachment, and constants
   /// alone: `solve` is fastest with it, and it alone keeps `angle_limit` and `ceiling`.
   std::optional<Case> the_case = {};
@@ -65,8 +66,10 @@ struct StartChange {
 /// as times and values where it was made of them, and as pieces otherwise. Requires that `problems`
 /// finds none, and names in UTF-8.
 [[nodiscard]] std::string write_system(const System& system);
+[[nodiscard]] std::string write_system(const SpatialSystem& system);
 
 /// A system as one JSON object.
 [[nodiscard]] std::string write_system_json(const System& system);
+[[nodiscard]] std::string write_system_json(const SpatialSystem& system);
 
 }  // namespace tautline

@@ -63,7 +63,8 @@ class BasicSystemMotion {
   Ending ending_ = Ending::reached_duration;
   Real end_;
 };
-using SystemMotion = BasicSystemMotion<double, 2>;  // in double, in the plane
+using SystemMotion = BasicSystemMotion<double, 2>;         // in double, in the plane
+using SpatialSystemMotion = BasicSystemMotion<double, 3>;  // in double, in space
 
 /// Solves `system` island by island. Throws as solve() does.
 template <class Real, int D>

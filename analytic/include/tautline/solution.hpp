@@ -43,7 +43,8 @@ struct BasicArc {
   StateOf<TheCase> initial;  // at `start`
   CableSet taut;             // held at zero gap along the arc; empty in free flight
   /// Taylor coefficients of the pose (x, y, angle) in the time since `start`; empty: the closed
-  /// form of free flight.
+  /// form of free flight. A system has these columns for each body; in space position, quaternion
+  /// (w, x, y, z) and spin, and where it is empty the bodies rest, or turn at constant spins.
   PosesOf<TheCase> series;
 
   /// The state `dt` [s] after the start.

@@ -219,6 +219,7 @@ template <class To, class Real, int D>
 /// One sentence for each rule `system` breaks, naming the thing, its value and what would be right.
 /// Empty means `solve` accepts it.
 [[nodiscard]] std::vector<std::string> problems(const System& system);
+/// In space.
 [[nodiscard]] std::vector<std::string> problems(const SpatialSystem& system);
 
 /// `system` rounded to double.

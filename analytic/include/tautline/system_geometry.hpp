@@ -415,8 +415,7 @@ template <class Real, int D>
   return result;
 }
 
-/// Angular momentum of all bodies about a world point [N m s]: a number in the plane, a vector of
-/// the world in space.
+/// Angular momentum of all bodies about a world point [N m s].
 template <class Real>
 [[nodiscard]] Real angular_momentum(const BasicSystem<Real, 2>& system,
                                     const BasicSystemState<Real, 2>& state,
@@ -428,6 +427,7 @@ template <class Real>
   }
   return result;
 }
+/// In space, in world axes.
 template <class Real>
 [[nodiscard]] BasicVector<Real, 3> angular_momentum(const BasicSystem<Real, 3>& system,
                                                     const BasicSystemState<Real, 3>& state,

@@ -71,6 +71,7 @@ template <class Real>
 [[nodiscard]] BasicTurn<Real, 2> moments(const Real& inertia) {
   return BasicTurn<Real, 2>(inertia);
 }
+/// In space the three principal ones.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> moments(const BasicVector<Real, 3>& inertia) {
   return inertia;
@@ -81,6 +82,7 @@ template <class Real>
 [[nodiscard]] bool has_inertia(const Real& inertia) {
   return inertia > 0;
 }
+/// In space its moments are all zero, or all above zero.
 template <class Real>
 [[nodiscard]] bool has_inertia(const BasicVector<Real, 3>& inertia) {
   return inertia.x() > 0;
@@ -91,6 +93,7 @@ template <class Real>
 [[nodiscard]] BasicTurn<Real, 2> spin_of(const BasicState<Real>& state) {
   return BasicTurn<Real, 2>(state.spin);
 }
+/// In space it is in the axes of the body.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> spin_of(const BasicSpatialState<Real>& state) {
   return state.spin;
@@ -103,6 +106,7 @@ template <class Real>
   state.spin = spin[0];
   return state;
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicSpatialState<Real> with_spin(
     BasicSpatialState<Real> state, const std::type_identity_t<BasicTurn<Real, 3>>& spin) {
@@ -115,6 +119,7 @@ template <class Real>
 [[nodiscard]] Real spin_size(const BasicState<Real>& state) {
   return abs(state.spin);
 }
+/// In space.
 template <class Real>
 [[nodiscard]] Real spin_size(const BasicSpatialState<Real>& state) {
   return state.spin.norm();
@@ -187,6 +192,7 @@ template <class Real>
   const auto [c, s] = heading(state.angle);
   return c * at + s * perpendicular<Real>(at);
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicVector<Real, 3> in_the_world(
     const BasicSpatialState<Real>& state, const std::type_identity_t<BasicVector<Real, 3>>& at) {
@@ -201,6 +207,7 @@ template <class Real>
                                     const std::type_identity_t<BasicVec2<Real>>& arm) {
   return spin[0] * perpendicular<Real>(arm);
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicVector<Real, 3> swept(const BasicSpatialState<Real>& state,
                                          const std::type_identity_t<BasicTurn<Real, 3>>& spin,
@@ -217,6 +224,7 @@ template <class Real>
                                            const std::type_identity_t<BasicVec2<Real>>& force) {
   return BasicTurn<Real, 2>(cross<Real>(arm, force));
 }
+/// In space: b x R^T F (S4), exactly zero about a line through the centre on which `at` is.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> moment_of(
     const BasicSpatialState<Real>& state, const std::type_identity_t<BasicVector<Real, 3>>& at,
@@ -234,6 +242,7 @@ template <class Real>
                                              const std::type_identity_t<BasicVec2<Real>>& force) {
   return BasicTurn<Real, 2>(cross<Real>(swept(state, spin_of(state), arm), force));
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> moment_rate(
     const BasicSpatialState<Real>& state, const std::type_identity_t<BasicVector<Real, 3>>& at,
@@ -250,6 +259,7 @@ template <class Real>
     const std::type_identity_t<BasicVec2<Real>>& force) {
   return moment_rate(state, at, arm, force);
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> moment_rate_in_world(
     const BasicSpatialState<Real>& state, const std::type_identity_t<BasicVector<Real, 3>>& at,
@@ -264,6 +274,7 @@ template <class Real>
     const BasicState<Real>& /*state*/, const std::type_identity_t<BasicTurn<Real, 2>>& moment) {
   return moment;
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> in_the_body(
     const BasicSpatialState<Real>& state, const std::type_identity_t<BasicTurn<Real, 3>>& moment) {
@@ -278,6 +289,7 @@ template <class Real>
                                             const BasicState<Real>& /*state*/) {
   return BasicTurn<Real, 2>::Zero();
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> gyroscopic(const BasicVector<Real, 3>& inertia,
                                             const BasicSpatialState<Real>& state) {
@@ -292,6 +304,7 @@ template <class Real>
 [[nodiscard]] Real gyroscopic_size(const Real& /*inertia*/, const BasicState<Real>& /*state*/) {
   return Real(0);
 }
+/// In space.
 template <class Real>
 [[nodiscard]] Real gyroscopic_size(const BasicVector<Real, 3>& inertia,
                                    const BasicSpatialState<Real>& state) {
@@ -305,6 +318,7 @@ template <class Real>
   state.angle += step[0];
   return state;
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicSpatialState<Real> turned(BasicSpatialState<Real> state,
                                              const std::type_identity_t<BasicTurn<Real, 3>>& step) {
@@ -320,6 +334,7 @@ template <class Real>
     const std::type_identity_t<BasicTurn<Real, 2>>& gain) {
   return spin_of(state) + gain;
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> spin_carried(
     const BasicVector<Real, 3>& inertia, const BasicSpatialState<Real>& state,
@@ -339,6 +354,7 @@ template <class Real>
   const Real angle = a.angle - b.angle;
   return abs(Real(angle - turn * floor(Real(angle / turn + Real(0.5)))));
 }
+/// In space.
 template <class Real>
 [[nodiscard]] Real turn_between(const BasicSpatialState<Real>& a,
                                 const BasicSpatialState<Real>& b) {
@@ -351,6 +367,7 @@ template <class Real>
 [[nodiscard]] BasicTurn<Real, 2> angle_of_potential(const BasicState<Real>& state) {
   return BasicTurn<Real, 2>(state.angle);
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> angle_of_potential(const BasicSpatialState<Real>& /*state*/) {
   return BasicTurn<Real, 3>::Zero();
@@ -364,6 +381,7 @@ template <class Real>
   const BasicVec2<Real> from = state.position - about;
   return BasicTurn<Real, 2>(Real(mass * cross<Real>(from, state.velocity) + inertia * state.spin));
 }
+/// In space.
 template <class Real>
 [[nodiscard]] BasicTurn<Real, 3> angular_momentum(const Real& mass,
                                                   const BasicVector<Real, 3>& inertia,
@@ -409,6 +427,7 @@ template <class Real>
   return isfinite(state.angle) && isfinite(state.position.squaredNorm()) &&
          isfinite(state.velocity.squaredNorm()) && isfinite(Real(state.spin * state.spin));
 }
+/// In space.
 template <class Real>
 [[nodiscard]] bool numbers_fit(const BasicSpatialState<Real>& state) {
   return isfinite(state.orientation.squaredNorm()) && isfinite(state.position.squaredNorm()) &&
@@ -422,6 +441,7 @@ template <class Real, class Numbers>
                                        const Numbers& rate) {
   return {{pose[0], pose[1]}, pose[2], {rate[0], rate[1]}, rate[2]};
 }
+/// In space the spin has columns of its own, and the quaternion is normalised.
 template <class Real, class Numbers>
 [[nodiscard]] BasicSpatialState<Real> body_of(const BasicSpatialState<Real>& /*like*/,
                                               const Numbers& pose, const Numbers& rate) {
@@ -439,6 +459,7 @@ template <class Real, class Columns>
   columns(1, 2) = state.spin;
   return true;
 }
+/// In space.
 template <class Real, class Columns>
 [[nodiscard]] bool write_resting(const BasicSpatialState<Real>& state, Columns&& columns) {
   columns.row(0) << state.position.transpose(), state.orientation.transpose(),
@@ -453,6 +474,7 @@ template <class Real>
                             const std::type_identity_t<BasicVec2<Real>>& at) {
   return state.spin == 0 || at.isZero(0);
 }
+/// In space.
 template <class Real>
 [[nodiscard]] bool is_along(const BasicSpatialState<Real>& state,
                             const std::type_identity_t<BasicVector<Real, 3>>& at) {
@@ -466,6 +488,7 @@ template <class Real>
 [[nodiscard]] int turns_held(const Eigen::Matrix<Real, Eigen::Dynamic, 2>& arms) {
   return arms.isZero(0) ? 0 : 1;
 }
+/// In space.
 template <class Real>
 [[nodiscard]] int turns_held(const Eigen::Matrix<Real, Eigen::Dynamic, 3>& arms) {
   if (arms.isZero(0)) {
@@ -488,6 +511,7 @@ template <class To, class Real>
 [[nodiscard]] To inertia_in(const Real& inertia) {
   return static_cast<To>(inertia);
 }
+/// In space.
 template <class To, class Real>
 [[nodiscard]] BasicVector<To, 3> inertia_in(const BasicVector<Real, 3>& inertia) {
   return inertia.unaryExpr([](const Real& number) { return static_cast<To>(number); });
@@ -505,6 +529,7 @@ template <class To, class Real>
   return {converted<To>(state.position), static_cast<To>(state.angle),
           converted<To>(state.velocity), static_cast<To>(state.spin)};
 }
+/// In space.
 template <class To, class Real>
 [[nodiscard]] BasicSpatialState<To> converted(const BasicSpatialState<Real>& state) {
   return {converted<To>(state.position), converted<To>(state.orientation),

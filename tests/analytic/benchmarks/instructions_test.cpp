@@ -20,10 +20,30 @@ constexpr double most_per_impact = 10'600.0;
 /// tensions that touch zero: 10,750 when it was set.
 constexpr double most_of_bounds = 12'400.0;
 
+/// [-], an impact in space against one of the same motion in the plane, both of systems. 2.0 when
+/// it was set.
+constexpr double most_in_space = 3.0;
+
+test::Counted cost(const std::string& what) {
+  return test::counted(TAUTLINE_SOLVE_SHIPPED, what, " impacts");
+}
+
+TEST(Counts, AnImpactInSpaceTakesUpToThreeTimesOneInThePlane) {
+  const test::Counted load = cost("systems");
+  if (load.instructions < 0.0) {
+    GTEST_SKIP() << "valgrind is not here, or does not know this processor";
+  }
+  const test::Counted plane = cost("plane");
+  const test::Counted space = cost("space");
+  ASSERT_GT(plane.things, 0.0);
+  ASSERT_EQ(plane.things, space.things);
+  const double in_plane = (plane.instructions - load.instructions) / plane.things;
+  const double in_space = (space.instructions - load.instructions) / space.things;
+  std::printf("%.0f instructions per impact in the plane, %.0f in space\n", in_plane, in_space);
+  EXPECT_LE(in_space, most_in_space * in_plane);
+}
+
 TEST(Counts, ASolutionAndItsBoundsTakeTheirInstructions) {
-  const auto cost = [](const std::string& what) {
-    return test::counted(TAUTLINE_SOLVE_SHIPPED, what, " impacts");
-  };
   const test::Counted load = cost("load");
   if (load.instructions < 0.0) {
     GTEST_SKIP() << "valgrind is not here, or does not know this processor";

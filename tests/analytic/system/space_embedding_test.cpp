@@ -32,8 +32,8 @@ std::array<Plane, 5> planes() {
 }
 
 /// The units of a case: its shortest cable, and the time in which gravity takes a body so far.
-struct Units {
-  explicit Units(const Case& the_case)
+struct UnitsOfCase {
+  explicit UnitsOfCase(const Case& the_case)
       : length(shortest_length(the_case)),
         speed(std::sqrt(length * the_case.gravity.norm())),
         arm(attachment_radius(the_case)) {}
@@ -44,7 +44,7 @@ struct Units {
 };
 
 /// The largest difference of two states: of centres and of attachments as they turn [-].
-double difference(const SpatialState& a, const SpatialState& b, const Units& unit) {
+double difference_in_space(const SpatialState& a, const SpatialState& b, const UnitsOfCase& unit) {
   return std::max({(a.position - b.position).norm() / unit.length,
                    (a.velocity - b.velocity).norm() / unit.speed,
                    unit.arm * angle_between<double>(a.orientation, b.orientation) / unit.length,
@@ -52,25 +52,25 @@ double difference(const SpatialState& a, const SpatialState& b, const Units& uni
 }
 
 /// How far the centre is from the plane, and how fast it leaves it [-].
-double out_of_plane(const SpatialState& state, const Plane& plane, const Units& unit) {
+double out_of_plane(const SpatialState& state, const Plane& plane, const UnitsOfCase& unit) {
   const Eigen::Vector3d normal = plane.axes.col(2);
   return std::max(std::abs(normal.dot(state.position)) / unit.length,
                   std::abs(normal.dot(state.velocity)) / unit.speed);
 }
 
-struct Compared {
+struct InTwoKernels {
   std::size_t alike = 0;      // events of the same kind and cables, from the start on
   double first_ten = 0.0;     // the largest difference in ten of them [-]
   double out_of_plane = 0.0;  // in all of them, as long as the motions are the same to 1e-11 [-]
 };
 
-Compared compare(const Case& the_case, const Plane& plane) {
+InTwoKernels in_two_kernels(const Case& the_case, const Plane& plane) {
   const Solution planar = solve(the_case);
   const SpatialSystem system = embedded(as_system(the_case), plane);
   EXPECT_TRUE(problems(system).empty()) << problems(system).front();
   const auto spatial = solve(system);
-  const Units unit(the_case);
-  Compared result;
+  const UnitsOfCase unit(the_case);
+  InTwoKernels result;
   double apart = 0.0;
   const std::size_t count = std::min(planar.events().size(), spatial.events().size());
   for (; result.alike < count; ++result.alike) {
@@ -80,8 +80,8 @@ Compared compare(const Case& the_case, const Plane& plane) {
       break;
     }
     apart = std::max({apart, std::abs(one.time - other.time) * unit.speed / unit.length,
-                      difference(plane.state(one.before), other.before.bodies[0], unit),
-                      difference(plane.state(one.after), other.after.bodies[0], unit)});
+                      difference_in_space(plane.state(one.before), other.before.bodies[0], unit),
+                      difference_in_space(plane.state(one.after), other.after.bodies[0], unit)});
     if (result.alike < 10) {
       result.first_ten = apart;
     }
@@ -99,7 +99,7 @@ TEST(InSpace, NinePlanarCasesMoveInFivePlanesAsInTheirOwn) {
       "breakwater/1910121100", "breakwater/1911121100", "breakwater/1510121100",
       "breakwater/1900461100", "bouncing-ball",         "crane-load",
       "buoy-three-cables",     "plate-four-cables",     "tilted-gravity"};
-  Compared worst;
+  InTwoKernels worst;
   int count = 0;
   for (Case the_case : shipped_cases()) {
     if (std::find(names.begin(), names.end(), the_case.name) == names.end()) {
@@ -109,7 +109,7 @@ TEST(InSpace, NinePlanarCasesMoveInFivePlanesAsInTheirOwn) {
     the_case.ceiling.reset();
     for (const Plane& plane : planes()) {
       SCOPED_TRACE(the_case.name + ", normal " + std::to_string(plane.normal));
-      const Compared result = compare(the_case, plane);
+      const InTwoKernels result = in_two_kernels(the_case, plane);
       std::printf("  %-22s %zu alike, first ten %.1e, out of plane %.1e\n", the_case.name.c_str(),
                   result.alike, result.first_ten, result.out_of_plane);
       worst.first_ten = std::max(worst.first_ten, result.first_ten);

@@ -491,8 +491,8 @@ Real SystemSeries<Real, D>::reach(const Real& error) const {
   return least;
 }
 
-/// How long [s], at most `most`, the ends of a segment surely stay apart: beyond their meeting its
-/// distance, which has a kink there, is not that of its series.
+/// How long [s], at most `most`, the ends of a segment surely stay apart: its distance has a kink
+/// where they meet, and the series has none.
 template <class Real, int D>
 Real SystemSeries<Real, D>::apart_for(const SegmentSeries& segment, const Real& most) const {
   const Real distance = segment.distance[0].x();

@@ -65,7 +65,7 @@ class TurningSeries<Real, 2> {
   using Vector = BasicVector<Real, 2>;       // of the world
   using Turn = BasicTurn<Real, 2>;           // one number
   using Body = BasicBodyOfSystem<Real, 2>;   // that turns
-  static constexpr std::size_t numbers = 7;  // it keeps so many for each order
+  static constexpr std::size_t numbers = 7;  // for each order
 
   /// Takes `numbers` zeros for each of `terms` orders from `next` on.
   void make(Real*& next, std::size_t terms) {

@@ -29,7 +29,7 @@ struct SystemKey {
 /// True where gravity has three numbers, and not all points have two: then it is mistyped.
 [[nodiscard]] bool is_in_space(const toml::table& file);
 
-/// By which the cables of a file name body `index` of so many, whose own name is `name`.
+/// By which the cables of a file name body `index` of `bodies`, whose own name is `name`.
 [[nodiscard]] std::string name_in_file(const std::string& name, std::size_t index,
                                        std::size_t bodies);
 

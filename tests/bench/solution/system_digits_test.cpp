@@ -105,7 +105,8 @@ using TrueSolution = BasicSolution<BasicSystem<Multi, 2>>;
 std::vector<const BasicEvent<BasicSystem<Multi, 2>>*> true_events(
     const BasicSolution<System>& solution, const TrueSolution& truth) {
   std::vector<const BasicEvent<BasicSystem<Multi, 2>>*> result(solution.events().size());
-  for (const auto& [mine, other] : Alignment(solution, truth).places()) {
+  const Alignment alignment(solution, truth);
+  for (const auto& [mine, other] : alignment.places()) {
     if (mine > 0) {
       result[mine - 1] = &truth.events()[other - 1];
     }

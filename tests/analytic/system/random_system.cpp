@@ -73,6 +73,16 @@ BasicEnd<double, D> in_the_world(Random& random) {
   return end;
 }
 
+/// A ring in the world; in space on a body, too.
+End random_ring(Random& random, const System& /*plane*/) { return in_the_world<2>(random); }
+SpatialEnd random_ring(Random& random, const SpatialSystem& system) {
+  if (random.chance(0.7)) {
+    return in_the_world<3>(random);
+  }
+  const double most = static_cast<double>(system.bodies.size()) - 1e-9;
+  return on_body(random, system, static_cast<std::size_t>(random.uniform(0.0, most)));
+}
+
 template <int D>
 BasicBodyOfSystem<double, D> random_body(Random& random) {
   BasicBodyOfSystem<double, D> body;
@@ -102,7 +112,7 @@ BasicCableOfSystem<double, D> random_cable(Random& random, const BasicSystem<dou
   BasicCableOfSystem<double, D> cable;
   cable.from = on_body(random, system, body());
   if (random.chance(0.25)) {
-    cable.through.push_back(in_the_world<D>(random));
+    cable.through.push_back(random_ring(random, system));
   }
   const std::size_t other = body();
   cable.to = other != *cable.from.body && random.chance(0.5) ? on_body(random, system, other)

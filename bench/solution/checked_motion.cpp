@@ -27,7 +27,8 @@ constexpr double other_completion = 2.0;
 /// a few of them.
 double completion_of(int digits) {
   constexpr int spare = 6;
-  return std::pow(10.0, spare - digits);
+  constexpr double most = 1e-18;
+  return std::min(most, std::pow(10.0, spare - digits));
 }
 
 /// The name of body `index` in tables.

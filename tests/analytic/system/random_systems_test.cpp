@@ -71,11 +71,19 @@ void report(const Tally& tally) {
   expect_within("energy gained in impacts [-]", tally.gained, 1e-12);
 }
 
+#ifdef TAUTLINE_SANITIZED
+constexpr int drawn_in_space = 100;  // sanitizers slow this down tenfold
+constexpr int drawn_by_default = 100;
+#else
+constexpr int drawn_in_space = 1000;
+constexpr int drawn_by_default = 400;
+#endif
+
 /// How many are drawn in the plane: more with TAUTLINE_RANDOM_SYSTEMS in the environment, of which
 /// 2,000 take two minutes.
 int drawn_systems() {
   const char* const wanted = std::getenv("TAUTLINE_RANDOM_SYSTEMS");
-  return wanted != nullptr ? std::atoi(wanted) : 400;
+  return wanted != nullptr ? std::atoi(wanted) : drawn_by_default;
 }
 
 TEST(RandomSystems, NeverOverstretchAndTheirLedgersClose) {
@@ -88,7 +96,7 @@ TEST(RandomSystems, NeverOverstretchAndTheirLedgersClose) {
       measure(system, tally);
     }
   }
-  EXPECT_GT(tally.solved, 300);
+  EXPECT_GT(tally.solved, drawn_systems() * 3 / 4);
   report(tally);
 }
 

@@ -52,7 +52,7 @@ struct Form {
   std::list<Form> inside = {};  // the keys of a table; one form for all entries of an array
   std::vector<std::string> either = {};  // keys, if a table must have exactly one of them
   std::optional<std::size_t> each = {};  // entries at most, if a table may have an array `each`
-  std::vector<Form> also = {};           // another form that is right, too
+  std::list<Form> also = {};             // another form that is right, too
   std::string instead = {};  // the key whose value may be there instead of the table, or ""
 };
 

@@ -443,8 +443,7 @@ std::optional<SystemKey> system_key(const toml::table& file) {
   if (const toml::node* bodies = file.get("bodies")) {
     return key_of(*bodies, "bodies");
   }
-  if (const toml::node* gravity = file.get("gravity");
-      gravity != nullptr && (gravity->is_table() || is_in_space(file))) {
+  if (const toml::node* gravity = file.get("gravity"); gravity && gravity->is_table()) {
     return key_of(*gravity, "gravity");
   }
   for (const char* const key : {"drag", "spin_drag", "force", "moment"}) {

@@ -235,7 +235,11 @@ SystemReading read_system_text(std::string_view text, const std::string& source_
   if (!file) {
     return {.problems = wrong.sentences()};
   }
-  if (const auto key = bench::system_key(*file)) {
+  auto key = bench::system_key(*file);
+  if (!key && bench::is_in_space(*file)) {
+    key = {"gravity", bench::line_of(file->get("gravity"))};
+  }
+  if (key) {
     SystemReading result = bench::read_as_system(*file, taut, wrong);
     result.only_a_system = bench::only_a_system(*key, source_name);
     return result;

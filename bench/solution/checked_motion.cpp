@@ -19,8 +19,8 @@ namespace {
 /// times less than what would send a cable another way, and far more than what grows no further.
 constexpr double parted = 1e-4;
 
-/// Bounces are completed at an instant of each solution's own, later in more digits: more digits
-/// yet are further away than these are from each other [-].
+/// Bounces are completed at an instant of each solution's own. What the numbers change from there
+/// to the limit of the impacts, times this, is what they may be off by at another such instant [-].
 constexpr double other_completion = 2.0;
 
 /// The error of completed accumulations in more digits, below that of doubles [-]: it may have cost
@@ -307,15 +307,26 @@ std::vector<Bounded> BasicCheckedMotion<D>::at_event(std::size_t index, Side sid
   }
   const tautline::Digits precision(static_cast<unsigned>(digits_));
   auto result = agreeing(mine, numbers_at(in_digits_->system, in_digits_->solution, *same, side));
-  for (Bounded& number : result) {
-    number.error *= margin_at(index);
+  if (const double late = completed_time(index); late > 0.0) {
+    const double time = solution_.events()[index].time;
+    const std::vector<double> later =
+        numbers_at(system_, solution_, std::min(time + late, solution_.end_time()));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i].error = other_completion * (result[i].error + std::abs(later[i] - result[i].value));
+    }
   }
   return result;
 }
 
 template <int D>
-double BasicCheckedMotion<D>::margin_at(std::size_t index) const {
-  return solution_.events()[index].kind == EventKind::taut ? other_completion : 1.0;
+double BasicCheckedMotion<D>::completed_time(std::size_t index) const {
+  const auto& event = solution_.events()[index];
+  for (const Accumulation& one : solution_.accumulations()) {
+    if (event.kind == EventKind::taut && one.start == event.time && one.cables == event.cables) {
+      return one.time - one.start + one.uncertainty;
+    }
+  }
+  return 0.0;
 }
 
 template <int D>
@@ -323,7 +334,8 @@ Bounded BasicCheckedMotion<D>::time(std::size_t index) const {
   const double mine = solution_.events()[index].time;
   const auto same = same_event(index);
   return {mine,
-          same ? margin_at(index) * off_by(mine, in_digits_->solution.events()[*same].time) : -1.0};
+          same ? completed_time(index) + off_by(mine, in_digits_->solution.events()[*same].time)
+               : -1.0};
 }
 
 template <int D>
@@ -335,8 +347,10 @@ std::vector<Bounded> BasicCheckedMotion<D>::impulses(std::size_t index) const {
     const double impulse = std::max(0.0, mine[row]);  // below are gravity's
     double error = -1.0;
     if (same) {
-      error = margin_at(index) *
-              off_by(impulse, max(Multi(0), in_digits_->solution.events()[*same].impulses[row]));
+      error = off_by(impulse, max(Multi(0), in_digits_->solution.events()[*same].impulses[row]));
+      if (completed_time(index) > 0.0) {  // those that come later may be less, or more
+        error = max(error, impulse);
+      }
     }
     result.push_back({impulse, error});
   }

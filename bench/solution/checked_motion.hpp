@@ -90,8 +90,9 @@ class BasicCheckedMotion {
   struct InDigits;
 
   void align();
-  [[nodiscard]] bool end_alike(double speed) const;         // [m/s], the largest of the motion
-  [[nodiscard]] double margin_at(std::size_t index) const;  // for its errors [-]
+  [[nodiscard]] bool end_alike(double speed) const;  // [m/s], the largest of the motion
+  /// How long [s] the bounces last that event `index` completes; 0: it completes none.
+  [[nodiscard]] double completed_time(std::size_t index) const;
   /// The event of the second solution that event `index` is; none from the horizon on.
   [[nodiscard]] std::optional<std::size_t> same_event(std::size_t index) const;
 

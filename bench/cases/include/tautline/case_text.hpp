@@ -66,10 +66,12 @@ struct StartChange {
 /// as times and values where it was made of them, and as pieces otherwise. Requires that `problems`
 /// finds none, and names in UTF-8.
 [[nodiscard]] std::string write_system(const System& system);
+/// Likewise in space.
 [[nodiscard]] std::string write_system(const SpatialSystem& system);
 
 /// A system as one JSON object.
 [[nodiscard]] std::string write_system_json(const System& system);
+/// Likewise in space.
 [[nodiscard]] std::string write_system_json(const SpatialSystem& system);
 
 }  // namespace tautline

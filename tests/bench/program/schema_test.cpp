@@ -328,7 +328,7 @@ TEST(FileSchemas, RefuseUnknownKeysWrongTypesRangesAndWhatIsMissing) {
       {"spec", "names = [\"ode\"]\n", ""},
       {"spec", "steps = [0.01, 0.001]", "steps = [0.01, 0]"},
       {"system", "mass = 0.5", "mass = 0.0"},
-      {"system", "[0.1, -0.5]", "[0.1, 0.0, -0.5]"},
+      {"system", "[0.1, -0.5]", "[0.1, 0.0, 0.0, -0.5]"},
       {"system", "frequency = 1.5", "frequency = -1.5"},
       {"system", "frequency = 1.5", "omega = 1.5"},
       {"system", "amplitude = [0.1, 0.0]", "amplitude = 0.1"},

@@ -1,7 +1,6 @@
 #include "bench/base/strict_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bench/base/text.hpp"
@@ -18,11 +17,17 @@ bool has_key(const toml::table* table, std::string_view key) {
   return table != nullptr && table->contains(key);
 }
 
-/// "two numbers [x, y]", as a sentence has them; `form` is what they are, if not coordinates.
-std::string so_many_numbers(std::size_t count, std::string_view form = "") {
-  constexpr std::array<std::string_view, 5> words = {"", "", "two", "three", "four"};
-  constexpr std::array<std::string_view, 5> forms = {"", "", "[x, y]", "[x, y, z]", "[w, x, y, z]"};
-  return std::string(words[count]) + " numbers " + std::string(form.empty() ? forms[count] : form);
+/// What so many numbers are, if a file does not say it otherwise.
+const char* coordinates_of(std::size_t count) {
+  return count == 2 ? "[x, y]" : count == 3 ? "[x, y, z]" : "[w, x, y, z]";
+}
+
+/// "two numbers [x, y]", as a sentence has them.
+std::string so_many_numbers(std::size_t count, std::string_view form) {
+  return (count == 2   ? "two numbers "
+          : count == 3 ? "three numbers "
+                       : "four numbers ") +
+         std::string(form);
 }
 
 /// Makes `form` an array of `count` numbers.
@@ -184,22 +189,23 @@ std::vector<double> StrictTable::numbers_of(const Key& key, std::size_t count,
   if (Form* const form = note(Form::Kind::array, key, unit)) {
     *form = form_of_numbers(std::move(*form), count, range);
   }
-  const toml::node* node = find_required(key.name, with_unit(so_many_numbers(count), unit));
-  return node != nullptr ? checked_numbers(*node, full_name(key.name), count, "", unit, range)
+  const toml::node* node =
+      find_required(key.name, with_unit(so_many_numbers(count, coordinates_of(count)), unit));
+  return node != nullptr ? checked_numbers(*node, full_name(key.name), count, coordinates_of(count),
+                                           unit, range)
                          : std::vector<double>(count, 0.0);
 }
 
-std::vector<std::vector<double>> StrictTable::all_numbers_of(const Key& key, std::size_t count,
-                                                             std::string_view form,
-                                                             std::string_view unit, bool required) {
-  const std::string numbers = so_many_numbers(count, form);
-  const std::string what = numbers.substr(numbers.find('['));
+std::vector<double> StrictTable::all_numbers_of(const Key& key, std::size_t count,
+                                                std::string_view form, std::string_view unit,
+                                                bool required) {
+  const std::string what(form.empty() ? coordinates_of(count) : form);
   if (Form* const notes = note(Form::Kind::array, key, unit)) {
     notes->required = notes->required && required;
     notes->least = 1;
     notes->inside.push_back(form_of_numbers({.meaning = what}, count, any_number));
   }
-  std::vector<std::vector<double>> result;
+  std::vector<double> result;
   const std::string right =
       with_unit("an array of " + std::string(count == 2 ? "pairs " : "points ") + what, unit);
   const toml::node* node = required ? find_required(key.name, right) : find(key.name);
@@ -215,7 +221,8 @@ std::vector<std::vector<double>> StrictTable::all_numbers_of(const Key& key, std
   }
   for (std::size_t index = 0; index < array->size(); ++index) {
     const std::string name = full_name(key.name) + "[" + std::to_string(index) + "]";
-    result.push_back(checked_numbers(*array->get(index), name, count, form, unit));
+    const std::vector<double> one = checked_numbers(*array->get(index), name, count, what, unit);
+    result.insert(result.end(), one.begin(), one.end());
   }
   return result;
 }
@@ -292,7 +299,7 @@ std::vector<StrictTable> StrictTable::tables(const Key& key, std::size_t most,
     } else {
       refuse(entry, name,
              "is " + type_name(entry) + ", must be a table" +
-                 (inside.empty() ? "" : " or " + so_many_numbers(count)));
+                 (inside.empty() ? "" : " or " + so_many_numbers(count, coordinates_of(count))));
     }
   }
   return result;

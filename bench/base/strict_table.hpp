@@ -111,8 +111,9 @@ class StrictTable {
   [[nodiscard]] std::vector<Numbers<N>> vectors(const Key& key, std::string_view unit,
                                                 bool required = false, std::string_view form = "") {
     std::vector<Numbers<N>> result;
-    for (const std::vector<double>& one : all_numbers_of(key, N, form, unit, required)) {
-      result.emplace_back(one.data());
+    const std::vector<double> numbers = all_numbers_of(key, N, form, unit, required);
+    for (std::size_t first = 0; first < numbers.size(); first += N) {
+      result.emplace_back(numbers.data() + first);
     }
     return result;
   }
@@ -159,9 +160,9 @@ class StrictTable {
                  std::string_view unit);
   std::vector<double> numbers_of(const Key& key, std::size_t count, std::string_view unit,
                                  const Range& range);
-  std::vector<std::vector<double>> all_numbers_of(const Key& key, std::size_t count,
-                                                  std::string_view form, std::string_view unit,
-                                                  bool required);
+  /// The numbers of all entries, one after the other.
+  std::vector<double> all_numbers_of(const Key& key, std::size_t count, std::string_view form,
+                                     std::string_view unit, bool required);
   std::vector<double> checked_numbers(const toml::node& node, const std::string& name,
                                       std::size_t count, std::string_view form,
                                       std::string_view unit, const Range& range = any_number);

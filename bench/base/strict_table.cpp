@@ -17,12 +17,12 @@ bool has_key(const toml::table* table, std::string_view key) {
   return table != nullptr && table->contains(key);
 }
 
-/// What so many numbers are, if a file does not say it otherwise.
+/// The form of a point, or of a quaternion, in a sentence.
 const char* coordinates_of(std::size_t count) {
   return count == 2 ? "[x, y]" : count == 3 ? "[x, y, z]" : "[w, x, y, z]";
 }
 
-/// "two numbers [x, y]", as a sentence has them.
+/// "two numbers [x, y]" in a sentence.
 std::string so_many_numbers(std::size_t count, std::string_view form) {
   return (count == 2   ? "two numbers "
           : count == 3 ? "three numbers "

@@ -74,9 +74,11 @@ void report(const Tally& tally) {
 #ifdef TAUTLINE_SANITIZED
 constexpr int drawn_in_space = 100;  // sanitizers slow this down tenfold
 constexpr int drawn_by_default = 100;
+constexpr int scanned = 20;
 #else
 constexpr int drawn_in_space = 1000;
 constexpr int drawn_by_default = 400;
+constexpr int scanned = 200;
 #endif
 
 /// How many are drawn in the plane: more with TAUTLINE_RANDOM_SYSTEMS in the environment, of which
@@ -103,7 +105,7 @@ TEST(RandomSystems, NeverOverstretchAndTheirLedgersClose) {
 TEST(RandomSystems, NeverOverstretchInSpace) {
   Random random(40);
   Tally tally;
-  for (int i = 0; tally.solved < 1000; ++i) {
+  for (int i = 0; tally.solved < drawn_in_space; ++i) {
     const SpatialSystem system = random_spatial_system(random);
     if (problems(system).empty()) {
       SCOPED_TRACE("system " + std::to_string(i));
@@ -273,7 +275,7 @@ class DenseScan {
   double force_ = 0.0;  // [N], the largest so far
 };
 
-/// Scans the motions of 200 systems that `draw` gives.
+/// Scans the motions of random systems that `draw` gives.
 template <int D, class Draw>
 void scan_random_systems(std::uint64_t seed, const Draw& draw) {
   Random random(seed);
@@ -282,7 +284,7 @@ void scan_random_systems(std::uint64_t seed, const Draw& draw) {
   double amiss = 0.0;
   long long looks = 0;
   int solved = 0;
-  while (solved < 200) {
+  while (solved < scanned) {
     const BasicSystem<double, D> system = draw(random);
     if (!problems(system).empty()) {
       continue;

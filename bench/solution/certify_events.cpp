@@ -20,17 +20,6 @@ bool same(const BasicEvent<TheCase>& one, const BasicEvent<InDigits>& other) {
   return one.kind == other.kind && one.cables == other.cables;
 }
 
-/// The accumulation that `event` completes, or null.
-template <class TheCase>
-const Accumulation* completed_by(const BasicSolution<TheCase>& solution,
-                                 const BasicEvent<TheCase>& event) {
-  const auto& all = solution.accumulations();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Accumulation& accumulation) {
-    return accumulation.start == event.time && accumulation.cables == event.cables;
-  });
-  return event.kind == EventKind::taut && found != all.end() ? &*found : nullptr;
-}
-
 /// Where the events of `solution` from number `first` on go on after they have come through
 /// `accumulation`, of which they are still taking the impacts; none if they do something else.
 template <class TheCase>

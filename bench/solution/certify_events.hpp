@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -8,6 +9,17 @@
 #include "tautline/solution.hpp"
 
 namespace tautline::bench {
+
+/// The accumulation that `event` completes, or null.
+template <class TheCase>
+[[nodiscard]] const Accumulation* completed_by(const BasicSolution<TheCase>& solution,
+                                               const BasicEvent<TheCase>& event) {
+  const auto& all = solution.accumulations();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Accumulation& accumulation) {
+    return accumulation.start == event.time && accumulation.cables == event.cables;
+  });
+  return event.kind == EventKind::taut && found != all.end() ? &*found : nullptr;
+}
 
 /// The events of a solution in double next to those of one with more digits.
 template <class TheCase, class InDigits>

@@ -320,13 +320,8 @@ std::vector<Bounded> BasicCheckedMotion<D>::at_event(std::size_t index, Side sid
 
 template <int D>
 double BasicCheckedMotion<D>::completed_time(std::size_t index) const {
-  const auto& event = solution_.events()[index];
-  for (const Accumulation& one : solution_.accumulations()) {
-    if (event.kind == EventKind::taut && one.start == event.time && one.cables == event.cables) {
-      return one.time - one.start + one.uncertainty;
-    }
-  }
-  return 0.0;
+  const Accumulation* const one = completed_by(solution_, solution_.events()[index]);
+  return one != nullptr ? one->time - one->start + one->uncertainty : 0.0;
 }
 
 template <int D>

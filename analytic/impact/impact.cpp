@@ -17,9 +17,6 @@
 namespace tautline {
 namespace {
 
-/// A planar body has three degrees of freedom: no more than three rows are independent.
-constexpr int degrees_of_freedom = 3;
-
 /// A pivot below this fraction of the diagonal means the rows are dependent [-].
 constexpr double dependent_rows = 1e-12;
 
@@ -65,10 +62,10 @@ std::span<const Eigen::Index> rows_of(unsigned bits, std::array<Eigen::Index, ma
 template <class Real>
 std::optional<BasicCableVector<Real>> solve_lcp(
     const BasicCableMatrix<Real>& m, const std::type_identity_t<BasicCableVector<Real>>& q,
-    const std::type_identity_t<Real>& rounding) {
-  // A solution with independent active rows always exists (Caratheodory), so the at most
-  // 1 + 8 + 28 + 56 sets of up to three rows are all there is to try. In exact arithmetic one of
-  // them violates nothing; rounding decides between neighbours, so the smallest violation wins.
+    const std::type_identity_t<Real>& rounding, int rank) {
+  // A solution with independent active rows always exists (Caratheodory), so in the plane the at
+  // most 1 + 8 + 28 + 56 sets of up to three rows are all there is to try. In exact arithmetic one
+  // of them violates nothing; rounding decides between neighbours, so the smallest violation wins.
   const auto count = static_cast<unsigned>(q.size());
   if (count == 1 && m(0, 0) > 0 && isfinite(q[0])) {
     return BasicCableVector<Real>::Constant(1, max(Real(0), Real(-q[0] / m(0, 0))));
@@ -77,7 +74,7 @@ std::optional<BasicCableVector<Real>> solve_lcp(
   Real smallest = infinity<Real>();
   BasicCableVector<Real> best;
   for (unsigned bits = 0; bits < (1U << count); ++bits) {
-    if (std::popcount(bits) > degrees_of_freedom) {
+    if (std::popcount(bits) > rank) {
       continue;
     }
     std::array<Eigen::Index, max_cables> rows{};
@@ -173,7 +170,7 @@ std::optional<BasicTensions<Real>> resting_tensions(const TheCase& the_case,
 
 template std::optional<BasicCableVector<Instance>> solve_lcp(const BasicCableMatrix<Instance>&,
                                                              const BasicCableVector<Instance>&,
-                                                             const Instance&);
+                                                             const Instance&, int);
 template BasicImpact<InstanceCase> newton_impact(const InstanceCase&, const StateOf<InstanceCase>&,
                                                  CableSet);
 template bool independent(const InstanceCase&, const StateOf<InstanceCase>&, CableSet);

@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
+#include "loop/standing.hpp"
+#include "system/kernel.hpp"
 #include "taut_step.hpp"
-#include "tautline/cable_row.hpp"
 #include "tautline/clock.hpp"
 #include "tautline/detail/accumulation.hpp"
 #include "tautline/detail/first_contact.hpp"
@@ -39,15 +41,20 @@ std::string more_than_most(const std::string& what) {
   return "more than " + std::to_string(most_strikes) + " " + what;
 }
 
-std::string at_time(const std::string& what, double time) {
+std::string said_at(const std::string& what, double time) {
   char buffer[32];  // longer than any %.9g
   (void)std::snprintf(buffer, sizeof(buffer), "%.9g", time);
   return what + " at t = " + buffer;
 }
 
-class EventDriven final : public Simulation, public TensionImpulses {
+template <class TheCase>
+class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulses {
  public:
-  EventDriven(const Case& the_case, std::unique_ptr<EventAdapter> adapter, ImpactLaw law)
+  using State = StateOf<TheCase>;
+  using Event = BasicEvent<TheCase>;
+  using Adapter = BasicEventAdapter<TheCase>;
+
+  EventDriven(const TheCase& the_case, std::unique_ptr<Adapter> adapter, ImpactLaw law)
       : case_(the_case),
         adapter_(std::move(adapter)),
         law_(law),
@@ -57,12 +64,7 @@ class EventDriven final : public Simulation, public TensionImpulses {
     // what is completed at once is shorter than the square of that; a rebound near the engine's
     // rounding would be told from none by chance
     completion_.speed = std::sqrt(rounding_.rate);
-    for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      const Cable& cable = case_.cables[index];
-      if (gap(cable, case_.initial) <= gap_rounding * cable.length) {
-        touching_.insert(index);
-      }
-    }
+    touching_ = touching_at_start(case_);
   }
 
   [[nodiscard]] State state() const override { return adapter_->state(); }
@@ -71,7 +73,7 @@ class EventDriven final : public Simulation, public TensionImpulses {
     return tension_impulses_;
   }
   [[nodiscard]] std::span<const Event> events() const override { return events_; }
-  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+  [[nodiscard]] std::optional<StopOfRun> stopped() const override { return stop_; }
 
   /// Flight or swing, strike, and again, until the step is over.
   void step(double dt) override {
@@ -88,7 +90,14 @@ class EventDriven final : public Simulation, public TensionImpulses {
       if (stop_) {
         break;
       }
-      rest -= swings() ? swing_to_event(rest, time) : fly_to_contact(rest, time);
+      const State now = adapter_->state();
+      const double to_knot = time_to_knot(case_, now);
+      const double until = std::min(rest, to_knot);
+      const double gone = swings() ? swing_to_event(until, time) : fly_to_contact(until, time);
+      rest -= gone;
+      if (gone >= to_knot) {
+        pass_knot(next_knot(case_, now));
+      }
       const std::size_t strikes = events_.size();
       strike(clock_.now() + (dt - rest));
       idle = events_.size() > strikes ? 0 : idle + 1;
@@ -97,9 +106,9 @@ class EventDriven final : public Simulation, public TensionImpulses {
   }
 
  private:
-  void stop(const std::string& why, double time) { stop_ = Stop{time, at_time(why, time)}; }
+  void stop(const std::string& why, double time) { stop_ = StopOfRun{time, said_at(why, time)}; }
 
-  [[nodiscard]] Touching touching(const State& state) const {
+  [[nodiscard]] TouchingOf<TheCase> touching(const State& state) const {
     return {touching_, rounding_.rate * speed_scale(case_, state)};
   }
 
@@ -129,7 +138,7 @@ class EventDriven final : public Simulation, public TensionImpulses {
   /// Finds out which of the cables at zero gap and rate stay taut.
   void hold_resting(double time) {
     const State now = adapter_->state();
-    const Touching contacts = touching(now);
+    const TouchingOf<TheCase> contacts = touching(now);
     CableSet resting = taut_;
     for (const std::size_t index : touching_ - taut_) {
       if (std::abs(gap_rate(case_.cables[index], now)) <= contacts.rate_rounding) {
@@ -137,13 +146,21 @@ class EventDriven final : public Simulation, public TensionImpulses {
       }
     }
     held_.reset();
-    if (!resting.empty()) {
+    if (!resting.empty() || !TheCase::flies_in_closed_form) {
       held_ = hold(case_, now, contacts, resting);
       if (!held_) {
         return stop("no motion holds the taut cables", time);
       }
     }
     taut_ = held_ ? held_->taut() : CableSet{};
+  }
+
+  /// Something given over time is not smooth here: cables are cut, hooked up, or pulled otherwise.
+  void pass_knot(double knot) {
+    const State now = at_time(adapter_->state(), knot);
+    adapter_->place(now);  // not a rounding before it
+    touching_ = touching_at_knot(case_, now, touching_);
+    taut_ = taut_ & touching_;
   }
 
   [[nodiscard]] bool swings() const { return held_ && !held_->pulling.empty(); }
@@ -156,24 +173,61 @@ class EventDriven final : public Simulation, public TensionImpulses {
       stop("numbers overflow", time);
       return rest;
     }
-    if (dt > 0.0) {
-      adapter_->fly(dt);
-      touching_ = taut_;  // those that follow without a tension
+    const auto fly = [this](double length) {
+      adapter_->fly(length);
+      return true;
+    };
+    if (!(dt > 0.0)) {
+      touching_ = touching_ | contact;
+      return dt;
     }
-    touching_ = touching_ | contact;
-    return dt;
+    double flown = dt;
+    CableSet reached = contact;
+    if constexpr (TheCase::flies_in_closed_form) {
+      (void)fly(dt);
+    } else {
+      std::tie(flown, reached) = go_to_contact(dt, contact, rest, fly);
+    }
+    touching_ = taut_ | reached;  // and those that follow without a tension
+    return flown;
   }
 
   /// The first contact of a flight, at most `rest` [s]. A cable that is let go opens with its third
   /// derivative: what rounding leaves of the others would bring it back at once, and so for ever.
   [[nodiscard]] BasicFirstContact<double> first_on_flight(double rest) const {
-    if (held_) {
-      return first_change(case_, *held_, rest);
+    if constexpr (TheCase::flies_in_closed_form) {
+      if (!held_) {
+        const State start = adapter_->state();
+        const auto contact = first_contact(case_, start, touching(start), rest).contact;
+        return contact ? BasicFirstContact<double>{contact->dt, contact->cables}
+                       : BasicFirstContact<double>{rest, {}};
+      }
     }
+    return first_change(case_, *held_, rest);
+  }
+
+  /// Goes `dt` [s] by `go`, and from the start again until the engine's own motion ends with the
+  /// `contact` that the exact one foretells but for the error of its step, at most `rest` [s].
+  /// Returns how long that took, and with which cables. `go` says whether it could.
+  template <class Go>
+  [[nodiscard]] std::pair<double, CableSet> go_to_contact(double dt, CableSet contact, double rest,
+                                                          const Go& go) {
     const State start = adapter_->state();
-    const auto contact = first_contact(case_, start, touching(start), rest).contact;
-    return contact ? BasicFirstContact<double>{contact->dt, contact->cables}
-                   : BasicFirstContact<double>{rest, {}};
+    bool gone = go(dt);
+    for (int pass = 0; gone && pass < most_corrections; ++pass) {
+      const auto [correction, cables] = late_by(contact);
+      const bool near = std::abs(correction) <= contact_rounding * rest;
+      contact = cables;
+      const bool from_the_start = correction >= dt;
+      if (cables.empty() || near || from_the_start || dt - correction > rest) {
+        contact = near || from_the_start ? cables : CableSet{};
+        break;
+      }
+      dt -= correction;
+      adapter_->place(start);
+      gone = go(dt);
+    }
+    return {dt, contact};
   }
 
   /// Moves on taut cables to the first contact or release, at most `rest` [s], and returns how long
@@ -186,21 +240,11 @@ class EventDriven final : public Simulation, public TensionImpulses {
       return rest;
     }
     dt = std::clamp(dt, shortest_move(start, rest), rest);
-    std::optional<CableVector> pulled = taut_step(case_, *adapter_, held_->pulling, dt);
-    // the exact motion foretells the contact of the engine's but for the error of its step
-    for (int pass = 0; pulled && pass < most_corrections; ++pass) {
-      const auto [correction, cables] = late_by(contact);
-      const bool near = std::abs(correction) <= contact_rounding * rest;
-      contact = cables;
-      const bool from_the_start = correction >= dt;
-      if (cables.empty() || near || from_the_start || dt - correction > rest) {
-        contact = near || from_the_start ? cables : CableSet{};
-        break;
-      }
-      dt -= correction;
-      adapter_->place(start);
-      pulled = taut_step(case_, *adapter_, held_->pulling, dt);
-    }
+    std::optional<CableVector> pulled;
+    std::tie(dt, contact) = go_to_contact(dt, contact, rest, [&](double length) {
+      pulled = taut_step(case_, *adapter_, held_->pulling, length);
+      return pulled.has_value();
+    });
     if (!pulled) {
       stop("no impulses hold the taut cables", time);
       return dt;
@@ -228,7 +272,7 @@ class EventDriven final : public Simulation, public TensionImpulses {
     std::pair<double, CableSet> latest{0.0, expected};
     bool found = false;
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      const Cable& cable = case_.cables[index];
+      const auto& cable = case_.cables[index];
       const double opening = gap(cable, now);
       const bool over = !taut_.contains(index) && opening < -rounding_.gap * gap_scale(cable, now);
       const double rate = gap_rate(cable, now);
@@ -275,8 +319,8 @@ class EventDriven final : public Simulation, public TensionImpulses {
     CableVector rates(static_cast<Eigen::Index>(cables.size()));
     Eigen::Index row = 0;
     for (const std::size_t index : cables) {
-      const CableRow cable = cable_row(case_.cables[index], now);
-      rates[row++] = rebound_rate(cable, restitution(case_.cables[index], cable.rate));
+      const double rate = gap_rate(case_.cables[index], now);
+      rates[row++] = restitution(case_.cables[index], rate) * std::max(0.0, -rate);
     }
     return adapter_->solve(cables, rates);
   }
@@ -296,32 +340,41 @@ class EventDriven final : public Simulation, public TensionImpulses {
     return impulses;
   }
 
-  const Case case_;
-  std::unique_ptr<EventAdapter> adapter_;
+  const TheCase case_;
+  std::unique_ptr<Adapter> adapter_;
   ImpactLaw law_;
-  EventAdapter::Rounding rounding_;
+  typename Adapter::Rounding rounding_;
   CompletionLimits completion_;
   Clock clock_;
-  CableSet touching_;         // at zero gap now
-  CableSet taut_;             // of those, the ones that stay so
-  std::optional<Hold> held_;  // the exact motion from here while cables pull, or as they let go
+  CableSet touching_;  // at zero gap now
+  CableSet taut_;      // of those, the ones that stay so
+  std::optional<BasicHold<TheCase>>
+      held_;  // the exact motion from here while cables pull, or as they let go
   std::vector<double> impulses_;
   std::vector<double> tension_impulses_;
   std::vector<Event> events_;
-  std::optional<Stop> stop_;
+  std::optional<StopOfRun> stop_;
 };
 
 }  // namespace
 
-std::unique_ptr<Simulation> drive_by_events(const Case& the_case,
-                                            std::unique_ptr<EventAdapter> adapter, ImpactLaw law) {
+template <class TheCase>
+std::unique_ptr<BasicSimulation<TheCase>> drive_by_events(
+    const TheCase& the_case,
+    std::type_identity_t<std::unique_ptr<BasicEventAdapter<TheCase>>> adapter, ImpactLaw law) {
   if (law != ImpactLaw::simultaneous && law != ImpactLaw::sequential) {
     throw std::invalid_argument(
         "unsupported: the event driver has the impact laws simultaneous "
         "and sequential, not " +
         std::string(to_string(law)));
   }
-  return std::make_unique<EventDriven>(the_case, std::move(adapter), law);
+  return std::make_unique<EventDriven<TheCase>>(the_case, std::move(adapter), law);
 }
+
+template std::unique_ptr<Simulation> drive_by_events(const Case&, std::unique_ptr<EventAdapter>,
+                                                     ImpactLaw);
+template std::unique_ptr<SystemSimulation> drive_by_events(const SpatialSystem&,
+                                                           std::unique_ptr<SystemEventAdapter>,
+                                                           ImpactLaw);
 
 }  // namespace tautline

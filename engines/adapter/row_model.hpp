@@ -27,16 +27,17 @@
 //   void advance(dt, look)       one step of `dt` [s], which calls look() where it wants to know
 //                                what the rows ask for: with the pose and velocity of then
 //   bool asleep() const          optional: true if the engine has left the body out of the step
+//   using InSpace = ...          optional: the same for a system, whose rows are SystemRows
 
 namespace tautline {
 
 /// A cable is a row while `activation` says so; it asks for the larger of the bounce and what
 /// `push_rate` takes out of the overstretch. `out_of_overstretch` does the rest.
-template <class RowWorld>
-class RowSimulation final : public Simulation, public TensionImpulses {
+template <class RowWorld, class TheCase = Case>
+class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpulses {
  public:
   template <class... Own>
-  RowSimulation(const Case& the_case, const RunSettings& run, Activation activation,
+  RowSimulation(const TheCase& the_case, const RunSettings& run, Activation activation,
                 const Own&... own)
       : case_(the_case),
         activation_(activation),
@@ -45,7 +46,7 @@ class RowSimulation final : public Simulation, public TensionImpulses {
         impulses_(the_case.cables.size()),
         tension_impulses_(the_case.cables.size()) {}
 
-  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
   [[nodiscard]] std::span<const double> tension_impulses() const override {
     return tension_impulses_;
@@ -76,21 +77,21 @@ class RowSimulation final : public Simulation, public TensionImpulses {
 
   /// Tells each row what it asks for in a step of `dt` [s].
   void look(double dt) {
-    const State now = world_.state();
+    const StateOf<TheCase> now = world_.state();
     for (std::size_t index = 0; index < impulses_.size(); ++index) {
-      const Cable& cable = case_.cables[index];
-      const CableRow row = cable_row(cable, now);
+      const auto& cable = case_.cables[index];
+      const auto row = row_in_step(cable, now, dt);
       if (acts(row, activation_, dt)) {
-        world_.pull(index, row,
-                    wanted_rate(row, restitution(cable, row.rate), correction_,
-                                change_in_step(case_, index, now, dt)));
+        const double rate = wanted_rate(row, restitution(cable, row.rate), correction_,
+                                        change_in_step(case_, index, now, dt));
+        world_.pull(index, row, rate_of_bodies(row, rate));
       } else {
         world_.let_go(index);
       }
     }
   }
 
-  const Case case_;
+  const TheCase case_;
   Activation activation_;
   double correction_;  // [1/s], part of the overstretch
   RowWorld world_;
@@ -102,9 +103,14 @@ class RowSimulation final : public Simulation, public TensionImpulses {
 template <class RowWorld, class... Own>
 // NOLINTNEXTLINE(performance-unnecessary-value-param): as in event_model
 [[nodiscard]] ModelEntry row_model(Model model, Activation activation, Own... own) {
-  return {.model = std::move(model),
-          .start = makes<RowSimulation<RowWorld>>(activation, own...),
-          .follows_speed = true};
+  ModelEntry result = {.model = std::move(model),
+                       .start = makes<RowSimulation<RowWorld>>(activation, own...),
+                       .follows_speed = true};
+  if constexpr (requires { typename RowWorld::InSpace; } && sizeof...(Own) == 0) {
+    result.start_system =
+        makes<RowSimulation<typename RowWorld::InSpace, SpatialSystem>>(activation);
+  }
+  return result;
 }
 
 /// What `row` and `early` say of themselves where the engine looks at the rows as a step starts.
@@ -129,12 +135,14 @@ template <class RowWorld>
 
 /// The impulses [N s] of one solve of the rows of `cables`, which ask for `rates` [m/s] in `state`.
 /// `solve` is the engine's, without moving.
-template <class Rows, class Solve>
-[[nodiscard]] CableVector solve_rows(Rows& rows, const Case& the_case, const State& state,
-                                     CableSet cables, const CableVector& rates, Solve solve) {
+template <class Rows, class TheCase, class Solve>
+[[nodiscard]] CableVector solve_rows(Rows& rows, const TheCase& the_case,
+                                     const StateOf<TheCase>& state, CableSet cables,
+                                     const CableVector& rates, Solve solve) {
   Eigen::Index position = 0;
   for (const std::size_t index : cables) {
-    rows.pull(index, cable_row(the_case.cables[index], state), rates[position++]);
+    const auto row = cable_row(the_case.cables[index], state);
+    rows.pull(index, row, rate_of_bodies(row, rates[position++]));
   }
   solve();
   CableVector impulses(rates.size());

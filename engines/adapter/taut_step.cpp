@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline {
 namespace {
@@ -18,12 +18,13 @@ constexpr int most_halvings = 10;
 
 /// The largest gap among the cables of `held` that pull or are overstretched, against `gap_scale`
 /// [-]. Lowers their `rates` by what would have closed them.
-double correct(const Case& the_case, const State& state, CableSet held, const CableVector& impulses,
-               double dt, CableVector& rates) {
+template <class TheCase>
+double correct(const TheCase& the_case, const StateOf<TheCase>& state, CableSet held,
+               const CableVector& impulses, double dt, CableVector& rates) {
   double worst = 0.0;
   Eigen::Index row = 0;
   for (const std::size_t index : held) {
-    const Cable& cable = the_case.cables[index];
+    const auto& cable = the_case.cables[index];
     const double opening = gap(cable, state);
     if (impulses[row] > 0.0 || opening < 0.0) {
       worst = std::max(worst, std::abs(opening) / gap_scale(cable, state));
@@ -36,9 +37,10 @@ double correct(const Case& the_case, const State& state, CableSet held, const Ca
 
 /// Flies with the impulses before it that leave the gaps of `held` at zero after it, and returns
 /// them. None where they are not found; the body is then anywhere.
-std::optional<CableVector> fly_held(const Case& the_case, EventAdapter& adapter, CableSet held,
-                                    double dt) {
-  const State start = adapter.state();
+template <class TheCase>
+std::optional<CableVector> fly_held(const TheCase& the_case, BasicEventAdapter<TheCase>& adapter,
+                                    CableSet held, double dt) {
+  const StateOf<TheCase> start = adapter.state();
   const double allowed = adapter.rounding().gap;
   CableVector rates(static_cast<Eigen::Index>(held.size()));
   Eigen::Index row = 0;
@@ -61,9 +63,11 @@ std::optional<CableVector> fly_held(const Case& the_case, EventAdapter& adapter,
 }
 
 /// `taut_step` with `halvings` left.
-std::optional<CableVector> step_or_halves(const Case& the_case, EventAdapter& adapter,
-                                          CableSet held, double dt, int halvings) {
-  const State start = adapter.state();
+template <class TheCase>
+std::optional<CableVector> step_or_halves(const TheCase& the_case,
+                                          BasicEventAdapter<TheCase>& adapter, CableSet held,
+                                          double dt, int halvings) {
+  const StateOf<TheCase> start = adapter.state();
   if (std::optional<CableVector> impulses = fly_held(the_case, adapter, held, dt)) {
     *impulses += adapter.solve(held, CableVector::Zero(static_cast<Eigen::Index>(held.size())));
     return impulses;
@@ -85,9 +89,14 @@ std::optional<CableVector> step_or_halves(const Case& the_case, EventAdapter& ad
 
 }  // namespace
 
-std::optional<CableVector> taut_step(const Case& the_case, EventAdapter& adapter, CableSet held,
-                                     double dt) {
+template <class TheCase>
+std::optional<CableVector> taut_step(const TheCase& the_case, BasicEventAdapter<TheCase>& adapter,
+                                     CableSet held, double dt) {
   return step_or_halves(the_case, adapter, held, dt, most_halvings);
 }
+
+template std::optional<CableVector> taut_step(const Case&, EventAdapter&, CableSet, double);
+template std::optional<CableVector> taut_step(const SpatialSystem&, SystemEventAdapter&, CableSet,
+                                              double);
 
 }  // namespace tautline

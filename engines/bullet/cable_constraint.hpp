@@ -2,6 +2,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <memory>
 #include <vector>
 
 #include "tautline/cable_row.hpp"
@@ -13,10 +14,18 @@ namespace tautline::bullet {
 /// gives the gap at least a wanted rate. Bullet adds no position correction of its own to it.
 class CableConstraint final : public btTypedConstraint {
  public:
+  /// Of a body and the world, or of two bodies.
   explicit CableConstraint(btRigidBody& body);
+  CableConstraint(btRigidBody& a, btRigidBody& b);
 
-  /// From now on the gap is to have at least `rate` [m/s] after a solve.
-  void pull(const CableRow& row, double rate);
+  /// What a pull of 1 N does to a body.
+  struct Effect {
+    btVector3 force{0, 0, 0};   // [-]
+    btVector3 moment{0, 0, 0};  // [m], about its centre, in world axes
+  };
+
+  /// From now on the gap is to have at least `rate` [m/s] after a solve, of what `a` and `b` do.
+  void pull(const Effect& a, const Effect& b, double rate);
 
   /// From now on the cable is slack.
   void let_go() { rows_ = 0; }
@@ -31,8 +40,8 @@ class CableConstraint final : public btTypedConstraint {
 
  private:
   int rows_ = 0;
-  btVector3 direction_;
-  btVector3 moment_;
+  Effect a_;
+  Effect b_;
   btScalar rate_ = 0;
 };
 
@@ -45,14 +54,30 @@ class CableConstraints {
   /// `world` owns them.
   CableConstraints(const Case& the_case, World& world, Acting acting);
 
-  void pull(std::size_t index, const CableRow& row, double rate) { rows_[index]->pull(row, rate); }
+  void pull(std::size_t index, const CableRow& row, double rate);
   void let_go(std::size_t index) { rows_[index]->let_go(); }
   [[nodiscard]] double impulse(std::size_t index) const { return rows_[index]->impulse(); }
 
   [[nodiscard]] btTypedConstraint* operator[](std::size_t index) const { return rows_[index]; }
 
- private:
+ protected:
+  CableConstraints() = default;
+  void add(std::unique_ptr<CableConstraint> constraint, BareWorld& world, Acting acting);
+
   std::vector<CableConstraint*> rows_;
+};
+
+/// The same of a system. Bullet's constraints join two bodies at most.
+class SystemCableConstraints : public CableConstraints {
+ public:
+  /// Throws std::invalid_argument where a cable pulls at more than two bodies.
+  SystemCableConstraints(const SpatialSystem& system, SystemWorld& world, Acting acting);
+
+  void pull(std::size_t index, const SystemRow& row, double rate);
+
+ private:
+  const SystemWorld& world_;
+  std::vector<std::vector<std::size_t>> bodies_;  // of each cable: one or two
 };
 
 }  // namespace tautline::bullet

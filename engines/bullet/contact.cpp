@@ -65,7 +65,7 @@ class ContactSimulation final : public SteppedSimulation {
     }
     for (const Cable& cable : case_.cables) {
       contacts_.push_back(
-          std::make_unique<CableContact>(world_, world_.add_fixed_body(cable.anchor)));
+          std::make_unique<CableContact>(world_, world_.add_fixed_body(vector(cable.anchor))));
     }
   }
 

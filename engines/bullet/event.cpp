@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "adapter/row_model.hpp"
@@ -27,61 +28,115 @@ constexpr double solve_rounding = 4.0 * std::numeric_limits<btScalar>::epsilon()
 /// Bullet turns a body by no more than pi/4 in a step (ANGULAR_MOTION_THRESHOLD) [rad].
 constexpr double largest_turn = 0.7;
 
+/// The impulses of one solve of `rows` for `rates`, without moving. `speed` [m/s] is that of the
+/// case where the bodies are: a body at rest has no speed to measure by.
+template <class Rows, class TheWorld, class TheCase>
+CableVector solve_here(Rows& rows, TheWorld& world, std::vector<btCollisionObject*> bodies,
+                       const TheCase& the_case, CableSet cables, const CableVector& rates,
+                       double speed) {
+  return solve_rows(rows, the_case, world.state(), cables, rates, [&] {
+    std::vector<btTypedConstraint*> constraints;
+    for (const std::size_t index : cables) {
+      constraints.push_back(rows[index]);
+    }
+    btContactSolverInfo info = world.solver_info();
+    info.m_timeStep = 1;  // any: no force acts, and the rows ask for rates
+    info.m_numIterations = event_iterations;
+    const double change = solve_rounding * std::max(speed, rates.cwiseAbs().maxCoeff());
+    info.m_leastSquaresResidualThreshold = static_cast<btScalar>(change * change);
+    world.solver().solveGroup(bodies.data(), static_cast<int>(bodies.size()), nullptr, 0,
+                              constraints.data(), static_cast<int>(constraints.size()), info,
+                              nullptr, &world.dispatcher());
+  });
+}
+
+/// In how many steps Bullet flies `dt` [s] at a spin [rad/s].
+int parts_of_flight(double spin, double dt) {
+  return std::max(1, static_cast<int>(std::ceil(std::abs(spin) * dt / largest_turn)));
+}
+
+EventAdapter::Rounding rounding_of_bullet() {
+  return in_double_precision ? EventAdapter::Rounding{1e-14, 1e-12} : EventAdapter::float_rounding;
+}
+
 class BulletEventAdapter final : public EventAdapter {
  public:
   explicit BulletEventAdapter(const Case& the_case)
       : case_(the_case), world_(the_case), rows_(the_case, world_, Acting::in_solves_alone) {}
 
   [[nodiscard]] State state() const override { return world_.state(); }
+  void place(const State& state) override { world_.place(state); }
+  [[nodiscard]] Rounding rounding() const override { return rounding_of_bullet(); }
 
   void fly(double dt) override {
-    const double turn = std::abs(world_.state().spin) * dt;
-    const int parts = std::max(1, static_cast<int>(std::ceil(turn / largest_turn)));
-    const double part = dt / parts;
+    const int parts = parts_of_flight(world_.state().spin, dt);
     for (int done = 0; done < parts; ++done) {
-      fly_parabola(world_, case_.gravity, part);
+      fly_parabola(world_, case_.gravity, dt / parts);
     }
-  }
-
-  void place(const State& state) override { world_.place(state); }
-
-  [[nodiscard]] Rounding rounding() const override {
-    return in_double_precision ? EventAdapter::rounding() : float_rounding;
   }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
-    return solve_rows(rows_, case_, world_.state(), cables, rates,
-                      [&] { solve(cables, rates.cwiseAbs().maxCoeff()); });
+    world_.body().clearForces();
+    return solve_here(rows_, world_, {&world_.body()}, case_, cables, rates,
+                      speed_scale(case_, world_.state()));
   }
 
  private:
-  /// `fastest` [m/s] is the largest rate asked for: a body at rest has no speed to measure by.
-  void solve(CableSet cables, double fastest) {
-    std::vector<btTypedConstraint*> constraints;
-    for (const std::size_t index : cables) {
-      constraints.push_back(rows_[index]);
-    }
-    btContactSolverInfo info = world_.solver_info();
-    info.m_timeStep = 1;  // any: no force acts, and the rows ask for rates
-    info.m_numIterations = event_iterations;
-    const double change = solve_rounding * std::max(speed_scale(case_, world_.state()), fastest);
-    info.m_leastSquaresResidualThreshold = static_cast<btScalar>(change * change);
-    btCollisionObject* body = &world_.body();
-    world_.body().clearForces();
-    world_.solver().solveGroup(&body, 1, nullptr, 0, constraints.data(),
-                               static_cast<int>(constraints.size()), info, nullptr,
-                               &world_.dispatcher());
-  }
-
   const Case case_;
   World world_;
   CableConstraints rows_;
 };
 
+/// The same of a system.
+class BulletSystemAdapter final : public SystemEventAdapter {
+ public:
+  explicit BulletSystemAdapter(const SpatialSystem& system)
+      : system_(system), world_(system), rows_(system, world_, Acting::in_solves_alone) {}
+
+  [[nodiscard]] SpatialSystemState state() const override { return world_.state(); }
+  void place(const SpatialSystemState& state) override { world_.place(state); }
+  [[nodiscard]] Rounding rounding() const override {
+    return {rounding_of_bullet().gap, rounding_of_bullet().rate};
+  }
+
+  void fly(double dt) override {
+    double fastest = 0.0;  // [rad/s]
+    for (const SpatialState& body : world_.state().bodies) {
+      fastest = std::max(fastest, body.spin.norm());
+    }
+    const int parts = parts_of_flight(fastest, dt);
+    for (int done = 0; done < parts; ++done) {
+      world_.fly(dt / parts);
+    }
+  }
+
+  [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
+    std::vector<btCollisionObject*> bodies;
+    double fastest = 0.0;  // [m/s]
+    for (btRigidBody* const body : world_.bodies()) {
+      body->clearForces();
+      body->setFlags(0);  // time stands still: no turn brings a gyroscopic impulse
+      bodies.push_back(body);
+      fastest = std::max(fastest, static_cast<double>(body->getLinearVelocity().length()));
+    }
+    CableVector impulses =
+        solve_here(rows_, world_, std::move(bodies), system_, cables, rates, fastest);
+    for (btRigidBody* const body : world_.bodies()) {
+      body->setFlags(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);  // as shipped
+    }
+    return impulses;
+  }
+
+ private:
+  const SpatialSystem system_;
+  SystemWorld world_;
+  SystemCableConstraints rows_;
+};
+
 }  // namespace
 
 std::vector<ModelEntry> event_models() {
-  return {event_model<BulletEventAdapter>(
+  return {event_model<BulletEventAdapter, BulletSystemAdapter>(
       "Bullet flies and solves, the event driver finds the instants: each impact is one solve at "
       "the exact pose.",
       joined({world_settings(),
@@ -90,7 +145,10 @@ std::vector<ModelEntry> event_models() {
                {"m_leastSquaresResidualThreshold",
                 "(4 roundings of the speed, or of the rate asked for)^2",
                 "With Bullet's 0 a solve goes on while its last bit flickers."},
-               parabola_setting()}}))};
+               parabola_setting(),
+               {"of a system: setFlags while an impact is solved", "0",
+                "No time passes in an impact, and so no turn brings a gyroscopic impulse."}},
+              system_settings()}))};
 }
 
 }  // namespace tautline::bullet

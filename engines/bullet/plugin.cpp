@@ -21,7 +21,8 @@ EngineTable table() {
           .version = version(),
           .precision = precision_of<btScalar>,
           .families = {row_models(), two_phase_models(), contact_models(), bounce_limit_models(),
-                       cable_models(), event_models()}};
+                       cable_models(), event_models()},
+          .dimensions = 3};
 }
 
 }  // namespace

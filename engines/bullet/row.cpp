@@ -16,8 +16,36 @@ namespace {
 /// differs by 3e-7, with 50 by 1e-14.
 constexpr int row_iterations = 50;
 
+/// The same of a system.
+class SystemRowWorld {
+ public:
+  explicit SystemRowWorld(const SpatialSystem& system)
+      : world_(system), rows_(system, world_, Acting::in_steps) {
+    world_.solver_info().m_numIterations = row_iterations;
+  }
+
+  [[nodiscard]] SpatialSystemState state() const { return world_.state(); }
+  void place(const SpatialSystemState& state) { world_.place(state); }
+
+  template <class Look>
+  void advance(double dt, const Look& look) {
+    look();
+    world_.advance(dt);
+  }
+
+  void pull(std::size_t index, const SystemRow& row, double rate) { rows_.pull(index, row, rate); }
+  void let_go(std::size_t index) { rows_.let_go(index); }
+  [[nodiscard]] double impulse(std::size_t index) const { return rows_.impulse(index); }
+
+ private:
+  SystemWorld world_;
+  SystemCableConstraints rows_;
+};
+
 class RowWorld {
  public:
+  using InSpace = SystemRowWorld;
+
   explicit RowWorld(const Case& the_case, Sleep sleep = Sleep::never)
       : world_(the_case, sleep), rows_(the_case, world_, Acting::in_steps) {
     world_.solver_info().m_numIterations = row_iterations;
@@ -52,7 +80,8 @@ std::vector<Setting> row_settings(Sleep sleep) {
 }  // namespace
 
 std::vector<ModelEntry> row_models() {
-  std::vector<ModelEntry> result = row_and_early<RowWorld>(row_settings(Sleep::never));
+  std::vector<ModelEntry> result =
+      row_and_early<RowWorld>(joined({row_settings(Sleep::never), system_settings()}));
   result.push_back(row_model<RowWorld>(
       {.name = "row-sleeping",
        .sentence = "The row of `row` with Bullet's own deactivation: a body slower than 0.8 m/s "

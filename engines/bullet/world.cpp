@@ -6,8 +6,43 @@
 
 namespace tautline::bullet {
 
+BareWorld::~BareWorld() {
+  for (const auto& constraint : constraints_) {
+    dynamics_.removeConstraint(constraint.get());
+  }
+  for (const auto& body : bodies_) {
+    dynamics_.removeRigidBody(body.get());
+  }
+}
+
+btRigidBody& BareWorld::add_body(double mass, const btVector3& moments) {
+  bodies_.push_back(std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
+      static_cast<btScalar>(mass), nullptr, &shape_, moments)));
+  return *bodies_.back();
+}
+
+btRigidBody& BareWorld::add_fixed_body(const btVector3& position) {
+  btRigidBody& added = add_body(0.0, btVector3(0, 0, 0));
+  added.setWorldTransform(btTransform(btQuaternion::getIdentity(), position));
+  dynamics_.addRigidBody(&added, 0, 0);
+  return added;
+}
+
+void BareWorld::step_once(double dt) {
+  const auto step = static_cast<btScalar>(dt);
+  if (btFuzzyZero(step)) {  // less than SIMD_EPSILON, 1.2e-7 in float: only as a substep is it made
+    dynamics_.stepSimulation(step, 1, step);
+  } else {
+    const int as_one_substep = 0;
+    dynamics_.stepSimulation(step, as_one_substep);
+  }
+}
+
 World::World(const Case& the_case, Sleep sleep)
-    : body_(make_body(the_case.body.mass, the_case.body.inertia)), angle_(the_case.initial.angle) {
+    // zero about x and y means infinite to Bullet, and so does the zero of a point mass about z
+    : body_(&add_body(the_case.body.mass,
+                      btVector3(0, 0, static_cast<btScalar>(the_case.body.inertia)))),
+      angle_(the_case.initial.angle) {
   place(the_case.initial);
   body_->setLinearFactor(btVector3(1, 1, 0));
   body_->setAngularFactor(btVector3(0, 0, 1));
@@ -16,33 +51,8 @@ World::World(const Case& the_case, Sleep sleep)
     body_->setActivationState(DISABLE_DEACTIVATION);
   }
   body_->updateInertiaTensor();
-  dynamics_.setGravity(vector(the_case.gravity));  // before the body, which takes it over
-  dynamics_.addRigidBody(body_.get(), 0, 0);
-}
-
-World::~World() {
-  for (const auto& constraint : constraints_) {
-    dynamics_.removeConstraint(constraint.get());
-  }
-  for (const auto& fixed : fixed_) {
-    dynamics_.removeRigidBody(fixed.get());
-  }
-  dynamics_.removeRigidBody(body_.get());
-}
-
-std::unique_ptr<btRigidBody> World::make_body(double mass, double inertia) {
-  // zero about x and y means infinite to Bullet, and so does the zero of a point mass about z
-  const btVector3 moments(0, 0, static_cast<btScalar>(inertia));
-  return std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(
-      static_cast<btScalar>(mass), nullptr, &shape_, moments));
-}
-
-btRigidBody& World::add_fixed_body(const Vec2& position) {
-  fixed_.push_back(make_body(0.0, 0.0));
-  btRigidBody& added = *fixed_.back();
-  added.setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(position)));
-  dynamics_.addRigidBody(&added, 0, 0);
-  return added;
+  dynamics().setGravity(vector(the_case.gravity));  // before the body, which takes it over
+  dynamics().addRigidBody(body_, 0, 0);
 }
 
 State World::state() const {
@@ -58,13 +68,7 @@ State World::state() const {
 }
 
 void World::advance(double dt) {
-  const auto step = static_cast<btScalar>(dt);
-  if (btFuzzyZero(step)) {  // less than SIMD_EPSILON, 1.2e-7 in float: only as a substep is it made
-    dynamics_.stepSimulation(step, 1, step);
-  } else {
-    const int as_one_substep = 0;
-    dynamics_.stepSimulation(step, as_one_substep);
-  }
+  step_once(dt);
   follow_turn(dt);
 }
 
@@ -85,6 +89,92 @@ void World::place(const State& state) {
 
 void World::kick(const Vec2& change) {
   body_->setLinearVelocity(body_->getLinearVelocity() + vector(change));
+}
+
+SystemWorld::SystemWorld(const SpatialSystem& system) : system_(system) {
+  dynamics().setGravity(vector(gravity_in_step(system_, system_.initial, 0.0)));
+  for (const SpatialBody& body : system_.bodies) {
+    moving_.push_back(&add_body(body.mass, vector(body.inertia)));
+  }
+  place(system_.initial);
+  for (btRigidBody* const body : moving_) {
+    body->setActivationState(DISABLE_DEACTIVATION);
+    dynamics().addRigidBody(body, 0, 0);
+  }
+}
+
+SpatialSystemState SystemWorld::state() const {
+  SpatialSystemState result;
+  result.time = time_;
+  for (const btRigidBody* const body : moving_) {
+    const btQuaternion turn = body->getWorldTransform().getRotation();
+    SpatialState one;
+    one.position = from_bullet(body->getWorldTransform().getOrigin());
+    one.orientation = Quaternion(turn.w(), turn.x(), turn.y(), turn.z()).normalized();
+    one.velocity = from_bullet(body->getLinearVelocity());
+    one.spin = rotated_back<double>(one.orientation, from_bullet(body->getAngularVelocity()));
+    result.bodies.push_back(one);
+  }
+  return result;
+}
+
+void SystemWorld::place(const SpatialSystemState& state) {
+  time_ = state.time;
+  for (std::size_t index = 0; index < moving_.size(); ++index) {
+    const SpatialState& now = state.bodies[index];
+    btRigidBody& body = *moving_[index];
+    const btVector3 axis = vector(Eigen::Vector3d(now.orientation.tail<3>()));
+    const btTransform pose(
+        btQuaternion(axis.x(), axis.y(), axis.z(), static_cast<btScalar>(now.orientation[0])),
+        vector(now.position));
+    body.setWorldTransform(pose);
+    body.setInterpolationWorldTransform(pose);
+    body.setLinearVelocity(vector(now.velocity));
+    body.setAngularVelocity(vector(in_the_world(now, now.spin)));
+    body.updateInertiaTensor();
+  }
+}
+
+void SystemWorld::step_under(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity,
+                             double dt) {
+  dynamics().setGravity(vector(gravity));
+  for (std::size_t index = 0; index < moving_.size(); ++index) {
+    moving_[index]->applyCentralForce(vector(loads[index].force));
+    moving_[index]->applyTorque(vector(loads[index].moment));
+  }
+  step_once(dt);
+  time_ += dt;
+}
+
+void SystemWorld::advance(double dt) {
+  const SpatialSystemState now = state();
+  step_under(loads_in_step(system_, now, dt), gravity_in_step(system_, now, dt), dt);
+}
+
+void SystemWorld::fly(double dt) {
+  const SpatialSystemState now = state();
+  const std::vector<BodyLoad> loads = loads_in_step(system_, now, dt);
+  const Eigen::Vector3d gravity = gravity_in_step(system_, now, dt);
+  const auto kick = [&](double part) {
+    for (std::size_t index = 0; index < moving_.size(); ++index) {
+      btRigidBody& body = *moving_[index];
+      const Gain gain =
+          gain_in_step(system_.bodies[index], now.bodies[index], gravity, loads[index], part * dt);
+      body.setLinearVelocity(body.getLinearVelocity() + vector(gain.velocity));
+      body.setAngularVelocity(body.getAngularVelocity() + vector(gain.spin));
+    }
+  };
+  kick(-0.5);
+  step_under(loads, gravity, dt);
+  kick(0.5);
+}
+
+std::vector<Setting> system_settings() {
+  return {{"of a system: setLinearFactor, setAngularFactor, setFlags", "as shipped",
+           "Bodies of a system move in space, with Bullet's own gyroscopic term."},
+          {"of a system: gravity, applyCentralForce, applyTorque",
+           "what is given, as it is in the middle of the step; drag as it decays in the step",
+           "Bullet knows no function of time."}};
 }
 
 std::vector<Setting> world_settings(Sleep sleep) {

@@ -24,15 +24,19 @@ constexpr double time_rounding = 1e-12;
 /// What a run tells of the impacts in a step.
 enum class Report { events, impulses_only };
 
-class ExactSimulation final : public Simulation, public TensionImpulses {
+/// Of a `Case`, or of a `SpatialSystem`.
+template <class TheCase>
+class ExactSimulation final : public BasicSimulation<TheCase>, public TensionImpulses {
  public:
-  ExactSimulation(const Case& the_case, const RunSettings& run, Report report)
+  using Event = BasicEvent<TheCase>;
+
+  ExactSimulation(const TheCase& the_case, const RunSettings& run, Report report)
       : report_(report),
-        solution_(solve(the_case, {.law = run.law})),
+        solution_(solve(the_case, SolveOptions{.law = run.law})),
         impulses_(the_case.cables.size()),
         tension_impulses_(the_case.cables.size()) {}
 
-  [[nodiscard]] State state() const override {
+  [[nodiscard]] StateOf<TheCase> state() const override {
     // before the first step no event has happened, not even one at time 0
     return clock_.now() > 0.0 ? solution_.at(std::min(clock_.now(), solution_.end_time()))
                               : solution_.arcs().front().initial;
@@ -43,7 +47,7 @@ class ExactSimulation final : public Simulation, public TensionImpulses {
     return tension_impulses_;
   }
   [[nodiscard]] std::span<const Event> events() const override { return events_; }
-  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+  [[nodiscard]] std::optional<StopOfRun> stopped() const override { return stop_; }
 
   void step(double dt) override {
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
@@ -62,7 +66,8 @@ class ExactSimulation final : public Simulation, public TensionImpulses {
     }
     const double end = solution_.end_time();
     if (clock_.now() > end * (1.0 + time_rounding)) {
-      stop_ = Stop{end, "the exact solution ends: " + std::string(to_string(solution_.ending()))};
+      stop_ =
+          StopOfRun{end, "the exact solution ends: " + std::string(to_string(solution_.ending()))};
     }
   }
 
@@ -106,13 +111,13 @@ class ExactSimulation final : public Simulation, public TensionImpulses {
   }
 
   Report report_;
-  Solution solution_;
+  BasicSolution<TheCase> solution_;
   Clock clock_;
   std::size_t next_ = 0;  // the first event not yet reported
   std::vector<double> impulses_;
   std::vector<double> tension_impulses_;
   std::vector<Event> events_;
-  std::optional<Stop> stop_;
+  std::optional<StopOfRun> stop_;
 };
 
 /// The yardstick as a model: what a correct scheme that knows nothing of cables but their rows
@@ -145,7 +150,8 @@ ModelEntry entry(std::string name, std::string sentence, Report report) {
                     .sentence = std::move(sentence),
                     .settings = {},
                     .maker = Maker::tautline},
-          .start = makes<ExactSimulation>(report),
+          .start = makes<ExactSimulation<Case>>(report),
+          .start_system = makes<ExactSimulation<SpatialSystem>>(report),
           .follows_speed = true};
 }
 
@@ -160,7 +166,8 @@ EngineTable table() {
                               "what is wrong with its impacts is what detecting them from such "
                               "steps costs any engine.",
                               Report::impulses_only),
-                        plain()}}};
+                        plain()}},
+          .dimensions = 3};
 }
 
 }  // namespace

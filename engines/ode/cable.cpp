@@ -51,7 +51,7 @@ class Cables {
 class CableSimulation final : public SteppedSimulation {
  public:
   explicit CableSimulation(const Case& the_case)
-      : world_(the_case, World::Rotation::infinitesimal),
+      : world_(the_case, Rotation::infinitesimal),
         cables_(the_case, world_),
         impulses_(the_case.cables.size()) {}
 
@@ -77,7 +77,7 @@ class CableSimulation final : public SteppedSimulation {
 class CableEventsSimulation final : public Simulation {
  public:
   explicit CableEventsSimulation(const Case& the_case)
-      : world_(the_case, World::Rotation::finite),
+      : world_(the_case, Rotation::finite),
         cables_(the_case, world_),
         impacts_(the_case, std::numeric_limits<dReal>::epsilon()) {}
 

@@ -2,6 +2,7 @@
 // semi-implicit Euler fly the exact parabola, and one `dWorldStep` without gravity, after which the
 // pose is put back, gives the impulses of an impact.
 
+#include <algorithm>
 #include <array>
 
 #include "models.hpp"
@@ -21,21 +22,23 @@ constexpr double softness = 3e-15;
 /// that ask for so much more are not [-], of the speed of the body.
 constexpr std::array nudges = {1e-14, 1e-13, 1e-12};
 
-class OdeEventAdapter final : public EventAdapter {
+/// Of a `Case`, or of a `SpatialSystem`.
+template <class TheCase, class TheWorld>
+class OdeAdapter final : public BasicEventAdapter<TheCase> {
  public:
-  explicit OdeEventAdapter(const Case& the_case)
-      : case_(the_case), world_(the_case, World::Rotation::finite) {}
+  explicit OdeAdapter(const TheCase& the_case)
+      : case_(the_case), world_(the_case, Rotation::finite) {}
 
-  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
 
-  void fly(double dt) override { fly_parabola(world_, case_.gravity, dt); }
+  void fly(double dt) override { world_.fly(dt); }
 
-  void place(const State& state) override { world_.place(state); }
+  void place(const StateOf<TheCase>& state) override { world_.place(state); }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
-    const State before = world_.state();
+    const StateOf<TheCase> before = world_.state();
     const double largest = delassus(case_, before, cables).diagonal().maxCoeff();
-    const double speed = speed_scale(case_, before);
+    const double speed = fastest(before);
     dWorldSetCFM(world_.id(), cables.size() > 1 ? softness * largest : 0.0);
     solve_once(cables, rates, before);
     for (const double more : nudges) {
@@ -54,19 +57,29 @@ class OdeEventAdapter final : public EventAdapter {
   }
 
  private:
-  void solve_once(CableSet cables, const CableVector& rates, const State& before) {
+  [[nodiscard]] double fastest(const State& state) const { return speed_scale(case_, state); }
+  [[nodiscard]] double fastest(const SpatialSystemState& state) const {
+    double result = 0.0;
+    for (const SpatialState& body : state.bodies) {
+      result = std::max(result, body.velocity.norm());
+    }
+    return result;
+  }
+
+  void solve_once(CableSet cables, const CableVector& rates, const StateOf<TheCase>& before) {
     Eigen::Index position = 0;
     for (const std::size_t index : cables) {
+      const auto row = cable_row(case_.cables[index], before);
       dSurfaceParameters surface{};
       surface.mode = dContactMotionN | dContactSoftERP;  // the gap is zero: nothing to correct
-      surface.motionN = rates[position++];
-      world_.pull(index, cable_row(case_.cables[index], before), surface);
+      surface.motionN = rate_of_bodies(row, rates[position++]);
+      world_.pull(index, row, surface);
     }
     world_.solve_here();
   }
 
   [[nodiscard]] bool is_solved(CableSet cables, const CableVector& rates, double allowed) const {
-    const State now = world_.state();
+    const StateOf<TheCase> now = world_.state();
     Eigen::Index position = 0;
     for (const std::size_t index : cables) {
       if (gap_rate(case_.cables[index], now) < rates[position++] - allowed) {
@@ -76,8 +89,8 @@ class OdeEventAdapter final : public EventAdapter {
     return true;
   }
 
-  const Case case_;
-  World world_;
+  const TheCase case_;
+  TheWorld world_;
 };
 
 }  // namespace
@@ -100,11 +113,13 @@ std::vector<ModelEntry> event_models() {
        "No time passes in an impact; the case's gravity is put back after it."},
       {"dBodySetPosition, dBodySetQuaternion", "the pose before an impact",
        "The solve of an impact must not move the body."},
+      {"of a system: dBodySetGyroscopicMode while an impact is solved", "0",
+       "No time passes in an impact, and so no turn brings a gyroscopic moment."},
       parabola_setting()};
-  return {event_model<OdeEventAdapter>(
+  return {event_model<OdeAdapter<Case, World>, OdeAdapter<SpatialSystem, SystemWorld>>(
       "ODE flies and solves, the event driver finds the instants: each impact is one solve at the "
       "exact pose.",
-      joined({world_settings(), own}))};
+      joined({world_settings(), own, system_settings()}))};
 }
 
 }  // namespace tautline::ode

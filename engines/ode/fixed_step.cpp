@@ -26,45 +26,50 @@ constexpr double most_correction = 6.0;
 /// What the models set otherwise.
 struct Choice {
   Activation activation;
-  World::Rotation rotation;
+  Rotation rotation;
   double bounce_vel;          // [m/s], a slower contact does not bounce
   std::optional<double> cfm;  // none: ODE's own
   Push push;
 };
 
-constexpr Choice row{Activation::overstretched, World::Rotation::finite, 0.0, 0.0, Push::by_rule};
-constexpr Choice early{Activation::crossing, World::Rotation::finite, 0.0, 0.0, Push::by_rule};
+constexpr Choice row{Activation::overstretched, Rotation::finite, 0.0, 0.0, Push::by_rule};
+constexpr Choice early{Activation::crossing, Rotation::finite, 0.0, 0.0, Push::by_rule};
 /// ODE ships no bounce_vel; its demos (demo_boxstack) have 0.1.
-constexpr Choice contact{
-    Activation::overstretched, World::Rotation::infinitesimal, 0.1, {}, Push::by_ode};
-constexpr Choice tuned{Activation::overstretched, World::Rotation::finite, 0.0, 0.0,
-                       Push::by_ode_slowly};
+constexpr Choice contact{Activation::overstretched, Rotation::infinitesimal, 0.1, {}, Push::by_ode};
+constexpr Choice tuned{Activation::overstretched, Rotation::finite, 0.0, 0.0, Push::by_ode_slowly};
 
-class FixedStepSimulation final : public SteppedSimulation {
+/// Of a `Case`, or of a `SpatialSystem`.
+template <class TheCase, class TheWorld>
+class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
-  FixedStepSimulation(const Case& the_case, const RunSettings& run, const Choice& choice)
+  FixedStepSimulation(const TheCase& the_case, const RunSettings& run, const Choice& choice)
       : case_(the_case), choice_(choice), run_(run), world_(the_case, choice.rotation) {
     if (choice.cfm) {
       dWorldSetCFM(world_.id(), *choice.cfm);
     }
-    const double gravity = the_case.gravity.norm();
+    const double gravity = weight(the_case);
     if (choice.push == Push::by_ode_slowly && gravity > 0.0) {
       dWorldSetContactMaxCorrectingVel(world_.id(), most_correction * gravity * run.step);
     }
   }
 
-  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return world_.impulses(); }
 
   void step(double dt) override {
-    const State start = world_.state();
+    const StateOf<TheCase> start = world_.state();
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      const Cable& cable = case_.cables[index];
-      const CableRow row_now = cable_row(cable, start);
+      const auto& cable = case_.cables[index];
+      const auto row_now = row_in_step(cable, start, dt);
       if (acts(row_now, choice_.activation, dt)) {
-        world_.pull(index, row_now,
-                    surface(parameter_of(run_, "bounce", restitution(cable, row_now.rate)),
-                            erp(row_now, change_in_step(case_, index, start, dt), dt)));
+        dSurfaceParameters made =
+            surface(parameter_of(run_, "bounce", restitution(cable, row_now.rate)),
+                    erp(row_now, change_in_step(case_, index, start, dt), dt));
+        if (const double moving = rate_of_bodies(row_now, 0.0); moving != 0.0) {
+          made.mode |= dContactMotionN;
+          made.motionN = moving;
+        }
+        world_.pull(index, row_now, made);
       }
     }
     world_.advance(dt);
@@ -77,11 +82,17 @@ class FixedStepSimulation final : public SteppedSimulation {
   }
 
  private:
+  [[nodiscard]] static double weight(const Case& the_case) { return the_case.gravity.norm(); }
+  [[nodiscard]] static double weight(const SpatialSystem& system) {
+    return system.gravity.at(0.0).norm();
+  }
+
   [[nodiscard]] double correction() const { return usual_correction / run_.step; }  // [1/s]
 
   /// The part of the overstretch of `row_now` that ODE takes out in a step of `dt` [s] [-]; by the
   /// rule at the rate `most` [m/s] at most.
-  [[nodiscard]] double erp(const CableRow& row_now, double most, double dt) const {
+  template <class Row>
+  [[nodiscard]] double erp(const Row& row_now, double most, double dt) const {
     if (choice_.push != Push::by_rule || row_now.gap >= 0.0) {
       return correction_in_step(dt, run_.step);
     }
@@ -97,10 +108,10 @@ class FixedStepSimulation final : public SteppedSimulation {
     return result;
   }
 
-  const Case case_;
+  const TheCase case_;
   Choice choice_;
   RunSettings run_;
-  World world_;
+  TheWorld world_;
 };
 
 /// What the surface of the joint is given in all models.
@@ -130,9 +141,11 @@ ModelEntry entry(std::string name, std::string sentence, const std::vector<Setti
                  const Choice& choice, Maker maker = Maker::by_hand) {
   return {.model = {.name = std::move(name),
                     .sentence = std::move(sentence),
-                    .settings = joined({world_settings(), surface_settings(choice), own}),
+                    .settings = joined(
+                        {world_settings(), surface_settings(choice), own, system_settings()}),
                     .maker = maker},
-          .start = makes<FixedStepSimulation>(choice),
+          .start = makes<FixedStepSimulation<Case, World>>(choice),
+          .start_system = makes<FixedStepSimulation<SpatialSystem, SystemWorld>>(choice),
           .follows_speed = true};
 }
 

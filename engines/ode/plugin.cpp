@@ -12,7 +12,8 @@ EngineTable table() {
   return {.name = "ode",
           .version = TAUTLINE_ODE_VERSION,
           .precision = precision(),
-          .families = {fixed_step_models(), cable_models(), event_models()}};
+          .families = {fixed_step_models(), cable_models(), event_models()},
+          .dimensions = 3};
 }
 
 }  // namespace

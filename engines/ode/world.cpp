@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "library.hpp"
+#include "tautline/parabola.hpp"
 #include "tautline/point_mass.hpp"
 #include "tautline/unwrap.hpp"
 
@@ -15,33 +19,63 @@ dWorldID create_world() {
   return dWorldCreate();
 }
 
-dMass mass_of(const Body& body) {
-  const double inertia = turnable_inertia(body);
-  dMass mass;
-  dMassSetParameters(&mass, body.mass, 0, 0, 0, inertia, inertia, inertia, 0, 0, 0);
-  return mass;
+/// The only end of `cable` that is on `body`; none if there are several.
+std::optional<Eigen::Vector3d> only_end_on(const SpatialCable& cable, std::size_t body) {
+  std::optional<Eigen::Vector3d> result;
+  for (std::size_t i = 0; i <= cable.segments(); ++i) {
+    if (cable.end(i).body == body) {
+      if (result) {
+        return std::nullopt;
+      }
+      result = cable.end(i).at;
+    }
+  }
+  return result;
+}
+
+/// True where `cable` pulls along one line: at one point of one body, or straight between two.
+bool pulls_along_a_line(const SpatialCable& cable) {
+  const std::vector<std::size_t> on = pulled_bodies(cable);
+  return on.size() <= (cable.segments() == 1 ? 2U : 1U) && only_end_on(cable, on.front()) &&
+         (cable.from.body || cable.to.body);
 }
 
 }  // namespace
 
-World::World(const Case& the_case, Rotation rotation)
-    : gravity_(the_case.gravity),
-      world_(create_world()),
-      body_(dBodyCreate(world_)),
+BareWorld::BareWorld(std::size_t cables, Rotation rotation)
+    : world_(create_world()),
+      rotation_(rotation),
       contacts_(dJointGroupCreate(0)),
-      feedbacks_(the_case.cables.size()),
-      impulses_(the_case.cables.size()),
-      angle_(the_case.initial.angle) {
-  const dMass mass = mass_of(the_case.body);
-  dBodySetMass(body_, &mass);
-  dBodySetFiniteRotationMode(body_, rotation == Rotation::finite ? 1 : 0);
-  place(the_case.initial);
-  dWorldSetGravity(world_, gravity_.x(), gravity_.y(), 0);
-}
+      feedbacks_(cables),
+      impulses_(cables) {}
 
-World::~World() {
+BareWorld::~BareWorld() {
   dJointGroupDestroy(contacts_);
   dWorldDestroy(world_);
+}
+
+dBodyID BareWorld::add_body(double mass, const Eigen::Vector3d& moments) {
+  dMass of_body;
+  dMassSetParameters(&of_body, mass, 0, 0, 0, moments.x(), moments.y(), moments.z(), 0, 0, 0);
+  const dBodyID body = dBodyCreate(world_);
+  dBodySetMass(body, &of_body);
+  dBodySetFiniteRotationMode(body, rotation_ == Rotation::finite ? 1 : 0);
+  bodies_.push_back(body);
+  return body;
+}
+
+void BareWorld::set_gravity(const Eigen::Vector3d& gravity) {
+  dWorldSetGravity(world_, gravity.x(), gravity.y(), gravity.z());
+}
+
+World::World(const Case& the_case, Rotation rotation)
+    : BareWorld(the_case.cables.size(), rotation),
+      gravity_(the_case.gravity),
+      body_(
+          add_body(the_case.body.mass, Eigen::Vector3d::Constant(turnable_inertia(the_case.body)))),
+      angle_(the_case.initial.angle) {
+  place(the_case.initial);
+  set_gravity({gravity_.x(), gravity_.y(), 0.0});
 }
 
 State World::state() const {
@@ -70,30 +104,64 @@ void World::kick(const Vec2& change) {
   dBodySetLinearVel(body_, velocity[0] + change.x(), velocity[1] + change.y(), 0);
 }
 
-void World::pull(std::size_t index, const CableRow& row, const dSurfaceParameters& surface) {
-  dContact contact{};
-  contact.surface = surface;
-  contact.geom.pos[0] = row.point.x();
-  contact.geom.pos[1] = row.point.y();
-  contact.geom.normal[0] = row.towards.x();
-  contact.geom.normal[1] = row.towards.y();
-  contact.geom.depth = std::max(0.0, -row.gap);
-  const dJointID joint = dJointCreateContact(world_, contacts_, &contact);
-  dJointAttach(joint, body_, nullptr);  // the body first: the other order turns the normal
-  dJointSetFeedback(joint, &feedbacks_[index]);
-  pulls_.push_back({index, row.towards});
+void BareWorld::pull(dBodyID body, const CableContact& contact, const dSurfaceParameters& surface) {
+  dContact made{};
+  made.surface = surface;
+  for (int axis = 0; axis < 3; ++axis) {
+    made.geom.pos[axis] = contact.point[axis];
+    made.geom.normal[axis] = contact.towards[axis];
+  }
+  made.geom.depth = std::max(0.0, -contact.gap);
+  const dJointID joint = dJointCreateContact(world_, contacts_, &made);
+  dJointAttach(joint, body, contact.other);  // the body first: the other order turns the normal
+  dJointSetFeedback(joint, &feedbacks_[contact.cable]);
+  pulls_.push_back({contact.cable, contact.towards});
 }
 
-void World::step_and_read_impulses(double dt) {
+void BareWorld::step_and_read_impulses(double dt) {
   dWorldStep(world_, dt);
   std::fill(impulses_.begin(), impulses_.end(), 0.0);
   for (const Pull& pull : pulls_) {
     const dReal* force = feedbacks_[pull.cable].f1;
     // the solver's force is >= 0; its projection back onto the normal may round below
-    impulses_[pull.cable] = std::max(0.0, dt * Vec2(force[0], force[1]).dot(pull.towards));
+    impulses_[pull.cable] =
+        std::max(0.0, dt * Eigen::Vector3d(force[0], force[1], force[2]).dot(pull.towards));
   }
   pulls_.clear();
   dJointGroupEmpty(contacts_);
+}
+
+void BareWorld::solve_here() {
+  struct Pose {
+    dVector3 position;
+    dQuaternion quaternion;
+  };
+  std::vector<Pose> poses(bodies_.size());
+  for (std::size_t index = 0; index < bodies_.size(); ++index) {
+    dBodyCopyPosition(bodies_[index], poses[index].position);
+    dBodyCopyQuaternion(bodies_[index], poses[index].quaternion);
+    dBodySetGyroscopicMode(bodies_[index], 0);  // time stands still
+  }
+  dVector3 gravity;
+  dWorldGetGravity(world_, gravity);
+  dWorldSetGravity(world_, 0, 0, 0);
+  step_and_read_impulses(1.0);  // any step: no force acts; a small one would lose digits
+  dWorldSetGravity(world_, gravity[0], gravity[1], gravity[2]);
+  for (std::size_t index = 0; index < bodies_.size(); ++index) {
+    const Pose& pose = poses[index];
+    dBodySetPosition(bodies_[index], pose.position[0], pose.position[1], pose.position[2]);
+    dBodySetQuaternion(bodies_[index], pose.quaternion);
+    dBodySetGyroscopicMode(bodies_[index], 1);  // as shipped
+  }
+}
+
+void World::pull(std::size_t index, const CableRow& row, const dSurfaceParameters& surface) {
+  BareWorld::pull(body_,
+                  {.cable = index,
+                   .point = {row.point.x(), row.point.y(), 0.0},
+                   .towards = {row.towards.x(), row.towards.y(), 0.0},
+                   .gap = row.gap},
+                  surface);
 }
 
 void World::advance(double dt) {
@@ -102,16 +170,112 @@ void World::advance(double dt) {
   angle_ = state().angle;
 }
 
-void World::solve_here() {
-  dVector3 position;
-  dQuaternion quaternion;
-  dBodyCopyPosition(body_, position);
-  dBodyCopyQuaternion(body_, quaternion);
-  dWorldSetGravity(world_, 0, 0, 0);
-  step_and_read_impulses(1.0);  // any step: no force acts; a small one would lose digits
-  dWorldSetGravity(world_, gravity_.x(), gravity_.y(), 0);
-  dBodySetPosition(body_, position[0], position[1], position[2]);
-  dBodySetQuaternion(body_, quaternion);
+void World::fly(double dt) { fly_parabola(*this, gravity_, dt); }
+
+SystemWorld::SystemWorld(const SpatialSystem& system, Rotation rotation)
+    : BareWorld(system.cables.size(), rotation), system_(system) {
+  for (std::size_t index = 0; index < system.cables.size(); ++index) {
+    if (!pulls_along_a_line(system.cables[index])) {
+      throw std::invalid_argument("unsupported: a contact of ODE pulls along one line, cable " +
+                                  std::to_string(index) + " runs over a ring between bodies");
+    }
+  }
+  for (const SpatialBody& body : system.bodies) {
+    moving_.push_back(add_body(
+        body.mass, has_inertia(body.inertia)
+                       ? body.inertia
+                       : Eigen::Vector3d::Constant(turnable_inertia(Body{body.mass, 0.0}))));
+  }
+  place(system.initial);
+}
+
+SpatialSystemState SystemWorld::state() const {
+  const auto vector = [](const dReal* of) { return Eigen::Vector3d(of[0], of[1], of[2]); };
+  SpatialSystemState result;
+  result.time = time_;
+  for (const dBodyID body : moving_) {
+    const dReal* turn = dBodyGetQuaternion(body);
+    SpatialState one;
+    one.position = vector(dBodyGetPosition(body));
+    one.orientation = Quaternion(turn[0], turn[1], turn[2], turn[3]);
+    one.velocity = vector(dBodyGetLinearVel(body));
+    one.spin = rotated_back<double>(one.orientation, vector(dBodyGetAngularVel(body)));
+    result.bodies.push_back(one);
+  }
+  return result;
+}
+
+void SystemWorld::place(const SpatialSystemState& state) {
+  time_ = state.time;
+  for (std::size_t index = 0; index < moving_.size(); ++index) {
+    const SpatialState& now = state.bodies[index];
+    const Eigen::Vector3d spin = in_the_world(now, now.spin);
+    const dQuaternion turn = {now.orientation[0], now.orientation[1], now.orientation[2],
+                              now.orientation[3]};
+    dBodySetPosition(moving_[index], now.position.x(), now.position.y(), now.position.z());
+    dBodySetQuaternion(moving_[index], turn);
+    dBodySetLinearVel(moving_[index], now.velocity.x(), now.velocity.y(), now.velocity.z());
+    dBodySetAngularVel(moving_[index], spin.x(), spin.y(), spin.z());
+  }
+}
+
+void SystemWorld::pull(std::size_t index, const SystemRow& row, const dSurfaceParameters& surface) {
+  const SpatialCable& cable = system_.cables[index];
+  const std::vector<std::size_t> on = pulled_bodies(cable);
+  const SpatialState first = state().bodies[on[0]];
+  BareWorld::pull(moving_[on[0]],
+                  {.cable = index,
+                   .point = first.position + in_the_world(first, *only_end_on(cable, on[0])),
+                   .towards = row.force(on[0]),
+                   .gap = row.gap,
+                   .other = on.size() > 1 ? moving_[on[1]] : nullptr},
+                  surface);
+}
+
+void SystemWorld::step_under(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity,
+                             double dt) {
+  set_gravity(gravity);
+  for (std::size_t index = 0; index < moving_.size(); ++index) {
+    const auto& [force, moment] = loads[index];
+    dBodyAddForce(moving_[index], force.x(), force.y(), force.z());
+    dBodyAddTorque(moving_[index], moment.x(), moment.y(), moment.z());
+  }
+  step_and_read_impulses(dt);
+  time_ += dt;
+}
+
+void SystemWorld::advance(double dt) {
+  const SpatialSystemState now = state();
+  step_under(loads_in_step(system_, now, dt), gravity_in_step(system_, now, dt), dt);
+}
+
+void SystemWorld::fly(double dt) {
+  const SpatialSystemState now = state();
+  const std::vector<BodyLoad> loads = loads_in_step(system_, now, dt);
+  const Eigen::Vector3d gravity = gravity_in_step(system_, now, dt);
+  const auto kick = [&](double part) {
+    for (std::size_t index = 0; index < moving_.size(); ++index) {
+      const auto& [velocity, spin] =
+          gain_in_step(system_.bodies[index], now.bodies[index], gravity, loads[index], part * dt);
+      const dReal* before = dBodyGetLinearVel(moving_[index]);
+      dBodySetLinearVel(moving_[index], before[0] + velocity.x(), before[1] + velocity.y(),
+                        before[2] + velocity.z());
+      const dReal* turning = dBodyGetAngularVel(moving_[index]);
+      dBodySetAngularVel(moving_[index], turning[0] + spin.x(), turning[1] + spin.y(),
+                         turning[2] + spin.z());
+    }
+  };
+  kick(-0.5);
+  step_under(loads, gravity, dt);
+  kick(0.5);
+}
+
+std::vector<Setting> system_settings() {
+  return {{"of a system: dWorldSetGravity, dBodyAddForce, dBodyAddTorque",
+           "what is given, as it is in the middle of the step; drag as it decays in the step",
+           "ODE knows no function of time."},
+          {"of a system: dContactMotionN, motionN", "how fast an end moves or a cable is hauled in",
+           "A contact with the world knows of no motion at its other side."}};
 }
 
 std::vector<Setting> world_settings() {

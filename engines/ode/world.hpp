@@ -2,32 +2,80 @@
 
 #include <ode/ode.h>
 
+#include <cstddef>
 #include <vector>
 
 #include "tautline/cable_row.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
+#include "tautline/system_loads.hpp"
 
 namespace tautline::ode {
 
-/// An ODE world with the body of a case in it, and one contact joint per cable that acts in the
-/// next step.
-class World {
+enum class Rotation { infinitesimal, finite };  // ODE's words; infinitesimal is its default
+
+/// A contact without friction that a cable acts as in the next step.
+struct CableContact {
+  std::size_t cable;
+  Eigen::Vector3d point;    // [m], where it pulls at its first body
+  Eigen::Vector3d towards;  // [-], in which direction
+  double gap;               // [m]; the depth of the contact is the overstretch
+  dBodyID other = nullptr;  // that it pulls at in the other direction; null: none
+};
+
+/// An ODE world with bodies to be added, and one contact joint per cable that acts in the next
+/// step.
+class BareWorld {
  public:
-  enum class Rotation { infinitesimal, finite };  // ODE's words; infinitesimal is its default
-
-  World(const Case& the_case, Rotation rotation);
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
-  ~World();
-
-  [[nodiscard]] State state() const;
+  BareWorld(std::size_t cables, Rotation rotation);
+  BareWorld(const BareWorld&) = delete;
+  BareWorld& operator=(const BareWorld&) = delete;
+  ~BareWorld();
 
   [[nodiscard]] dWorldID id() const { return world_; }
-  [[nodiscard]] dBodyID body() const { return body_; }
 
   /// Emptied after every step.
   [[nodiscard]] dJointGroupID contacts() const { return contacts_; }
+
+  /// The impulse of each cable in the latest step or solve [N s], >= 0.
+  [[nodiscard]] const std::vector<double>& impulses() const { return impulses_; }
+
+  /// One solve of the contacts at these poses, without gravity and without moving.
+  void solve_here();
+
+ protected:
+  dBodyID add_body(double mass, const Eigen::Vector3d& moments);
+  void set_gravity(const Eigen::Vector3d& gravity);
+
+  /// Lets a cable act in the next step at `body`, with a surface of these settings.
+  void pull(dBodyID body, const CableContact& contact, const dSurfaceParameters& surface);
+
+  /// One `dWorldStep` of `dt` [s], > 0; the contacts are gone afterwards.
+  void step_and_read_impulses(double dt);
+
+ private:
+  struct Pull {
+    std::size_t cable;
+    Eigen::Vector3d towards;
+  };
+
+  dWorldID world_;
+  Rotation rotation_;
+  dJointGroupID contacts_;
+  std::vector<dBodyID> bodies_;
+  std::vector<Pull> pulls_;                // of the next step
+  std::vector<dJointFeedback> feedbacks_;  // one per cable; ODE writes to them
+  std::vector<double> impulses_;
+};
+
+/// An ODE world with the body of a case in it.
+class World : public BareWorld {
+ public:
+  World(const Case& the_case, Rotation rotation);
+
+  [[nodiscard]] State state() const;
+
+  [[nodiscard]] dBodyID body() const { return body_; }
 
   /// Puts the body there.
   void place(const State& state);
@@ -35,38 +83,49 @@ class World {
   /// Adds `change` to the body's velocity [m/s].
   void kick(const Vec2& change);
 
-  /// Lets cable `index` act in the next step, as a contact without friction at the attachment,
-  /// whose normal points to the anchor and whose depth is the overstretch.
+  /// Lets cable `index` act in the next step, as a contact at the attachment whose normal points to
+  /// the anchor.
   void pull(std::size_t index, const CableRow& row, const dSurfaceParameters& surface);
 
   /// One `dWorldStep` of `dt` [s], > 0; the contacts are gone afterwards.
   void advance(double dt);
 
-  /// One solve of the contacts at this pose, without gravity and without moving.
-  void solve_here();
-
-  /// The impulse of each cable in the latest step or solve [N s], >= 0.
-  [[nodiscard]] const std::vector<double>& impulses() const { return impulses_; }
+  /// The same without contacts, such that the body flies the exact parabola.
+  void fly(double dt);
 
  private:
-  struct Pull {
-    std::size_t cable;
-    Vec2 towards;
-  };
-
-  void step_and_read_impulses(double dt);
-
   Vec2 gravity_;
-  dWorldID world_;
   dBodyID body_;
-  dJointGroupID contacts_;
-  std::vector<Pull> pulls_;                // of the next step
-  std::vector<dJointFeedback> feedbacks_;  // one per cable; ODE writes to them
-  std::vector<double> impulses_;
   double angle_;  // [rad], not wrapped
+};
+
+/// An ODE world with the bodies of a system in space in it.
+class SystemWorld : public BareWorld {
+ public:
+  /// Throws std::invalid_argument where a cable does not pull along one line: a contact does.
+  SystemWorld(const SpatialSystem& system, Rotation rotation);
+
+  [[nodiscard]] SpatialSystemState state() const;
+
+  [[nodiscard]] dBodyID body(std::size_t index) const { return moving_[index]; }
+
+  void place(const SpatialSystemState& state);
+  void pull(std::size_t index, const SystemRow& row, const dSurfaceParameters& surface);
+  void advance(double dt);  // under what is given to act
+  void fly(double dt);
+
+ private:
+  void step_under(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity, double dt);
+
+  const SpatialSystem system_;
+  std::vector<dBodyID> moving_;
+  double time_ = 0.0;  // [s]
 };
 
 /// The settings every model needs: those of `World`.
 [[nodiscard]] std::vector<Setting> world_settings();
+
+/// What a model that runs systems says of that.
+[[nodiscard]] std::vector<Setting> system_settings();
 
 }  // namespace tautline::ode

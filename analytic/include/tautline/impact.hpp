@@ -60,13 +60,14 @@ template <class TheCase>
                                                   const StateOf<TheCase>& before, CableSet cables);
 
 /// Solves the linear complementarity problem 0 <= z, perpendicular to, m z + q >= 0 for a matrix
-/// m = J M^-1 J^T of a planar body: symmetric positive semidefinite with rank <= 3, up to 8 by 8.
-/// m z is unique; among the solutions z of a redundant set, one with at most three entries > 0.
-/// None if the problem has no solution, not even for a q that differs by `rounding`.
+/// m = J M^-1 J^T: symmetric positive semidefinite with a rank of at most `rank`, three of a planar
+/// body, up to 8 by 8. m z is unique; among the solutions z of a redundant set, one with at most
+/// `rank` entries > 0. None if the problem has no solution, not even for a q that differs by
+/// `rounding`.
 template <class Real>
 [[nodiscard]] std::optional<BasicCableVector<Real>> solve_lcp(
     const BasicCableMatrix<Real>& m, const std::type_identity_t<BasicCableVector<Real>>& q,
-    const std::type_identity_t<Real>& rounding = Real(0));
+    const std::type_identity_t<Real>& rounding = Real(0), int rank = 3);
 
 /// By how much the rates of dependent cables may contradict each other, from rounding alone [m/s].
 template <class TheCase, class Real = RealOf<TheCase>>

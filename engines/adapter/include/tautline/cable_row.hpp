@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
+#include <vector>
 
 #include "tautline/case.hpp"
-#include "tautline/geometry.hpp"
 #include "tautline/impulses_by_hand.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline {
 
@@ -29,6 +31,63 @@ struct CableRow {
           gap_rate(cable, state)};
 }
 
+/// The same of a cable of a system: an impulse >= 0 along `wrench` raises the gap rate.
+struct SystemRow {
+  /// Of each body the force in the world [-], and its moment about the centre in the body's axes
+  /// [m], that a pull of 1 N gives.
+  RowOf<SpatialSystem> wrench;
+  double gap;    // [m]
+  double rate;   // [m/s], of the gap; negative when closing
+  double given;  // [m/s], of `rate` what moving ends and the length give, whatever the bodies do
+
+  /// The force on a body [-].
+  [[nodiscard]] Eigen::Vector3d force(std::size_t body) const {
+    return wrench.segment<3>(static_cast<Eigen::Index>(6 * body));
+  }
+  /// Its moment about the centre of the body, in world axes [m].
+  [[nodiscard]] Eigen::Vector3d moment(std::size_t body, const SpatialState& state) const {
+    return in_the_world(state, wrench.segment<3>(static_cast<Eigen::Index>(6 * body + 3)));
+  }
+};
+
+/// The row of a cable of a system at these poses; ends and length as they move `later` [s].
+[[nodiscard]] inline SystemRow cable_row(const SpatialCable& cable, const SpatialSystemState& state,
+                                         double later = 0.0) {
+  SpatialSystemState still = standing_still(state);
+  still.time += later;
+  return {gap_gradient(cable, state), gap(cable, state), gap_rate(cable, state),
+          gap_rate(cable, still)};
+}
+
+/// The row of a cable for a step of `dt` [s].
+[[nodiscard]] inline CableRow row_in_step(const Cable& cable, const State& state, double /*dt*/) {
+  return cable_row(cable, state);
+}
+/// In a system the ends and the length move as they do at the end of the step.
+[[nodiscard]] inline SystemRow row_in_step(const SpatialCable& cable,
+                                           const SpatialSystemState& state, double dt) {
+  return cable_row(cable, state, dt);
+}
+
+/// What a solver that knows the bodies alone is asked for, where the gap is to have `rate` [m/s].
+[[nodiscard]] inline double rate_of_bodies(const CableRow& /*row*/, double rate) { return rate; }
+/// In a system the rest comes from what moves the ends and the length.
+[[nodiscard]] inline double rate_of_bodies(const SystemRow& row, double rate) {
+  return rate - row.given;
+}
+
+/// The bodies that a cable of a system pulls at, each once, in the order of its ends.
+[[nodiscard]] inline std::vector<std::size_t> pulled_bodies(const SpatialCable& cable) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i <= cable.segments(); ++i) {
+    const std::optional<std::size_t>& body = cable.end(i).body;
+    if (body && std::find(result.begin(), result.end(), *body) == result.end()) {
+      result.push_back(*body);
+    }
+  }
+  return result;
+}
+
 /// When a model with fixed steps lets a cable act.
 enum class Activation {
   overstretched,  // at zero gap or beyond when the step starts
@@ -36,13 +95,30 @@ enum class Activation {
 };
 
 /// Whether a cable acts in a step of `dt` [s]. Gravity in this step is left out, as engines do.
-[[nodiscard]] inline bool acts(const CableRow& row, Activation activation, double dt) {
+template <class Row>
+[[nodiscard]] bool acts(const Row& row, Activation activation, double dt) {
   return row.gap <= 0.0 || (activation == Activation::crossing && row.gap < -row.rate * dt);
 }
 
 /// The gap rate a bounce asks for [m/s], >= 0.
-[[nodiscard]] inline double rebound_rate(const CableRow& row, double restitution) {
+template <class Row>
+[[nodiscard]] double rebound_rate(const Row& row, double restitution) {
   return restitution * std::max(0.0, -row.rate);
+}
+
+/// The velocities of the bodies as a row has them [m/s, rad/s].
+[[nodiscard]] inline Eigen::Vector3d motion_of(const State& state) {
+  return {state.velocity.x(), state.velocity.y(), state.spin};
+}
+/// Of a system, those of one body after the other.
+[[nodiscard]] inline RowOf<SpatialSystem> motion_of(const SpatialSystemState& state) {
+  RowOf<SpatialSystem> result = no_change(state);
+  Eigen::Index row = 0;
+  for (const SpatialState& body : state.bodies) {
+    result.segment<6>(row) << body.velocity, body.spin;
+    row += 6;
+  }
+  return result;
 }
 
 /// By how much the gap rate of cable `index` changes at most in a step of `dt` [s] from `state` in
@@ -50,24 +126,38 @@ enum class Activation {
 [[nodiscard]] inline double change_in_step(const Case& the_case, std::size_t index,
                                            const State& state, double dt) {
   const Cable& cable = the_case.cables[index];
-  const Eigen::Vector3d motion(state.velocity.x(), state.velocity.y(), state.spin);
+  const Eigen::Vector3d motion = motion_of(state);
   const double fallen = gap_gradient(cable, state).head<2>().dot(the_case.gravity);
   return dt * (std::abs(gap_gradient_rate(cable, state).dot(motion)) + std::abs(fallen));
+}
+
+/// The same of a system, where forces, drag and what is given over time change it, too.
+[[nodiscard]] inline double change_in_step(const SpatialSystem& system, std::size_t index,
+                                           const SpatialSystemState& state, double dt) {
+  const SpatialCable& cable = system.cables[index];
+  const double turning = gap_gradient_rate(cable, state).dot(motion_of(state));
+  return dt * (std::abs(turning) + std::abs(free_gap_acceleration(system, index, state) - turning));
 }
 
 /// The gap rate that takes out `correction` [1/s] of the overstretch [m/s], at most `most` [m/s].
 /// With the `change_in_step` it keeps a body in its swing, and throws none back that has hit the
 /// cable: what is left of the overstretch then goes out by a move, see `out_of_overstretch`.
-[[nodiscard]] inline double push_rate(const CableRow& row, double correction, double most) {
+template <class Row>
+[[nodiscard]] double push_rate(const Row& row, double correction, double most) {
   return std::min(most, correction * std::max(0.0, -row.gap));
 }
 
 /// The gap rate a model with fixed steps asks for [m/s]: the bounce, or the speed `push_rate`,
 /// whichever is faster. Their sum would gain energy.
-[[nodiscard]] inline double wanted_rate(const CableRow& row, double restitution, double correction,
-                                        double most = std::numeric_limits<double>::infinity()) {
+template <class Row>
+[[nodiscard]] double wanted_rate(const Row& row, double restitution, double correction,
+                                 double most = std::numeric_limits<double>::infinity()) {
   return std::max(rebound_rate(row, restitution), push_rate(row, correction, most));
 }
+
+/// The most cables of a case whose rows are independent [-].
+template <class TheCase>
+inline constexpr int rank_of = std::is_same_v<TheCase, Case> ? 3 : static_cast<int>(max_cables);
 
 /// The part of an overstretch that engines take out in one step unless told otherwise [-].
 inline constexpr double usual_correction = 0.2;
@@ -82,16 +172,20 @@ inline constexpr double usual_correction = 0.2;
 /// leaves of `correction` [1/s]: without a change of velocity, for that would be a rebound that
 /// nobody asked for. A cable that is about to be hit takes no part, and one from which the body
 /// comes back fast enough by itself is left to it. None where there is nothing to move.
-[[nodiscard]] inline std::optional<State> out_of_overstretch(const Case& the_case,
-                                                             const State& state, double correction,
-                                                             double dt) {
+template <class TheCase>
+[[nodiscard]] std::optional<StateOf<TheCase>> out_of_overstretch(const TheCase& the_case,
+                                                                 const StateOf<TheCase>& state,
+                                                                 double correction, double dt) {
   CableSet holding;
   CableVector lacking(static_cast<Eigen::Index>(the_case.cables.size()));  // [m], <= 0
   Eigen::Index count = 0;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    const CableRow row = cable_row(the_case.cables[index], state);
+    const auto row = cable_row(the_case.cables[index], state);
+    if (!(row.gap <= 0.0)) {
+      continue;
+    }
     const double most = change_in_step(the_case, index, state, dt);
-    if (row.gap <= 0.0 && row.rate >= -most) {
+    if (row.rate >= -most) {
       const double done = std::max(most, row.rate);
       lacking[count++] = std::min(0.0, dt * (done + correction * row.gap));
       holding.insert(index);
@@ -100,10 +194,9 @@ inline constexpr double usual_correction = 0.2;
   if (!(lacking.head(count).array() < 0.0).any()) {
     return std::nullopt;
   }
-  const CableVector pushes =
-      impulses_by_hand(delassus(the_case, state, holding), lacking.head(count), 0.0);
-  const State move = with_impulses(the_case, standing_still(state), holding, pushes);
-  return moved(state, Eigen::Vector3d(move.velocity.x(), move.velocity.y(), move.spin));
+  const CableVector pushes = impulses_by_hand(delassus(the_case, state, holding),
+                                              lacking.head(count), 0.0, rank_of<TheCase>);
+  return moved(state, motion_of(with_impulses(the_case, standing_still(state), holding, pushes)));
 }
 
 }  // namespace tautline

@@ -4,24 +4,29 @@
 
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
+#include "tautline/system.hpp"
 
 namespace tautline {
 
-/// What the event driver needs of an engine: one body, no cables of the engine's own.
-class EventAdapter {
+/// What the event driver needs of an engine: the body of a `Case` or the bodies of a
+/// `SpatialSystem`, no cables of the engine's own.
+template <class TheCase>
+class BasicEventAdapter {
  public:
-  EventAdapter() = default;
-  EventAdapter(const EventAdapter&) = delete;
-  EventAdapter& operator=(const EventAdapter&) = delete;
-  virtual ~EventAdapter() = default;
+  BasicEventAdapter() = default;
+  BasicEventAdapter(const BasicEventAdapter&) = delete;
+  BasicEventAdapter& operator=(const BasicEventAdapter&) = delete;
+  virtual ~BasicEventAdapter() = default;
 
-  [[nodiscard]] virtual State state() const = 0;  // in SI units, the angle not wrapped
+  /// In SI units; in the plane the angle is not wrapped, of a system the time counts on.
+  [[nodiscard]] virtual StateOf<TheCase> state() const = 0;
 
-  /// Puts the body there.
-  virtual void place(const State& state) = 0;
+  /// Puts the bodies there.
+  virtual void place(const StateOf<TheCase>& state) = 0;
 
   /// The engine's own step of `dt` [s] with no cable, kicked by half of gravity's impulse before
-  /// and after where the engine's scheme needs it, so that it flies the exact parabola.
+  /// and after where the engine's scheme needs it, so that it flies the exact parabola. What is
+  /// given over time acts as it is in the middle of the step.
   virtual void fly(double dt) = 0;
 
   /// One solve by the engine's own solver, at the pose it has and without moving: the gap of each
@@ -42,11 +47,21 @@ class EventAdapter {
   /// What an engine in float leaves, near cables a few metres long: two and some twenty roundings.
   static constexpr Rounding float_rounding = {3e-7, 3e-6};
 };
+using EventAdapter = BasicEventAdapter<Case>;                 // in the plane
+using SystemEventAdapter = BasicEventAdapter<SpatialSystem>;  // in space
 
 /// The length that a gap is rounded against [m]: the cable's length, and far from the origin the
 /// body's distance from it, as the coordinates of a pose have no more digits there.
 [[nodiscard]] inline double gap_scale(const Cable& cable, const State& state) {
   return std::max(cable.length, state.position.norm());
+}
+/// Of a system, the distance of the body that is farthest.
+[[nodiscard]] inline double gap_scale(const SpatialCable& cable, const SpatialSystemState& state) {
+  double result = cable.length.at(state.time)[0];
+  for (const SpatialState& body : state.bodies) {
+    result = std::max(result, body.position.norm());
+  }
+  return result;
 }
 
 }  // namespace tautline

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,23 +17,37 @@ namespace tautline {
 /// (`taut_step`), and every event is located by the exact search of `analytic/`. Impacts on several
 /// cables follow `law`: simultaneous, one solve for all; or sequential, one solve after another.
 /// Throws std::invalid_argument for the other laws. A simulation that cannot go on says so.
-[[nodiscard]] std::unique_ptr<Simulation> drive_by_events(const Case& the_case,
-                                                          std::unique_ptr<EventAdapter> adapter,
-                                                          ImpactLaw law = ImpactLaw::simultaneous);
+///
+/// In the plane the engine flies the exact parabola. A system's flight is the engine's own, which
+/// is exact for bodies of three equal moments without forces over time: the driver moves each
+/// contact to the instant at which the engine's own gap is zero.
+template <class TheCase>  // Case or SpatialSystem
+[[nodiscard]] std::unique_ptr<BasicSimulation<TheCase>> drive_by_events(
+    const TheCase& the_case,
+    std::type_identity_t<std::unique_ptr<BasicEventAdapter<TheCase>>> adapter,
+    ImpactLaw law = ImpactLaw::simultaneous);
 
-/// The model `event` of an engine, whose `Adapter` is an EventAdapter made of a case.
-template <class Adapter>
+/// The model `event` of an engine, whose `Adapter` is an EventAdapter made of a case, and whose
+/// `InSpace` is a SystemEventAdapter made of a system, if it has one.
+template <class Adapter, class InSpace = void>
 // NOLINTNEXTLINE(performance-unnecessary-value-param): clang-tidy 14 sees no move in a template
 [[nodiscard]] ModelEntry event_model(std::string sentence, std::vector<Setting> settings) {
-  return {.model = {.name = "event",
-                    .sentence = std::move(sentence),
-                    .settings = std::move(settings),
-                    .maker = Maker::tautline},
-          .start =
-              [](const Case& the_case, const RunSettings& run) {
-                return drive_by_events(the_case, std::make_unique<Adapter>(the_case), run.law);
-              },
-          .follows_speed = true};
+  ModelEntry result = {.model = {.name = "event",
+                                 .sentence = std::move(sentence),
+                                 .settings = std::move(settings),
+                                 .maker = Maker::tautline},
+                       .start =
+                           [](const Case& the_case, const RunSettings& run) {
+                             return drive_by_events(the_case, std::make_unique<Adapter>(the_case),
+                                                    run.law);
+                           },
+                       .follows_speed = true};
+  if constexpr (!std::is_void_v<InSpace>) {
+    result.start_system = [](const SpatialSystem& system, const RunSettings& run) {
+      return drive_by_events(system, std::make_unique<InSpace>(system), run.law);
+    };
+  }
+  return result;
 }
 
 }  // namespace tautline

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
+#include "tautline/system.hpp"
 
 namespace tautline {
 
@@ -79,6 +81,7 @@ struct Model {
   Maker maker = Maker::by_hand;            // whose its cable is
   std::vector<Parameter> parameters = {};  // that a run may set; none in most models
   std::string code = {};  // sets them in a user's program, "{name}" where a value stands
+  bool in_space = false;  // it runs systems in space, too: `Engine::start_system`
 };
 
 /// What an engine says of itself.
@@ -87,18 +90,29 @@ struct EngineInfo {
   std::string version;    // asked from the library, not from a header, where the library can tell
   std::string precision;  // "float64" or "float32"
   std::vector<Model> models;  // each runs any case, or says why not
+  int dimensions = 2;         // of its world: 2, or 3
 };
 
-/// One run of one case. Times count from the start of the run [s].
-class Simulation {
- public:
-  Simulation() = default;
-  Simulation(const Simulation&) = delete;
-  Simulation& operator=(const Simulation&) = delete;
-  virtual ~Simulation() = default;
+/// Why a simulation cannot go on.
+struct StopOfRun {
+  double time;         // [s], from the start of the run
+  std::string reason;  // in a few words
+};
 
-  /// The body now. Right after `start` it is the case's initial state. The angle is not wrapped.
-  [[nodiscard]] virtual State state() const = 0;
+/// One run of one case, a `Case` or a `SpatialSystem`. Times count from the start of the run [s].
+template <class TheCase>
+class BasicSimulation {
+ public:
+  using Stop = StopOfRun;
+
+  BasicSimulation() = default;
+  BasicSimulation(const BasicSimulation&) = delete;
+  BasicSimulation& operator=(const BasicSimulation&) = delete;
+  virtual ~BasicSimulation() = default;
+
+  /// The body now, or all bodies of a system. Right after `start` it is the case's initial state.
+  /// In the plane the angle is not wrapped.
+  [[nodiscard]] virtual StateOf<TheCase> state() const = 0;
 
   /// Advances by `dt` [s], > 0.
   virtual void step(double dt) = 0;
@@ -109,17 +123,14 @@ class Simulation {
 
   /// The impacts inside the latest step, for a simulation that locates them itself. One that does
   /// not leaves this empty, and the impacts are read from `impulses`.
-  [[nodiscard]] virtual std::span<const Event> events() const { return {}; }
+  [[nodiscard]] virtual std::span<const BasicEvent<TheCase>> events() const { return {}; }
 
-  /// Set when the simulation cannot go on, with the reason in a few words ("impacts accumulate");
-  /// the latest step may then have advanced by less than its dt, and `time` tells how far.
-  struct Stop {
-    double time;         // [s]
-    std::string reason;  // in a few words
-  };
-  /// None while it runs.
-  [[nodiscard]] virtual std::optional<Stop> stopped() const { return std::nullopt; }
+  /// Set when the simulation cannot go on ("impacts accumulate"); the latest step may then have
+  /// advanced by less than its dt, and `time` tells how far. None while it runs.
+  [[nodiscard]] virtual std::optional<StopOfRun> stopped() const { return std::nullopt; }
 };
+using Simulation = BasicSimulation<Case>;                 // of a body in the plane
+using SystemSimulation = BasicSimulation<SpatialSystem>;  // of a system in space
 
 /// What a simulation derives from, too, if it knows what its cables pull with while they are taut.
 /// The program asks for it by dynamic_cast: a plug-in that does not have it, or is older, loads as
@@ -138,10 +149,13 @@ class TensionImpulses {
 };
 
 /// A simulation with fixed steps, whose `impulses` are of all that its cables pull in a step.
-class SteppedSimulation : public Simulation, public TensionImpulses {
+template <class TheCase>
+class BasicSteppedSimulation : public BasicSimulation<TheCase>, public TensionImpulses {
  public:
-  [[nodiscard]] std::span<const double> tension_impulses() const final { return impulses(); }
+  [[nodiscard]] std::span<const double> tension_impulses() const final { return this->impulses(); }
 };
+using SteppedSimulation = BasicSteppedSimulation<Case>;                 // in the plane
+using SteppedSystemSimulation = BasicSteppedSimulation<SpatialSystem>;  // in space
 
 /// How a run is done.
 struct RunSettings {
@@ -171,6 +185,18 @@ class Engine {
   [[nodiscard]] virtual std::unique_ptr<Simulation> start(const Case& the_case,
                                                           std::string_view model,
                                                           const RunSettings& settings) const = 0;
+
+  /// The same of a system in space: several bodies, cables between them and through rings, and what
+  /// is given over time. Only a model that says `in_space` has it.
+  [[nodiscard]] virtual std::unique_ptr<SystemSimulation> start_system(
+      const SpatialSystem& /*system*/, std::string_view model,
+      const RunSettings& /*settings*/) const {
+    const EngineInfo own = info();
+    throw std::invalid_argument(own.dimensions == 2
+                                    ? "unsupported: " + own.name + " is an engine of the plane"
+                                    : "unsupported: model " + std::string(model) +
+                                          " has one body in the plane alone");
+  }
 };
 
 }  // namespace tautline

@@ -20,6 +20,8 @@ struct ModelEntry {
   Model model;  // its name and what it is
   std::function<std::unique_ptr<Simulation>(const Case& the_case, const RunSettings& settings)>
       start;  // starts a run with it
+  std::function<std::unique_ptr<SystemSimulation>(const SpatialSystem&, const RunSettings&)>
+      start_system = nullptr;  // the same of a system in space; none: it takes the plane alone
   /// True where every impact gets `restitution(cable, rate)` at its own rate; a model that takes
   /// `cable.restitution` once and for all is not started on a case where it is not constant.
   bool follows_speed = false;
@@ -30,6 +32,7 @@ struct ModelEntry {
   std::vector<Model> result;
   for (const ModelEntry& entry : entries) {
     result.push_back(entry.model);
+    result.back().in_space = entry.start_system != nullptr;
   }
   return result;
 }
@@ -54,12 +57,12 @@ inline void check_parameters(const Model& model, const RunSettings& settings) {
   return found == settings.parameters.end() ? otherwise : found->second;
 }
 
-/// A run with the entry called `name`. Throws std::invalid_argument if there is none, or if it
-/// cannot do the case.
-[[nodiscard]] inline std::unique_ptr<Simulation> start_model(std::span<const ModelEntry> entries,
-                                                             std::string_view name,
-                                                             const Case& the_case,
-                                                             const RunSettings& settings) {
+/// The entry called `name`, where it can do `the_case` with these settings. Throws
+/// std::invalid_argument if there is none, or if it cannot.
+template <class TheCase>
+[[nodiscard]] const ModelEntry& entry_for(std::span<const ModelEntry> entries,
+                                          std::string_view name, const TheCase& the_case,
+                                          const RunSettings& settings) {
   std::string known;
   for (const ModelEntry& entry : entries) {
     if (entry.model.name == name) {
@@ -71,11 +74,19 @@ inline void check_parameters(const Model& model, const RunSettings& settings) {
         }
       }
       check_parameters(entry.model, settings);
-      return entry.start(the_case, settings);
+      return entry;
     }
     known += (known.empty() ? "" : ", ") + entry.model.name;
   }
   throw std::invalid_argument("model " + std::string(name) + " is unknown; there are " + known);
+}
+
+/// A run with the entry called `name`. Throws as `entry_for` does.
+[[nodiscard]] inline std::unique_ptr<Simulation> start_model(std::span<const ModelEntry> entries,
+                                                             std::string_view name,
+                                                             const Case& the_case,
+                                                             const RunSettings& settings) {
+  return entry_for(entries, name, the_case, settings).start(the_case, settings);
 }
 
 /// What `EngineInfo` calls the numbers of an engine that computes in `Real`.
@@ -92,13 +103,15 @@ inline constexpr const char* precision_of = sizeof(Real) == sizeof(double) ? "fl
   return result;
 }
 
-/// A `ModelEntry::start` that makes a `Made` of the case, of the settings of the run where it wants
-/// them, and of `own`.
+/// A `ModelEntry::start` or `start_system` that makes a `Made` of the case, of the settings of the
+/// run where it wants them, and of `own`.
 template <class Made, class... Own>
 [[nodiscard]] auto makes(Own... own) {
-  return [own...](const Case& the_case,
-                  [[maybe_unused]] const RunSettings& run) -> std::unique_ptr<Simulation> {
-    if constexpr (std::is_constructible_v<Made, const Case&, const RunSettings&, const Own&...>) {
+  return [own...]<class TheCase>(
+             const TheCase& the_case,
+             [[maybe_unused]] const RunSettings& run) -> std::unique_ptr<BasicSimulation<TheCase>> {
+    if constexpr (std::is_constructible_v<Made, const TheCase&, const RunSettings&,
+                                          const Own&...>) {
       return std::make_unique<Made>(the_case, run, own...);
     } else {
       return std::make_unique<Made>(the_case, own...);
@@ -112,6 +125,7 @@ struct EngineTable {
   std::string version;                            // of the library that is loaded
   std::string precision;                          // float64 or float32
   std::vector<std::vector<ModelEntry>> families;  // models in the order in which they are listed
+  int dimensions = 2;                             // of its world
 };
 
 /// The engine of a table: what a plug-in's class derives from.
@@ -119,7 +133,11 @@ class TableEngine : public Engine {
  public:
   /// An engine that is this table.
   explicit TableEngine(EngineTable table)
-      : info_{std::move(table.name), std::move(table.version), std::move(table.precision), {}} {
+      : info_{std::move(table.name),
+              std::move(table.version),
+              std::move(table.precision),
+              {},
+              table.dimensions} {
     for (const std::vector<ModelEntry>& family : table.families) {
       entries_.insert(entries_.end(), family.begin(), family.end());
     }
@@ -135,6 +153,13 @@ class TableEngine : public Engine {
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, std::string_view model,
                                                   const RunSettings& settings) const override {
     return start_model(entries_, model, the_case, settings);
+  }
+  [[nodiscard]] std::unique_ptr<SystemSimulation> start_system(
+      const SpatialSystem& system, std::string_view model,
+      const RunSettings& settings) const override {
+    const ModelEntry& entry = entry_for(entries_, model, system, settings);
+    return entry.start_system ? entry.start_system(system, settings)
+                              : Engine::start_system(system, model, settings);
   }
 
  private:

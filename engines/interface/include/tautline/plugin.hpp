@@ -11,9 +11,9 @@
 #define TAUTLINE_TEXT_OF(x) #x
 #define TAUTLINE_TEXT(x) TAUTLINE_TEXT_OF(x)
 
-/// Raised with every change of engine.hpp, case.hpp or solution.hpp that an older plug-in would not
-/// fit. What is only added, such as TensionImpulses, fits.
-#define TAUTLINE_INTERFACE_VERSION 5
+/// Raised with every change of engine.hpp, case.hpp, system.hpp or solution.hpp that an older
+/// plug-in would not fit. What is only added, such as TensionImpulses, fits.
+#define TAUTLINE_INTERFACE_VERSION 6
 
 /// What a plug-in must have been built against, as text.
 #define TAUTLINE_INTERFACE \

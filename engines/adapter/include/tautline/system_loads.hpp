@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "tautline/system_geometry.hpp"
+
+namespace tautline {
+
+/// What acts on a body of a system in a step but for cables, as a mean over the step.
+struct BodyLoad {
+  Eigen::Vector3d force;   // [N], without gravity
+  Eigen::Vector3d moment;  // [N m], in world axes, without what turning gives
+};
+
+/// `what` [m/s] or [rad/s] and a steady `acceleration` of it over `dt` [s]: the mean acceleration
+/// that a linear drag of `rate` [1/s] adds, exactly, however long the step.
+[[nodiscard]] inline Eigen::Vector3d drag_in_step(const Eigen::Vector3d& what,
+                                                  const Eigen::Vector3d& acceleration,
+                                                  const Eigen::Vector3d& rate, double dt) {
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double x = rate[axis] * dt;
+    if (x > 0.0) {
+      const double lost = -std::expm1(-x);  // [-]
+      result[axis] = (-lost * what[axis] + (lost / x - 1.0) * dt * acceleration[axis]) / dt;
+    }
+  }
+  return result;
+}
+
+/// The gravity of a step of `dt` [s] from `state` on [m/s^2]: that of its middle.
+[[nodiscard]] inline Eigen::Vector3d gravity_in_step(const SpatialSystem& system,
+                                                     const SpatialSystemState& state, double dt) {
+  return system.gravity.at(state.time + 0.5 * dt);
+}
+
+/// What acts on each body in such a step: what is given as it is in the middle of the step, and
+/// drag.
+[[nodiscard]] inline std::vector<BodyLoad> loads_in_step(const SpatialSystem& system,
+                                                         const SpatialSystemState& state,
+                                                         double dt) {
+  const double middle = state.time + 0.5 * dt;
+  const Eigen::Vector3d gravity = gravity_in_step(system, state, dt);
+  std::vector<BodyLoad> result;
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    const SpatialBody& body = system.bodies[i];
+    const SpatialState& now = state.bodies[i];
+    BodyLoad load{body.force.at(middle), body.moment.at(middle)};
+    const Eigen::Vector3d falling = gravity + load.force / body.mass;
+    load.force += body.mass * drag_in_step(now.velocity, falling,
+                                           Eigen::Vector3d::Constant(body.drag / body.mass), dt);
+    if (has_inertia(body.inertia)) {
+      const Eigen::Vector3d turning =
+          in_the_body(now, load.moment).cwiseQuotient(body.inertia);
+      const Eigen::Vector3d braking =
+          drag_in_step(now.spin, turning, body.inertia.cwiseInverse() * body.spin_drag, dt);
+      load.moment += in_the_world(now, body.inertia.cwiseProduct(braking));
+    }
+    result.push_back(load);
+  }
+  return result;
+}
+
+/// The change of the velocity of a body [m/s], or of its spin in world axes [rad/s], that gravity
+/// and its load give in `dt` [s].
+struct Gain {
+  Eigen::Vector3d velocity;
+  Eigen::Vector3d spin;
+};
+[[nodiscard]] inline Gain gain_in_step(const SpatialBody& body, const SpatialState& state,
+                                       const Eigen::Vector3d& gravity, const BodyLoad& load,
+                                       double dt) {
+  Gain result{dt * (gravity + load.force / body.mass), Eigen::Vector3d::Zero()};
+  if (has_inertia(body.inertia)) {
+    result.spin =
+        in_the_world(state, dt * in_the_body(state, load.moment).cwiseQuotient(body.inertia));
+  }
+  return result;
+}
+
+}  // namespace tautline

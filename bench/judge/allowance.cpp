@@ -442,10 +442,14 @@ Allowance Expectation::made(double step, double rounding) const {
   return result;
 }
 
-Expectations expectations_of(const std::vector<ReferenceCase>& references) {
+Expectations expectations_of(const std::vector<Reference>& references) {
   Expectations result;
-  for (const ReferenceCase& reference : references) {
-    result.emplace_back(reference);
+  for (const Reference& reference : references) {
+    if (const auto* const of_case = std::get_if<ReferenceCase>(&reference)) {
+      result.emplace_back(std::in_place_type<Expectation>, *of_case);
+    } else {
+      result.emplace_back(&std::get<ReferenceSystem>(reference));
+    }
   }
   return result;
 }

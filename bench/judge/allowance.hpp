@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "bench/measure/reference.hpp"
@@ -133,7 +134,9 @@ class Expectation {
 };
 
 /// For each of `references`, which must outlive them.
-using Expectations = std::deque<Expectation>;
-[[nodiscard]] Expectations expectations_of(const std::vector<ReferenceCase>& references);
+/// What runs of a case are held against: of a system the exact motion alone, which must outlive it.
+using AnyExpectation = std::variant<Expectation, const ReferenceSystem*>;
+using Expectations = std::deque<AnyExpectation>;
+[[nodiscard]] Expectations expectations_of(const std::vector<Reference>& references);
 
 }  // namespace tautline::bench

@@ -20,7 +20,7 @@ CertifiedDigits certified(const ReferenceCase& reference) {
 
 }  // namespace
 
-Certification::Certification(const std::vector<ReferenceCase>& references, bool wanted)
+Certification::Certification(const std::vector<Reference>& references, bool wanted)
     : digits_(references.size()) {
   if (wanted) {
     thread_ =
@@ -39,11 +39,13 @@ std::vector<std::optional<CertifiedDigits>> Certification::digits() {
 }
 
 void Certification::work(const std::stop_token& stop,
-                         const std::vector<ReferenceCase>& references) {
+                         const std::vector<Reference>& references) {
   try {
     for (std::size_t place = 0;
          place < references.size() && !stop.stop_requested() && !interruption(); ++place) {
-      digits_[place] = certified(references[place]);
+      if (const auto* const of_case = std::get_if<ReferenceCase>(&references[place])) {
+        digits_[place] = certified(*of_case);
+      }
     }
   } catch (...) {
     failure_ = std::current_exception();

@@ -16,14 +16,15 @@ namespace tautline::bench {
 /// are left, when it goes or the program is told to stop.
 class Certification {
  public:
-  /// Begins with `references`, which must outlive it; with none of them unless `wanted`.
-  Certification(const std::vector<ReferenceCase>& references, bool wanted);
+  /// Begins with `references`, which must outlive it; with none of them unless `wanted`. Those of
+  /// systems stay without: `tautline solve` says it of them.
+  Certification(const std::vector<Reference>& references, bool wanted);
 
   /// Waits for the last case. One entry for each; throws what went wrong.
   [[nodiscard]] std::vector<std::optional<CertifiedDigits>> digits();
 
  private:
-  void work(const std::stop_token& stop, const std::vector<ReferenceCase>& references);
+  void work(const std::stop_token& stop, const std::vector<Reference>& references);
 
   std::vector<std::optional<CertifiedDigits>> digits_;
   std::exception_ptr failure_;

@@ -8,28 +8,52 @@
 #include "bench/measure/impact_match.hpp"
 #include "bench/measure/settling_match.hpp"
 #include "bench/measure/tension_match.hpp"
-#include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
 
-Deviation deviation(const Solution& solution, const Trajectory& run, double until) {
+/// How far a body is from where it should be: [m], [rad], [m/s].
+struct Distance {
+  double position = 0.0;
+  double angle = 0.0;
+  double velocity = 0.0;
+};
+Distance distance(const State& state, const State& exact) {
+  return {(state.position - exact.position).norm(), std::abs(state.angle - exact.angle),
+          (state.velocity - exact.velocity).norm()};
+}
+/// Of a system the largest of each; a point mass has no angle.
+Distance distance(const SpatialSystemState& state, const SpatialSystemState& exact) {
+  Distance result;
+  for (std::size_t index = 0; index < state.bodies.size(); ++index) {
+    const SpatialState& body = state.bodies[index];
+    const SpatialState& right = exact.bodies[index];
+    result.position = std::max(result.position, (body.position - right.position).norm());
+    result.angle = std::max(result.angle, turn_between(body, right));
+    result.velocity = std::max(result.velocity, (body.velocity - right.velocity).norm());
+  }
+  return result;
+}
+
+template <class TheCase>
+Deviation deviation(const BasicSolution<TheCase>& solution, const BasicTrajectory<TheCase>& run,
+                    double until) {
   Deviation result;
   result.until = until;
   double integral = 0.0;  // [m], of the velocity's distance
   double previous_time = 0.0;
   double previous_distance = 0.0;
-  for (const Point& point : run.points) {
+  for (const BasicPoint<TheCase>& point : run.points) {
     if (point.time > until) {
       break;
     }
-    const State exact = solution.at(point.time);
-    const double distance = (point.state.velocity - exact.velocity).norm();
-    integral += 0.5 * (distance + previous_distance) * (point.time - previous_time);
+    const Distance off = distance(point.state, solution.at(point.time));
+    integral += 0.5 * (off.velocity + previous_distance) * (point.time - previous_time);
     previous_time = point.time;
-    previous_distance = distance;
-    result.position = std::max(result.position, (point.state.position - exact.position).norm());
-    result.angle = std::max(result.angle, std::abs(point.state.angle - exact.angle));
+    previous_distance = off.velocity;
+    result.position = std::max(result.position, off.position);
+    result.angle = std::max(result.angle, off.angle);
   }
   result.covered = previous_time;
   result.velocity = previous_time > 0.0 ? integral / previous_time : 0.0;
@@ -37,13 +61,14 @@ Deviation deviation(const Solution& solution, const Trajectory& run, double unti
 }
 
 /// Adds what the run's counted impacts say: restitution up to `end` [s], and what there is besides.
-void add_run_impacts(const Case& the_case, const Trajectory& run, double end, double count_speed,
-                     Metrics& metrics) {
+template <class TheCase>
+void add_run_impacts(const TheCase& the_case, const BasicTrajectory<TheCase>& run, double end,
+                     double count_speed, Metrics& metrics) {
   MeasuredRestitution result;
   result.smallest = std::numeric_limits<double>::infinity();
   result.largest = -result.smallest;
   double sum = 0.0;
-  for (const RecordedImpact& impact : run.impacts) {
+  for (const BasicRecordedImpact<TheCase>& impact : run.impacts) {
     if (-impact.rate_before <= count_speed) {
       continue;
     }
@@ -77,10 +102,22 @@ double early_end(const std::vector<CountedImpact>& exact, std::size_t impacts, d
   return std::min(end, 0.5 * (exact[impacts - 1].time + exact[impacts].time));
 }
 
-}  // namespace
+/// True where nothing but impacts and drag changes the energy.
+bool keeps_energy(const Case& /*the_case*/) { return true; }
+bool keeps_energy(const SpatialSystem& system) {
+  bool all_constant = true;
+  each_function(system, [&](const auto& function) {
+    all_constant = all_constant && function.is_constant();
+  });
+  return all_constant && std::all_of(system.bodies.begin(), system.bodies.end(),
+                                     [](const SpatialBody& body) { return body.moment.empty(); });
+}
 
-Metrics compare(const Case& the_case, const Solution& solution, const Settling& settling,
-                double horizon, const Trajectory& run, const CompareOptions& options) {
+/// All but the swing.
+template <class TheCase, class TheSettling>
+Metrics compared(const TheCase& the_case, const BasicSolution<TheCase>& solution,
+                 const TheSettling& settling, double horizon, const BasicTrajectory<TheCase>& run,
+                 const CompareOptions& options) {
   const double end = solution.end_time();
   const auto exact = counted_impacts(the_case, solution, options.count_speed);
   const auto found = counted_impacts(run, options.count_speed);
@@ -93,11 +130,12 @@ Metrics compare(const Case& the_case, const Solution& solution, const Settling& 
     metrics.impacts[window] = impacts_until(ends[window], exact, found, pairs);
   }
   metrics.last_impacts = match_last_impacts(settling, horizon, run, end);
-  metrics.swing = match_swing(the_case, solution, settling, run);
   metrics.overstretch = run.overstretch;
-  metrics.energy_gain = run.largest_energy - energy(the_case, run.points.front().state);
+  metrics.energy_gain = keeps_energy(the_case)
+                            ? run.largest_energy - energy(the_case, run.points.front().state)
+                            : std::numeric_limits<double>::quiet_NaN();
   const auto last = std::find_if(run.points.rbegin(), run.points.rend(),
-                                 [end](const Point& point) { return point.time <= end; });
+                                 [end](const auto& point) { return point.time <= end; });
   metrics.energy_error =
       std::abs(energy(the_case, last->state) - energy(the_case, solution.at(last->time)));
   add_run_impacts(the_case, run, settling.lock ? settling.lock->time : end, options.count_speed,
@@ -113,6 +151,21 @@ Metrics compare(const Case& the_case, const Solution& solution, const Settling& 
   metrics.first_impulse =
       match_first_impulse(the_case, solution, run, options.count_speed, sure_end);
   return metrics;
+}
+
+}  // namespace
+
+Metrics compare(const Case& the_case, const Solution& solution, const Settling& settling,
+                double horizon, const Trajectory& run, const CompareOptions& options) {
+  Metrics metrics = compared(the_case, solution, settling, horizon, run, options);
+  metrics.swing = match_swing(the_case, solution, settling, run);
+  return metrics;
+}
+
+Metrics compare(const SpatialSystem& system, const BasicSolution<SpatialSystem>& solution,
+                const SystemSettling& settling, double horizon, const SystemTrajectory& run,
+                const CompareOptions& options) {
+  return compared(system, solution, settling, horizon, run, options);
 }
 
 }  // namespace tautline::bench

@@ -3,6 +3,7 @@
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
 #include "tautline/solution.hpp"
+#include "tautline/system.hpp"
 
 namespace tautline::bench {
 
@@ -11,6 +12,13 @@ namespace tautline::bench {
 /// analytic/README.md, Eq. 45 [m]. Beyond it, differences say nothing about an engine. The end of
 /// `solution`, which solves `the_case` under `law`, if the error does not grow that much.
 [[nodiscard]] double predictability_horizon(const Case& the_case, const Solution& solution,
+                                            ImpactLaw law = ImpactLaw::simultaneous,
+                                            double local_error = 1e-12, double visible = 1e-3);
+
+/// Of a system: the first of some instants, evenly spread, at which a body of a motion that starts
+/// `local_error` [m/s] faster is `visible` [m] away. Three such starts are followed.
+[[nodiscard]] double predictability_horizon(const SpatialSystem& system,
+                                            const BasicSolution<SpatialSystem>& solution,
                                             ImpactLaw law = ImpactLaw::simultaneous,
                                             double local_error = 1e-12, double visible = 1e-3);
 

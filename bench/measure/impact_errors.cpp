@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -17,14 +17,18 @@ struct Effect {
   bool is_alone;       // no other cable was hit at the same instant
 };
 
-double energy_loss(const Case& the_case, const State& before, const State& after) {
+template <class TheCase>
+double energy_loss(const TheCase& the_case, const StateOf<TheCase>& before,
+                   const StateOf<TheCase>& after) {
   return energy(the_case, before) - energy(the_case, after);
 }
 
 /// In the order of `counted_impacts`.
-std::vector<Effect> effects(const Case& the_case, const Solution& solution, double count_speed) {
+template <class TheCase>
+std::vector<Effect> effects(const TheCase& the_case, const BasicSolution<TheCase>& solution,
+                            double count_speed) {
   std::vector<Effect> result;
-  for (const Event& event : solution.events()) {
+  for (const BasicEvent<TheCase>& event : solution.events()) {
     const double lost = energy_loss(the_case, event.before, event.after);
     Eigen::Index row = 0;
     for (const std::size_t cable : event.cables) {
@@ -39,7 +43,9 @@ std::vector<Effect> effects(const Case& the_case, const Solution& solution, doub
 }
 
 /// The same of a run.
-std::vector<Effect> effects(const Case& the_case, const Trajectory& run, double count_speed) {
+template <class TheCase>
+std::vector<Effect> effects(const TheCase& the_case, const BasicTrajectory<TheCase>& run,
+                            double count_speed) {
   std::vector<Effect> result;
   const auto& all = run.impacts;  // in rising time
   for (auto impact = all.begin(); impact != all.end(); ++impact) {
@@ -59,8 +65,9 @@ void worsen(std::optional<double>& worst, double error) {
 
 }  // namespace
 
-ImpactErrors impact_errors(const Case& the_case, const Solution& solution, const Trajectory& run,
-                           double count_speed, const std::vector<CountedImpact>& exact,
+template <class TheCase>
+ImpactErrors impact_errors(const TheCase& the_case, const BasicSolution<TheCase>& solution,
+                           const BasicTrajectory<TheCase>& run, double count_speed, const std::vector<CountedImpact>& exact,
                            const ImpactPairs& pairs, double end) {
   const auto wanted = effects(the_case, solution, count_speed);
   const auto found = effects(the_case, run, count_speed);
@@ -76,5 +83,11 @@ ImpactErrors impact_errors(const Case& the_case, const Solution& solution, const
   }
   return errors;
 }
+
+template ImpactErrors impact_errors(const Case&, const Solution&, const Trajectory&, double,
+                                    const std::vector<CountedImpact>&, const ImpactPairs&, double);
+template ImpactErrors impact_errors(const SpatialSystem&, const BasicSolution<SpatialSystem>&,
+                                    const SystemTrajectory&, double,
+                                    const std::vector<CountedImpact>&, const ImpactPairs&, double);
 
 }  // namespace tautline::bench

@@ -19,8 +19,10 @@ struct ImpactErrors {
 
 /// Over `pairs` of the impacts of `solution` and `run` that close faster than `count_speed` [m/s],
 /// as `match_impacts` gave them for `exact`, up to `end` [s]; none without a pair.
-[[nodiscard]] ImpactErrors impact_errors(const Case& the_case, const Solution& solution,
-                                         const Trajectory& run, double count_speed,
+template <class TheCase>
+[[nodiscard]] ImpactErrors impact_errors(const TheCase& the_case,
+                                         const BasicSolution<TheCase>& solution,
+                                         const BasicTrajectory<TheCase>& run, double count_speed,
                                          const std::vector<CountedImpact>& exact,
                                          const ImpactPairs& pairs, double end);
 

@@ -5,9 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "bench/base/listed.hpp"
-#include "tautline/geometry.hpp"
-
 namespace tautline::bench {
 namespace {
 
@@ -57,36 +54,6 @@ ImpactPairs match_impacts(const std::vector<CountedImpact>& exact,
     }
   }
   return pairs;
-}
-
-std::vector<CountedImpact> counted_impacts(const Case& the_case, const Solution& solution,
-                                           double count_speed) {
-  std::vector<CountedImpact> result;
-  for (const Event& event : solution.events()) {
-    for (const std::size_t index : event.cables) {
-      if (event.kind == EventKind::impact &&
-          -gap_rate(the_case.cables[index], event.before) > count_speed) {
-        result.push_back({event.time, index});
-      }
-    }
-  }
-  return result;
-}
-
-std::vector<const RecordedImpact*> counted(const Trajectory& run, double count_speed) {
-  std::vector<const RecordedImpact*> result;
-  for (const RecordedImpact& impact : run.impacts) {
-    if (-impact.rate_before > count_speed) {
-      result.push_back(&impact);
-    }
-  }
-  return result;
-}
-
-std::vector<CountedImpact> counted_impacts(const Trajectory& run, double count_speed) {
-  return listed(counted(run, count_speed), [](const RecordedImpact* impact) {
-    return CountedImpact{impact->time, impact->cable};
-  });
 }
 
 ImpactMatch impacts_until(double end, const std::vector<CountedImpact>& exact,

@@ -4,21 +4,35 @@
 #include <limits>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/measure/horizon.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {
 
+ReferenceCase solve_case(const Case& the_case, ImpactLaw law) {
+  Solution solution = solve(the_case, {.law = law});
+  const double horizon = std::min(predictability_horizon(the_case, solution, law),
+                                  sure_until(the_case, solution, law));
+  Settling settled = settling(the_case, solution);
+  return {the_case, std::move(solution), std::move(settled), horizon, law};
+}
+
+ReferenceSystem solve_case(const SpatialSystem& system, ImpactLaw law) {
+  auto solution = solve(system, {.law = law});
+  const double horizon = predictability_horizon(system, solution, law);
+  SystemSettling settled = settling(system, solution);
+  return {system, std::move(solution), std::move(settled), horizon, law};
+}
+
 std::vector<ReferenceCase> solve_cases(const std::vector<Case>& cases, ImpactLaw law) {
-  std::vector<ReferenceCase> references;
-  for (const Case& the_case : cases) {
-    Solution solution = solve(the_case, {.law = law});
-    const double horizon = std::min(predictability_horizon(the_case, solution, law),
-                                    sure_until(the_case, solution, law));
-    Settling settled = settling(the_case, solution);
-    references.push_back({the_case, std::move(solution), std::move(settled), horizon, law});
-  }
-  return references;
+  return listed(cases, [law](const Case& one) { return solve_case(one, law); });
+}
+
+std::vector<Reference> solve_all(const std::vector<BenchCase>& cases, ImpactLaw law) {
+  return listed(cases, [law](const BenchCase& any) {
+    return std::visit([law](const auto& one) { return Reference(solve_case(one, law)); }, any);
+  });
 }
 
 double shortest_cable(const Case& the_case) {
@@ -27,13 +41,6 @@ double shortest_cable(const Case& the_case) {
     shortest = std::min(shortest, cable.length);
   }
   return shortest;
-}
-
-double first_taut(const Solution& solution) {
-  const auto& events = solution.events();
-  const auto found = std::find_if(events.begin(), events.end(),
-                                  [](const Event& event) { return event.kind == EventKind::taut; });
-  return found != events.end() ? found->time : solution.end_time();
 }
 
 double exact_sample_time(const Solution& solution, std::size_t index) {

@@ -11,34 +11,7 @@ namespace {
 /// by up to (pi / n)^2 / 2 of it, here 1 % [-].
 constexpr std::ptrdiff_t least_samples = 20;
 
-/// The last impact of `run` faster than `speed` and not after `end`.
-std::optional<double> last_impact(const Trajectory& run, double speed, double end) {
-  std::optional<double> last;
-  for (const RecordedImpact& impact : run.impacts) {
-    if (-impact.rate_before > speed && impact.time <= end) {
-      last = impact.time;
-    }
-  }
-  return last;
-}
-
 }  // namespace
-
-std::vector<LastImpactMatch> match_last_impacts(const Settling& settling, double horizon,
-                                                const Trajectory& run, double end) {
-  std::vector<LastImpactMatch> result;
-  for (const LastImpact& exact : settling.last_impacts) {
-    LastImpactMatch match{exact.speed, {}, {}};
-    if (settling.lock && settling.lock->time <= horizon) {
-      match.exact = exact.time;
-      if (reaches(run, exact.time.value_or(0.0))) {
-        match.found = last_impact(run, exact.speed, end);
-      }
-    }
-    result.push_back(match);
-  }
-  return result;
-}
 
 std::optional<Swing> measured_swing(const Case& the_case, const Solution& solution,
                                     const std::optional<Lock>& lock) {

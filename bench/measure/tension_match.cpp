@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/measure/impact_match.hpp"
-#include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -21,8 +21,10 @@ constexpr double least_pull = 1e-9;
 
 /// True where one pose and one motion have one set of tensions: no more cables than the ways in
 /// which the body moves, and none that the others could replace.
-bool statics_determine(const Case& the_case, const State& state, CableSet taut) {
-  Eigen::Matrix<double, 3, Eigen::Dynamic> pulls(3, static_cast<Eigen::Index>(taut.size()));
+template <class TheCase>
+bool statics_determine(const TheCase& the_case, const StateOf<TheCase>& state, CableSet taut) {
+  Eigen::MatrixXd pulls(static_cast<Eigen::Index>(freedoms_of(the_case)),
+                        static_cast<Eigen::Index>(taut.size()));
   Eigen::Index column = 0;
   for (const std::size_t index : taut) {
     pulls.col(column++) = gap_gradient(the_case.cables[index], state);
@@ -31,9 +33,10 @@ bool statics_determine(const Case& the_case, const State& state, CableSet taut) 
 }
 
 /// The recorded tension of a cable before each point, and where it stands.
+template <class TheCase>
 class RecordedTensions {
  public:
-  RecordedTensions(const Case& the_case, const Trajectory& run)
+  RecordedTensions(const TheCase& the_case, const BasicTrajectory<TheCase>& run)
       : run_(run), cables_(the_case.cables.size()) {}
 
   [[nodiscard]] double before(std::size_t point, std::size_t cable) const {
@@ -57,12 +60,13 @@ class RecordedTensions {
   }
 
  private:
-  const Trajectory& run_;
+  const BasicTrajectory<TheCase>& run_;
   std::size_t cables_;
 };
 
 /// True where a cable of `event` closes faster than `speed` [m/s].
-bool closes_faster(const Case& the_case, const Event& event, double speed) {
+template <class TheCase>
+bool closes_faster(const TheCase& the_case, const BasicEvent<TheCase>& event, double speed) {
   for (const std::size_t cable : event.cables) {
     if (-gap_rate(the_case.cables[cable], event.before) > speed) {
       return true;
@@ -71,18 +75,20 @@ bool closes_faster(const Case& the_case, const Event& event, double speed) {
   return false;
 }
 
-std::optional<ExactAndFound> tension_at_rest(const Case& the_case, const Solution& solution,
-                                             const Trajectory& run) {
+template <class TheCase>
+std::optional<ExactAndFound> tension_at_rest(const TheCase& the_case,
+                                             const BasicSolution<TheCase>& solution,
+                                             const BasicTrajectory<TheCase>& run) {
   const bool rests =
       solution.ending() == Ending::rest || solution.ending() == Ending::unstable_rest;
-  const Arc& last = solution.arcs().back();
+  const BasicArc<TheCase>& last = solution.arcs().back();
   if (!rests || last.taut.empty() || !statics_determine(the_case, last.initial, last.taut)) {
     return std::nullopt;
   }
   const double end = solution.end_time();
   const double from = last.start + 0.5 * (end - last.start);  // errors of the way there die out
   const CableVector exact = solution.tensions(end);
-  const RecordedTensions recorded(the_case, run);
+  const RecordedTensions<TheCase> recorded(the_case, run);
   std::optional<ExactAndFound> worst;
   for (const std::size_t cable : last.taut) {
     const std::optional<double> found = recorded.mean(cable, from, end);
@@ -98,12 +104,14 @@ std::optional<ExactAndFound> tension_at_rest(const Case& the_case, const Solutio
 }
 
 /// The instants at which the exact motion changes or the run has an impact, in rising time [s].
-std::vector<double> changes_of(const Solution& solution, const Trajectory& run) {
+template <class TheCase>
+std::vector<double> changes_of(const BasicSolution<TheCase>& solution,
+                               const BasicTrajectory<TheCase>& run) {
   std::vector<double> times = {0.0};
-  for (const RecordedImpact& impact : run.impacts) {
+  for (const auto& impact : run.impacts) {
     times.push_back(impact.time);
   }
-  for (const Event& event : solution.events()) {
+  for (const auto& event : solution.events()) {
     times.push_back(event.time);
   }
   times.push_back(solution.end_time());
@@ -111,8 +119,16 @@ std::vector<double> changes_of(const Solution& solution, const Trajectory& run) 
   return times;
 }
 
-std::optional<ExactAndFound> largest_tension(const Case& the_case, const Solution& solution,
-                                             const Trajectory& run, double end) {
+double lightest(const Case& the_case) { return the_case.body.mass; }
+double lightest(const SpatialSystem& system) {
+  const auto lighter = [](const SpatialBody& a, const SpatialBody& b) { return a.mass < b.mass; };
+  return std::min_element(system.bodies.begin(), system.bodies.end(), lighter)->mass;
+}
+
+template <class TheCase>
+std::optional<ExactAndFound> largest_tension(const TheCase& the_case,
+                                             const BasicSolution<TheCase>& solution,
+                                             const BasicTrajectory<TheCase>& run, double end) {
   const std::vector<double> changes = changes_of(solution, run);
   auto next = changes.begin();  // the first change that is not before the step
   double exact = 0.0;
@@ -141,14 +157,15 @@ std::optional<ExactAndFound> largest_tension(const Case& the_case, const Solutio
       }
     }
   }
-  return exact > least_pull * the_case.body.mass ? std::optional(ExactAndFound{exact, found})
+  return exact > least_pull * lightest(the_case) ? std::optional(ExactAndFound{exact, found})
                                                  : std::nullopt;
 }
 
 }  // namespace
 
-TensionMatch match_tensions(const Case& the_case, const Solution& solution, const Trajectory& run,
-                            double end) {
+template <class TheCase>
+TensionMatch match_tensions(const TheCase& the_case, const BasicSolution<TheCase>& solution,
+                            const BasicTrajectory<TheCase>& run, double end) {
   if (run.tensions.empty()) {
     return {};
   }
@@ -183,11 +200,13 @@ std::optional<double> largest_tension(const Trajectory& run) {
   return largest;
 }
 
-std::optional<ExactAndFound> match_first_impulse(const Case& the_case, const Solution& solution,
-                                                 const Trajectory& run, double count_speed,
-                                                 double end) {
+template <class TheCase>
+std::optional<ExactAndFound> match_first_impulse(const TheCase& the_case,
+                                                 const BasicSolution<TheCase>& solution,
+                                                 const BasicTrajectory<TheCase>& run,
+                                                 double count_speed, double end) {
   const auto first =
-      std::find_if(solution.events().begin(), solution.events().end(), [&](const Event& event) {
+      std::find_if(solution.events().begin(), solution.events().end(), [&](const auto& event) {
         return event.kind == EventKind::impact && closes_faster(the_case, event, count_speed);
       });
   if (first == solution.events().end() || first->time > end || first->cables.size() != 1) {
@@ -199,5 +218,14 @@ std::optional<ExactAndFound> match_first_impulse(const Case& the_case, const Sol
   }
   return ExactAndFound{first->impulses[0], found.front()->snap};
 }
+
+template TensionMatch match_tensions(const Case&, const Solution&, const Trajectory&, double);
+template TensionMatch match_tensions(const SpatialSystem&, const BasicSolution<SpatialSystem>&,
+                                     const SystemTrajectory&, double);
+template std::optional<ExactAndFound> match_first_impulse(const Case&, const Solution&,
+                                                          const Trajectory&, double, double);
+template std::optional<ExactAndFound> match_first_impulse(const SpatialSystem&,
+                                                          const BasicSolution<SpatialSystem>&,
+                                                          const SystemTrajectory&, double, double);
 
 }  // namespace tautline::bench

@@ -21,8 +21,10 @@ struct TensionMatch {
 };
 
 /// The tensions of `run`, which its engine tells, up to `end` [s]; at rest also beyond.
-[[nodiscard]] TensionMatch match_tensions(const Case& the_case, const Solution& solution,
-                                          const Trajectory& run, double end);
+template <class TheCase>
+[[nodiscard]] TensionMatch match_tensions(const TheCase& the_case,
+                                          const BasicSolution<TheCase>& solution,
+                                          const BasicTrajectory<TheCase>& run, double end);
 
 /// The largest mean tension of one cable over a step of `run` [N], of the steps in which no impact
 /// acts; 0 if no cable pulls in them. None: its engine tells no tensions.
@@ -31,9 +33,9 @@ struct TensionMatch {
 /// The impulse of the first impact up to `end` [s] that closes faster than `count_speed` [m/s]
 /// [N s], of the exact motion and of the run on the same cable; none where several cables share
 /// it, or either side has none.
-[[nodiscard]] std::optional<ExactAndFound> match_first_impulse(const Case& the_case,
-                                                               const Solution& solution,
-                                                               const Trajectory& run,
-                                                               double count_speed, double end);
+template <class TheCase>
+[[nodiscard]] std::optional<ExactAndFound> match_first_impulse(
+    const TheCase& the_case, const BasicSolution<TheCase>& solution,
+    const BasicTrajectory<TheCase>& run, double count_speed, double end);
 
 }  // namespace tautline::bench

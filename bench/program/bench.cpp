@@ -37,10 +37,11 @@ std::string what_was_done(const Request& request, const SuiteResult& result,
 /// Which step each model needs.
 int within_command(const Request& request) {
   const SuiteOptions& options = request.options;
-  const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
+  const std::vector<Reference> references = solve_all(options.cases, options.law);
   catch_interruption();
   std::vector<std::string> problems;
-  for (const ReferenceCase& reference : references) {
+  for (const Reference& any : references) {
+    const auto& reference = std::get<ReferenceCase>(any);  // the request has no system
     const StepNeeded needed = step_needed(reference, *request.within);
     StepSearch search = search_steps(options, reference, needed);
     const std::string name = printable(reference.the_case.name);
@@ -51,7 +52,7 @@ int within_command(const Request& request) {
                       searched == 0 ? "no engine that works has a model to search"
                                     : "no run of any model came to the end: the table says why"));
     }
-    fmt::print("{}{}", &reference == references.data() ? "" : "\n",
+    fmt::print("{}{}", &any == references.data() ? "" : "\n",
                steps_text(reference, needed, std::move(search.found)));
     if (interruption()) {
       problems.push_back(fmt::format("interrupted: of {}, {} of {} models are searched", name,

@@ -4,12 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <system_error>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
-#include "bench/cases/catalogue.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -80,6 +80,26 @@ std::optional<Case> one_case(const std::string& argument, CableSet taut) {
   }
   complain(selection.notes);
   return std::move(selection.cases.front());
+}
+
+std::vector<BenchCase> bench_cases(CaseSelection selection, ImpactLaw law,
+                                   std::vector<std::string>& problems) {
+  std::vector<BenchCase> result;
+  std::move(selection.cases.begin(), selection.cases.end(), std::back_inserter(result));
+  const std::size_t first = result.size();
+  for (const System& system : selection.systems) {
+    result.emplace_back(in_space(system));
+  }
+  std::move(selection.in_space.begin(), selection.in_space.end(), std::back_inserter(result));
+  for (std::size_t index = first; index < result.size(); ++index) {
+    const auto& system = std::get<SpatialSystem>(result[index]);
+    if (law == ImpactLaw::energetic && system.cables.size() > 3) {
+      problems.push_back(fmt::format(
+          "--law energetic: {} has {} cables; of a system this law takes 3 at most",
+          printable(system.name), system.cables.size()));
+    }
+  }
+  return result;
 }
 
 void add_law(CLI::App& command, ImpactLaw& law, const std::string& help) {

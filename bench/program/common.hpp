@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases/bench_case.hpp"
+#include "bench/cases/catalogue.hpp"
 #include "tautline/case.hpp"
 #include "tautline/impact.hpp"
 
@@ -19,6 +21,11 @@ namespace tautline::bench {
 inline constexpr int exit_done = 0;
 inline constexpr int exit_failed = 1;  // a run failed or diverged, or a result could not be written
 inline constexpr int exit_usage = 2;   // wrong usage or input
+
+/// What engines run of a selection: a system in the plane runs in the plane z = 0 of space. Adds a
+/// sentence for each that `law` cannot solve.
+[[nodiscard]] std::vector<BenchCase> bench_cases(CaseSelection selection, ImpactLaw law,
+                                                 std::vector<std::string>& problems);
 
 /// The one case that `argument` means; none, after complaining, if that is not one.
 [[nodiscard]] std::optional<Case> one_case(const std::string& argument, CableSet taut = {});

@@ -68,7 +68,7 @@ int merge_command(const MergeCommand& command) {
   if (complain(problems)) {
     return exit_usage;
   }
-  const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
+  const std::vector<Reference> references = solve_all(options.cases, options.law);
   const Expectations expectations = expectations_of(references);
   const Descriptor tree = open_tree(options.out, true);
   const Gathering gathering = gather(set.trees, options.out);

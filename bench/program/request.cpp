@@ -44,20 +44,26 @@ const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& pro
 }
 
 /// The cases that are meant, none of them longer than --until says.
-std::vector<Case> cases_of(const BenchCommand& command, const Suite* suite,
-                           std::vector<std::string>& problems) {
-  CaseSelection selection = select_cases(suite != nullptr ? cases_of(*suite) : command.cases);
+std::vector<BenchCase> cases_of(const BenchCommand& command, const Suite* suite,
+                                std::vector<std::string>& problems) {
+  CaseSelection selection = select_cases(suite != nullptr ? cases_of(*suite) : command.cases, {},
+                                         Kinds::cases_and_systems);
   append(problems, selection.problems);
   complain(selection.notes);
+  std::vector<BenchCase> cases = bench_cases(std::move(selection), command.law, problems);
   if (command.until && !(*command.until > 0.0 && std::isfinite(*command.until))) {
     problems.push_back(
         fmt::format("--until {}: must be a finite number above 0 [s]", *command.until));
-    return std::move(selection.cases);
+    return cases;
   }
-  bool shortens = selection.cases.empty() || !command.until;
-  for (Case& the_case : selection.cases) {
-    shortens = shortens || *command.until < the_case.duration;
-    the_case.duration = std::min(the_case.duration, command.until.value_or(the_case.duration));
+  bool shortens = cases.empty() || !command.until;
+  for (BenchCase& any : cases) {
+    std::visit(
+        [&](auto& one) {
+          shortens = shortens || *command.until < one.duration;
+          one.duration = std::min(one.duration, command.until.value_or(one.duration));
+        },
+        any);
   }
   if (!shortens) {
     complain(
@@ -65,7 +71,7 @@ std::vector<Case> cases_of(const BenchCommand& command, const Suite* suite,
                      "longer by its file's `duration`",
                      *command.until)});
   }
-  return std::move(selection.cases);
+  return cases;
 }
 
 /// The part of the runs that is meant.
@@ -93,7 +99,7 @@ std::size_t draws_of(const BenchCommand& command, const Request& request,
     return whole && request.suite != nullptr ? request.suite->draws : 0;
   }
   const long long draws = *command.draws;
-  const std::vector<Case>& cases = request.options.cases;
+  const std::vector<BenchCase>& cases = request.options.cases;
   constexpr auto most = static_cast<long long>(most_draws_of_suite);
   if (draws != 0 && (draws < static_cast<long long>(least_sample) || draws > most)) {
     problems.push_back(
@@ -105,7 +111,7 @@ std::size_t draws_of(const BenchCommand& command, const Request& request,
         "--draws {}: a shard has none; give them to a `tautline ensemble` of their own", draws));
   } else if (draws != 0 && !cases.empty() &&
              std::none_of(cases.begin(), cases.end(),
-                          [](const Case& one) { return one.name == drawn_case; })) {
+                          [](const BenchCase& one) { return name_of(one) == drawn_case; })) {
     problems.push_back(
         fmt::format("--draws {}: are of {}, which is not among the cases; name it too, or give "
                     "your own case to `tautline ensemble`",
@@ -166,7 +172,7 @@ ProblemNames::Engine names_of(const RegisteredEngine& engine) {
 /// The names that a problems file may have: of all engines that the program knows or was given,
 /// their models, the shipped cases and `cases`.
 ProblemNames problem_names(const std::vector<RegisteredEngine>& given,
-                           const std::vector<Case>& cases) {
+                           const std::vector<BenchCase>& cases) {
   std::vector<RegisteredEngine> engines = given;
   for (RegisteredEngine& engine : registered_engines(Asked::plugins)) {
     const bool is_given = std::any_of(given.begin(), given.end(), [&](const auto& one) {
@@ -178,10 +184,9 @@ ProblemNames problem_names(const std::vector<RegisteredEngine>& given,
   }
   ProblemNames names;
   names.engines = listed(engines, names_of);
-  for (const std::vector<Case>& some : {shipped_cases(), cases}) {
-    for (const Case& the_case : some) {
-      names.cases.push_back(the_case.name);
-    }
+  names.cases = listed(shipped_cases(), &Case::name);
+  for (const BenchCase& any : cases) {
+    names.cases.push_back(name_of(any));
   }
   return names;
 }
@@ -245,6 +250,14 @@ Request read_request(const BenchCommand& command) {
     request.listed_before = std::move(before.listed).value_or(ListedProblems());
   }
   request.within = within_of(command, request.problems);
+  for (const BenchCase& any : options.cases) {
+    if (request.within && std::holds_alternative<SpatialSystem>(any)) {
+      request.problems.push_back(
+          fmt::format("--within: {} is a system; the step that a case needs is known in the plane "
+                      "of one body alone",
+                      printable(name_of(any))));
+    }
+  }
   return request;
 }
 

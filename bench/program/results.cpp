@@ -72,7 +72,7 @@ RunSuite run_request(const Request& request, const std::string& command_line) {
   context.command = command_line;
   context.started = now_utc();
   const auto start = Clock::now();
-  const std::vector<ReferenceCase> references = solve_cases(options.cases, options.law);
+  const std::vector<Reference> references = solve_all(options.cases, options.law);
   const Expectations expectations = expectations_of(references);
   catch_interruption();  // up to here nothing has been touched
   Descriptor tree = open_tree(options.out, !options.resume);

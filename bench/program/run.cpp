@@ -6,6 +6,7 @@
 #include "bench/base/process.hpp"
 #include "bench/base/terminal.hpp"
 #include "bench/base/text.hpp"
+#include "bench/cases/catalogue.hpp"
 #include "bench/gate/listed_problems.hpp"
 #include "bench/gate/verdict.hpp"
 #include "bench/program/commands.hpp"
@@ -33,14 +34,21 @@ struct RunCommand {
 };
 
 int run_command(const RunCommand& command) {
-  const std::optional<Case> the_case = one_case(command.the_case);
+  std::vector<std::string> broken;
+  CaseSelection selection = select_cases({&command.the_case, 1}, {}, Kinds::cases_and_systems);
+  append(broken, selection.problems);
+  complain(selection.notes);
+  SuiteOptions options;
+  options.cases = bench_cases(std::move(selection), command.law, broken);
+  if (options.cases.size() > 1) {
+    broken.push_back(fmt::format("{} means {} cases; this command takes one",
+                                 printable(command.the_case), options.cases.size()));
+  }
   EngineChoice choice = choose_engines({command.engine});
-  std::vector<std::string> broken = choice.problems;
-  if (broken.empty() && choice.engines.front().info) {
+  append(broken, choice.problems);
+  if (choice.problems.empty() && choice.engines.front().info) {
     append(broken, unknown_models(choice.engines, {command.model}));
   }
-  SuiteOptions options;
-  options.cases = the_case ? std::vector<Case>{*the_case} : std::vector<Case>{};
   options.engines = std::move(choice.engines);
   options.models = {command.model};
   options.steps = {command.step};
@@ -49,7 +57,7 @@ int run_command(const RunCommand& command) {
   options.limits.time = command.time_limit;
   append(broken, suite_problems(options));
   append(broken, missing_folder("--json", command.json, command.out));
-  if (complain(broken) || !the_case) {
+  if (complain(broken)) {
     return exit_usage;
   }
   if (const RegisteredEngine& engine = options.engines.front(); !engine.info) {
@@ -58,7 +66,7 @@ int run_command(const RunCommand& command) {
   }
   // the runs of other engines and models stay
   const Descriptor tree = options.out.empty() ? Descriptor() : open_tree(options.out, false);
-  const auto references = solve_cases(options.cases, options.law);
+  const std::vector<Reference> references = solve_all(options.cases, options.law);
   const Expectations expectations = expectations_of(references);
   catch_interruption();
   const SuiteResult result = run_suite(options, expectations, [](const PlannedRun&, bool) {});

@@ -161,6 +161,7 @@ Document answers_section(const Report& report) {
   out.in(Medium::markdown).paragraph("Over all cases, by engine, model and step.");
   add_table(out, report, answers_table(report), "answers-table", words::answers);
   out.paragraph(markdown_text(stopped_sentence(report)), "note");
+  out.paragraph(markdown_text(systems_sentence(report)), "note");
   return Document().section("answers", "Every number over the cases", std::move(out), "Answers");
 }
 

@@ -35,7 +35,7 @@ const CaseRow* case_of(const Report& report, const RunRow& run) {
 double least_gap(const CaseRow& the_case, const DrawnPath& path, double time) {
   const Pose pose = pose_at(path, time);
   double least = std::numeric_limits<double>::infinity();
-  for (const CableRow& cable : the_case.geometry) {
+  for (const CableRow& cable : the_case.geometry()) {
     least = std::min(least, gap_of(cable, pose) / cable.length);
   }
   return least;
@@ -59,10 +59,10 @@ std::optional<ImpactStills> stills_of(const CaseRow& the_case, const RunRow& run
                                       const ImpactColumns& impacts, const DrawnPath& path,
                                       std::size_t place) {
   const std::size_t index = impacts.cable[place];
-  if (index >= the_case.geometry.size() || impacts.rate_after[place] <= 0.0) {
+  if (index >= the_case.geometry().size() || impacts.rate_after[place] <= 0.0) {
     return std::nullopt;
   }
-  const CableRow& cable = the_case.geometry[index];
+  const CableRow& cable = the_case.geometry()[index];
   const double time = impacts.time[place];
   const double before = place > 0 ? impacts.time[place - 1] : 0.0;
   const double after =
@@ -235,7 +235,7 @@ std::optional<ImpactStills> pair_of(const CaseRow& the_case, const RunRow& run,
                                     std::size_t place, double least_slack, double least_apart) {
   const std::size_t index = impacts.cable[place];
   const std::vector<double> of_cable = exact_impacts(events, index);
-  if (index >= the_case.geometry.size() || of_cable.empty()) {
+  if (index >= the_case.geometry().size() || of_cable.empty()) {
     return std::nullopt;
   }
   const double mine = impacts.time[place];
@@ -335,11 +335,11 @@ Vec2 end_of(const CableRow& cable, const Pose& pose) {
 /// Room for the anchors, for each body at every still and for the ways between them.
 Place place_of_stills(const ImpactStills& stills) {
   std::vector<Vec2> points;
-  for (const CableRow& cable : stills.the_case->geometry) {
+  for (const CableRow& cable : stills.the_case->geometry()) {
     points.push_back(cable.anchor);
   }
   for (const DrawnPath* path : {&stills.path, stills.exact ? &*stills.exact : &stills.path}) {
-    for (const CableRow& cable : stills.the_case->geometry) {
+    for (const CableRow& cable : stills.the_case->geometry()) {
       for (const double time : stills.times) {
         points.push_back(end_of(cable, pose_at(*path, time)));
       }
@@ -398,7 +398,7 @@ std::string cable_svg(const CaseRow& the_case, const CableRow& cable, const Vec2
     return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"></path>", look,
                        from.x(), from.y(), to.x(), to.y());
   }
-  const Vec2 control = place(sag(cable.anchor, end, cable.length, the_case.gravity));
+  const Vec2 control = place(sag(cable.anchor, end, cable.length, the_case.plane->gravity));
   return fmt::format("<path class=\"{}\" d=\"M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}\"></path>",
                      look, from.x(), from.y(), control.x(), control.y(), to.x(), to.y());
 }
@@ -412,7 +412,7 @@ std::string anchor_svg(const Vec2& at) {
 std::string body_svg(const CaseRow& the_case, const Pose& pose, const Place& place) {
   const Vec2 centre = place(pose.centre);
   std::string out;
-  for (const CableRow& cable : the_case.geometry) {
+  for (const CableRow& cable : the_case.geometry()) {
     const Vec2 end = place(end_of(cable, pose));
     out += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", centre.x(), centre.y(), end.x(), end.y());
   }
@@ -437,8 +437,8 @@ std::string motion_svg(const ImpactStills& stills, const DrawnPath& path, std::s
                        const Place& place) {
   const Pose pose = pose_at(path, stills.times.at(still));
   std::string out = trail_svg(path, stills.times.front(), stills.times.at(still), place);
-  for (std::size_t index = 0; index < stills.the_case->geometry.size(); ++index) {
-    const CableRow& cable = stills.the_case->geometry[index];
+  for (std::size_t index = 0; index < stills.the_case->geometry().size(); ++index) {
+    const CableRow& cable = stills.the_case->geometry()[index];
     out += cable_svg(*stills.the_case, cable, end_of(cable, pose), place, index == stills.cable);
   }
   return out + body_svg(*stills.the_case, pose, place);
@@ -499,7 +499,7 @@ std::string still_svg(const ImpactStills& stills, std::size_t still) {
   const Place place = place_of_stills(stills);
   std::string out =
       fmt::format("<svg viewBox=\"0 0 {} {}\" aria-hidden=\"true\">", still_width, height);
-  for (const CableRow& cable : stills.the_case->geometry) {
+  for (const CableRow& cable : stills.the_case->geometry()) {
     out += anchor_svg(place(cable.anchor));
   }
   if (!stills.exact) {

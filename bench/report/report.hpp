@@ -164,6 +164,37 @@ struct Predictable {
   std::size_t readable = 0;  // impacts of the exact motion that a run of this step can be read by
 };
 
+/// What a page needs to draw a case in the plane at rest.
+struct PlaneRow {
+  Body body;
+  Vec2 gravity = Vec2::Zero();  // [m/s^2]
+  std::vector<CableRow> geometry;
+};
+
+/// An end of a cable of a system, or a ring, at the start.
+struct EndRow {
+  std::optional<std::size_t> body;  // index; none: the world
+  std::vector<double> at;           // x, y, z [m], in the body's frame or the world
+};
+struct SystemCableRow {
+  EndRow from;
+  std::vector<EndRow> through;
+  EndRow to;
+  double length = 0.0;                // [m], at the start
+  std::optional<double> restitution;  // none where it depends on the speed
+};
+struct SystemBodyRow {
+  std::string name;
+  double mass = 0.0;            // [kg]
+  std::vector<double> inertia;  // [kg m^2], three principal moments; 0: a point mass
+};
+/// What is said of a system in space.
+struct SystemRow {
+  std::vector<SystemBodyRow> bodies;
+  std::vector<double> gravity;  // x, y, z [m/s^2], at the start
+  std::vector<SystemCableRow> cables;
+};
+
 /// What the exact solution says of a case, and what a page needs to draw it at rest.
 struct CaseRow {
   std::string name;
@@ -177,9 +208,8 @@ struct CaseRow {
   double start_energy = 0.0;        // [J]
   double end_energy = 0.0;          // [J]
   Settling settling;
-  Body body;
-  Vec2 gravity = Vec2::Zero();  // [m/s^2]
-  std::vector<CableRow> geometry;
+  std::optional<PlaneRow> plane;    // one of the two
+  std::optional<SystemRow> system;  //
   double extent = 0.0;                   // [m], what the anchors and the exact motion cover
   std::optional<Eigen::Vector3d> start;  // x, y [m] and angle [rad]; in JSON that of its path
   std::string live;                      // its address in the live page, not in JSON
@@ -187,6 +217,12 @@ struct CaseRow {
   std::optional<CertifiedDigits> certified;  // none where it was not asked for
   std::vector<Predictable> predictable;      // for each step of the suite
   StepNeeded step_needed;                    // for the usual question
+
+  /// The cables of a case in the plane; none of a system.
+  [[nodiscard]] const std::vector<CableRow>& geometry() const {
+    static const std::vector<CableRow> none;
+    return plane ? plane->geometry : none;
+  }
 };
 
 /// An engine, or why there are no runs of it.
@@ -359,6 +395,8 @@ struct Report {
   std::size_t planned_runs = 0;
   ReportOptions options;
   std::vector<EngineRow> engines;
+  /// Of each engine the models that run no system; not in JSON.
+  std::vector<std::string> in_the_plane_alone;
   std::vector<CaseRow> cases;
   std::vector<SummaryRow> summary;
   std::vector<ConvergenceRow> convergence;

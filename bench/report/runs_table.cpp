@@ -124,7 +124,7 @@ void add_restitution(std::vector<Cell>& cells, const std::optional<MeasuredResti
 
 /// The restitution that all cables of a case have; none where they differ or it depends on speed.
 std::optional<double> asked_restitution(const CaseRow& the_case) {
-  const auto& cables = the_case.geometry;
+  const auto& cables = the_case.geometry();
   const bool same = std::all_of(cables.begin(), cables.end(), [&](const CableRow& cable) {
     return cable.restitution == cables.front().restitution;
   });

@@ -34,7 +34,7 @@ constexpr std::array makers_in_order = {Maker::engine, Maker::by_hand, Maker::ta
 std::map<std::string, double> shortest_cables(const Report& report) {
   std::map<std::string, double> result;
   for (const CaseRow& the_case : report.cases) {
-    for (const CableRow& cable : the_case.geometry) {
+    for (const CableRow& cable : the_case.geometry()) {
       const auto [place, added] = result.try_emplace(the_case.name, cable.length);
       place->second = std::min(place->second, cable.length);
     }

@@ -64,6 +64,9 @@ std::string judgement_text(const RunRow& run, const TerminalStyle& style) {
     out += wrapped("Restitution: " + words_of(run.judgement->rebounds) + ".", style.text);
     out += wrapped("Followed: " + followed_text(run.judgement->following) + ".", style.text);
   }
+  if (run.metrics && !run.judgement) {
+    out += wrapped(words::systems, style.text);
+  }
   for (const Problem& problem : run.verdict ? run.verdict->problems : std::vector<Problem>()) {
     out += wrapped(fmt::format("Problem, {}: {}.{}", in_words(problem.kind),
                                printable(problem.sentence, longest_sentence),
@@ -204,6 +207,9 @@ std::string report_summary(const Report& report, bool all, const TerminalStyle& 
   std::string out;
   for (const Scorecard& card : cards) {
     out += fmt::format("{:<{}}  {}\n", printable(card.engine), widest, sentence_of(card));
+  }
+  if (const std::string systems = systems_sentence(report); !systems.empty()) {
+    out += "\n" + wrapped(systems, style.text);
   }
   if (all) {
     out += "\n" + answers_table(report).plain(style) + "\n" + legend(report, style.text);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <limits>
 #include <map>
 #include <set>
@@ -210,6 +211,19 @@ std::string stopped_sentence(const Report& report) {
                      "models"_a = joined(models, "and"));
 }
 
+std::string systems_sentence(const Report& report) {
+  if (std::none_of(report.cases.begin(), report.cases.end(),
+                   [](const CaseRow& one) { return one.system.has_value(); })) {
+    return "";
+  }
+  const auto& left_out = report.in_the_plane_alone;
+  return words::systems +
+         (left_out.empty() ? ""
+                           : " Models that run one body in the plane alone are left out: " +
+                                 printable(fmt::format("{}", fmt::join(left_out, "; ")), 1024) +
+                                 ".");
+}
+
 std::vector<Fact> context_facts(const Report& report) {
   const Context& context = report.context;
   std::vector<Fact> facts = {
@@ -243,7 +257,11 @@ std::vector<Fact> context_facts(const Report& report) {
 }
 
 bool is_nondimensional(const CaseRow& the_case) {
-  return the_case.gravity.squaredNorm() == 1.0;  // exactly: what is written as one
+  if (the_case.system) {
+    const std::vector<double>& gravity = the_case.system->gravity;
+    return std::inner_product(gravity.begin(), gravity.end(), gravity.begin(), 0.0) == 1.0;
+  }
+  return the_case.plane && the_case.plane->gravity.squaredNorm() == 1.0;  // exactly: written as one
 }
 
 bool is_nondimensional(const Report& report) {

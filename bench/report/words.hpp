@@ -44,6 +44,9 @@ inline constexpr std::size_t longest_sentence = 1000;
 /// failure; "" without one. Not marked up.
 [[nodiscard]] std::string stopped_sentence(const Report& report);
 
+/// What is said of systems, and of the models that run none; "" where no case is a system.
+[[nodiscard]] std::string systems_sentence(const Report& report);
+
 /// What made the report, a name and a text each. Not marked up.
 struct Fact {
   std::string name;

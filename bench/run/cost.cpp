@@ -8,7 +8,7 @@
 #include "bench/base/process.hpp"
 #include "bench/base/statistics.hpp"
 #include "tautline/detail/flight.hpp"
-#include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -22,7 +22,7 @@ constexpr std::size_t timed_steps = 20'000;
 double thread_time() { return clock_time(CLOCK_THREAD_CPUTIME_ID); }
 
 /// Steps `simulation` so often, unless it stops; how often that was.
-std::size_t take_steps(Simulation& simulation, std::size_t most, double dt) {
+std::size_t take_steps(auto& simulation, std::size_t most, double dt) {
   std::size_t done = 0;
   for (; done < most && !simulation.stopped(); ++done) {
     simulation.step(dt);
@@ -42,14 +42,34 @@ void take_flights(const Case& the_case, std::size_t count, double dt) {
   [[maybe_unused]] const volatile double keep = sum;  // the loop must not be optimised away
 }
 
+/// Of a system each body's flight, without its turn.
+void take_flights(const SpatialSystem& system, std::size_t count, double dt) {
+  double sum = 0.0;
+  SpatialSystemState state = system.initial;
+  const Eigen::Vector3d gravity = system.gravity.at(0.0);
+  for (std::size_t index = 0; index < count; ++index) {
+    const double time = static_cast<double>(index) * dt;
+    for (std::size_t body = 0; body < state.bodies.size(); ++body) {
+      const SpatialState& start = system.initial.bodies[body];
+      state.bodies[body].position =
+          start.position + time * start.velocity + 0.5 * time * time * gravity;
+    }
+    for (const SpatialCable& cable : system.cables) {
+      sum += gap(cable, state);
+    }
+  }
+  [[maybe_unused]] const volatile double keep = sum;
+}
+
 }  // namespace
 
 Meter own_meter() { return {thread_time, peak_memory}; }
 
-Cost measure_cost(const Case& whole_case, const Engine& engine, const std::string& model,
+template <class TheCase>
+Cost measure_cost(const TheCase& whole_case, const Engine& engine, const std::string& model,
                   const RunSettings& settings, const Meter& meter) {
   const double motion = std::min(timed_motion, whole_case.duration);
-  Case the_case = whole_case;
+  TheCase the_case = whole_case;
   the_case.duration = motion;  // an engine that computes ahead computes nothing else
   const double dt = std::min(settings.step, motion);
   const auto wanted = static_cast<std::size_t>(std::lround(motion / dt));
@@ -58,7 +78,7 @@ Cost measure_cost(const Case& whole_case, const Engine& engine, const std::strin
   std::vector<double> of_step;    // [s]
   std::vector<double> of_flight;  // [s]
   for (std::size_t repetition = 0; repetition < repetitions; ++repetition) {
-    const auto simulation = engine.start(the_case, model, settings);
+    const auto simulation = started(engine, the_case, model, settings);
     const double start = meter.processor_time();
     const std::size_t steps = take_steps(*simulation, wanted, dt);
     const double end = meter.processor_time();
@@ -77,5 +97,10 @@ Cost measure_cost(const Case& whole_case, const Engine& engine, const std::strin
           .dt = dt,
           .repetitions = repetitions};
 }
+
+template Cost measure_cost(const Case&, const Engine&, const std::string&, const RunSettings&,
+                           const Meter&);
+template Cost measure_cost(const SpatialSystem&, const Engine&, const std::string&,
+                           const RunSettings&, const Meter&);
 
 }  // namespace tautline::bench

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "tautline/case.hpp"
@@ -37,8 +38,22 @@ struct Meter {
 inline constexpr double timed_motion = 1.0;
 
 /// The cost of runs of `the_case` that are only stepped. The start of a simulation does not count.
-[[nodiscard]] Cost measure_cost(const Case& the_case, const Engine& engine,
+template <class TheCase>  // Case or SpatialSystem
+[[nodiscard]] Cost measure_cost(const TheCase& the_case, const Engine& engine,
                                 const std::string& model, const RunSettings& settings,
                                 const Meter& meter = own_meter());
+
+/// A run of `the_case`, of either kind, with one of the models of `engine`.
+[[nodiscard]] inline std::unique_ptr<Simulation> started(const Engine& engine, const Case& the_case,
+                                                         const std::string& model,
+                                                         const RunSettings& settings) {
+  return engine.start(the_case, model, settings);
+}
+[[nodiscard]] inline std::unique_ptr<SystemSimulation> started(const Engine& engine,
+                                                               const SpatialSystem& system,
+                                                               const std::string& model,
+                                                               const RunSettings& settings) {
+  return engine.start_system(system, model, settings);
+}
 
 }  // namespace tautline::bench

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -16,31 +16,92 @@ namespace {
 /// An impulse below this fraction of mass times speed is a solver's rounding, not a pull [-].
 constexpr double least_impulse = 1e-12;
 
-/// The largest speed that the case makes likely [m/s].
-double speed(const Case& the_case) {
+/// The impulse that the case makes likely at most [N s].
+double likely_impulse(const Case& the_case) {
   double longest = 0.0;
   for (const Cable& cable : the_case.cables) {
     longest = std::max(longest, cable.length);
   }
-  return speed_scale(the_case, the_case.initial) + std::sqrt(the_case.gravity.norm() * longest);
+  const double speed =
+      speed_scale(the_case, the_case.initial) + std::sqrt(the_case.gravity.norm() * longest);
+  return the_case.body.mass * speed;
+}
+
+double length_at_start(const SpatialCable& cable) { return cable.length.at(0.0)[0]; }
+
+/// Of the lightest body of a system.
+double likely_impulse(const SpatialSystem& system) {
+  double longest = 0.0;
+  for (const SpatialCable& cable : system.cables) {
+    longest = std::max(longest, length_at_start(cable));
+  }
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const SpatialBody& body : system.bodies) {
+    lightest = std::min(lightest, body.mass);
+  }
+  double fastest = std::sqrt(system.gravity.at(0.0).norm() * longest);
+  for (const SpatialState& body : system.initial.bodies) {
+    fastest = std::max(fastest, body.velocity.norm());
+  }
+  return lightest * fastest;
+}
+
+/// How fast gravity, forces and drag change a gap rate in a step, at most as they are at `state`
+/// [m/s^2].
+double pull_of_gravity(const Case& the_case, const State& /*state*/) {
+  return the_case.gravity.norm();
+}
+double pull_of_gravity(const SpatialSystem& system, const SpatialSystemState& state) {
+  const RowOf<SpatialSystem> accelerations = free_accelerations(system, state);
+  double largest = 0.0;
+  for (Eigen::Index row = 0; row < accelerations.size(); row += 6) {
+    largest = std::max(largest, accelerations.segment<3>(row).norm());
+  }
+  return largest;
+}
+
+/// `like` with the velocities of `other`.
+State with_velocities(State like, const State& other) {
+  like.velocity = other.velocity;
+  like.spin = other.spin;
+  return like;
+}
+SpatialSystemState with_velocities(SpatialSystemState like, const SpatialSystemState& other) {
+  for (std::size_t index = 0; index < like.bodies.size(); ++index) {
+    like.bodies[index].velocity = other.bodies[index].velocity;
+    like.bodies[index].spin = other.bodies[index].spin;
+  }
+  return like;
+}
+
+/// The state of `simulation` at `time` [s], which a system's state has, too.
+State state_at(const Simulation& simulation, double /*time*/) { return simulation.state(); }
+SpatialSystemState state_at(const SystemSimulation& simulation, double time) {
+  SpatialSystemState result = simulation.state();
+  result.time = time;
+  return result;
 }
 
 /// Turns impulses and located events into impacts, step by step.
+template <class TheCase>
 class ImpactDetector {
  public:
+  using State = StateOf<TheCase>;
+  using RecordedImpact = BasicRecordedImpact<TheCase>;
+
   /// Impacts that close slower than `slowest` [m/s] are only counted.
-  ImpactDetector(const Case& the_case, double slowest);
+  ImpactDetector(const TheCase& the_case, double slowest);
 
   /// Takes one step from `before` at `start` to `after`. Throws std::runtime_error if what the
   /// simulation says of it makes no sense.
   void take(double start, double dt, const State& before, const State& after,
-            const Simulation& simulation);
+            const BasicSimulation<TheCase>& simulation);
 
   /// Puts the impacts of the whole run into `run`, in rising time.
-  void finish(Trajectory& run);
+  void finish(BasicTrajectory<TheCase>& run);
 
  private:
-  void take_located(const Event& event);
+  void take_located(const BasicEvent<TheCase>& event);
   [[nodiscard]] Eigen::Vector3d unexplained(const State& before, const State& after,
                                             std::span<const double> impulses, double dt) const;
   void extend(std::size_t index, double start, double dt, const State& before, const State& after,
@@ -48,7 +109,7 @@ class ImpactDetector {
   void close(std::size_t index);
   void keep(const RecordedImpact& impact);
 
-  const Case& case_;
+  const TheCase& case_;
   double slowest_;                                     // [m/s]
   std::vector<std::optional<RecordedImpact>> bursts_;  // one per cable: the impact now going on
   std::vector<bool> turned_;                           // of each burst: it closes no more
@@ -58,22 +119,24 @@ class ImpactDetector {
 };
 
 /// True if an instant that an engine names is one of the run's, but for rounding.
-bool within_run(const Case& the_case, double time) {
+bool within_run(const auto& the_case, double time) {
   constexpr double rounding = 1e-9;  // [-]
   return time >= 0.0 && time <= the_case.duration * (1.0 + rounding);
 }
 
-ImpactDetector::ImpactDetector(const Case& the_case, double slowest)
+template <class TheCase>
+ImpactDetector<TheCase>::ImpactDetector(const TheCase& the_case, double slowest)
     : case_(the_case),
       slowest_(slowest),
       bursts_(the_case.cables.size()),
       turned_(the_case.cables.size()),
-      threshold_(least_impulse * the_case.body.mass * speed(the_case)) {}
+      threshold_(least_impulse * likely_impulse(the_case)) {}
 
-void ImpactDetector::take(double start, double dt, const State& before, const State& after,
-                          const Simulation& simulation) {
+template <class TheCase>
+void ImpactDetector<TheCase>::take(double start, double dt, const State& before, const State& after,
+                                   const BasicSimulation<TheCase>& simulation) {
   if (!simulation.events().empty()) {
-    for (const Event& event : simulation.events()) {
+    for (const BasicEvent<TheCase>& event : simulation.events()) {
       take_located(event);
     }
     return;
@@ -97,7 +160,8 @@ void ImpactDetector::take(double start, double dt, const State& before, const St
   }
 }
 
-void ImpactDetector::finish(Trajectory& run) {
+template <class TheCase>
+void ImpactDetector<TheCase>::finish(BasicTrajectory<TheCase>& run) {
   for (std::size_t index = 0; index < bursts_.size(); ++index) {
     close(index);
   }
@@ -107,7 +171,8 @@ void ImpactDetector::finish(Trajectory& run) {
   run.slow_impacts = slow_impacts_;
 }
 
-void ImpactDetector::take_located(const Event& event) {
+template <class TheCase>
+void ImpactDetector<TheCase>::take_located(const BasicEvent<TheCase>& event) {
   if (event.kind != EventKind::impact) {
     return;
   }
@@ -124,7 +189,7 @@ void ImpactDetector::take_located(const Event& event) {
   }
   const Eigen::Vector3d stray = unexplained(event.before, event.after, impulses, 0.0);
   for (const std::size_t index : cables) {
-    const Cable& cable = case_.cables[index];
+    const auto& cable = case_.cables[index];
     keep({event.time, index, impulses[index], gap_rate(cable, event.before),
           gap_rate(cable, event.after), 0, event.before, event.after, stray, event.time,
           cables.size() > 1, impulses[index], gap_rate(cable, event.after)});
@@ -133,8 +198,13 @@ void ImpactDetector::take_located(const Event& event) {
 
 /// The change of momentum from `before` to `after`, less what gravity gives in `dt` [s] and less
 /// `impulses` [N s] along the cables as they are at `before`.
-Eigen::Vector3d ImpactDetector::unexplained(const State& before, const State& after,
-                                            std::span<const double> impulses, double dt) const {
+template <class TheCase>
+Eigen::Vector3d ImpactDetector<TheCase>::unexplained(
+    [[maybe_unused]] const State& before, [[maybe_unused]] const State& after,
+    [[maybe_unused]] std::span<const double> impulses, [[maybe_unused]] double dt) const {
+  if constexpr (TheCase::has_several_bodies) {
+    return Eigen::Vector3d::Zero();
+  } else {
   Eigen::Vector3d result;
   result << case_.body.mass * (after.velocity - before.velocity - dt * case_.gravity),
       case_.body.inertia * (after.spin - before.spin);
@@ -144,23 +214,23 @@ Eigen::Vector3d ImpactDetector::unexplained(const State& before, const State& af
     }
   }
   return result;
+  }
 }
 
 /// The rates are of the engine's own velocities before and after the step, at the pose the step
 /// started from: an engine bounces the velocity it stores, so this is its restitution as it means
 /// it.
-void ImpactDetector::extend(std::size_t index, double start, double dt, const State& before,
-                            const State& after, double impulse) {
-  const Cable& cable = case_.cables[index];
+template <class TheCase>
+void ImpactDetector<TheCase>::extend(std::size_t index, double start, double dt,
+                                     const State& before, const State& after, double impulse) {
+  const auto& cable = case_.cables[index];
   std::optional<RecordedImpact>& burst = bursts_[index];
   if (!burst) {
     burst = RecordedImpact{start, index, 0.0, gap_rate(cable, before), 0.0, 0, before, before};
     burst->snap = 0.0;
   }
   burst->ended = start;
-  burst->after = before;
-  burst->after.velocity = after.velocity;
-  burst->after.spin = after.spin;
+  burst->after = with_velocities(before, after);
   burst->rate_after = gap_rate(cable, burst->after);
   if (burst->steps == 0) {
     burst->rate_first = burst->rate_after;
@@ -168,13 +238,14 @@ void ImpactDetector::extend(std::size_t index, double start, double dt, const St
   if (burst->steps == 0 || !turned_[index]) {
     burst->snap += impulse;
     // an engine may give a part of gravity's impulse after the cable has stopped the body
-    turned_[index] = burst->rate_after > -(slowest_ + dt * case_.gravity.norm());
+    turned_[index] = burst->rate_after > -(slowest_ + dt * pull_of_gravity(case_, before));
   }
   burst->impulse += impulse;
   ++burst->steps;
 }
 
-void ImpactDetector::close(std::size_t index) {
+template <class TheCase>
+void ImpactDetector<TheCase>::close(std::size_t index) {
   if (bursts_[index]) {
     if (bursts_[index]->rate_after > slowest_) {  // thrown back: all of it was the impact
       bursts_[index]->snap = bursts_[index]->impulse;
@@ -184,7 +255,8 @@ void ImpactDetector::close(std::size_t index) {
   }
 }
 
-void ImpactDetector::keep(const RecordedImpact& impact) {
+template <class TheCase>
+void ImpactDetector<TheCase>::keep(const RecordedImpact& impact) {
   if (-impact.rate_before >= slowest_) {
     impacts_.push_back(impact);
   } else {
@@ -207,18 +279,47 @@ bool reasonable(const Case& the_case, const State& state) {
          std::isfinite(state.velocity.norm()) && distance <= far_away * size;
 }
 
-double worst_overstretch(const Case& the_case, const State& state) {
+/// In a system each body; where none holds it, it may fly as far as it gets.
+bool reasonable(const SpatialSystem& system, const SpatialSystemState& state) {
+  double size = 0.0;
+  for (const SpatialCable& cable : system.cables) {
+    size = std::max(size, length_at_start(cable));
+    for (std::size_t i = 0; i <= cable.segments(); ++i) {
+      size = std::max(size, cable.end(i).at.norm());
+    }
+  }
+  const double duration = system.duration;
+  size += 0.5 * duration * duration * pull_of_gravity(system, system.initial);
+  for (const SpatialState& body : system.initial.bodies) {
+    size = std::max(size, body.position.norm() + duration * body.velocity.norm());
+  }
+  for (const SpatialState& body : state.bodies) {
+    const bool fine = std::isfinite(body.position.norm()) && std::isfinite(body.spin.norm()) &&
+                      std::isfinite(body.orientation.norm()) &&
+                      std::isfinite(body.velocity.norm()) &&
+                      body.position.norm() <= far_away * size;
+    if (!fine) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class TheCase>
+double worst_overstretch(const TheCase& the_case, const StateOf<TheCase>& state) {
   double worst = 0.0;
-  for (const Cable& cable : the_case.cables) {
+  for (const auto& cable : the_case.cables) {
     worst = std::max(worst, -gap(cable, state));
   }
   return worst;
 }
 
 /// The tensions of a run, from the impulses of its steps.
+template <class TheCase>
 class TensionRecorder {
  public:
-  TensionRecorder(const Case& the_case, const Simulation& simulation, Trajectory& run)
+  TensionRecorder(const TheCase& the_case, const BasicSimulation<TheCase>& simulation,
+                  BasicTrajectory<TheCase>& run)
       : told_(dynamic_cast<const TensionImpulses*>(&simulation)),
         sums_(the_case.cables.size()),
         run_(run) {
@@ -257,42 +358,39 @@ class TensionRecorder {
  private:
   const TensionImpulses* told_;  // null: of none
   std::vector<double> sums_;     // [N s], since the last point
-  Trajectory& run_;
+  BasicTrajectory<TheCase>& run_;
 };
 
 }  // namespace
-
-bool reaches(const Trajectory& run, double time) {
-  constexpr double near_enough = 0.98;  // [-]
-  const double end = run.stop ? run.stop->time : run.points.back().time;
-  return end >= near_enough * time;
-}
 
 std::size_t step_count(double duration, double step) {
   constexpr double same = 1e-9;  // [-]: 20 / 1e-3 is 20000 steps, not 20001 for a last bit
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(duration / step - same)));
 }
 
-Trajectory record(const Case& the_case, Simulation& simulation, double step,
-                  const RecordOptions& options) {
+template <class TheCase>
+BasicTrajectory<TheCase> record(const TheCase& the_case,
+                                std::type_identity_t<BasicSimulation<TheCase>>& simulation,
+                                double step, const RecordOptions& options) {
   const std::size_t steps = step_count(the_case.duration, step);
-  Trajectory run;
+  BasicTrajectory<TheCase> run;
   run.step = step;
   run.stride = (steps + options.most_points - 1) / options.most_points;
   run.points.reserve(steps / run.stride + 2);
-  State now = simulation.state();
+  StateOf<TheCase> now = state_at(simulation, 0.0);
   run.points.push_back({0.0, now});
   run.largest_energy = energy(the_case, now);
   run.stop = simulation.stopped();
-  ImpactDetector detector(the_case, options.slowest);
-  TensionRecorder tensions(the_case, simulation, run);
+  ImpactDetector<TheCase> detector(the_case, options.slowest);
+  TensionRecorder<TheCase> tensions(the_case, simulation, run);
   for (std::size_t index = 0; index < steps && !run.stop; ++index) {
     const double start = static_cast<double>(index) * step;
     const bool last = index + 1 == steps;
-    const State before = now;
+    const StateOf<TheCase> before = now;
     const double dt = last ? the_case.duration - start : step;
+    const double end = last ? the_case.duration : static_cast<double>(index + 1) * step;
     simulation.step(dt);
-    now = simulation.state();
+    now = state_at(simulation, end);
     run.stop = simulation.stopped();
     if (!reasonable(the_case, now)) {
       run.diverged = true;
@@ -303,7 +401,6 @@ Trajectory record(const Case& the_case, Simulation& simulation, double step,
     run.overstretch = std::max(run.overstretch, worst_overstretch(the_case, now));
     run.largest_energy = std::max(run.largest_energy, energy(the_case, now));
     if (last || run.stop || (index + 1) % run.stride == 0) {
-      const double end = last ? the_case.duration : static_cast<double>(index + 1) * step;
       run.points.push_back({run.stop ? run.stop->time : end, now});
       tensions.take_point();
     }
@@ -314,5 +411,9 @@ Trajectory record(const Case& the_case, Simulation& simulation, double step,
   detector.finish(run);
   return run;
 }
+
+template Trajectory record(const Case&, Simulation&, double, const RecordOptions&);
+template SystemTrajectory record(const SpatialSystem&, SystemSimulation&, double,
+                                 const RecordOptions&);
 
 }  // namespace tautline::bench

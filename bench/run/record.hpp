@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #include "bench/run/trajectory.hpp"
 #include "tautline/case.hpp"
@@ -18,18 +19,25 @@ struct RecordOptions {
   double slowest = 1e-3;
 };
 
-/// Steps `simulation` of `the_case` to the case's duration and records it. The one impact detector
+/// Steps `simulation` of `the_case`, a `Case` or a `SpatialSystem`, to the case's duration and records it. The one impact detector
 /// for all engines is in here: a simulation that locates its impacts is believed; else a run of
 /// consecutive steps with an impulse of one cable is one impact of that cable. A simulation that
 /// tells of its tensions (`TensionImpulses`) has them recorded.
 /// Throws std::runtime_error if the simulation says what makes no sense: too few impulses, an event
 /// of a cable that is not there, a time outside the run.
-[[nodiscard]] Trajectory record(const Case& the_case, Simulation& simulation, double step,
-                                const RecordOptions& options = {});
+template <class TheCase>
+[[nodiscard]] BasicTrajectory<TheCase> record(
+    const TheCase& the_case, std::type_identity_t<BasicSimulation<TheCase>>& simulation,
+    double step, const RecordOptions& options = {});
 
 /// True where `run` goes on to `time` [s]. It may stop where impacts accumulate, and rounding moves
 /// that instant: a little before is near enough.
-[[nodiscard]] bool reaches(const Trajectory& run, double time);
+template <class TheCase>
+[[nodiscard]] bool reaches(const BasicTrajectory<TheCase>& run, double time) {
+  constexpr double near_enough = 0.98;  // [-]
+  const double end = run.stop ? run.stop->time : run.points.back().time;
+  return end >= near_enough * time;
+}
 
 /// More steps than this in one run are refused: at a microsecond each they take 15 minutes.
 inline constexpr double most_steps = 1e9;

@@ -10,24 +10,28 @@
 
 namespace tautline::bench {
 
+// Of a run of a `Case`, or of a `SpatialSystem`.
+
 /// One recorded instant of a run.
-struct Point {
+template <class TheCase>
+struct BasicPoint {
   double time;  // [s]
-  State state;
+  StateOf<TheCase> state;
 };
 
 /// One impact of a run, as the detector saw it.
-struct RecordedImpact {
+template <class TheCase>
+struct BasicRecordedImpact {
   double time = 0.0;  // [s], when the velocity jumps: exact if located, else the start of the step
   std::size_t cable;  //
   double impulse = 0.0;  // [N s], > 0
   double rate_before;    // [m/s], gap rate just before; negative when closing
   double rate_after;     // [m/s], just after, at the same pose
   std::size_t steps;  // consecutive steps with an impulse; 0 if the simulation located the impact
-  State before;       // where the jump starts
-  State after;        // the pose at `ended`, and the velocity that the jump gave
+  StateOf<TheCase> before;  // where the jump starts
+  StateOf<TheCase> after;   // the pose at `ended`, and the velocity that the jump gave
   /// Change of momentum (x, y, angle) over the impact that neither gravity nor the impulses along
-  /// the cables explain [N s, N s, N m s].
+  /// the cables explain [N s, N s, N m s]; of the plane alone.
   Eigen::Vector3d stray = Eigen::Vector3d::Zero();
   double ended = time;  // [s], start of the last of those steps: where `after` is
   bool shared = false;  // another cable pulled in its steps: the velocity jump is of both
@@ -37,19 +41,25 @@ struct RecordedImpact {
 };
 
 /// What one run did.
-struct Trajectory {
-  double step = 0.0;          // [s]
-  std::size_t stride = 1;     // every stride-th step is in `points`
-  std::vector<Point> points;  // the first is the start, the last the end of the run
+template <class TheCase>
+struct BasicTrajectory {
+  double step = 0.0;                        // [s]
+  std::size_t stride = 1;                   // every stride-th step is in `points`
+  std::vector<BasicPoint<TheCase>> points;  // the first is the start, the last the end of the run
   /// The mean tension [N] of each cable between every point and the one before, point after point;
   /// no number at the start. Without that of located impacts. Empty: the engine tells of none.
   std::vector<double> tensions;
-  std::vector<RecordedImpact> impacts;   // in rising time, all but the slow ones
-  std::size_t slow_impacts = 0;          // the others: chatter of a cable that is as good as taut
-  double overstretch = 0.0;              // [m], the largest, over every step
-  double largest_energy = 0.0;           // [J], over every step
-  std::optional<Simulation::Stop> stop;  // set when the simulation could not go on
-  bool diverged = false;                 // the state left every reasonable range, or is not finite
+  std::vector<BasicRecordedImpact<TheCase>> impacts;  // in rising time, all but the slow ones
+  std::size_t slow_impacts = 0;   // the others: chatter of a cable that is as good as taut
+  double overstretch = 0.0;       // [m], the largest, over every step
+  double largest_energy = 0.0;    // [J], over every step
+  std::optional<StopOfRun> stop;  // set when the simulation could not go on
+  bool diverged = false;          // the state left every reasonable range, or is not finite
 };
+
+using Point = BasicPoint<Case>;
+using RecordedImpact = BasicRecordedImpact<Case>;
+using Trajectory = BasicTrajectory<Case>;                 // in the plane
+using SystemTrajectory = BasicTrajectory<SpatialSystem>;  // of a system in space
 
 }  // namespace tautline::bench

@@ -57,10 +57,21 @@ static void from_json(const nlohmann::json& value, Maker& maker) {
   read_word(value, maker, Maker::tautline);
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings, maker, parameters, code)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EngineInfo, name, version, precision, models)
+static void to_json(nlohmann::json& row, const std::optional<std::vector<Setting>>& some) {
+  row = some ? nlohmann::json(*some) : nlohmann::json();
+}
+
+static void from_json(const nlohmann::json& row, std::optional<std::vector<Setting>>& some) {
+  if (!row.is_null()) {
+    some = row.get<std::vector<Setting>>();
+  }
+}
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings, maker, parameters, code,
+                                   in_space)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EngineInfo, name, version, precision, models, dimensions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunSettings, step, law, parameters)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Simulation::Stop, time, reason)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StopOfRun, time, reason)
 
 }  // namespace tautline
 
@@ -90,13 +101,15 @@ static void from_json(const json& row, SettledClaim& one) {
 }
 
 /// Without its numbers.
-static void to_json(json& stop, const RunAnswer& run) {
+template <class TheCase>
+static void to_json(json& stop, const BasicRunAnswer<TheCase>& run) {
   stop = run.trajectory.stop ? json(*run.trajectory.stop) : json(nullptr);
 }
 
-static void from_json(const json& stop, RunAnswer& run) {
+template <class TheCase>
+static void from_json(const json& stop, BasicRunAnswer<TheCase>& run) {
   if (!stop.is_null()) {
-    run.trajectory.stop = stop.get<Simulation::Stop>();
+    run.trajectory.stop = stop.get<StopOfRun>();
   }
 }
 
@@ -163,8 +176,19 @@ struct NumberReader {
 // Each of these lists the numbers of a type once, for the writer and for the reader.
 
 void pass_state(auto& numbers, auto& state) {
-  for (const auto& one : coordinates(state)) {
-    numbers(one.value);
+  if constexpr (requires { state.bodies; }) {
+    numbers(state.time);
+    numbers.fit(state.bodies);
+    if (state.bodies.size() > max_bodies) {
+      throw std::out_of_range("a state of a message has too many bodies");
+    }
+    for (auto& body : state.bodies) {
+      pass_state(numbers, body);
+    }
+  } else {
+    for (const auto& one : coordinates(state)) {
+      numbers(one.value);
+    }
   }
 }
 
@@ -218,13 +242,23 @@ void pass_run(auto& numbers, auto& run) {
 }
 
 /// Throws where the parts of a run do not fit each other, so that no reader looks past their ends.
-void require_whole(const RunAnswer& run) {
-  const Trajectory& trajectory = run.trajectory;
+template <class TheCase>
+void require_whole(const BasicRunAnswer<TheCase>& run) {
+  const BasicTrajectory<TheCase>& trajectory = run.trajectory;
   const std::size_t points = trajectory.points.size();
   const bool fits = points > 0 && trajectory.tensions.size() % points == 0;
-  const auto is_of_a_cable = [](const RecordedImpact& impact) { return impact.cable < max_cables; };
+  const auto is_of_a_cable = [](const auto& impact) { return impact.cable < max_cables; };
   if (!fits || !std::all_of(trajectory.impacts.begin(), trajectory.impacts.end(), is_of_a_cable)) {
     throw std::out_of_range("the parts of a run do not fit each other");
+  }
+}
+
+/// Calls `use` with the run that `answer`, a WorkerAnswer, is, if it is one.
+void with_run(auto& answer, const auto& use) {
+  if (auto* const run = std::get_if<RunAnswer>(&answer)) {
+    use(*run);
+  } else if (auto* const of_system = std::get_if<SystemRunAnswer>(&answer)) {
+    use(*of_system);
   }
 }
 
@@ -299,10 +333,10 @@ std::string to_bytes(const WorkerAnswer& answer) {
   Message message;
   message.head =
       json::array({answer.index(), std::visit([](const auto& one) { return json(one); }, answer)});
-  if (const auto* const run = std::get_if<RunAnswer>(&answer)) {
+  with_run(answer, [&](const auto& run) {
     NumberWriter writer{message.numbers};
-    pass_run(writer, *run);
-  }
+    pass_run(writer, run);
+  });
   return bytes_of(message);
 }
 
@@ -315,11 +349,11 @@ std::optional<WorkerAnswer> answer_from(std::string_view bytes) {
     constexpr int kinds = std::variant_size_v<WorkerAnswer>;
     const int kind = whole_number(message->head.at(0), 0, kinds - 1);
     WorkerAnswer answer = answer_of(static_cast<std::size_t>(kind), message->head.at(1));
-    if (auto* const run = std::get_if<RunAnswer>(&answer)) {
+    with_run(answer, [&](auto& run) {
       NumberReader reader{message->numbers};
-      pass_run(reader, *run);
-      require_whole(*run);
-    }
+      pass_run(reader, run);
+      require_whole(run);
+    });
     return answer;
   } catch (const std::exception&) {  // an engine has written into it
     return Failure{"gave a result that makes no sense"};

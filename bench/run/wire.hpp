@@ -55,11 +55,14 @@ struct Failure {
   bool of_process = false;  // an engine's own process ended
 };
 
-/// A run that came to its end.
-struct RunAnswer {
-  Trajectory trajectory;
+/// A run that came to its end, of a `Case` or of a `SpatialSystem`.
+template <class TheCase>
+struct BasicRunAnswer {
+  BasicTrajectory<TheCase> trajectory;
   Cost cost;
 };
+using RunAnswer = BasicRunAnswer<Case>;
+using SystemRunAnswer = BasicRunAnswer<SpatialSystem>;
 
 /// The claims about a model that are settled.
 struct CheckAnswer {
@@ -78,7 +81,8 @@ struct StrikesAnswer {
 
 /// One for each task, and a failure of any.
 using WorkerAnswer =
-    std::variant<Failure, EngineInfo, RunAnswer, CheckAnswer, DigestAnswer, StrikesAnswer>;
+    std::variant<Failure, EngineInfo, RunAnswer, CheckAnswer, DigestAnswer, StrikesAnswer,
+                 SystemRunAnswer>;
 
 [[nodiscard]] std::string to_bytes(const WorkerRequest& request);
 [[nodiscard]] std::string to_bytes(const WorkerAnswer& answer);

@@ -206,7 +206,7 @@ RunReply run_in_worker(const RunRequest& request, Workplace& workplace) {
   RunReply reply;
   try {
     WorkerRequest asked = request_for(Task::run, request.plugin, request.model, request.limits);
-    asked.case_text = write_case(request.the_case);
+    asked.case_text = written(request.the_case);
     asked.settings = request.settings;
     asked.costs = request.costs;
     asked.more = request.more;
@@ -215,10 +215,13 @@ RunReply run_in_worker(const RunRequest& request, Workplace& workplace) {
     reply.output_tail = other.end.output_tail;
     reply.printed = other.end.printed;
     reply.interrupted = other.interrupted();
-    if (other.answer && std::holds_alternative<RunAnswer>(*other.answer)) {
-      auto& run = std::get<RunAnswer>(*other.answer);
-      reply.cost = run.cost;
-      reply.trajectory = std::move(run.trajectory);
+    if (!other.answer) {
+    } else if (auto* const run = std::get_if<RunAnswer>(&*other.answer)) {
+      reply.cost = run->cost;
+      reply.trajectory = std::move(run->trajectory);
+    } else if (auto* const of_system = std::get_if<SystemRunAnswer>(&*other.answer)) {
+      reply.cost = of_system->cost;
+      reply.in_space = std::move(of_system->trajectory);
     }
   } catch (const std::system_error& error) {
     reply.failure = std::string("cannot run a worker: ") + error.what();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/base/process.hpp"
+#include "bench/cases/bench_case.hpp"
 #include "bench/check/settle.hpp"
 #include "bench/check/strike.hpp"
 #include "bench/run/cost.hpp"
@@ -57,7 +58,7 @@ struct WorkerLimits {
 /// One run, to be done by a worker process.
 struct RunRequest {
   std::filesystem::path plugin;
-  Case the_case;
+  BenchCase the_case;
   std::string model;
   RunSettings settings;
   WorkerLimits limits;
@@ -65,9 +66,10 @@ struct RunRequest {
   bool more = false;  // further runs follow: the process of a plug-in stays for them
 };
 
-/// What came back. Exactly one of `trajectory` and `failure` is set.
+/// What came back. Exactly one of `trajectory`, `in_space` and `failure` is set.
 struct RunReply {
-  std::optional<Trajectory> trajectory;
+  std::optional<Trajectory> trajectory;      // of a case
+  std::optional<SystemTrajectory> in_space;  // of a system
   Cost cost;                 // where it was asked for
   std::string failure;       // such as "crashed: SIGSEGV" or "timed out after 60 s"
   std::string output_tail;   // the last of what the engine printed

@@ -16,6 +16,7 @@
 #include <variant>
 
 #include "bench/base/process.hpp"
+#include "bench/cases/bench_case.hpp"
 #include "bench/check/claims/measures.hpp"
 #include "bench/check/settle.hpp"
 #include "bench/check/strike.hpp"
@@ -34,20 +35,26 @@ bool write_answer(const WorkerAnswer& answer) {
   return write_all(answer_descriptor, to_bytes(answer)) == 0;
 }
 
-RunAnswer do_run(const WorkerRequest& request, const Plugin& plugin) {
+template <class TheCase>
+BasicRunAnswer<TheCase> run_of(const TheCase& the_case, const WorkerRequest& request,
+                               const Plugin& plugin) {
   const Engine& engine = plugin.engine();
-  const CaseReading reading = read_case_text(request.case_text, "request");
-  const Case& the_case = reading.the_case.value();
-  RunAnswer answer;
+  BasicRunAnswer<TheCase> answer;
   plugin.forget_peak_memory();
   {
-    const auto simulation = engine.start(the_case, request.model, request.settings);
+    const auto simulation = started(engine, the_case, request.model, request.settings);
     answer.trajectory = record(the_case, *simulation, request.settings.step);
   }  // over before its cost is measured: an engine outside then goes on in the process it has
   if (request.costs) {
     answer.cost = measure_cost(the_case, engine, request.model, request.settings, plugin.meter());
   }
   return answer;
+}
+
+WorkerAnswer do_run(const WorkerRequest& request, const Plugin& plugin) {
+  return std::visit(
+      [&](const auto& one) { return WorkerAnswer(run_of(one, request, plugin)); },
+      bench_case_from(request.case_text, "request"));
 }
 
 /// Says before each claim which one it is: the program reads that should this process die of it.
@@ -122,7 +129,9 @@ bool is_our_turn() {
 
 /// True after what the engine may be asked again and again, and did well.
 bool stays(const WorkerAnswer& answer) {
-  return std::holds_alternative<RunAnswer>(answer) || std::holds_alternative<StrikesAnswer>(answer);
+  return std::holds_alternative<RunAnswer>(answer) ||
+         std::holds_alternative<SystemRunAnswer>(answer) ||
+         std::holds_alternative<StrikesAnswer>(answer);
 }
 
 void give_turn_back() { (void)::send(turn_descriptor, "", 1, MSG_NOSIGNAL); }

@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/input_file.hpp"
 #include "bench/base/text.hpp"
@@ -66,14 +67,6 @@ ImpactLaw law_from(const std::string& name) {
     throw std::runtime_error("unknown law " + printable(name));
   }
   return *found;
-}
-
-Case case_from(const std::string& text) {
-  CaseReading reading = read_case_text(text, manifest_name);
-  if (!reading.the_case) {
-    throw std::runtime_error(reading.problems.front());
-  }
-  return *std::move(reading.the_case);
 }
 
 RegisteredEngine engine_from(const EngineRow& row) {
@@ -148,9 +141,7 @@ Manifest manifest_of(const SuiteOptions& options, const std::string& command,
                      const std::string& started) {
   Manifest manifest;
   manifest.program = {TAUTLINE_VERSION, std::string(source_commit()), in_digits(program_hash())};
-  for (const Case& the_case : options.cases) {
-    manifest.cases.push_back(write_case(the_case));
-  }
+  manifest.cases = listed(options.cases, written);
   const std::vector<EngineRow> rows = engine_rows(options.engines);
   for (std::size_t engine = 0; engine < rows.size(); ++engine) {
     manifest.engines.push_back({rows[engine], in_digits(plugin_hash(options, engine))});
@@ -170,7 +161,7 @@ Manifest manifest_of(const SuiteOptions& options, const std::string& command,
 SuiteOptions options_of(const Manifest& manifest) {
   SuiteOptions options;
   for (const std::string& text : manifest.cases) {
-    options.cases.push_back(case_from(text));
+    options.cases.push_back(bench_case_from(text, manifest_name));
   }
   for (const Manifest::Engine& engine : manifest.engines) {
     options.engines.push_back(engine_from(engine.row));

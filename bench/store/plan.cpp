@@ -13,30 +13,36 @@
 namespace tautline::bench {
 
 RunKey key_of(const SuiteOptions& options, const PlannedRun& run) {
-  return {options.cases[run.the_case].name, options.engines[run.engine].info->name, run.model.name,
+  return {name_of(options.cases[run.the_case]), options.engines[run.engine].info->name, run.model.name,
           run.step};
 }
 
+bool runs(const Model& model, const BenchCase& any) {
+  return model.in_space || std::holds_alternative<Case>(any);
+}
+
 std::vector<PlannedRun> plan(const SuiteOptions& options) {
-  std::vector<PlannedRun> runs;
+  std::vector<PlannedRun> planned;
   for (std::size_t the_case = 0; the_case < options.cases.size(); ++the_case) {
     for (std::size_t engine = 0; engine < options.engines.size(); ++engine) {
       if (!options.engines[engine].info) {
         continue;
       }
       for (const Model& model : options.engines[engine].info->models) {
-        const bool chosen = options.models.empty() ||
-                            std::find(options.models.begin(), options.models.end(), model.name) !=
-                                options.models.end();
+        const bool named =
+            std::find(options.models.begin(), options.models.end(), model.name) !=
+            options.models.end();
+        const bool chosen = named || (options.models.empty() &&
+                                      runs(model, options.cases[the_case]));
         for (const double step : options.steps) {
           if (chosen) {
-            runs.push_back({the_case, engine, model, step});
+            planned.push_back({the_case, engine, model, step});
           }
         }
       }
     }
   }
-  return runs;
+  return planned;
 }
 
 std::vector<std::string> suite_problems(const SuiteOptions& options) {
@@ -46,12 +52,12 @@ std::vector<std::string> suite_problems(const SuiteOptions& options) {
       problems.push_back(fmt::format("step {} must be a finite number above 0 [s]", step));
       continue;
     }
-    for (const Case& the_case : options.cases) {
-      if (the_case.duration / step > most_steps) {
+    for (const BenchCase& the_case : options.cases) {
+      const double duration = duration_of(the_case);
+      if (duration / step > most_steps) {
         problems.push_back(fmt::format(
             "step {} needs {:.0e} steps for case {}, which lasts {} s; at most {:.0e} are allowed",
-            step, the_case.duration / step, printable(the_case.name), the_case.duration,
-            most_steps));
+            step, duration / step, printable(name_of(the_case)), duration, most_steps));
         break;
       }
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases/bench_case.hpp"
 #include "bench/measure/compare.hpp"
 #include "bench/report/record.hpp"
 #include "bench/run/registry.hpp"
@@ -26,7 +27,7 @@ struct Shard {
 
 /// What is run: every case on every engine, with every model and step.
 struct SuiteOptions {
-  std::vector<Case> cases;
+  std::vector<BenchCase> cases;
   std::vector<RegisteredEngine> engines;
   std::vector<std::string> models;  // of those; empty means all
   std::vector<double> steps;        // [s]
@@ -53,7 +54,11 @@ struct PlannedRun {
 };
 [[nodiscard]] RunKey key_of(const SuiteOptions& options, const PlannedRun& run);
 
-/// Every run, in the order in which the report lists them.
+/// True where `model` can run a case of this kind.
+[[nodiscard]] bool runs(const Model& model, const BenchCase& any);
+
+/// Every run, in the order in which the report lists them. A model that cannot run systems is left
+/// out of those of a system unless it is named.
 [[nodiscard]] std::vector<PlannedRun> plan(const SuiteOptions& options);
 
 /// What the runs of a suite left.

@@ -170,7 +170,7 @@ std::string events_csv(const Trajectory& run) {
 std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
   const RegisteredEngine& engine = options.engines[run.engine];
   const std::string text =
-      write_case(options.cases[run.the_case]) + settings_json(*engine.info, run.model, run.step) +
+      written(options.cases[run.the_case]) + settings_json(*engine.info, run.model, run.step) +
       fmt::format("{} {} {} {} {}", options.compare.count_speed, options.compare.early_impacts,
                   options.samples, to_string(options.law), TAUTLINE_VERSION) +
       fmt::format(" {:016x}", plugin_hash(options, run.engine));

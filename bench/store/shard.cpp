@@ -37,7 +37,7 @@ std::optional<Shard> shard_from(std::string_view text) {
 std::string to_string(Shard shard) { return fmt::format("{}/{}", shard.number, shard.of); }
 
 double expected_cost(const SuiteOptions& options, const PlannedRun& run) {
-  return options.cases[run.the_case].duration / run.step + cost_beside_steps;
+  return duration_of(options.cases[run.the_case]) / run.step + cost_beside_steps;
 }
 
 std::vector<std::size_t> shard_numbers(const SuiteOptions& options, std::size_t shards) {

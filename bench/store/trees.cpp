@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
 #include "bench/store/run_files.hpp"
@@ -68,12 +69,8 @@ class Differences {
  private:
   using Names = std::vector<std::string>;
 
-  static Names names(const std::vector<Case>& cases) {
-    Names result;
-    for (const Case& the_case : cases) {
-      result.push_back(the_case.name);
-    }
-    return result;
+  static Names names(const std::vector<BenchCase>& cases) {
+    return listed(cases, [](const BenchCase& one) { return name_of(one); });
   }
 
   static Names engine_names(const ResultTree& tree) {
@@ -130,9 +127,9 @@ class Differences {
     const auto& cases = tree_.options.cases;
     const auto& others = first_.options.cases;
     for (std::size_t index = 0; index < std::min(cases.size(), others.size()); ++index) {
-      if (cases[index].name == others[index].name &&
+      if (name_of(cases[index]) == name_of(others[index]) &&
           tree_.manifest.cases[index] != first_.manifest.cases[index]) {
-        say(fmt::format("has another case {} than {}", printable(cases[index].name), first()));
+        say(fmt::format("has another case {} than {}", printable(name_of(cases[index])), first()));
       }
     }
   }

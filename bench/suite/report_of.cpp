@@ -36,6 +36,31 @@ void judge_models(const std::vector<RunRecord>& runs, Report& report) {
   std::move(others.begin(), others.end(), std::back_inserter(report.findings));
 }
 
+/// What models do with systems is told where there is one.
+void tell_of_systems(const SuiteOptions& options, Report& report) {
+  const bool any = std::any_of(
+      options.cases.begin(), options.cases.end(),
+      [](const BenchCase& one) { return std::holds_alternative<SpatialSystem>(one); });
+  for (EngineRow& engine : report.engines) {
+    if (!engine.info) {
+      continue;
+    }
+    std::vector<std::string> not_run;
+    for (Model& model : engine.info->models) {
+      if (any && !model.in_space && options.models.empty()) {
+        not_run.push_back(model.name);
+      }
+      model.in_space = any ? model.in_space : std::nullopt;
+    }
+    if (not_run.size() == engine.info->models.size()) {
+      report.in_the_plane_alone.push_back(engine.name + ": an engine of the plane");
+    } else if (!not_run.empty()) {
+      report.in_the_plane_alone.push_back(
+          fmt::format("{}: {}", engine.name, fmt::join(not_run, ", ")));
+    }
+  }
+}
+
 Context filled(Context context, const SuiteResult& result) {
   context.command = printable(context.command, longest_command);
   context.kept_runs = result.kept;
@@ -68,9 +93,10 @@ Report report_of(const SuiteOptions& options, const Expectations& expectations,
   report.planned_runs = result.planned;
   report.options = report_options(options);
   report.engines = engine_rows(options.engines);
+  tell_of_systems(options, report);
   for (std::size_t place = 0; place < expectations.size(); ++place) {
-    const Expectation& expectation = expectations[place];
-    CaseRow& row = report.cases.emplace_back(case_row(expectation, options.compare, options.steps));
+    CaseRow& row =
+        report.cases.emplace_back(case_row(expectations[place], options.compare, options.steps));
     if (expectations.size() > most_cases_in_page) {
       row.motions = motion_file(row.name);
     }
@@ -89,8 +115,10 @@ Report report_of(const SuiteOptions& options, const Expectations& expectations,
 
 Replay replay_of(const Expectations& expectations, const SuiteResult& result) {
   Replay replay;
-  for (const Expectation& expectation : expectations) {
-    replay.cases.push_back(exact_replay(expectation.reference()));
+  for (const AnyExpectation& expected : expectations) {
+    const auto* const expectation = std::get_if<Expectation>(&expected);
+    replay.cases.push_back(expectation != nullptr ? exact_replay(expectation->reference())
+                                                  : CaseReplay());
   }
   for (const RunRecord& run : result.runs) {
     replay.runs.push_back(run.replay);

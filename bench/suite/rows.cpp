@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/cases/title.hpp"
 #include "bench/data/coordinates.hpp"
@@ -14,7 +15,7 @@
 #include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "bench/replay/motion.hpp"
-#include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -72,15 +73,18 @@ std::string live_address(const Case& the_case) {
 }
 
 /// How a run ended, and why if it did not finish.
-std::pair<Status, std::string> status(const ReferenceCase& reference, const RunReply& reply) {
-  if (!reply.trajectory) {
+template <class TheReference, class TheTrajectory>
+std::pair<Status, std::string> status(const TheReference& reference, const RunReply& reply,
+                                      const std::optional<TheTrajectory>& trajectory) {
+  if (!trajectory) {
     const bool refused = reply.failure.starts_with("unsupported: ");  // the interface's word
     return {refused ? Status::unsupported : Status::failed,
             printable(reply.failure, longest_reason)};
   }
-  const Trajectory& run = *reply.trajectory;
+  const TheTrajectory& run = *trajectory;
   if (run.diverged) {
-    return {Status::diverged, fmt::format("the body left every reasonable range after t = {:.6g}",
+    return {Status::diverged, fmt::format("{} left every reasonable range after t = {:.6g}",
+                                          reply.in_space ? "a body" : "the body",
                                           run.points.back().time)};
   }
   if (run.stop) {
@@ -91,7 +95,8 @@ std::pair<Status, std::string> status(const ReferenceCase& reference, const RunR
   return {Status::finished, ""};
 }
 
-RunDetails details_of(const Metrics& metrics, const Trajectory& run) {
+template <class TheCase>
+RunDetails details_of(const Metrics& metrics, const BasicTrajectory<TheCase>& run) {
   RunDetails details;
   for (const Window window : windows) {
     const Deviation& deviation = metrics.deviation_in(window);
@@ -130,6 +135,15 @@ void measure(const Expectation& expectation, const EngineInfo& engine, const Tra
   row.judgement = judge(expectation, run, record.audit->impacts, engine.precision);
 }
 
+/// Of a system.
+void measure(const ReferenceSystem& reference, const SystemTrajectory& run,
+             const CompareOptions& options, RunRow& row) {
+  const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
+                                  reference.horizon, run, options);
+  row.metrics = values_of(metrics);
+  row.details = details_of(metrics, run);
+}
+
 TimingRow timing_row(const RunKey& key, const Cost& cost) {
   TimingRow row;
   row.key = key;
@@ -145,13 +159,20 @@ TimingRow timing_row(const RunKey& key, const Cost& cost) {
 
 }  // namespace
 
-RunRecord run_record(const Expectation& expectation, const EngineInfo& engine, const RunKey& key,
+RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine, const RunKey& key,
                      const RunReply& reply, const CompareOptions& options) {
   RunRecord record;
   record.row.key = key;
-  std::tie(record.row.status, record.row.reason) = status(expectation.reference(), reply);
-  if (reply.trajectory) {
-    measure(expectation, engine, *reply.trajectory, options, record);
+  const auto* const expectation = std::get_if<Expectation>(&expected);
+  std::tie(record.row.status, record.row.reason) =
+      expectation != nullptr
+          ? status(expectation->reference(), reply, reply.trajectory)
+          : status(*std::get<const ReferenceSystem*>(expected), reply, reply.in_space);
+  if (reply.trajectory && expectation != nullptr) {
+    measure(*expectation, engine, *reply.trajectory, options, record);
+    record.timing = timing_row(key, reply.cost);
+  } else if (reply.in_space && expectation == nullptr) {
+    measure(*std::get<const ReferenceSystem*>(expected), *reply.in_space, options, record.row);
     record.timing = timing_row(key, reply.cost);
   } else if (!reply.output_tail.empty()) {
     const std::size_t size = std::min(reply.output_tail.size(), quotable_length);
@@ -161,27 +182,75 @@ RunRecord run_record(const Expectation& expectation, const EngineInfo& engine, c
   return record;
 }
 
-CaseRow case_row(const Expectation& expectation, const CompareOptions& options,
-                 const std::vector<double>& steps) {
-  const ReferenceCase& reference = expectation.reference();
-  const Solution& solution = reference.solution;
-  const Case& the_case = reference.the_case;
+namespace {
+
+/// What a row says of a case of either kind.
+CaseRow row_of(const auto& reference, double count_speed) {
+  const auto& [the_case, solution, settling, horizon, law] = reference;
   CaseRow row;
   row.name = the_case.name;
-  row.title = title_of(the_case);
   row.cables = the_case.cables.size();
   row.duration = the_case.duration;
   row.ending = to_string(solution.ending());
   row.end_time = solution.end_time();
-  row.horizon = reference.horizon;
-  row.counted_impacts = counted_impacts(the_case, solution, options.count_speed).size();
+  row.horizon = horizon;
+  row.counted_impacts = counted_impacts(the_case, solution, count_speed).size();
   row.start_energy = energy(the_case, the_case.initial);
   row.end_energy = energy(the_case, solution.at(solution.end_time()));
+  return row;
+}
+
+std::vector<double> numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+EndRow end_row(const SpatialEnd& end) { return {end.body, numbers_of(end.at)}; }
+
+CaseRow case_row(const ReferenceSystem& reference, double count_speed) {
+  const SpatialSystem& system = reference.the_case;
+  CaseRow row = row_of(reference, count_speed);
+  const std::size_t bodies = system.bodies.size();
+  row.title = fmt::format("{} bod{} in space, {} cable{}", bodies, bodies == 1 ? "y" : "ies",
+                          row.cables, row.cables == 1 ? "" : "s");
+  row.settling.last_impacts = reference.settling.last_impacts;
+  if (const auto& lock = reference.settling.lock) {
+    row.settling.lock = Lock{.time = lock->time,
+                             .uncertainty = lock->uncertainty,
+                             .cables = lock->cables,
+                             .permanent = lock->certain,
+                             .rests = lock->certain,
+                             .swing = {}};
+  }
+  SystemRow& shown = row.system.emplace();
+  shown.gravity = numbers_of(system.gravity.at(0.0));
+  for (const SpatialBody& body : system.bodies) {
+    shown.bodies.push_back({body.name, body.mass, numbers_of(body.inertia)});
+  }
+  for (const SpatialCable& cable : system.cables) {
+    shown.cables.push_back(
+        {end_row(cable.from), listed(cable.through, end_row), end_row(cable.to),
+         cable.length.at(0.0)[0],
+         depends_on_speed(cable) ? std::nullopt : std::optional(cable.restitution)});
+  }
+  return row;
+}
+
+}  // namespace
+
+CaseRow case_row(const AnyExpectation& expected, const CompareOptions& options,
+                 const std::vector<double>& steps) {
+  if (const auto* const system = std::get_if<const ReferenceSystem*>(&expected)) {
+    return case_row(**system, options.count_speed);
+  }
+  const auto& expectation = std::get<Expectation>(expected);
+  const ReferenceCase& reference = expectation.reference();
+  const Case& the_case = reference.the_case;
+  CaseRow row = row_of(reference, options.count_speed);
+  row.title = title_of(the_case);
   row.settling = reference.settling;
-  row.body = the_case.body;
-  row.gravity = the_case.gravity;
+  PlaneRow& plane = row.plane.emplace();
+  plane.body = the_case.body;
+  plane.gravity = the_case.gravity;
   for (const Cable& cable : the_case.cables) {
-    row.geometry.push_back(
+    plane.geometry.push_back(
         {cable.anchor, cable.attachment, cable.length,
          depends_on_speed(cable) ? std::nullopt : std::optional(cable.restitution)});
   }

@@ -9,14 +9,14 @@
 
 namespace tautline::bench {
 
-/// What a run left: how it ended, and measures, audit, judgement and attribution if there is a
-/// trajectory.
-[[nodiscard]] RunRecord run_record(const Expectation& expectation, const EngineInfo& engine,
+/// What a run left: how it ended, and measures if there is a trajectory; of a case in the plane also
+/// its audit, judgement, attribution and what is drawn of it.
+[[nodiscard]] RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine,
                                    const RunKey& key, const RunReply& reply,
                                    const CompareOptions& options);
 
 /// What the exact solution says of a case, and of runs of `steps` [s] of it.
-[[nodiscard]] CaseRow case_row(const Expectation& expectation, const CompareOptions& options,
+[[nodiscard]] CaseRow case_row(const AnyExpectation& expected, const CompareOptions& options,
                                const std::vector<double>& steps);
 
 }  // namespace tautline::bench

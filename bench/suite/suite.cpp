@@ -26,12 +26,12 @@ std::optional<RunRecord> earlier_run(const SuiteOptions& options, const PlannedR
 }
 
 /// One run in a worker, compared and written. None if the program was interrupted.
-std::optional<RunRecord> do_run(const SuiteOptions& options, const Expectation& expectation,
+std::optional<RunRecord> do_run(const SuiteOptions& options, const AnyExpectation& expectation,
                                 const PlannedRun& run, Workplace& workplace) {
   const RegisteredEngine& engine = options.engines[run.engine];
   const RunKey key = key_of(options, run);
   const RunReply reply = run_in_worker({engine.plugin,
-                                        expectation.reference().the_case,
+                                        options.cases[run.the_case],
                                         run.model.name,
                                         {run.step, options.law},
                                         options.limits},

@@ -126,11 +126,19 @@ struct RowSentences {
 /// The models `row` and `early`.
 template <class RowWorld>
 [[nodiscard]] std::vector<ModelEntry> row_and_early(const std::vector<Setting>& settings,
-                                                    const RowSentences& sentences = {}) {
-  return {row_model<RowWorld>({.name = "row", .sentence = sentences.row, .settings = settings},
-                              Activation::overstretched),
-          row_model<RowWorld>({.name = "early", .sentence = sentences.early, .settings = settings},
-                              Activation::crossing)};
+                                                    const RowSentences& sentences = {},
+                                                    const std::vector<Setting>& in_space = {}) {
+  std::vector<ModelEntry> result = {
+      row_model<RowWorld>({.name = "row", .sentence = sentences.row, .settings = settings},
+                          Activation::overstretched),
+      row_model<RowWorld>({.name = "early", .sentence = sentences.early, .settings = settings},
+                          Activation::crossing)};
+  for (ModelEntry& entry : result) {
+    if (entry.start_system) {
+      entry.model.in_space = in_space;
+    }
+  }
+  return result;
 }
 
 /// The impulses [N s] of one solve of the rows of `cables`, which ask for `rates` [m/s] in `state`.

@@ -145,10 +145,10 @@ std::vector<ModelEntry> event_models() {
                {"m_leastSquaresResidualThreshold",
                 "(4 roundings of the speed, or of the rate asked for)^2",
                 "With Bullet's 0 a solve goes on while its last bit flickers."},
-               parabola_setting(),
-               {"of a system: setFlags while an impact is solved", "0",
-                "No time passes in an impact, and so no turn brings a gyroscopic impulse."}},
-              system_settings()}))};
+               parabola_setting()}}),
+      joined({system_settings(),
+              {{"setFlags while an impact is solved", "0",
+                "No time passes in an impact, and so no turn brings a gyroscopic impulse."}}}))};
 }
 
 }  // namespace tautline::bullet

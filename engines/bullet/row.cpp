@@ -81,7 +81,7 @@ std::vector<Setting> row_settings(Sleep sleep) {
 
 std::vector<ModelEntry> row_models() {
   std::vector<ModelEntry> result =
-      row_and_early<RowWorld>(joined({row_settings(Sleep::never), system_settings()}));
+      row_and_early<RowWorld>(row_settings(Sleep::never), {}, system_settings());
   result.push_back(row_model<RowWorld>(
       {.name = "row-sleeping",
        .sentence = "The row of `row` with Bullet's own deactivation: a body slower than 0.8 m/s "

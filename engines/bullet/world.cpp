@@ -170,9 +170,9 @@ void SystemWorld::fly(double dt) {
 }
 
 std::vector<Setting> system_settings() {
-  return {{"of a system: setLinearFactor, setAngularFactor, setFlags", "as shipped",
+  return {{"setLinearFactor, setAngularFactor, setFlags", "as shipped",
            "Bodies of a system move in space, with Bullet's own gyroscopic term."},
-          {"of a system: gravity, applyCentralForce, applyTorque",
+          {"gravity, applyCentralForce, applyTorque",
            "what is given, as it is in the middle of the step; drag as it decays in the step",
            "Bullet knows no function of time."}};
 }

@@ -113,13 +113,14 @@ std::vector<ModelEntry> event_models() {
        "No time passes in an impact; the case's gravity is put back after it."},
       {"dBodySetPosition, dBodySetQuaternion", "the pose before an impact",
        "The solve of an impact must not move the body."},
-      {"of a system: dBodySetGyroscopicMode while an impact is solved", "0",
-       "No time passes in an impact, and so no turn brings a gyroscopic moment."},
       parabola_setting()};
   return {event_model<OdeAdapter<Case, World>, OdeAdapter<SpatialSystem, SystemWorld>>(
       "ODE flies and solves, the event driver finds the instants: each impact is one solve at the "
       "exact pose.",
-      joined({world_settings(), own, system_settings()}))};
+      joined({world_settings(), own}),
+      joined({system_settings(),
+              {{"dBodySetGyroscopicMode while an impact is solved", "0",
+                "No time passes in an impact, and so no turn brings a gyroscopic moment."}}}))};
 }
 
 }  // namespace tautline::ode

@@ -142,8 +142,9 @@ ModelEntry entry(std::string name, std::string sentence, const std::vector<Setti
   return {.model = {.name = std::move(name),
                     .sentence = std::move(sentence),
                     .settings = joined(
-                        {world_settings(), surface_settings(choice), own, system_settings()}),
-                    .maker = maker},
+                        {world_settings(), surface_settings(choice), own}),
+                    .maker = maker,
+                    .in_space = system_settings()},
           .start = makes<FixedStepSimulation<Case, World>>(choice),
           .start_system = makes<FixedStepSimulation<SpatialSystem, SystemWorld>>(choice),
           .follows_speed = true};

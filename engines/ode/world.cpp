@@ -271,10 +271,10 @@ void SystemWorld::fly(double dt) {
 }
 
 std::vector<Setting> system_settings() {
-  return {{"of a system: dWorldSetGravity, dBodyAddForce, dBodyAddTorque",
+  return {{"dWorldSetGravity, dBodyAddForce, dBodyAddTorque",
            "what is given, as it is in the middle of the step; drag as it decays in the step",
            "ODE knows no function of time."},
-          {"of a system: dContactMotionN, motionN", "how fast an end moves or a cable is hauled in",
+          {"dContactMotionN, motionN", "how fast an end moves or a cable is hauled in",
            "A contact with the world knows of no motion at its other side."}};
 }
 

@@ -49,6 +49,36 @@ void fields(Visitor& visit, CableRow& cable) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, EndRow& end) {
+  visit("body", end.body, "index; null: a point of the world");
+  visit("at", end.at, "in the frame of the body, or in the world [m]");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, SystemCableRow& cable) {
+  visit("from", cable.from);
+  visit("through", cable.through, "rings, in order");
+  visit("to", cable.to);
+  visit("length", cable.length, "at the start [m]");
+  visit("restitution", cable.restitution, "null where it depends on the speed");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, SystemBodyRow& body) {
+  visit("name", body.name);
+  visit("mass", body.mass);
+  visit("inertia", body.inertia, "principal moments; three zeros: a point mass [kg m^2]");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, SystemRow& system) {
+  visit.means("of a system in space, at the start");
+  visit("bodies", system.bodies);
+  visit("gravity", system.gravity, "[m/s^2]");
+  visit("cables", system.cables);
+}
+
+template <class Visitor>
 void fields(Visitor& visit, EventColumns& events) {
   visit("time", events.time);
   visit("kind", events.kind, one_of({"impact", "taut", "slack"}));
@@ -104,9 +134,13 @@ void fields(Visitor& visit, CaseRow& row, CaseReplay& replay) {
   visit("start_energy", row.start_energy);
   visit("end_energy", row.end_energy);
   visit("settling", row.settling);
-  visit("body", row.body);
-  visit("gravity", row.gravity);
-  visit("geometry", row.geometry);
+  visit.unless_missing("body", row.plane, [](auto& inside, PlaneRow& plane) {
+    inside("body", plane.body);
+    inside("gravity", plane.gravity);
+    inside("geometry", plane.geometry);
+  });
+  visit.unless_missing("system", row.system,
+                       [](auto& inside, SystemRow& system) { inside("system", system); });
   visit("extent", row.extent,
         "what the anchors and the exact motion cover, the wider of width and height [m]");
   visit("path", replay.path);
@@ -141,6 +175,10 @@ void fields(Visitor& visit, Model& model) {
         "whose the cable is: as shipped, built by hand with the engine's parts, or tautline's "
         "driver");
   visit("settings", model.settings, "every setting that is not left alone");
+  visit.unless_missing(
+      "in_space", model.in_space, [](auto& inside, std::vector<Setting>& settings) {
+        inside("in_space", settings, "what is set beside that for a system in space");
+      });
 }
 
 /// An engine that could not be asked has a name alone.

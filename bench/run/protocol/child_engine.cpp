@@ -218,7 +218,9 @@ ModelEntry entry_of(const ChildModel& model, const std::string& precision,
     return model.by_events ? start_by_events(*children, the_case, model, precision, settings)
                            : start_by_steps(*children, the_case, model, settings);
   };
-  return {model.model, start, model.by_events || model.follows_speed};
+  return {.model = model.model,
+          .start = start,
+          .follows_speed = model.by_events || model.follows_speed};
 }
 
 }  // namespace

@@ -28,10 +28,11 @@ template <class TheCase>  // Case or SpatialSystem
     ImpactLaw law = ImpactLaw::simultaneous);
 
 /// The model `event` of an engine, whose `Adapter` is an EventAdapter made of a case, and whose
-/// `InSpace` is a SystemEventAdapter made of a system, if it has one.
+/// `InSpace` is a SystemEventAdapter made of a system, if it has one, with its settings.
 template <class Adapter, class InSpace = void>
 // NOLINTNEXTLINE(performance-unnecessary-value-param): clang-tidy 14 sees no move in a template
-[[nodiscard]] ModelEntry event_model(std::string sentence, std::vector<Setting> settings) {
+[[nodiscard]] ModelEntry event_model(std::string sentence, std::vector<Setting> settings,
+                                     std::vector<Setting> in_space = {}) {
   ModelEntry result = {.model = {.name = "event",
                                  .sentence = std::move(sentence),
                                  .settings = std::move(settings),
@@ -43,6 +44,7 @@ template <class Adapter, class InSpace = void>
                            },
                        .follows_speed = true};
   if constexpr (!std::is_void_v<InSpace>) {
+    result.model.in_space = std::move(in_space);
     result.start_system = [](const SpatialSystem& system, const RunSettings& run) {
       return drive_by_events(system, std::make_unique<InSpace>(system), run.law);
     };

@@ -81,7 +81,9 @@ struct Model {
   Maker maker = Maker::by_hand;            // whose its cable is
   std::vector<Parameter> parameters = {};  // that a run may set; none in most models
   std::string code = {};  // sets them in a user's program, "{name}" where a value stands
-  bool in_space = false;  // it runs systems in space, too: `Engine::start_system`
+  /// Set where it runs systems in space, too (`Engine::start_system`): what is set for them beside
+  /// `settings`.
+  std::optional<std::vector<Setting>> in_space = {};
 };
 
 /// What an engine says of itself.
@@ -187,7 +189,7 @@ class Engine {
                                                           const RunSettings& settings) const = 0;
 
   /// The same of a system in space: several bodies, cables between them and through rings, and what
-  /// is given over time. Only a model that says `in_space` has it.
+  /// is given over time. Only a model with `in_space` has it.
   [[nodiscard]] virtual std::unique_ptr<SystemSimulation> start_system(
       const SpatialSystem& /*system*/, std::string_view model,
       const RunSettings& /*settings*/) const {

@@ -32,7 +32,9 @@ struct ModelEntry {
   std::vector<Model> result;
   for (const ModelEntry& entry : entries) {
     result.push_back(entry.model);
-    result.back().in_space = entry.start_system != nullptr;
+    if (entry.start_system && !result.back().in_space) {
+      result.back().in_space.emplace();
+    }
   }
   return result;
 }

@@ -29,9 +29,8 @@ Function<3> mapped(const Function<N>& function, const Map& map) {
 }
 
 SpatialEnd from_plane(const End& end) {
-  return {end.body, from_plane(end.at), mapped(end.motion, [](const Vec2& v) {
-            return from_plane(v);
-          })};
+  return {end.body, from_plane(end.at),
+          mapped(end.motion, [](const Vec2& v) { return from_plane(v); })};
 }
 
 SpatialState from_plane(const State& state) {

@@ -134,7 +134,7 @@ class Expectation {
 };
 
 /// For each of `references`, which must outlive them.
-/// What runs of a case are held against: of a system the exact motion alone, which must outlive it.
+/// A run of a case is compared with this: in a system with the exact motion, which must outlive it.
 using AnyExpectation = std::variant<Expectation, const ReferenceSystem*>;
 using Expectations = std::deque<AnyExpectation>;
 [[nodiscard]] Expectations expectations_of(const std::vector<Reference>& references);

@@ -38,8 +38,7 @@ std::vector<std::optional<CertifiedDigits>> Certification::digits() {
   return std::move(digits_);
 }
 
-void Certification::work(const std::stop_token& stop,
-                         const std::vector<Reference>& references) {
+void Certification::work(const std::stop_token& stop, const std::vector<Reference>& references) {
   try {
     for (std::size_t place = 0;
          place < references.size() && !stop.stop_requested() && !interruption(); ++place) {

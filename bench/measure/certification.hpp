@@ -16,8 +16,8 @@ namespace tautline::bench {
 /// are left, when it goes or the program is told to stop.
 class Certification {
  public:
-  /// Begins with `references`, which must outlive it; with none of them unless `wanted`. Those of
-  /// systems stay without: `tautline solve` says it of them.
+  /// Begins with `references`, which must outlive it; with none of them unless `wanted`. Systems
+  /// stay without: `tautline solve` says it of them.
   Certification(const std::vector<Reference>& references, bool wanted);
 
   /// Waits for the last case. One entry for each; throws what went wrong.

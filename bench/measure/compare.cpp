@@ -23,7 +23,7 @@ Distance distance(const State& state, const State& exact) {
   return {(state.position - exact.position).norm(), std::abs(state.angle - exact.angle),
           (state.velocity - exact.velocity).norm()};
 }
-/// Of a system the largest of each; a point mass has no angle.
+/// In a system the largest of each counts; a point mass has no angle.
 Distance distance(const SpatialSystemState& state, const SpatialSystemState& exact) {
   Distance result;
   for (std::size_t index = 0; index < state.bodies.size(); ++index) {
@@ -106,9 +106,8 @@ double early_end(const std::vector<CountedImpact>& exact, std::size_t impacts, d
 bool keeps_energy(const Case& /*the_case*/) { return true; }
 bool keeps_energy(const SpatialSystem& system) {
   bool all_constant = true;
-  each_function(system, [&](const auto& function) {
-    all_constant = all_constant && function.is_constant();
-  });
+  each_function(
+      system, [&](const auto& function) { all_constant = all_constant && function.is_constant(); });
   return all_constant && std::all_of(system.bodies.begin(), system.bodies.end(),
                                      [](const SpatialBody& body) { return body.moment.empty(); });
 }

@@ -6,8 +6,8 @@
 #include "bench/run/record.hpp"
 #include "tautline/case.hpp"
 #include "tautline/settling.hpp"
-#include "tautline/system_settling.hpp"
 #include "tautline/solution.hpp"
+#include "tautline/system_settling.hpp"
 
 namespace tautline::bench {
 
@@ -21,12 +21,12 @@ struct CompareOptions {
 };
 
 /// Holds `run` against `solution`, both of `the_case`; `settling` of the solution, `horizon` [s]
-/// from `predictability_horizon`. Of a system what is furthest off of its bodies counts. Windows end where the exact solution says; what a run that ends
-/// earlier does not reach, it misses.
+/// from `predictability_horizon`. Of a system what is furthest off of its bodies counts. Windows
+/// end where the exact solution says; what a run that ends earlier does not reach, it misses.
 [[nodiscard]] Metrics compare(const Case& the_case, const Solution& solution,
                               const Settling& settling, double horizon, const Trajectory& run,
                               const CompareOptions& options = {});
-/// Of a system.
+/// A system is compared likewise.
 [[nodiscard]] Metrics compare(const SpatialSystem& system,
                               const BasicSolution<SpatialSystem>& solution,
                               const SystemSettling& settling, double horizon,

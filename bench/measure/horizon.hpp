@@ -15,8 +15,8 @@ namespace tautline::bench {
                                             ImpactLaw law = ImpactLaw::simultaneous,
                                             double local_error = 1e-12, double visible = 1e-3);
 
-/// Of a system: the first of some instants, evenly spread, at which a body of a motion that starts
-/// `local_error` [m/s] faster is `visible` [m] away. Three such starts are followed.
+/// In a system it is the first of some instants, evenly spread, at which a body of a motion that
+/// starts `local_error` [m/s] faster is `visible` [m] away. Three such starts are followed.
 [[nodiscard]] double predictability_horizon(const SpatialSystem& system,
                                             const BasicSolution<SpatialSystem>& solution,
                                             ImpactLaw law = ImpactLaw::simultaneous,

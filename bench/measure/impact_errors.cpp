@@ -67,8 +67,9 @@ void worsen(std::optional<double>& worst, double error) {
 
 template <class TheCase>
 ImpactErrors impact_errors(const TheCase& the_case, const BasicSolution<TheCase>& solution,
-                           const BasicTrajectory<TheCase>& run, double count_speed, const std::vector<CountedImpact>& exact,
-                           const ImpactPairs& pairs, double end) {
+                           const BasicTrajectory<TheCase>& run, double count_speed,
+                           const std::vector<CountedImpact>& exact, const ImpactPairs& pairs,
+                           double end) {
   const auto wanted = effects(the_case, solution, count_speed);
   const auto found = effects(the_case, run, count_speed);
   ImpactErrors errors;

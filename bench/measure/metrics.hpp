@@ -71,8 +71,8 @@ struct Metrics {
   std::size_t long_impacts = 0;     // counted impacts, up to the exact lock, of several steps
   std::optional<SwingMatch> swing;  // none without an exact swing, or a period of it in the run
   double overstretch = 0.0;         // [m], largest
-  double energy_gain = 0.0;  // [J], largest rise above the start; no number where the case drives
-  double energy_error = 0.0;        // [J], against exact at the end of Window::whole
+  double energy_gain = 0.0;   // [J], largest rise above the start; no number where the case drives
+  double energy_error = 0.0;  // [J], against exact at the end of Window::whole
   std::optional<MeasuredRestitution> restitution;  // none if no impact was counted
   std::optional<double> impulse_error;             // [%] of the exact impulse, at worst
   std::optional<double> energy_loss_error;         // [J] of one impact, at worst

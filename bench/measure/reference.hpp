@@ -28,7 +28,7 @@ using ReferenceSystem = BasicReference<SpatialSystem, SystemSettling>;
 
 /// The exact side of a case.
 [[nodiscard]] ReferenceCase solve_case(const Case& the_case, ImpactLaw law);
-/// Of a system. Throws std::invalid_argument where its impacts have no such law.
+/// A system has one, too. Throws std::invalid_argument where its impacts have no such law.
 [[nodiscard]] ReferenceSystem solve_case(const SpatialSystem& system, ImpactLaw law);
 
 /// The exact side of every case.

@@ -14,7 +14,7 @@
     }
   }
 
-  const asked = new Map(report.cases.map((row) => [row.name, row.geometry[0].restitution]));
+  const asked = new Map(report.cases.map((row) => [row.name, row.geometry?.[0].restitution]));
   for (const run of report.runs) {
     run.status ??= 'finished'; // which nearly all are
     if (run.e) {
@@ -56,7 +56,10 @@
   }
 
   /// A case in units of its own: its gravity is exactly one.
-  const nondimensional = (row) => row.gravity && row.gravity[0] ** 2 + row.gravity[1] ** 2 === 1;
+  const nondimensional = (row) => {
+    const gravity = row.gravity ?? row.system?.gravity;
+    return gravity && gravity.reduce((sum, part) => sum + part ** 2, 0) === 1;
+  };
   const ownUnits = report.cases.length > 0 && report.cases.every(nondimensional);
   const physical = '(?:N m s|N s|rad/s|m/s|s/s|J|m|s)';
   const afterNumber = new RegExp(`(\\d|%\\{[^}]*\\}|none) ${physical}(?![\\w/²])`, 'g');

@@ -94,9 +94,9 @@ std::vector<BenchCase> bench_cases(CaseSelection selection, ImpactLaw law,
   for (std::size_t index = first; index < result.size(); ++index) {
     const auto& system = std::get<SpatialSystem>(result[index]);
     if (law == ImpactLaw::energetic && system.cables.size() > 3) {
-      problems.push_back(fmt::format(
-          "--law energetic: {} has {} cables; of a system this law takes 3 at most",
-          printable(system.name), system.cables.size()));
+      problems.push_back(
+          fmt::format("--law energetic: {} has {} cables; of a system this law takes 3 at most",
+                      printable(system.name), system.cables.size()));
     }
   }
   return result;

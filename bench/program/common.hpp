@@ -22,8 +22,8 @@ inline constexpr int exit_done = 0;
 inline constexpr int exit_failed = 1;  // a run failed or diverged, or a result could not be written
 inline constexpr int exit_usage = 2;   // wrong usage or input
 
-/// What engines run of a selection: a system in the plane runs in the plane z = 0 of space. Adds a
-/// sentence for each that `law` cannot solve.
+/// The cases that engines run of a selection: a system in the plane runs in the plane z = 0 of
+/// space. Adds a sentence for each that `law` cannot solve.
 [[nodiscard]] std::vector<BenchCase> bench_cases(CaseSelection selection, ImpactLaw law,
                                                  std::vector<std::string>& problems);
 

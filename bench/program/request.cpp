@@ -46,8 +46,9 @@ const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& pro
 /// The cases that are meant, none of them longer than --until says.
 std::vector<BenchCase> cases_of(const BenchCommand& command, const Suite* suite,
                                 std::vector<std::string>& problems) {
-  CaseSelection selection = select_cases(suite != nullptr ? cases_of(*suite) : command.cases, {},
-                                         Kinds::cases_and_systems);
+  CaseSelection selection = select_cases(
+      suite != nullptr ? cases_of(*suite) : command.cases, {},
+      suite == nullptr || suite->systems ? Kinds::cases_and_systems : Kinds::cases_alone);
   append(problems, selection.problems);
   complain(selection.notes);
   std::vector<BenchCase> cases = bench_cases(std::move(selection), command.law, problems);
@@ -265,7 +266,7 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
   command.add_option("CASES", asked.cases, std::string(case_help) + ". Without: --suite quick");
   command
       .add_option("--suite", asked.suite,
-                  "a selection of shipped cases: quick, chapter or all; see below")
+                  "a selection of shipped cases: quick, chapter, all, space or systems; see below")
       ->option_text("SUITE");
   command
       .add_option("--engines,--engine", asked.engines,

@@ -165,8 +165,8 @@ void add_runs(CLI::App& command, BenchCommand& runs) {
       ->delimiter(',');
   command
       .add_option("--suite", runs.suite,
-                  "a selection of shipped cases: quick, chapter or all; see `tautline help "
-                  "bench`")
+                  "a selection of shipped cases: quick, chapter, all, space or systems; see "
+                  "`tautline help bench`")
       ->option_text("SUITE");
   command.add_option("--models", runs.models, "only these models: row,event (default: all)")
       ->option_text("MODELS")

@@ -164,7 +164,7 @@ struct Predictable {
   std::size_t readable = 0;  // impacts of the exact motion that a run of this step can be read by
 };
 
-/// What a page needs to draw a case in the plane at rest.
+/// A case in the plane as a page draws it at rest.
 struct PlaneRow {
   Body body;
   Vec2 gravity = Vec2::Zero();  // [m/s^2]
@@ -188,7 +188,7 @@ struct SystemBodyRow {
   double mass = 0.0;            // [kg]
   std::vector<double> inertia;  // [kg m^2], three principal moments; 0: a point mass
 };
-/// What is said of a system in space.
+/// A system in space as a report shows it.
 struct SystemRow {
   std::vector<SystemBodyRow> bodies;
   std::vector<double> gravity;  // x, y, z [m/s^2], at the start
@@ -208,8 +208,8 @@ struct CaseRow {
   double start_energy = 0.0;        // [J]
   double end_energy = 0.0;          // [J]
   Settling settling;
-  std::optional<PlaneRow> plane;    // one of the two
-  std::optional<SystemRow> system;  //
+  std::optional<PlaneRow> plane;         // one of the two
+  std::optional<SystemRow> system;       //
   double extent = 0.0;                   // [m], what the anchors and the exact motion cover
   std::optional<Eigen::Vector3d> start;  // x, y [m] and angle [rad]; in JSON that of its path
   std::string live;                      // its address in the live page, not in JSON
@@ -395,7 +395,7 @@ struct Report {
   std::size_t planned_runs = 0;
   ReportOptions options;
   std::vector<EngineRow> engines;
-  /// Of each engine the models that run no system; not in JSON.
+  /// The models of each engine that run no system; not in JSON.
   std::vector<std::string> in_the_plane_alone;
   std::vector<CaseRow> cases;
   std::vector<SummaryRow> summary;

@@ -34,9 +34,16 @@ constexpr std::array makers_in_order = {Maker::engine, Maker::by_hand, Maker::ta
 std::map<std::string, double> shortest_cables(const Report& report) {
   std::map<std::string, double> result;
   for (const CaseRow& the_case : report.cases) {
+    const auto note = [&](double length) {
+      const auto [place, added] = result.try_emplace(the_case.name, length);
+      place->second = std::min(place->second, length);
+    };
     for (const CableRow& cable : the_case.geometry()) {
-      const auto [place, added] = result.try_emplace(the_case.name, cable.length);
-      place->second = std::min(place->second, cable.length);
+      note(cable.length);
+    }
+    for (const SystemCableRow& cable :
+         the_case.system ? the_case.system->cables : std::vector<SystemCableRow>()) {
+      note(cable.length);
     }
   }
   return result;
@@ -179,7 +186,26 @@ bool graver(const ModelCard& one, const ModelCard& two) {
 }
 
 /// "Use row at 0.001 s: 0.61 % of a cable off, 0.4 ms of processor time a second."
+/// The setup of a card that is off least.
+std::string nearest_sentence(const Scorecard& card) {
+  const Setup* nearest = nullptr;
+  for (const ModelCard& model : card.models) {
+    for (const Setup& setup : model.setups) {
+      if (setup.off && (nearest == nullptr || *setup.off < *nearest->off)) {
+        nearest = &setup;
+      }
+    }
+  }
+  return nearest == nullptr
+             ? "No run of them can be compared."
+             : fmt::format("Nearest is {} at {:g} s: {} of a cable off at first.",
+                           printable(nearest->model), nearest->step, percent_text(*nearest->off));
+}
+
 std::string use_sentence(const Scorecard& card) {
+  if (!card.use && card.of_systems) {
+    return nearest_sentence(card);
+  }
   if (!card.use) {
     const bool kept = std::any_of(card.models.begin(), card.models.end(),
                                   [](const ModelCard& model) { return model.may_be_used(); });
@@ -361,6 +387,9 @@ Scorecard scorecard(const Report& report, const std::string& engine) {
     card.verdicts.add(model.verdicts);
   }
   card.use = chosen(card.models);
+  card.of_systems =
+      std::all_of(report.cases.begin(), report.cases.end(),
+                  [](const CaseRow& the_case) { return the_case.system.has_value(); });
   return card;
 }
 
@@ -418,6 +447,8 @@ EngineWords words_of(const Scorecard& card) {
   if (kept == done && kept > 0) {
     out.word = out.word == Word::too_few ? Word::sound : out.word;
     out.fault = fmt::format("No problem found in {}.", counted(kept, "model"));
+  } else if (done > 0 && card.of_systems) {
+    out.fault = fmt::format("{} compared, not judged.", counted(done, "model"));
   } else if (done > 0) {
     out.fault =
         fmt::format("Too few impacts to judge {} of {}.", done - kept, counted(done, "model"));

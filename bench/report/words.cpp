@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "bench/base/html.hpp"
@@ -218,10 +218,10 @@ std::string systems_sentence(const Report& report) {
   }
   const auto& left_out = report.in_the_plane_alone;
   return words::systems +
-         (left_out.empty() ? ""
-                           : " Models that run one body in the plane alone are left out: " +
-                                 printable(fmt::format("{}", fmt::join(left_out, "; ")), 1024) +
-                                 ".");
+         (left_out.empty()
+              ? ""
+              : " Models that run one body in the plane alone are left out: " +
+                    printable(fmt::format("{}", fmt::join(left_out, "; ")), 1024) + ".");
 }
 
 std::vector<Fact> context_facts(const Report& report) {

@@ -42,7 +42,7 @@ void take_flights(const Case& the_case, std::size_t count, double dt) {
   [[maybe_unused]] const volatile double keep = sum;  // the loop must not be optimised away
 }
 
-/// Of a system each body's flight, without its turn.
+/// The bodies of a system fly without a turn.
 void take_flights(const SpatialSystem& system, std::size_t count, double dt) {
   double sum = 0.0;
   SpatialSystemState state = system.initial;

@@ -29,7 +29,7 @@ double likely_impulse(const Case& the_case) {
 
 double length_at_start(const SpatialCable& cable) { return cable.length.at(0.0)[0]; }
 
-/// Of the lightest body of a system.
+/// In a system the lightest body counts.
 double likely_impulse(const SpatialSystem& system) {
   double longest = 0.0;
   for (const SpatialCable& cable : system.cables) {
@@ -205,15 +205,15 @@ Eigen::Vector3d ImpactDetector<TheCase>::unexplained(
   if constexpr (TheCase::has_several_bodies) {
     return Eigen::Vector3d::Zero();
   } else {
-  Eigen::Vector3d result;
-  result << case_.body.mass * (after.velocity - before.velocity - dt * case_.gravity),
-      case_.body.inertia * (after.spin - before.spin);
-  for (std::size_t index = 0; index < impulses.size(); ++index) {
-    if (impulses[index] > 0.0) {
-      result -= impulses[index] * gap_gradient(case_.cables[index], before);
+    Eigen::Vector3d result;
+    result << case_.body.mass * (after.velocity - before.velocity - dt * case_.gravity),
+        case_.body.inertia * (after.spin - before.spin);
+    for (std::size_t index = 0; index < impulses.size(); ++index) {
+      if (impulses[index] > 0.0) {
+        result -= impulses[index] * gap_gradient(case_.cables[index], before);
+      }
     }
-  }
-  return result;
+    return result;
   }
 }
 

@@ -19,10 +19,10 @@ struct RecordOptions {
   double slowest = 1e-3;
 };
 
-/// Steps `simulation` of `the_case`, a `Case` or a `SpatialSystem`, to the case's duration and records it. The one impact detector
-/// for all engines is in here: a simulation that locates its impacts is believed; else a run of
-/// consecutive steps with an impulse of one cable is one impact of that cable. A simulation that
-/// tells of its tensions (`TensionImpulses`) has them recorded.
+/// Steps `simulation` of `the_case`, a `Case` or a `SpatialSystem`, to the case's duration and
+/// records it. The one impact detector for all engines is in here: a simulation that locates its
+/// impacts is believed; else a run of consecutive steps with an impulse of one cable is one impact
+/// of that cable. A simulation that tells of its tensions (`TensionImpulses`) has them recorded.
 /// Throws std::runtime_error if the simulation says what makes no sense: too few impulses, an event
 /// of a cable that is not there, a time outside the run.
 template <class TheCase>

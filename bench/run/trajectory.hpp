@@ -10,7 +10,7 @@
 
 namespace tautline::bench {
 
-// Of a run of a `Case`, or of a `SpatialSystem`.
+// A run is one of a `Case` or of a `SpatialSystem`.
 
 /// One recorded instant of a run.
 template <class TheCase>

@@ -80,9 +80,8 @@ struct StrikesAnswer {
 };
 
 /// One for each task, and a failure of any.
-using WorkerAnswer =
-    std::variant<Failure, EngineInfo, RunAnswer, CheckAnswer, DigestAnswer, StrikesAnswer,
-                 SystemRunAnswer>;
+using WorkerAnswer = std::variant<Failure, EngineInfo, RunAnswer, CheckAnswer, DigestAnswer,
+                                  StrikesAnswer, SystemRunAnswer>;
 
 [[nodiscard]] std::string to_bytes(const WorkerRequest& request);
 [[nodiscard]] std::string to_bytes(const WorkerAnswer& answer);

@@ -70,10 +70,10 @@ struct RunRequest {
 struct RunReply {
   std::optional<Trajectory> trajectory;      // of a case
   std::optional<SystemTrajectory> in_space;  // of a system
-  Cost cost;                 // where it was asked for
-  std::string failure;       // such as "crashed: SIGSEGV" or "timed out after 60 s"
-  std::string output_tail;   // the last of what the engine printed
-  std::size_t printed = 0;   // [bytes], all it printed
+  Cost cost;                                 // where it was asked for
+  std::string failure;                       // such as "crashed: SIGSEGV" or "timed out after 60 s"
+  std::string output_tail;                   // the last of what the engine printed
+  std::size_t printed = 0;                   // [bytes], all it printed
   bool interrupted = false;  // the program was told to stop; nothing is known of this run
 };
 

@@ -52,9 +52,8 @@ BasicRunAnswer<TheCase> run_of(const TheCase& the_case, const WorkerRequest& req
 }
 
 WorkerAnswer do_run(const WorkerRequest& request, const Plugin& plugin) {
-  return std::visit(
-      [&](const auto& one) { return WorkerAnswer(run_of(one, request, plugin)); },
-      bench_case_from(request.case_text, "request"));
+  return std::visit([&](const auto& one) { return WorkerAnswer(run_of(one, request, plugin)); },
+                    bench_case_from(request.case_text, "request"));
 }
 
 /// Says before each claim which one it is: the program reads that should this process die of it.

@@ -9,9 +9,9 @@
 #include <thread>
 #include <utility>
 
-#include "bench/base/listed.hpp"
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/input_file.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/report/json/fields.hpp"
 #include "bench/store/run_files.hpp"

@@ -13,8 +13,8 @@
 namespace tautline::bench {
 
 RunKey key_of(const SuiteOptions& options, const PlannedRun& run) {
-  return {name_of(options.cases[run.the_case]), options.engines[run.engine].info->name, run.model.name,
-          run.step};
+  return {name_of(options.cases[run.the_case]), options.engines[run.engine].info->name,
+          run.model.name, run.step};
 }
 
 bool runs(const Model& model, const BenchCase& any) {
@@ -29,11 +29,10 @@ std::vector<PlannedRun> plan(const SuiteOptions& options) {
         continue;
       }
       for (const Model& model : options.engines[engine].info->models) {
-        const bool named =
-            std::find(options.models.begin(), options.models.end(), model.name) !=
-            options.models.end();
-        const bool chosen = named || (options.models.empty() &&
-                                      runs(model, options.cases[the_case]));
+        const bool named = std::find(options.models.begin(), options.models.end(), model.name) !=
+                           options.models.end();
+        const bool chosen =
+            named || (options.models.empty() && runs(model, options.cases[the_case]));
         for (const double step : options.steps) {
           if (chosen) {
             planned.push_back({the_case, engine, model, step});

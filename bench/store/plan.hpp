@@ -58,7 +58,7 @@ struct PlannedRun {
 [[nodiscard]] bool runs(const Model& model, const BenchCase& any);
 
 /// Every run, in the order in which the report lists them. A model that cannot run systems is left
-/// out of those of a system unless it is named.
+/// out where the case is a system, unless it is named.
 [[nodiscard]] std::vector<PlannedRun> plan(const SuiteOptions& options);
 
 /// What the runs of a suite left.

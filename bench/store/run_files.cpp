@@ -26,28 +26,59 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string state_columns(const State& state) {
+template <class BodyState>
+std::string state_columns(const BodyState& state) {
   std::string columns;
   for (const auto& one : coordinates(state)) {
     columns += fmt::format("{},", one.value);
   }
   return columns;
 }
+std::string state_columns(const SpatialSystemState& state) {
+  std::string columns;
+  for (const SpatialState& body : state.bodies) {
+    columns += state_columns(body);
+  }
+  return columns;
+}
+
+std::string state_names(const Case& the_case) {
+  std::string names;
+  for (const auto& one : coordinates(the_case.initial)) {
+    names += fmt::format("{},", one.name);
+  }
+  return names;
+}
+std::string state_names(const SpatialSystem& system) {
+  std::string names;
+  for (std::size_t index = 0; index < system.bodies.size(); ++index) {
+    std::string body = system.bodies[index].name;
+    if (body.empty() && system.bodies.size() > 1) {
+      body = fmt::format("body_{}", index);
+    }
+    for (const auto& one : coordinates(system.initial.bodies[index])) {
+      names += fmt::format("{}{}{},", body, body.empty() ? "" : "_", one.name);
+    }
+  }
+  return names;
+}
 
 /// One side of an impact.
+template <class TheCase>
 struct ImpactLine {
-  double time;         // [s]
-  const State* state;  // not null
+  double time;                    // [s]
+  const StateOf<TheCase>* state;  // not null
   const char* side;
 };
 
 /// The state before and after the impacts of each instant, in rising time. Cables that act at one
 /// instant share one pair: the state before the first and after the last. A push over several steps
 /// ends after it began.
-std::vector<ImpactLine> impact_lines(const Trajectory& run) {
-  std::vector<ImpactLine> before;
-  std::vector<ImpactLine> after;
-  for (const RecordedImpact& impact : run.impacts) {
+template <class TheCase>
+std::vector<ImpactLine<TheCase>> impact_lines(const BasicTrajectory<TheCase>& run) {
+  std::vector<ImpactLine<TheCase>> before;
+  std::vector<ImpactLine<TheCase>> after;
+  for (const BasicRecordedImpact<TheCase>& impact : run.impacts) {
     before.push_back({impact.time, &impact.before, "before"});
     after.push_back({impact.ended, &impact.after, "after"});
   }
@@ -57,10 +88,21 @@ std::vector<ImpactLine> impact_lines(const Trajectory& run) {
   std::stable_sort(after.begin(), after.end(), earlier);
   before.erase(std::unique(before.begin(), before.end(), one_instant), before.end());
   after.erase(after.begin(), std::unique(after.rbegin(), after.rend(), one_instant).base());
-  std::vector<ImpactLine> lines;
+  std::vector<ImpactLine<TheCase>> lines;
   std::merge(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(lines),
              earlier);
   return lines;
+}
+
+/// Adds the rows of the impacts from `impact` on up to `time` [s]; the next one.
+template <class Iterator>
+Iterator add_impacts(std::string& csv, Iterator impact, Iterator end, double time,
+                     const std::string& no_tensions) {
+  for (; impact != end && impact->time <= time; ++impact) {
+    csv += fmt::format("{},{}{}{}\n", impact->time, state_columns(*impact->state), impact->side,
+                       no_tensions);
+  }
+  return impact;
 }
 
 std::string file_content(const fs::path& path) {
@@ -119,13 +161,11 @@ fs::path run_folder(const fs::path& out, const RunKey& run) {
          folder_name(run.model) / fmt::format("{}", run.step);
 }
 
-std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
+template <class TheCase>
+std::string trajectory_csv(const TheCase& the_case, const BasicTrajectory<TheCase>& run,
+                           std::size_t samples) {
   const std::size_t cables = run.tensions.size() / run.points.size();
-  std::string csv = "time,";
-  for (const auto& one : coordinates(run.points.front().state)) {
-    csv += fmt::format("{},", one.name);
-  }
-  csv += "event";
+  std::string csv = "time," + state_names(the_case) + "event";
   for (std::size_t cable = 0; cable < cables; ++cable) {
     csv += fmt::format(",tension_{}", cable);
   }
@@ -133,18 +173,12 @@ std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
   const std::string no_tensions(cables, ',');
   const std::size_t stride =
       std::max<std::size_t>(1, run.points.size() / std::max<std::size_t>(1, samples));
-  const std::vector<ImpactLine> impacts = impact_lines(run);
+  const std::vector<ImpactLine<TheCase>> impacts = impact_lines(run);
   auto impact = impacts.begin();
-  const auto impacts_until = [&](double time) {
-    for (; impact != impacts.end() && impact->time <= time; ++impact) {
-      csv += fmt::format("{},{}{}{}\n", impact->time, state_columns(*impact->state), impact->side,
-                         no_tensions);
-    }
-  };
   for (std::size_t index = 0; index < run.points.size(); ++index) {
     const auto& [time, state] = run.points[index];
     if (index % stride == 0 || index + 1 == run.points.size()) {
-      impacts_until(time);
+      impact = add_impacts(csv, impact, impacts.end(), time, no_tensions);
       csv += fmt::format("{},{}", time, state_columns(state));
       for (std::size_t cable = 0; cable < cables; ++cable) {
         const double tension = run.tensions[index * cables + cable];
@@ -153,19 +187,25 @@ std::string trajectory_csv(const Trajectory& run, std::size_t samples) {
       csv += '\n';
     }
   }
-  impacts_until(std::numeric_limits<double>::infinity());
+  add_impacts(csv, impact, impacts.end(), std::numeric_limits<double>::infinity(), no_tensions);
   return csv;
 }
 
-std::string events_csv(const Trajectory& run) {
+template <class TheCase>
+std::string events_csv(const BasicTrajectory<TheCase>& run) {
   std::string csv = "time,cable,impulse,rate_before,rate_after,restitution,steps\n";
-  for (const RecordedImpact& impact : run.impacts) {
+  for (const BasicRecordedImpact<TheCase>& impact : run.impacts) {
     csv += fmt::format("{},{},{},{},{},{},{}\n", impact.time, impact.cable, impact.impulse,
                        impact.rate_before, impact.rate_after,
                        -impact.rate_after / impact.rate_before, impact.steps);
   }
   return csv;
 }
+
+template std::string trajectory_csv(const Case&, const Trajectory&, std::size_t);
+template std::string trajectory_csv(const SpatialSystem&, const SystemTrajectory&, std::size_t);
+template std::string events_csv(const Trajectory&);
+template std::string events_csv(const SystemTrajectory&);
 
 std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
   const RegisteredEngine& engine = options.engines[run.engine];
@@ -179,9 +219,15 @@ std::string fingerprint(const SuiteOptions& options, const PlannedRun& run) {
 
 void write_run(const fs::path& folder, const SuiteOptions& options, const PlannedRun& run,
                const RunReply& reply, const RunRecord& record) {
+  const auto write_motion = [&]<class TheCase>(const BasicTrajectory<TheCase>& motion) {
+    const auto& the_case = std::get<TheCase>(options.cases[run.the_case]);
+    write_file(folder / "trajectory.csv", trajectory_csv(the_case, motion, options.samples));
+    write_file(folder / "events.csv", events_csv(motion));
+  };
   if (reply.trajectory) {
-    write_file(folder / "trajectory.csv", trajectory_csv(*reply.trajectory, options.samples));
-    write_file(folder / "events.csv", events_csv(*reply.trajectory));
+    write_motion(*reply.trajectory);
+  } else if (reply.in_space) {
+    write_motion(*reply.in_space);
   }
   if (reply.printed > 0) {
     write_file(

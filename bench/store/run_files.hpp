@@ -18,10 +18,14 @@ namespace tautline::bench {
 /// Time, state and event of a run as CSV; an impact is two rows, before and after: at one time, but
 /// where a push lasts several steps. Where the engine tells of them, the mean tension [N] of each
 /// cable since the point before: a row of an impact has none.
-[[nodiscard]] std::string trajectory_csv(const Trajectory& run, std::size_t samples);
+/// A system's columns begin with the names of its bodies, unless it has one without a name.
+template <class TheCase>
+[[nodiscard]] std::string trajectory_csv(const TheCase& the_case,
+                                         const BasicTrajectory<TheCase>& run, std::size_t samples);
 
 /// The impacts of a run as CSV.
-[[nodiscard]] std::string events_csv(const Trajectory& run);
+template <class TheCase>
+[[nodiscard]] std::string events_csv(const BasicTrajectory<TheCase>& run);
 
 /// Of the program itself: what it compares, and how, may change without its version.
 [[nodiscard]] std::uint64_t program_hash();

@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "bench/base/listed.hpp"
 #include "bench/base/atomic_file.hpp"
+#include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/store/run_files.hpp"
 #include "bench/store/shard.hpp"

@@ -29,9 +29,9 @@ double step_of_draws(const std::vector<double>& steps) {
 EnsembleRequest request_of(const SuiteOptions& options) {
   EnsembleRequest request;
   EnsembleSpec& spec = request.spec;
-  spec.the_case =
-      std::get<Case>(*std::find_if(options.cases.begin(), options.cases.end(),
-                                   [](const BenchCase& one) { return name_of(one) == drawn_case; }));
+  spec.the_case = std::get<Case>(
+      *std::find_if(options.cases.begin(), options.cases.end(),
+                    [](const BenchCase& one) { return name_of(one) == drawn_case; }));
   spec.count = options.draws;
   spec.law = options.law;
   for (const char* quantity : {"x", "y", "angle", "velocity_x", "velocity_y", "spin"}) {

@@ -36,11 +36,11 @@ void judge_models(const std::vector<RunRecord>& runs, Report& report) {
   std::move(others.begin(), others.end(), std::back_inserter(report.findings));
 }
 
-/// What models do with systems is told where there is one.
+/// Tells what models do with systems, where there is one.
 void tell_of_systems(const SuiteOptions& options, Report& report) {
-  const bool any = std::any_of(
-      options.cases.begin(), options.cases.end(),
-      [](const BenchCase& one) { return std::holds_alternative<SpatialSystem>(one); });
+  const bool any =
+      std::any_of(options.cases.begin(), options.cases.end(),
+                  [](const BenchCase& one) { return std::holds_alternative<SpatialSystem>(one); });
   for (EngineRow& engine : report.engines) {
     if (!engine.info) {
       continue;

@@ -83,9 +83,9 @@ std::pair<Status, std::string> status(const TheReference& reference, const RunRe
   }
   const TheTrajectory& run = *trajectory;
   if (run.diverged) {
-    return {Status::diverged, fmt::format("{} left every reasonable range after t = {:.6g}",
-                                          reply.in_space ? "a body" : "the body",
-                                          run.points.back().time)};
+    return {Status::diverged,
+            fmt::format("{} left every reasonable range after t = {:.6g}",
+                        reply.in_space ? "a body" : "the body", run.points.back().time)};
   }
   if (run.stop) {
     const bool early = !reaches(run, std::min(reference.horizon, first_taut(reference.solution)));
@@ -135,7 +135,7 @@ void measure(const Expectation& expectation, const EngineInfo& engine, const Tra
   row.judgement = judge(expectation, run, record.audit->impacts, engine.precision);
 }
 
-/// Of a system.
+/// A system has measures alone.
 void measure(const ReferenceSystem& reference, const SystemTrajectory& run,
              const CompareOptions& options, RunRow& row) {
   const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
@@ -184,7 +184,7 @@ RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine, c
 
 namespace {
 
-/// What a row says of a case of either kind.
+/// The row of a case of either kind.
 CaseRow row_of(const auto& reference, double count_speed) {
   const auto& [the_case, solution, settling, horizon, law] = reference;
   CaseRow row;

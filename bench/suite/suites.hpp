@@ -21,6 +21,7 @@ struct Suite {
   std::vector<double> steps;  // [s]
   std::vector<SuiteCases> entries;
   std::size_t draws = 0;  // of the standard case, unasked: see `compare_draws`
+  bool systems = false;   // of systems, which a pattern does not mean
 };
 
 /// The suites that `tautline bench` has, the one that it runs unasked first.

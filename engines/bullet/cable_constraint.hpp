@@ -14,11 +14,11 @@ namespace tautline::bullet {
 /// gives the gap at least a wanted rate. Bullet adds no position correction of its own to it.
 class CableConstraint final : public btTypedConstraint {
  public:
-  /// Of a body and the world, or of two bodies.
+  /// It joins a body and the world, or two bodies.
   explicit CableConstraint(btRigidBody& body);
   CableConstraint(btRigidBody& a, btRigidBody& b);
 
-  /// What a pull of 1 N does to a body.
+  /// A pull of 1 N does this to a body.
   struct Effect {
     btVector3 force{0, 0, 0};   // [-]
     btVector3 moment{0, 0, 0};  // [m], about its centre, in world axes
@@ -67,7 +67,7 @@ class CableConstraints {
   std::vector<CableConstraint*> rows_;
 };
 
-/// The same of a system. Bullet's constraints join two bodies at most.
+/// Rows of a system. Bullet's constraints join two bodies at most.
 class SystemCableConstraints : public CableConstraints {
  public:
   /// Throws std::invalid_argument where a cable pulls at more than two bodies.

@@ -28,8 +28,8 @@ constexpr double solve_rounding = 4.0 * std::numeric_limits<btScalar>::epsilon()
 /// Bullet turns a body by no more than pi/4 in a step (ANGULAR_MOTION_THRESHOLD) [rad].
 constexpr double largest_turn = 0.7;
 
-/// The impulses of one solve of `rows` for `rates`, without moving. `speed` [m/s] is that of the
-/// case where the bodies are: a body at rest has no speed to measure by.
+/// The impulses of one solve of `rows` for `rates`, without moving. `speed` [m/s] is the
+/// speed of the bodies; a body at rest has none to measure by.
 template <class Rows, class TheWorld, class TheCase>
 CableVector solve_here(Rows& rows, TheWorld& world, std::vector<btCollisionObject*> bodies,
                        const TheCase& the_case, CableSet cables, const CableVector& rates,
@@ -87,7 +87,7 @@ class BulletEventAdapter final : public EventAdapter {
   CableConstraints rows_;
 };
 
-/// The same of a system.
+/// The event driver over a system.
 class BulletSystemAdapter final : public SystemEventAdapter {
  public:
   explicit BulletSystemAdapter(const SpatialSystem& system)
@@ -115,7 +115,7 @@ class BulletSystemAdapter final : public SystemEventAdapter {
     double fastest = 0.0;  // [m/s]
     for (btRigidBody* const body : world_.bodies()) {
       body->clearForces();
-      body->setFlags(0);  // time stands still: no turn brings a gyroscopic impulse
+      body->setFlags(0);  // no time passes: no turn brings a gyroscopic impulse
       bodies.push_back(body);
       fastest = std::max(fastest, static_cast<double>(body->getLinearVelocity().length()));
     }

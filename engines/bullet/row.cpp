@@ -16,7 +16,7 @@ namespace {
 /// differs by 3e-7, with 50 by 1e-14.
 constexpr int row_iterations = 50;
 
-/// The same of a system.
+/// Rows of a system.
 class SystemRowWorld {
  public:
   explicit SystemRowWorld(const SpatialSystem& system)

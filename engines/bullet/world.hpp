@@ -59,7 +59,7 @@ class BareWorld {
   [[nodiscard]] btDispatcher& dispatcher() { return dispatcher_; }
 
  protected:
-  /// A body with these moments about its axes [kg m^2], of which 0 means infinite to Bullet. It
+  /// A body with these moments about its axes [kg m^2]; 0 means infinite to Bullet. It
   /// touches nothing, and gravity is to be set before.
   btRigidBody& add_body(double mass, const btVector3& moments);
 
@@ -120,7 +120,7 @@ class SystemWorld : public BareWorld {
   /// One step of `dt` [s] under what is given to act.
   void advance(double dt);
 
-  /// The same without cables, such that a body flies the exact parabola: half of what gravity and
+  /// A step without cables in which a body flies the exact parabola: half of what gravity and
   /// loads give is taken away before the step and given back after it.
   void fly(double dt);
 
@@ -138,7 +138,7 @@ class SystemWorld : public BareWorld {
 /// The settings every model needs: those of `World`.
 [[nodiscard]] std::vector<Setting> world_settings(Sleep sleep = Sleep::never);
 
-/// What a model that runs systems says of that.
+/// Settings of models that run systems.
 [[nodiscard]] std::vector<Setting> system_settings();
 
 }  // namespace tautline::bullet

@@ -24,7 +24,7 @@ constexpr double time_rounding = 1e-12;
 /// What a run tells of the impacts in a step.
 enum class Report { events, impulses_only };
 
-/// Of a `Case`, or of a `SpatialSystem`.
+/// TheCase is Case or SpatialSystem.
 template <class TheCase>
 class ExactSimulation final : public BasicSimulation<TheCase>, public TensionImpulses {
  public:

@@ -22,7 +22,7 @@ constexpr double softness = 3e-15;
 /// that ask for so much more are not [-], of the speed of the body.
 constexpr std::array nudges = {1e-14, 1e-13, 1e-12};
 
-/// Of a `Case`, or of a `SpatialSystem`.
+/// TheCase is Case or SpatialSystem.
 template <class TheCase, class TheWorld>
 class OdeAdapter final : public BasicEventAdapter<TheCase> {
  public:

@@ -38,7 +38,7 @@ constexpr Choice early{Activation::crossing, Rotation::finite, 0.0, 0.0, Push::b
 constexpr Choice contact{Activation::overstretched, Rotation::infinitesimal, 0.1, {}, Push::by_ode};
 constexpr Choice tuned{Activation::overstretched, Rotation::finite, 0.0, 0.0, Push::by_ode_slowly};
 
-/// Of a `Case`, or of a `SpatialSystem`.
+/// TheCase is Case or SpatialSystem.
 template <class TheCase, class TheWorld>
 class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
@@ -141,8 +141,7 @@ ModelEntry entry(std::string name, std::string sentence, const std::vector<Setti
                  const Choice& choice, Maker maker = Maker::by_hand) {
   return {.model = {.name = std::move(name),
                     .sentence = std::move(sentence),
-                    .settings = joined(
-                        {world_settings(), surface_settings(choice), own}),
+                    .settings = joined({world_settings(), surface_settings(choice), own}),
                     .maker = maker,
                     .in_space = system_settings()},
           .start = makes<FixedStepSimulation<Case, World>>(choice),

@@ -140,7 +140,7 @@ void BareWorld::solve_here() {
   for (std::size_t index = 0; index < bodies_.size(); ++index) {
     dBodyCopyPosition(bodies_[index], poses[index].position);
     dBodyCopyQuaternion(bodies_[index], poses[index].quaternion);
-    dBodySetGyroscopicMode(bodies_[index], 0);  // time stands still
+    dBodySetGyroscopicMode(bodies_[index], 0);  // no time passes
   }
   dVector3 gravity;
   dWorldGetGravity(world_, gravity);

@@ -90,7 +90,7 @@ class World : public BareWorld {
   /// One `dWorldStep` of `dt` [s], > 0; the contacts are gone afterwards.
   void advance(double dt);
 
-  /// The same without contacts, such that the body flies the exact parabola.
+  /// A step without contacts in which the body flies the exact parabola.
   void fly(double dt);
 
  private:
@@ -125,7 +125,7 @@ class SystemWorld : public BareWorld {
 /// The settings every model needs: those of `World`.
 [[nodiscard]] std::vector<Setting> world_settings();
 
-/// What a model that runs systems says of that.
+/// Settings of models that run systems.
 [[nodiscard]] std::vector<Setting> system_settings();
 
 }  // namespace tautline::ode

@@ -175,10 +175,10 @@ void fields(Visitor& visit, Model& model) {
         "whose the cable is: as shipped, built by hand with the engine's parts, or tautline's "
         "driver");
   visit("settings", model.settings, "every setting that is not left alone");
-  visit.unless_missing(
-      "in_space", model.in_space, [](auto& inside, std::vector<Setting>& settings) {
-        inside("in_space", settings, "what is set beside that for a system in space");
-      });
+  visit.unless_missing("in_space", model.in_space,
+                       [](auto& inside, std::vector<Setting>& settings) {
+                         inside("in_space", settings, "what is also set for a system in space");
+                       });
 }
 
 /// An engine that could not be asked has a name alone.

@@ -21,7 +21,7 @@ namespace tautline::bench::test {
   ball.duration = 10.0;
   ball.horizon = 5.0;
   ball.start_energy = 1.0;
-  ball.geometry = {CableRow{}};
+  ball.plane = PlaneRow{{}, Vec2::Zero(), {CableRow{}}};
   ball.start = Eigen::Vector3d::Zero();
   report.cases = {ball};
   return report;

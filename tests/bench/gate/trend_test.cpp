@@ -60,7 +60,7 @@ TEST(Trend, IsMedianAndQuartilesOverTheCasesByVersion) {
 TEST(Trend, TakesTheCasesThatAllReportsCouldMeasure) {
   Report second = version("2", {1, 2, 3, 4, 5});
   second.runs[4].metrics->at(place("early_position_error")) = std::nullopt;
-  second.cases[2].gravity.x() = 3.0;  // case-1 is another
+  second.cases[2].plane->gravity.x() = 3.0;  // case-1 is another
   const Trend found = trend({version("1", {1, 2, 3, 4, 5, 60}), second}, {"a", "b"});
   const TrendRow& row = row_of(found, "early_position_error");
   EXPECT_EQ(row.cases, 3U) << "case-0, case-2 and case-3";

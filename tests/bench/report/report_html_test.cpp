@@ -64,7 +64,7 @@ Report full_report() {
   cable.length = 1.0;
   cable.restitution = 0.75;
   for (bench::CaseRow& the_case : report.cases) {
-    the_case.geometry = {cable, cable};
+    the_case.plane = bench::PlaneRow{{}, Vec2::Zero(), {cable, cable}};
   }
   report.findings = {
       {"e", "m", "lost-below", "bounces slower than 0.2 m/s are lost", 0.2, "m/s", 3, 17, {}}};

@@ -62,7 +62,7 @@ ModelJudgement& judged_of(Report& report, const std::string& model) {
 /// One case with a cable of 2 m.
 Report report_of_two_metres() {
   Report report = made_report();
-  report.cases.front().geometry.front().length = 2.0;
+  report.cases.front().plane->geometry.front().length = 2.0;
   return report;
 }
 
@@ -232,7 +232,7 @@ TEST(Picture, TheStillsAreTheRunsOwnPosesAroundTheImpact) {
   const Replay replay = bouncing();
   const auto stills = impact_stills(report, replay);
   ASSERT_TRUE(stills);
-  const CableRow& cable = report.cases.front().geometry.front();
+  const CableRow& cable = report.cases.front().geometry().front();
   const auto gap = [&](std::size_t still) {
     return gap_of(cable, pose_at(stills->path, stills->times.at(still)));
   };
@@ -342,7 +342,7 @@ TEST(Picture, WithoutAnImpactThatIsSeenThereIsNone) {
 
 TEST(Picture, ACaseWithoutUnitsIsShownWithout) {
   Report report = bouncing_report();
-  report.cases.front().gravity = {0.0, -1.0};
+  report.cases.front().plane->gravity = {0.0, -1.0};
   const std::string html = picture(report, bouncing());
   EXPECT_EQ(html.find("m/s"), std::string::npos) << html;
   EXPECT_EQ(html.find(" s:"), std::string::npos) << html;
@@ -432,7 +432,7 @@ TEST(ReportPage, UnitsStandOnlyWhereTheCasesHaveThem) {
   report.options.steps = {1e-3};
   const std::string with = report_html(report, bouncing(), {});
   EXPECT_NE(with.find("[m]"), std::string::npos);
-  report.cases.front().gravity = {0.0, -1.0};
+  report.cases.front().plane->gravity = {0.0, -1.0};
   const std::string without = report_html(report, bouncing(), {});
   for (const char* unit : {"[m]", "[s]", "[J]", "[m/s]"}) {
     EXPECT_EQ(without.find(unit), std::string::npos) << unit;

@@ -136,7 +136,7 @@ TEST(Record, TensionsAreMeansBetweenPoints) {
   const Trajectory thinned = record(plumb(), again, 0.125, {.most_points = 4});
   ASSERT_EQ(thinned.stride, 2U);
   EXPECT_NEAR(thinned.tensions[1], 0.75, 1e-12) << "the mean of 0.5 N and 1 N";
-  const std::string csv = trajectory_csv(run, 1000);
+  const std::string csv = trajectory_csv(plumb(), run, 1000);
   EXPECT_TRUE(csv.starts_with("time,x,y,angle,vx,vy,spin,event,tension_0\n")) << csv.substr(0, 80);
   EXPECT_NE(csv.find(",,0.5\n"), std::string::npos) << csv;
 }
@@ -146,7 +146,7 @@ TEST(Record, ASimulationThatTellsNoTensionsHasNone) {
   Scripted simulation(plumb(), [](Scripted& s, int, double dt) { s.pulls[0] = dt; });
   const Trajectory run = record(plumb(), simulation, 0.125);
   EXPECT_TRUE(run.tensions.empty());
-  EXPECT_TRUE(trajectory_csv(run, 1000).starts_with("time,x,y,angle,vx,vy,spin,event\n"));
+  EXPECT_TRUE(trajectory_csv(plumb(), run, 1000).starts_with("time,x,y,angle,vx,vy,spin,event\n"));
 }
 
 TEST(Record, TheSnapOfACableThatGoesOnTautIsItsImpactAlone) {
@@ -187,7 +187,7 @@ TEST(Record, TheRowAfterAPushOverSeveralStepsStandsWhereItEnded) {
     s.now.position += dt * s.now.velocity;
   });
   const Trajectory run = record(plumb(), simulation, 0.125);
-  std::istringstream csv(trajectory_csv(run, 1000));
+  std::istringstream csv(trajectory_csv(plumb(), run, 1000));
   std::map<std::string, std::vector<double>> rows;  // the last of each kind: time, x, y
   double latest = 0.0;
   for (std::string line; std::getline(csv, line);) {
@@ -242,7 +242,8 @@ TEST(Record, CablesThatActAtOneInstantShareOnePairOfRows) {
   ASSERT_EQ(run.impacts.size(), 3U);
   const std::vector<std::pair<double, std::string>> expected = {
       {0.375, "before"}, {0.375, "after"}, {0.5, "before"}, {0.5, "after"}};
-  EXPECT_EQ(events_of(trajectory_csv(run, 1000)), expected) << trajectory_csv(run, 1000);
+  EXPECT_EQ(events_of(trajectory_csv(the_case, run, 1000)), expected)
+      << trajectory_csv(the_case, run, 1000);
 }
 
 TEST(Record, BelievesASimulationThatLocatesItsImpacts) {

@@ -17,7 +17,8 @@ namespace {
 SuiteOptions some_suite() {
   SuiteOptions options;
   const std::vector<std::string> all = {"*"};
-  options.cases = select_cases(all).cases;
+  const std::vector<Case> cases = select_cases(all).cases;
+  options.cases.assign(cases.begin(), cases.end());
   options.steps = {1e-2, 1e-3, 1e-4};
   for (const std::size_t models : {1U, 6U, 3U}) {
     RegisteredEngine engine;

@@ -31,14 +31,14 @@ struct CableRow {
           gap_rate(cable, state)};
 }
 
-/// The same of a cable of a system: an impulse >= 0 along `wrench` raises the gap rate.
+/// A cable of a system as such a row: an impulse >= 0 along `wrench` raises the gap rate.
 struct SystemRow {
-  /// Of each body the force in the world [-], and its moment about the centre in the body's axes
-  /// [m], that a pull of 1 N gives.
+  /// A pull of 1 N gives each body this force in the world [-], and this moment about its centre in
+  /// its own axes [m].
   RowOf<SpatialSystem> wrench;
   double gap;    // [m]
   double rate;   // [m/s], of the gap; negative when closing
-  double given;  // [m/s], of `rate` what moving ends and the length give, whatever the bodies do
+  double given;  // [m/s], of `rate` what moving ends and the length give alone
 
   /// The force on a body [-].
   [[nodiscard]] Eigen::Vector3d force(std::size_t body) const {
@@ -69,7 +69,7 @@ struct SystemRow {
   return cable_row(cable, state, dt);
 }
 
-/// What a solver that knows the bodies alone is asked for, where the gap is to have `rate` [m/s].
+/// The rate to ask of a solver that knows the bodies alone, where the gap is to have `rate` [m/s].
 [[nodiscard]] inline double rate_of_bodies(const CableRow& /*row*/, double rate) { return rate; }
 /// In a system the rest comes from what moves the ends and the length.
 [[nodiscard]] inline double rate_of_bodies(const SystemRow& row, double rate) {
@@ -110,7 +110,7 @@ template <class Row>
 [[nodiscard]] inline Eigen::Vector3d motion_of(const State& state) {
   return {state.velocity.x(), state.velocity.y(), state.spin};
 }
-/// Of a system, those of one body after the other.
+/// In a system one body comes after the other.
 [[nodiscard]] inline RowOf<SpatialSystem> motion_of(const SpatialSystemState& state) {
   RowOf<SpatialSystem> result = no_change(state);
   Eigen::Index row = 0;
@@ -131,7 +131,7 @@ template <class Row>
   return dt * (std::abs(gap_gradient_rate(cable, state).dot(motion)) + std::abs(fallen));
 }
 
-/// The same of a system, where forces, drag and what is given over time change it, too.
+/// In a system forces, drag and what is given over time change it, too.
 [[nodiscard]] inline double change_in_step(const SpatialSystem& system, std::size_t index,
                                            const SpatialSystemState& state, double dt) {
   const SpatialCable& cable = system.cables[index];

@@ -55,7 +55,7 @@ using SystemEventAdapter = BasicEventAdapter<SpatialSystem>;  // in space
 [[nodiscard]] inline double gap_scale(const Cable& cable, const State& state) {
   return std::max(cable.length, state.position.norm());
 }
-/// Of a system, the distance of the body that is farthest.
+/// In a system the body that is farthest counts.
 [[nodiscard]] inline double gap_scale(const SpatialCable& cable, const SpatialSystemState& state) {
   double result = cable.length.at(state.time)[0];
   for (const SpatialState& body : state.bodies) {

@@ -7,7 +7,7 @@
 
 namespace tautline {
 
-/// What acts on a body of a system in a step but for cables, as a mean over the step.
+/// Force and moment on a body of a system but for cables, as a mean over a step.
 struct BodyLoad {
   Eigen::Vector3d force;   // [N], without gravity
   Eigen::Vector3d moment;  // [N m], in world axes, without what turning gives
@@ -29,14 +29,13 @@ struct BodyLoad {
   return result;
 }
 
-/// The gravity of a step of `dt` [s] from `state` on [m/s^2]: that of its middle.
+/// Gravity in the middle of a step of `dt` [s] from `state` on [m/s^2].
 [[nodiscard]] inline Eigen::Vector3d gravity_in_step(const SpatialSystem& system,
                                                      const SpatialSystemState& state, double dt) {
   return system.gravity.at(state.time + 0.5 * dt);
 }
 
-/// What acts on each body in such a step: what is given as it is in the middle of the step, and
-/// drag.
+/// The load of each body in such a step: what is given as it is in its middle, and drag.
 [[nodiscard]] inline std::vector<BodyLoad> loads_in_step(const SpatialSystem& system,
                                                          const SpatialSystemState& state,
                                                          double dt) {
@@ -51,8 +50,7 @@ struct BodyLoad {
     load.force += body.mass * drag_in_step(now.velocity, falling,
                                            Eigen::Vector3d::Constant(body.drag / body.mass), dt);
     if (has_inertia(body.inertia)) {
-      const Eigen::Vector3d turning =
-          in_the_body(now, load.moment).cwiseQuotient(body.inertia);
+      const Eigen::Vector3d turning = in_the_body(now, load.moment).cwiseQuotient(body.inertia);
       const Eigen::Vector3d braking =
           drag_in_step(now.spin, turning, body.inertia.cwiseInverse() * body.spin_drag, dt);
       load.moment += in_the_world(now, body.inertia.cwiseProduct(braking));

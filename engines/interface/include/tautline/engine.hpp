@@ -81,7 +81,7 @@ struct Model {
   Maker maker = Maker::by_hand;            // whose its cable is
   std::vector<Parameter> parameters = {};  // that a run may set; none in most models
   std::string code = {};  // sets them in a user's program, "{name}" where a value stands
-  /// Set where it runs systems in space, too (`Engine::start_system`): what is set for them beside
+  /// Set where it runs systems in space, too (`Engine::start_system`): what is set for them next to
   /// `settings`.
   std::optional<std::vector<Setting>> in_space = {};
 };
@@ -188,7 +188,7 @@ class Engine {
                                                           std::string_view model,
                                                           const RunSettings& settings) const = 0;
 
-  /// The same of a system in space: several bodies, cables between them and through rings, and what
+  /// Starts a system in space: several bodies, cables between them and through rings, and what
   /// is given over time. Only a model with `in_space` has it.
   [[nodiscard]] virtual std::unique_ptr<SystemSimulation> start_system(
       const SpatialSystem& /*system*/, std::string_view model,

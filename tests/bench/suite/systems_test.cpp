@@ -1,0 +1,190 @@
+// Engines on systems in space, from the command line and from below.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bench/cases/bench_case.hpp"
+#include "bench/measure/compare.hpp"
+#include "bench/measure/reference.hpp"
+#include "bench/run/wire.hpp"
+#include "tautline/scenarios.hpp"
+#include "tautline/solve.hpp"
+#include "tests/bench/program.hpp"
+
+namespace tautline::test {
+namespace {
+
+using nlohmann::json;
+using namespace bench;
+
+/// The report of cases on the control, Bullet and ODE.
+json report_of(const std::vector<std::string>& cases, const TemporaryFolder& folder) {
+  std::vector<std::string> arguments = {"bench"};
+  arguments.insert(arguments.end(), cases.begin(), cases.end());
+  for (const char* one : {"--engines", "exact,bullet64,ode", "--steps", "0.01", "--out"}) {
+    arguments.emplace_back(one);
+  }
+  arguments.push_back((folder.path() / "out").string());
+  const Outcome outcome = program(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.errors << outcome.output;
+  return json::parse(content_of(folder.path() / "out" / "report.json"));
+}
+
+const json& run_in(const json& report, const std::string& the_case, const std::string& engine,
+                   const std::string& model) {
+  for (const json& run : report.at("runs")) {
+    if (run.at("case") == the_case && run.at("engine") == engine && run.at("model") == model) {
+      return run;
+    }
+  }
+  static const json none;
+  ADD_FAILURE() << "no run of " << the_case << " by " << engine << " " << model;
+  return none;
+}
+
+TEST(SystemBench, ComparesModelsThatTakeSystemsWithTheirExactMotion) {
+  const TemporaryFolder folder;
+  const json report = report_of({"tethered-ball", "two-bodies"}, folder);
+  for (const char* the_case : {"tethered-ball", "two-bodies"}) {
+    for (const char* model : {"event", "sampled"}) {
+      const json& metrics = run_in(report, the_case, "exact", model).at("metrics");
+      EXPECT_LE(metrics.at("horizon_position_error"), 1e-14) << the_case << " " << model;
+      EXPECT_LE(metrics.at("horizon_angle_error"), 1e-14) << the_case << " " << model;
+    }
+    for (const char* engine : {"bullet64", "ode"}) {
+      const json& by_events = run_in(report, the_case, engine, "event");
+      EXPECT_EQ(by_events.at("status"), "finished") << by_events.dump();
+      EXPECT_LE(by_events.at("metrics").at("early_position_error"), 1e-9) << the_case << engine;
+      const json& steps = run_in(report, the_case, engine, "row").at("metrics");
+      EXPECT_LT(steps.at("early_position_error"), 0.5) << the_case << engine;
+    }
+  }
+  // a fixed step is late to an impact
+  EXPECT_GT(run_in(report, "tethered-ball", "ode", "row").at("metrics").at("early_position_error"),
+            1e-4);
+  // a model of one body in the plane is left out
+  EXPECT_TRUE(std::none_of(report.at("runs").begin(), report.at("runs").end(),
+                           [](const json& run) { return run.at("model") == "two-phase"; }));
+  const json& pair = report.at("cases").at(0);  // systems in the plane come first
+  EXPECT_EQ(pair.at("name"), "two-bodies");
+  EXPECT_EQ(pair.at("system").at("bodies").size(), 2U);
+  EXPECT_EQ(pair.at("system").at("bodies").at(0).at("inertia").size(), 3U);
+  EXPECT_FALSE(pair.contains("body"));
+  const std::string csv =
+      content_of(folder.path() / "out/runs/tethered-ball/ode/row/0.01/trajectory.csv");
+  EXPECT_TRUE(csv.starts_with("time,ball_x,ball_y,ball_z,ball_qw,")) << csv.substr(0, 100);
+  EXPECT_NE(csv.find("ball_wz,event,tension_0\n0,"), std::string::npos) << csv.substr(0, 200);
+}
+
+TEST(SystemBench, SaysNothingOfSystemsWhereThereIsNone) {
+  const TemporaryFolder folder;
+  const json report = report_of({"bouncing-ball"}, folder);
+  EXPECT_EQ(report.dump().find("in_space"), std::string::npos);
+  EXPECT_FALSE(report.at("cases").at(0).contains("system"));
+  EXPECT_TRUE(report.at("cases").at(0).contains("geometry"));
+}
+
+TEST(SystemBench, ShardsMakeTheReportOfTheWhole) {
+  const TemporaryFolder folder;
+  const auto out = [&](const std::string& name) { return (folder.path() / name).string(); };
+  const auto shard = [&](const std::string& which, const std::string& name) {
+    std::vector<std::string> arguments = {"bench",     "two-bodies", "winch", "--engines",
+                                          "exact,ode", "--steps",    "0.01",  "--out",
+                                          out(name)};
+    if (!which.empty()) {
+      arguments.insert(arguments.end(), {"--shard", which});
+    }
+    EXPECT_EQ(program(arguments).code, 0) << which;
+  };
+  shard("", "whole");
+  shard("1/2", "a");
+  shard("2/2", "b");
+  EXPECT_EQ(program({"merge", out("a"), out("b"), "--out", out("both")}).code, 0);
+  json whole = json::parse(content_of(folder.path() / "whole" / "report.json"));
+  json both = json::parse(content_of(folder.path() / "both" / "report.json"));
+  whole.erase("context");
+  both.erase("context");
+  EXPECT_EQ(whole, both);
+}
+
+TEST(SystemBench, RefusesInASentence) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const Outcome within = program({"bench", "conical", "--within", "1%", "--out", out});
+  EXPECT_EQ(within.code, 2);
+  EXPECT_NE(within.errors.find("--within: conical is a system"), std::string::npos)
+      << within.errors;
+  const Outcome law = program({"bench", "parallel-robot", "--law", "energetic", "--out", out});
+  EXPECT_EQ(law.code, 2);
+  EXPECT_NE(law.errors.find("parallel-robot has 8 cables"), std::string::npos) << law.errors;
+  const Outcome model =
+      program({"run", "conical", "--engine", "bullet64", "--model", "two-phase"});
+  EXPECT_NE(model.output.find("model two-phase has one body in the plane alone"),
+            std::string::npos)
+      << model.output;
+}
+
+TEST(SystemBench, ASystemInThePlaneMovesInSpaceAsInThePlane) {
+  for (const ShippedSystem& shipped : shipped_systems()) {
+    const System& planar = shipped.system;
+    const SpatialSystem spatial = in_space(planar);
+    ASSERT_TRUE(problems(spatial).empty()) << problems(spatial).front();
+    const auto one = solve(planar);
+    const auto other = solve(spatial);
+    const double until = std::min({one.end_time(), other.end_time(), 2.0});
+    double worst = 0.0;
+    for (int k = 0; k <= 50; ++k) {
+      const double time = until * k / 50.0;
+      const SystemState in_plane = one.at(time);
+      const SpatialSystemState there = other.at(time);
+      for (std::size_t body = 0; body < planar.bodies.size(); ++body) {
+        worst = std::max(worst, (there.bodies[body].position.head<2>() -
+                                 in_plane.bodies[body].position)
+                                    .norm());
+        worst = std::max(worst, std::abs(there.bodies[body].position.z()));
+      }
+    }
+    EXPECT_LE(worst, 1e-9) << planar.name;
+  }
+}
+
+TEST(SystemBench, ARunComesBitForBit) {
+  SystemRunAnswer run;
+  SpatialSystemState state{0.25, {SpatialState(), SpatialState()}};
+  state.bodies[1].orientation = Quaternion(0.5, -0.5, 0.5, 0.5);
+  state.bodies[1].spin = Eigen::Vector3d(1.0 / 3.0, -0.0, 1e-300);
+  run.trajectory.points = {{0.25, state}};
+  run.trajectory.stop = StopOfRun{0.3, "enough"};
+  const auto answer = answer_from(to_bytes(run));
+  ASSERT_TRUE(answer && std::holds_alternative<SystemRunAnswer>(*answer));
+  const SystemTrajectory& read = std::get<SystemRunAnswer>(*answer).trajectory;
+  ASSERT_EQ(read.points.size(), 1U);
+  ASSERT_EQ(read.points[0].state.bodies.size(), 2U);
+  EXPECT_EQ(read.points[0].state.time, 0.25);
+  EXPECT_EQ(read.points[0].state.bodies[1].orientation, state.bodies[1].orientation);
+  EXPECT_EQ(read.points[0].state.bodies[1].spin, state.bodies[1].spin);
+  EXPECT_EQ(read.stop->reason, "enough");
+}
+
+TEST(SystemBench, EnergyIsComparedWhereNothingDrives) {
+  const auto gain_of = [](const SpatialSystem& system) {
+    const ReferenceSystem reference = solve_case(system, ImpactLaw::simultaneous);
+    SystemTrajectory run;
+    run.points = {{0.0, system.initial}};
+    return compare(system, reference.solution, reference.settling, reference.horizon, run)
+        .energy_gain;
+  };
+  for (const ShippedSpatialSystem& shipped : shipped_spatial_systems()) {
+    if (shipped.system.name == "conical") {
+      EXPECT_TRUE(std::isfinite(gain_of(shipped.system)));
+    } else if (shipped.system.name == "hoisted-load") {
+      EXPECT_TRUE(std::isnan(gain_of(shipped.system)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -48,8 +48,15 @@ struct Panel {
 /// The motion at many times, in order; a jump is two values of one time.
 struct Curves {
   std::vector<double> times;
-  std::array<Panel, 5> panels;
+  std::vector<Panel> panels;
 };
+
+/// By which angle a body has turned [rad]: in the plane it goes on over whole turns, in space it is
+/// that between its orientation and that at its start.
+double turned(const State& state, const State& /*start*/) { return state.angle; }
+double turned(const SpatialState& state, const SpatialState& start) {
+  return angle_between(start.orientation, state.orientation);
+}
 
 template <class TheCase>
 class Gatherer {
@@ -57,21 +64,36 @@ class Gatherer {
   using Arc = BasicArc<TheCase>;
   using State = StateOf<TheCase>;
 
+  // The places of the panels.
+  static constexpr std::size_t axes = dimensions_of<TheCase>;
+  static constexpr std::size_t turns = axes;
+  static constexpr std::size_t gaps = turns + 1;
+  static constexpr std::size_t tensions = gaps + 1;
+  static constexpr std::size_t energies = tensions + 1;
+  static constexpr bool in_space = axes == 3;
+
   Gatherer(const TheCase& the_case, const BasicSolution<TheCase>& solution)
       : case_(the_case), solution_(solution) {
-    result_.panels = {Panel{"x [m]", {}}, Panel{"y [m]", {}}, Panel{"angle [rad]", {}},
-                      Panel{"gap [m]", {}}, Panel{"tension [N]", {}}};
+    const std::string line = "stroke=\"#1f6fb4\"";  // of one alone
+    for (const char* const name : {"x [m]", "y [m]", "z [m]"}) {
+      result_.panels.push_back({name, {}});
+    }
+    result_.panels.resize(axes);
+    result_.panels.push_back({in_space ? "turned from the start [rad]" : "angle [rad]", {}});
     const std::size_t bodies = bodies_of(case_.initial).size();
     for (std::size_t index = 0; index < bodies; ++index) {
-      const std::string line =
-          bodies == 1 ? std::string("stroke=\"#1f6fb4\"") : line_look(index, index);
-      for (const std::size_t panel : {0U, 1U, 2U}) {
-        result_.panels.at(panel).curves.push_back({line, {}});
+      for (Panel& panel : result_.panels) {
+        panel.curves.push_back({bodies == 1 ? line : line_look(index, index), {}});
       }
     }
+    result_.panels.push_back({"gap [m]", {}});
+    result_.panels.push_back({"tension [N]", {}});
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      result_.panels[3].curves.push_back({cable_lines.at(index), {}});
-      result_.panels[4].curves.push_back({cable_lines.at(index), {}});
+      result_.panels[gaps].curves.push_back({cable_lines.at(index), {}});
+      result_.panels[tensions].curves.push_back({cable_lines.at(index), {}});
+    }
+    if (in_space) {
+      result_.panels.push_back({"energy [J]", {{line, {}}}});
     }
   }
 
@@ -114,19 +136,27 @@ class Gatherer {
     }
   }
 
-  void add(double time, const State& state, CableSet taut, const CableVector& tensions) {
+  void add(double time, const State& state, CableSet taut, const CableVector& pulls) {
     result_.times.push_back(time);
+    const auto& start = bodies_of(case_.initial);
     std::size_t place = 0;
     for (const auto& body : bodies_of(state)) {
-      result_.panels[0].curves[place].values.push_back(body.position.x());
-      result_.panels[1].curves[place].values.push_back(body.position.y());
-      result_.panels[2].curves[place++].values.push_back(body.angle);
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        add(axis, place, body.position[static_cast<Eigen::Index>(axis)]);
+      }
+      add(turns, place, turned(body, start[place]));
+      ++place;
     }
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-      const double open = taut.contains(index) ? 0.0 : gap(case_.cables[index], state);
-      result_.panels[3].curves[index].values.push_back(open);
-      result_.panels[4].curves[index].values.push_back(tensions[static_cast<Eigen::Index>(index)]);
+      add(gaps, index, taut.contains(index) ? 0.0 : gap(case_.cables[index], state));
+      add(tensions, index, pulls[static_cast<Eigen::Index>(index)]);
     }
+    if constexpr (in_space) {
+      add(energies, 0, energy(case_, state));
+    }
+  }
+  void add(std::size_t panel, std::size_t curve, double value) {
+    result_.panels[panel].curves[curve].values.push_back(value);
   }
 
   const TheCase& case_;
@@ -137,9 +167,10 @@ class Gatherer {
 /// The instants of the fastest impacts.
 template <class TheCase>
 std::vector<double> impact_times(const TheCase& the_case, const BasicSolution<TheCase>& solution) {
-  std::vector<Mark> marks = impact_marks(the_case, solution);
-  marks.resize(std::min(marks.size(), marked_impacts));
-  std::vector<double> result = listed(marks, &Mark::time);
+  auto marks = impact_marks(the_case, solution);
+  marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(std::min(marks.size(), marked_impacts)),
+              marks.end());
+  std::vector<double> result = listed(marks, [](const auto& mark) { return mark.time; });
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -285,7 +316,7 @@ std::string panels_over_time(const TheCase& the_case, const BasicSolution<TheCas
   double from_top = motion_top;
   for (std::size_t index = 0; index < curves.panels.size(); ++index) {
     const bool last = index + 1 == curves.panels.size();
-    drawn += DrawnPanel(curves.panels.at(index), curves.times, solution.end_time(), from_top)
+    drawn += DrawnPanel(curves.panels[index], curves.times, solution.end_time(), from_top)
                  .text(impacts, last);
     from_top += panel_height + between_panels;
   }
@@ -296,7 +327,9 @@ std::string panels_over_time(const TheCase& the_case, const BasicSolution<TheCas
        .height = bottom + 92.0 + more,
        .left = panel_left,
        .title = printable(the_case.name, longest_title),
-       .description = "Exact motion over time: position, angle, gaps and tensions, " + words + ".",
+       .description = fmt::format(
+           "Exact motion over time: position, angle, gaps{}, {}.",
+           dimensions_of<TheCase> == 3 ? ", tensions and energy" : " and tensions", words),
        .line = words},
       drawn + cable_legend(the_case.cables.size(), bottom + 66.0) + below(bottom + 66.0));
 }
@@ -308,24 +341,29 @@ std::string plot_motion_svg(const Case& the_case, const Solution& solution) {
       the_case, solution, "", [](double) { return std::string(); }, 0.0);
 }
 
-std::string plot_motion_svg(const SystemMotion& motion) {
+template <int D>
+static std::string over_time(const BasicSystemMotion<D>& motion) {
   LegendRows rows(0.0);
   const auto& bodies = motion.system.bodies;
   for (std::size_t index = 0; bodies.size() > 1 && index < bodies.size(); ++index) {
     rows.add("<path stroke-width=\"1.6\" " + line_look(index, index) + " d=\"M0 0h26\"/>",
-             body_name(bodies[index], index));
+             body_name(bodies[index].name, index));
   }
   return panels_over_time(
-      motion.system, motion.solution, horizon_words(motion),
+      motion.system, motion.solution, horizon_words(motion.horizon),
       [&](double y) {
         return fmt::format("<g transform=\"translate(0 {:.1f})\">{}</g>\n", y, rows.drawn());
       },
       rows.bottom());
 }
+std::string plot_motion_svg(const SystemMotion& motion) { return over_time(motion); }
+std::string plot_motion_svg(const SpatialMotion& motion) { return over_time(motion); }
 
-TensionPanel tension_panel(const SystemMotion& motion, double top) {
-  Curves curves = Gatherer(motion.system, motion.solution).gather();
-  Panel& panel = curves.panels.back();
+template <int D>
+TensionPanel tension_panel(const BasicSystemMotion<D>& motion, double top) {
+  using Gathering = Gatherer<BasicSystem<double, D>>;
+  Curves curves = Gathering(motion.system, motion.solution).gather();
+  Panel& panel = curves.panels[Gathering::tensions];
   const std::vector<double> impacts = impact_times(motion.system, motion.solution);
   const CableUse* most = nullptr;
   for (const CableUse& use : motion.settling.cables) {
@@ -344,5 +382,7 @@ TensionPanel tension_panel(const SystemMotion& motion, double top) {
               cable_legend(motion.system.cables.size(), bottom + 66.0),
           bottom + 92.0};
 }
+template TensionPanel tension_panel(const SystemMotion&, double);
+template TensionPanel tension_panel(const SpatialMotion&, double);
 
 }  // namespace tautline::bench

@@ -139,9 +139,6 @@ CaseSelection wanted_cases(const SolveCommand& command) {
   };
   end_earlier(selection.systems);
   end_earlier(selection.in_space);
-  if (!selection.in_space.empty() && !command.plots.empty()) {
-    broken.emplace_back("--plot: draws motions in the plane, not in space");
-  }
   if (!selection.systems.empty() || !selection.in_space.empty()) {
     append(broken, for_cases_alone(command));
   } else if (command.fast && broken.empty()) {
@@ -298,16 +295,12 @@ void print_solution(const SolveCommand& command, const BasicCheckedMotion<D>& mo
              events_text(motion, command.events, style));
 }
 
-/// The picture of a motion in the plane.
-std::string picture_svg(const Picture& picture, const CheckedMotion& motion) {
-  const SystemMotion drawn = {motion.system(), motion.solution(), motion.settling(),
-                              motion.is_checked() ? motion.horizon() : std::nullopt};
+/// A picture of the motion of a system.
+template <int D>
+std::string picture_svg(const Picture& picture, const BasicCheckedMotion<D>& motion) {
+  const BasicSystemMotion<D> drawn = {motion.system(), motion.solution(), motion.settling(),
+                                      motion.is_checked() ? motion.horizon() : std::nullopt};
   return picture.motion ? plot_motion_svg(drawn) : plot_svg(drawn);
-}
-
-/// None is asked for in space.
-std::string picture_svg(const Picture& /*picture*/, const BasicCheckedMotion<3>& /*motion*/) {
-  return "";
 }
 
 /// Solves one system of `command` and writes what is asked of it.
@@ -494,9 +487,8 @@ void add_solve(CLI::App& app, int& code) {
   command
       ->add_option("--plot", asked->plots,
                    "write a picture (SVG, or PNG by its name): [KIND=]FILE, where KIND is path "
-                   "(the default: the path in "
-                   "the plane) or motion (position, gaps and tensions over time); KIND alone: to "
-                   "stdout")
+                   "(the default: where bodies go, in space from three sides) or motion "
+                   "(position, gaps and tensions over time); KIND alone: to stdout")
       ->option_text("FILE")
       ->allow_extra_args(false);
   command->add_option("--max-events", asked->max_events,

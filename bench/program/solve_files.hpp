@@ -33,7 +33,7 @@ inline constexpr const char* case_mark = "{case}";
 
 /// A picture that --plot asks for.
 struct Picture {
-  bool motion = false;  // over time; else the path in the plane
+  bool motion = false;  // over time; else the paths
   std::string file;     // or "-"
 };
 

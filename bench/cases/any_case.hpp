@@ -11,7 +11,7 @@
 namespace tautline::bench {
 
 /// A case file holds one of these.
-using AnyCase = std::variant<Case, System>;
+using AnyCase = std::variant<Case, System, SpatialSystem>;
 
 [[nodiscard]] inline const std::string& name_of(const AnyCase& any) {
   return std::visit([](const auto& one) -> const std::string& { return one.name; }, any);
@@ -29,30 +29,49 @@ using AnyCase = std::variant<Case, System>;
   return std::visit([](const auto& one) { return tautline::problems(one); }, any);
 }
 
+[[nodiscard]] inline bool is_system(const AnyCase& any) {
+  return !std::holds_alternative<Case>(any);
+}
+
 /// The text of its file.
+[[nodiscard]] inline std::string written(const Case& the_case) { return write_case(the_case); }
+template <int D>
+[[nodiscard]] std::string written(const BasicSystem<double, D>& system) {
+  return write_system(system);
+}
 [[nodiscard]] inline std::string written(const AnyCase& any) {
-  if (const auto* const system = std::get_if<System>(&any)) {
-    return write_system(*system);
-  }
-  return write_case(std::get<Case>(any));
+  return std::visit([](const auto& one) { return written(one); }, any);
 }
 
 /// The names of the numbers of a system that an ensemble may vary: of all bodies, cables or waves
-/// ("mass", "length", "phase"), and of one: "hook.mass", "length_0", "phase_0".
-/// Waves are numbered in the order of `each_function`.
-[[nodiscard]] std::vector<std::string> quantities_of(const System& system);
+/// ("mass", "length", "phase"), and of one: "hook.mass", "length_0", "phase_0". In space the
+/// numbers of an axis end in its name: "spin_x". Waves are numbered in the order of
+/// `each_function`.
+template <int D>
+[[nodiscard]] std::vector<std::string> quantities_of(const BasicSystem<double, D>& system);
 
 /// The unit of a quantity: "m", or "" for a number without one.
-[[nodiscard]] std::string_view unit_of_quantity(const AnyCase& any, std::string_view name);
+[[nodiscard]] inline std::string_view unit_of_quantity(const Case& /*the_case*/,
+                                                       std::string_view name) {
+  return unit_of_quantity(name);
+}
+template <int D>
+[[nodiscard]] std::string_view unit_of_quantity(const BasicSystem<double, D>& system,
+                                                std::string_view name);
 
 /// The number that `name`, one of `quantities_of`, means; with several bodies, cables or waves the
 /// first one's. If they are given over time, "length", "gravity_x" and "gravity_y" are the value
 /// before the first knot, and "length_rate" is the first mean rate between knots that is not zero.
-[[nodiscard]] double quantity(const System& system, std::string_view name);
+/// "rotation_x" is a number of the file's `rotation`, an axis times an angle.
+template <int D>
+[[nodiscard]] double quantity(const BasicSystem<double, D>& system, std::string_view name);
 /// Gives all of them this value. Of what is given over time all values move with the first, and all
 /// changes of a length grow with its rate. All waves are one sea: "amplitude" and "period" keep
 /// their ratios, and "phase" has all come earlier by one time.
-void set_quantity(System& system, std::string_view name, double value);
-void scale_quantity(System& system, std::string_view name, double factor);  // each of its numbers
+template <int D>
+void set_quantity(BasicSystem<double, D>& system, std::string_view name, double value);
+template <int D>
+void scale_quantity(BasicSystem<double, D>& system, std::string_view name,
+                    double factor);  // each of its numbers
 
 }  // namespace tautline::bench

@@ -28,9 +28,28 @@ MaybeNumber plain(std::optional<double>& number) {
   return number ? MaybeNumber(plain(*number)) : std::nullopt;
 }
 
-/// A point mass does not turn.
-MaybeNumber of_turn(const System& system, std::size_t body, double& number) {
-  return system.bodies[body].inertia > 0.0 ? MaybeNumber(plain(number)) : std::nullopt;
+/// A number of `body`, which a point mass does not have.
+template <int D>
+MaybeNumber of_turn(const BasicBodyOfSystem<double, D>& body, double& number) {
+  return has_inertia(body.inertia) ? MaybeNumber(plain(number)) : std::nullopt;
+}
+
+/// Number `axis` of the orientation as a file has it, an axis times an angle; to set it leaves the
+/// other two. The sign of its quaternion says whether it turns by more than pi.
+MaybeNumber rotation(const SpatialBody& body, Quaternion& orientation, int axis) {
+  if (!has_inertia(body.inertia)) {
+    return std::nullopt;
+  }
+  using Rotation = BasicVector<double, 3>;
+  const Rotation part = orientation.tail<3>();
+  const double size = part.norm();
+  const double angle = 2.0 * tautline::atan2(size, orientation[0]);
+  const Rotation now = size > 0.0 ? Rotation(angle / size * part) : Rotation(Rotation::Zero());
+  return Number{now[axis], [&orientation, now, axis](double value) {
+                  Rotation changed = now;
+                  changed[axis] = value;
+                  orientation = quaternion_of<double>(changed);
+                }};
 }
 
 /// Its value before the first knot; all values move with it.
@@ -103,8 +122,8 @@ MaybeNumber phase(BasicWave<double, N>& wave) {
 }
 
 /// Wave `index` of `system` as `number_of` sees it; none where there are fewer waves.
-template <class NumberOf>
-MaybeNumber of_wave(System& system, std::size_t index, const NumberOf& number_of) {
+template <int D, class NumberOf>
+MaybeNumber of_wave(BasicSystem<double, D>& system, std::size_t index, const NumberOf& number_of) {
   MaybeNumber result;
   each_function(system, [&](auto& function) {
     for (auto& wave : function.waves) {
@@ -117,75 +136,86 @@ MaybeNumber of_wave(System& system, std::size_t index, const NumberOf& number_of
 /// How many numbers of one name a system may have.
 enum class Owner { system, bodies, cables, waves };
 
-struct SystemQuantity {
-  std::string_view name;
+/// A name of numbers, their unit and whose they are.
+struct Kind {
+  std::string name;
   std::string_view unit;
   Owner owner;
-  MaybeNumber (*of)(System& system, std::size_t index);  // none: it has no such number
 };
 
-using Index = std::size_t;
-constexpr std::array system_quantities = {
-    SystemQuantity{
-        "x", "m", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].position.x()); }},
-    SystemQuantity{
-        "y", "m", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].position.y()); }},
-    SystemQuantity{
-        "angle", "rad", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return of_turn(s, i, s.initial.bodies[i].angle); }},
-    SystemQuantity{
-        "velocity_x", "m/s", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].velocity.x()); }},
-    SystemQuantity{
-        "velocity_y", "m/s", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return plain(s.initial.bodies[i].velocity.y()); }},
-    SystemQuantity{
-        "spin", "rad/s", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return of_turn(s, i, s.initial.bodies[i].spin); }},
-    SystemQuantity{"mass", "kg", Owner::bodies,
-                   [](System& s, Index i) -> MaybeNumber { return plain(s.bodies[i].mass); }},
-    SystemQuantity{
-        "inertia", "kg m^2", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return of_turn(s, i, s.bodies[i].inertia); }},
-    SystemQuantity{"drag", "N s/m", Owner::bodies,
-                   [](System& s, Index i) -> MaybeNumber { return plain(s.bodies[i].drag); }},
-    SystemQuantity{
-        "spin_drag", "N m s", Owner::bodies,
-        [](System& s, Index i) -> MaybeNumber { return of_turn(s, i, s.bodies[i].spin_drag); }},
-    SystemQuantity{"gravity_x", "m/s^2", Owner::system,
-                   [](System& s, Index) -> MaybeNumber { return constant_part(s.gravity, 0); }},
-    SystemQuantity{"gravity_y", "m/s^2", Owner::system,
-                   [](System& s, Index) -> MaybeNumber { return constant_part(s.gravity, 1); }},
-    SystemQuantity{
-        "restitution", "", Owner::cables,
-        [](System& s, Index i) -> MaybeNumber { return plain(s.cables[i].restitution); }},
-    SystemQuantity{"length_rate", "m/s", Owner::cables,
-                   [](System& s, Index i) -> MaybeNumber { return rate(s.cables[i].length); }},
-    SystemQuantity{
-        "length", "m", Owner::cables,
-        [](System& s, Index i) -> MaybeNumber { return constant_part(s.cables[i].length, 0); }},
-    SystemQuantity{
-        "capture_speed", "m/s", Owner::cables,
-        [](System& s, Index i) -> MaybeNumber { return plain(s.cables[i].capture_speed); }},
-    SystemQuantity{"from_time", "s", Owner::cables,
-                   [](System& s, Index i) -> MaybeNumber { return plain(s.cables[i].from_time); }},
-    SystemQuantity{"cut_at", "s", Owner::cables,
-                   [](System& s, Index i) -> MaybeNumber { return plain(s.cables[i].cut_at); }},
-    SystemQuantity{"amplitude", "", Owner::waves,
-                   [](System& s, Index i) {
-                     return of_wave(s, i, [](auto& wave) { return amplitude(wave); });
-                   }},
-    SystemQuantity{
-        "period", "s", Owner::waves,
-        [](System& s, Index i) { return of_wave(s, i, [](auto& wave) { return period(wave); }); }},
-    SystemQuantity{
-        "phase", "rad", Owner::waves,
-        [](System& s, Index i) { return of_wave(s, i, [](auto& wave) { return phase(wave); }); }},
-};
+/// Calls `use` with each kind of number of `s`, and what makes of the index of a body, a cable or a
+/// wave its number; none: it has no such number.
+template <int D, class Use>
+void each_kind(BasicSystem<double, D>& s, const Use& use) {
+  using Index = std::size_t;
+  const auto of_bodies = [&](const std::string& name, std::string_view unit, const auto& number) {
+    use(Kind{name, unit, Owner::bodies},
+        [&](Index i) -> MaybeNumber { return number(s.bodies[i], s.initial.bodies[i]); });
+  };
+  // one for each number of a vector
+  const auto of_axes = [](const std::string& name, int count, const auto& of_axis) {
+    for (int axis = 0; axis < count; ++axis) {
+      of_axis(name + "xyz"[axis], axis);
+    }
+  };
+  const auto of_cables = [&](const char* name, std::string_view unit, const auto& number) {
+    use(Kind{name, unit, Owner::cables},
+        [&](Index i) -> MaybeNumber { return number(s.cables[i]); });
+  };
+  const auto of_waves = [&](const char* name, std::string_view unit, const auto& number) {
+    use(Kind{name, unit, Owner::waves},
+        [&](Index i) -> MaybeNumber { return of_wave(s, i, number); });
+  };
+  of_axes("", D, [&](const std::string& name, int axis) {
+    of_bodies(name, "m", [&](auto&, auto& start) { return plain(start.position[axis]); });
+  });
+  if constexpr (D == 2) {
+    of_bodies("angle", "rad", [](auto& body, auto& start) { return of_turn(body, start.angle); });
+  } else {
+    of_axes("rotation_", 3, [&](const std::string& name, int axis) {
+      of_bodies(name, "rad",
+                [&](auto& body, auto& start) { return rotation(body, start.orientation, axis); });
+    });
+  }
+  of_axes("velocity_", D, [&](const std::string& name, int axis) {
+    of_bodies(name, "m/s", [&](auto&, auto& start) { return plain(start.velocity[axis]); });
+  });
+  if constexpr (D == 2) {
+    of_bodies("spin", "rad/s", [](auto& body, auto& start) { return of_turn(body, start.spin); });
+  } else {
+    of_axes("spin_", 3, [&](const std::string& name, int axis) {
+      of_bodies(name, "rad/s",
+                [&](auto& body, auto& start) { return of_turn(body, start.spin[axis]); });
+    });
+  }
+  of_bodies("mass", "kg", [](auto& body, auto&) { return plain(body.mass); });
+  if constexpr (D == 2) {
+    of_bodies("inertia", "kg m^2", [](auto& body, auto&) { return of_turn(body, body.inertia); });
+  } else {
+    of_axes("inertia_", 3, [&](const std::string& name, int axis) {
+      of_bodies(name, "kg m^2",
+                [&](auto& body, auto&) { return of_turn(body, body.inertia[axis]); });
+    });
+  }
+  of_bodies("drag", "N s/m", [](auto& body, auto&) { return plain(body.drag); });
+  of_bodies("spin_drag", "N m s", [](auto& body, auto&) { return of_turn(body, body.spin_drag); });
+  of_axes("gravity_", D, [&](const std::string& name, int axis) {
+    use(Kind{name, "m/s^2", Owner::system},
+        [&](Index) -> MaybeNumber { return constant_part(s.gravity, axis); });
+  });
+  of_cables("restitution", "", [](auto& cable) { return plain(cable.restitution); });
+  of_cables("length_rate", "m/s", [](auto& cable) { return rate(cable.length); });
+  of_cables("length", "m", [](auto& cable) { return constant_part(cable.length, 0); });
+  of_cables("capture_speed", "m/s", [](auto& cable) { return plain(cable.capture_speed); });
+  of_cables("from_time", "s", [](auto& cable) { return plain(cable.from_time); });
+  of_cables("cut_at", "s", [](auto& cable) { return plain(cable.cut_at); });
+  of_waves("amplitude", "", [](auto& wave) { return amplitude(wave); });
+  of_waves("period", "s", [](auto& wave) { return period(wave); });
+  of_waves("phase", "rad", [](auto& wave) { return phase(wave); });
+}
 
-std::size_t how_many(const System& system, Owner owner) {
+template <int D>
+std::size_t how_many(const BasicSystem<double, D>& system, Owner owner) {
   std::size_t waves = 0;
   switch (owner) {
     case Owner::system:
@@ -202,52 +232,59 @@ std::size_t how_many(const System& system, Owner owner) {
 }
 
 /// The name of a quantity of one body, cable or wave: a body may be called as a quantity is.
-std::string name_of_one(const System& system, const SystemQuantity& quantity, std::size_t index) {
-  const std::string name(quantity.name);
-  return quantity.owner == Owner::bodies
-             ? name_in_file(system.bodies[index].name, index, system.bodies.size()) + "." + name
-             : name + "_" + std::to_string(index);
+template <int D>
+std::string name_of_one(const BasicSystem<double, D>& system, const Kind& kind, std::size_t index) {
+  return kind.owner == Owner::bodies
+             ? name_in_file(system.bodies[index].name, index, system.bodies.size()) + "." +
+                   kind.name
+             : kind.name + "_" + std::to_string(index);
 }
 
 /// A name of quantities_of, as it is understood.
 struct Meant {
-  const SystemQuantity* quantity;
-  std::vector<Number> numbers;  // of `system`, in order
+  Kind kind;
+  std::vector<Number> numbers;  // of the system, in order
 };
 
-/// Calls `visit` with each name and what it means, which holds as long as `system` does.
-template <class Visit>
-void visit_quantities(System& system, const Visit& visit) {
-  for (const SystemQuantity& one : system_quantities) {
-    Meant all{&one, {}};
-    for (std::size_t i = 0; i < how_many(system, one.owner); ++i) {
-      if (MaybeNumber number = one.of(system, i)) {
-        all.numbers.push_back(*number);
-        if (one.owner != Owner::system) {
-          visit(name_of_one(system, one, i), Meant{&one, {*number}});
-        }
+/// Calls `visit` with each name of one kind and what it means, which holds as long as `system`
+/// does.
+template <int D, class NumberOf, class Visit>
+void visit_kind(const BasicSystem<double, D>& system, const Kind& kind, const NumberOf& number_of,
+                const Visit& visit) {
+  Meant all{kind, {}};
+  for (std::size_t i = 0; i < how_many(system, kind.owner); ++i) {
+    if (MaybeNumber number = number_of(i)) {
+      all.numbers.push_back(*number);
+      if (kind.owner != Owner::system) {
+        visit(name_of_one(system, kind, i), Meant{kind, {*number}});
       }
     }
-    if (!all.numbers.empty()) {
-      visit(std::string(one.name), all);
-    }
+  }
+  if (!all.numbers.empty()) {
+    visit(kind.name, all);
   }
 }
 
 /// Without numbers where there are none now: an amplitude of 0 has no direction to grow in, and
 /// what is no system may have lost more.
-Meant meant(System& system, std::string_view name) {
-  Meant result{nullptr, {}};
-  visit_quantities(system, [&](const std::string& known, const Meant& one) {
-    if (known == name) {
-      result = one;
+template <int D>
+Meant meant(BasicSystem<double, D>& system, std::string_view name) {
+  Meant result{};
+  each_kind(system, [&](const Kind& kind, const auto& number_of) {
+    if (name.ends_with(kind.name) || name.starts_with(kind.name)) {
+      visit_kind(system, kind, number_of, [&](const std::string& known, const Meant& one) {
+        if (known == name) {
+          result = one;
+        }
+      });
     }
   });
   return result;
 }
 
 /// The unit of the amplitude of the wave that `name` ends with the number of, or of the first.
-std::string_view unit_of_wave(const System& system, std::string_view name) {
+template <int D>
+std::string_view unit_of_wave(const BasicSystem<double, D>& system, std::string_view name) {
   std::vector<std::string_view> units = {
       "m/s^2"};  // of the functions, in the order of each_function
   for (std::size_t body = 0; body < system.bodies.size(); ++body) {
@@ -271,42 +308,51 @@ std::string_view unit_of_wave(const System& system, std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> quantities_of(const System& system) {
+template <int D>
+std::vector<std::string> quantities_of(const BasicSystem<double, D>& system) {
   std::vector<std::string> names;
-  System copy = system;
-  visit_quantities(copy, [&](const std::string& name, const Meant&) { names.push_back(name); });
+  BasicSystem<double, D> copy = system;
+  each_kind(copy, [&](const Kind& kind, const auto& number_of) {
+    visit_kind(copy, kind, number_of,
+               [&](const std::string& name, const Meant&) { names.push_back(name); });
+  });
   return names;
 }
+template std::vector<std::string> quantities_of(const System&);
+template std::vector<std::string> quantities_of(const SpatialSystem&);
 
-std::string_view unit_of_quantity(const AnyCase& any, std::string_view name) {
-  const auto* const system = std::get_if<System>(&any);
-  if (system == nullptr) {
-    return unit_of_quantity(name);
-  }
-  System copy = *system;
-  const Meant one = meant(copy, name);
-  assert(one.quantity != nullptr && "the name is one of quantities_of");
-  return one.quantity->name == "amplitude" ? unit_of_wave(copy, name) : one.quantity->unit;
+template <int D>
+std::string_view unit_of_quantity(const BasicSystem<double, D>& system, std::string_view name) {
+  BasicSystem<double, D> copy = system;
+  const Kind kind = meant(copy, name).kind;
+  assert(!kind.name.empty() && "the name is one of quantities_of");
+  return kind.name == "amplitude" ? unit_of_wave(copy, name) : kind.unit;
 }
+template std::string_view unit_of_quantity(const System&, std::string_view);
+template std::string_view unit_of_quantity(const SpatialSystem&, std::string_view);
 
-double quantity(const System& system, std::string_view name) {
-  System copy = system;
+template <int D>
+double quantity(const BasicSystem<double, D>& system, std::string_view name) {
+  BasicSystem<double, D> copy = system;
   const std::vector<Number> numbers = meant(copy, name).numbers;
   return numbers.empty() ? 0.0 : numbers.front().value;
 }
+template double quantity(const System&, std::string_view);
+template double quantity(const SpatialSystem&, std::string_view);
 
-void set_quantity(System& system, std::string_view name, double value) {
+template <int D>
+void set_quantity(BasicSystem<double, D>& system, std::string_view name, double value) {
   const Meant all = meant(system, name);
   if (all.numbers.empty()) {
     return;
   }
   const double first = all.numbers.front().value;
-  const std::vector<Number> periods = all.quantity->name == "phase" && all.numbers.size() > 1
+  const std::vector<Number> periods = all.kind.name == "phase" && all.numbers.size() > 1
                                           ? meant(system, "period").numbers
                                           : std::vector<Number>();
   for (std::size_t i = 0; i < all.numbers.size(); ++i) {
     const Number& number = all.numbers[i];
-    if (all.quantity->owner != Owner::waves || i == 0) {
+    if (all.kind.owner != Owner::waves || i == 0) {
       number.set(value);
     } else if (periods.empty()) {
       number.set(number.value * (value / first));
@@ -315,11 +361,16 @@ void set_quantity(System& system, std::string_view name, double value) {
     }
   }
 }
+template void set_quantity(System&, std::string_view, double);
+template void set_quantity(SpatialSystem&, std::string_view, double);
 
-void scale_quantity(System& system, std::string_view name, double factor) {
+template <int D>
+void scale_quantity(BasicSystem<double, D>& system, std::string_view name, double factor) {
   for (const Number& number : meant(system, name).numbers) {
     number.set(number.value * factor);
   }
 }
+template void scale_quantity(System&, std::string_view, double);
+template void scale_quantity(SpatialSystem&, std::string_view, double);
 
 }  // namespace tautline::bench

@@ -61,7 +61,7 @@ std::string case_problem(const AnyCase& the_case) {
 std::pair<std::optional<ReferenceCase>, std::string> reference_of(const EnsembleSpec& spec,
                                                                   const EnsembleSetup& setup,
                                                                   std::size_t draw) {
-  AnyCase drawn = case_of(spec, setup, draw);  // a system has no engine
+  AnyCase drawn = case_of(spec, setup, draw);  // no system: it has no engine
   if (std::string problem = case_problem(drawn); !problem.empty()) {
     return {std::nullopt, std::move(problem)};
   }
@@ -121,7 +121,8 @@ class ExactSolver final : public DrawSolver {
   const EnsembleSetup& setup_;
 };
 
-/// The exact motions of draws of a system, one after another.
+/// The exact motions of draws of a system of D dimensions, one after another.
+template <int D>
 class SystemSolver final : public DrawSolver {
  public:
   SystemSolver(const EnsembleRequest& request, const EnsembleSetup& setup)
@@ -143,7 +144,7 @@ class SystemSolver final : public DrawSolver {
     if (!result.problem.empty()) {
       return;
     }
-    const System& system = std::get<System>(drawn);
+    const auto& system = std::get<BasicSystem<double, D>>(drawn);
     const auto solution = tautline::solve(system, options_of(setup_));
     result.problem = exact_problem(system, solution, request_.spec.speeds[1]);
     if (result.problem.empty()) {
@@ -213,7 +214,10 @@ std::unique_ptr<DrawSolver> draw_solver(const EnsembleRequest& request,
     return std::make_unique<EngineSolver>(request, setup);
   }
   if (std::holds_alternative<System>(request.spec.the_case)) {
-    return std::make_unique<SystemSolver>(request, setup);
+    return std::make_unique<SystemSolver<2>>(request, setup);
+  }
+  if (std::holds_alternative<SpatialSystem>(request.spec.the_case)) {
+    return std::make_unique<SystemSolver<3>>(request, setup);
   }
   return std::make_unique<ExactSolver>(request, setup);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "bench/base/input_file.hpp"
@@ -85,23 +86,21 @@ std::optional<AnyCase> read_case(StrictTable& root, const std::filesystem::path&
     return std::nullopt;
   }
   CaseSelection selection = select_cases({&name, 1}, {}, Kinds::cases_and_systems);
-  const std::size_t meant = selection.cases.size() + selection.systems.size();
-  if (!selection.in_space.empty()) {
-    selection.problems.push_back(printable(name) +
-                                 " is a system in space; must be a case, or a system in the plane");
-  }
-  if (meant > 1) {
-    selection.problems.push_back(fmt::format("means {} cases, must mean one", meant));
+  std::vector<AnyCase> meant;
+  const auto add = [&](auto& of_one_kind) {
+    std::move(of_one_kind.begin(), of_one_kind.end(), std::back_inserter(meant));
+  };
+  add(selection.cases);
+  add(selection.systems);
+  add(selection.in_space);
+  if (meant.size() > 1) {
+    selection.problems.push_back(fmt::format("means {} cases, must mean one", meant.size()));
   }
   for (const std::string& sentence : selection.problems) {
     other_case ? wrong.add(0, "--case: " + sentence) : root.refuse_value("case", sentence);
   }
   notes = std::move(selection.notes);
-  if (meant != 1) {
-    return std::nullopt;
-  }
-  return selection.cases.empty() ? AnyCase(std::move(selection.systems.front()))
-                                 : AnyCase(std::move(selection.cases.front()));
+  return meant.size() == 1 ? std::optional(std::move(meant.front())) : std::nullopt;
 }
 
 /// Values of a grid from one end to the other.
@@ -152,17 +151,19 @@ Distribution read_distribution(StrictTable& table) {
   return given.empty() ? Distribution{Kind::list, {0.0}} : given.front();
 }
 
-/// The names that an editor proposes: of any case, and of any system but for its bodies' names.
-std::vector<std::string> proposed_names() {
-  Case any_case;
-  any_case.cables.resize(max_cables);
-  std::vector<std::string> names = quantities_of(any_case);
-  System system;
+/// Adds the names of any system of D dimensions that `names` does not have, but for its bodies'.
+template <int D>
+void add_names(std::vector<std::string>& names) {
+  BasicSystem<double, D> system;
   system.bodies.resize(1);
-  system.bodies.front().inertia = 1.0;
+  if constexpr (D == 2) {
+    system.bodies.front().inertia = 1.0;
+  } else {
+    system.bodies.front().inertia.setOnes();
+  }
   system.initial.bodies.resize(1);
   system.cables.resize(1);
-  CableOfSystem& cable = system.cables.front();
+  auto& cable = system.cables.front();
   cable.length.pieces.front().coefficients.push_back(Function<1>::Value(1.0));
   cable.length.waves = {{Function<1>::Value(1.0), 1.0}};
   cable.from_time = 1.0;
@@ -173,6 +174,15 @@ std::vector<std::string> proposed_names() {
       names.push_back(name);
     }
   }
+}
+
+/// The names that an editor proposes.
+std::vector<std::string> proposed_names() {
+  Case any_case;
+  any_case.cables.resize(max_cables);
+  std::vector<std::string> names = quantities_of(any_case);
+  add_names<2>(names);
+  add_names<3>(names);
   names.emplace_back(names_of_one);
   return names;
 }
@@ -204,7 +214,11 @@ std::vector<Varied> read_varied(StrictTable& table, const AnyCase& the_case,
     }
     const bool known = before.contains(name);
     result.push_back(
-        {name, distribution, std::string(known ? unit_of_quantity(the_case, name) : "")});
+        {name, distribution,
+         known
+             ? std::visit([&](const auto& one) { return std::string(unit_of_quantity(one, name)); },
+                          the_case)
+             : ""});
   }
   table.refuse_unknown_keys();
   return result;
@@ -239,7 +253,7 @@ ExactVariant read_variant(StrictTable& table, const std::vector<std::string>& na
 }
 
 void read_engines(StrictTable table, const std::filesystem::path& source, EnsembleSpec& spec) {
-  if (std::holds_alternative<System>(spec.the_case)) {
+  if (is_system(spec.the_case)) {
     table.refuse_value("names", "engines run cases of one body; " +
                                     printable(name_of(spec.the_case)) + " is a system");
   }

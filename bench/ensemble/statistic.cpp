@@ -189,8 +189,9 @@ void add_impacts(ImpactSums& sums, const Case& the_case, const Solution& solutio
   }
 }
 
-void add_impacts(ImpactSums& sums, const System& system, const BasicSolution<System>& solution,
-                 double slowest) {
+template <int D>
+void add_impacts(ImpactSums& sums, const BasicSystem<double, D>& system,
+                 const BasicSolution<BasicSystem<double, D>>& solution, double slowest) {
   for (const auto& event : solution.events()) {
     if (event.kind != EventKind::impact) {
       continue;
@@ -312,37 +313,42 @@ double most_response(const Case& the_case, const Cable& cable) {
   return weight[0] + cable.attachment.squaredNorm() * weight[2];
 }
 
-double most_response(const System& system, const CableOfSystem& cable) {
+template <int D>
+double most_response(const BasicSystem<double, D>& system,
+                     const BasicCableOfSystem<double, D>& cable) {
   double result = 0.0;
   for (std::size_t i = 0; i <= cable.segments(); ++i) {
-    if (const End& end = cable.end(i); end.body) {
-      const BodyOfSystem& body = system.bodies[*end.body];
+    if (const auto& end = cable.end(i); end.body) {
+      const auto& body = system.bodies[*end.body];
       const double pulls = i == 0 || i == cable.segments() ? 1.0 : 2.0;  // on a ring both sides do
-      const double turn = body.inertia > 0.0 ? end.at.squaredNorm() / body.inertia : 0.0;
+      const double turn =
+          has_inertia(body.inertia) ? end.at.squaredNorm() / moments(body.inertia).minCoeff() : 0.0;
       result += pulls * pulls * (1.0 / body.mass + turn);
     }
   }
   return result;
 }
+template double most_response(const System&, const CableOfSystem&);
+template double most_response(const SpatialSystem&, const SpatialCable&);
 
 std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
   const auto& [fast, slow] = spec.speeds;
-  const bool is_system = std::holds_alternative<System>(spec.the_case);
+  const bool of_systems = is_system(spec.the_case);
   std::vector<Statistic> all = {
       {"settled_fast", fmt::format("last impact > {:g} m/s", fast), "s", fixed(4), true, true,
        OfEngines::all, "the last impact faster than the first speed: settling time"},
       {"settled_slow", fmt::format("last impact > {:g} m/s", slow), "s", fixed(4), true, true,
        OfEngines::all, "the last impact faster than the second speed"},
       {"lock", "lock", "s", fixed(4), true, true, OfEngines::none,
-       is_system ? "from which on the cables that are taut at the end stay taut; none where what "
-                   "is given still varies"
-                 : "from which on the last cables stay taut; of an engine's run none is known"},
+       of_systems ? "from which on the cables that are taut at the end stay taut; none where what "
+                    "is given still varies"
+                  : "from which on the last cables stay taut; of an engine's run none is known"},
       {"impacts", fmt::format("impacts > {:g} m/s", fast), "", as_count, true, true, OfEngines::all,
        "impacts faster than the first speed, one a cable"},
   };
   const auto add = [&](std::initializer_list<Statistic> of_case,
                        std::initializer_list<Statistic> of_system) {
-    all.insert(all.end(), is_system ? of_system : of_case);
+    all.insert(all.end(), of_systems ? of_system : of_case);
   };
   add({{"swing_energy", "swing energy", "J", fixed(5), true, true, OfEngines::all,
         "above the equilibrium, in the last period; none where the exact motion has not locked and "
@@ -379,7 +385,7 @@ std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
         "1 where the bodies rest at the end, else 0; none before they are locked"}});
   all.push_back({"first_cable", "first cable", "", as_count, false, true, OfEngines::all,
                  "the cable of the first impact that is counted"});
-  for (std::size_t cable = 0; is_system && cable < cables_of(spec.the_case); ++cable) {
+  for (std::size_t cable = 0; of_systems && cable < cables_of(spec.the_case); ++cable) {
     all.push_back({fmt::format("taut_share_{}", cable), fmt::format("cable {} taut", cable), "",
                    fixed(4), true, true, OfEngines::none, "share of the time in which it is taut"});
   }
@@ -411,8 +417,9 @@ StatisticValues exact_statistics(const EnsembleSpec& spec, const Case& the_case,
   return values;
 }
 
-StatisticValues system_statistics(const EnsembleSpec& spec, const System& system,
-                                  const BasicSolution<System>& solution) {
+template <int D>
+StatisticValues system_statistics(const EnsembleSpec& spec, const BasicSystem<double, D>& system,
+                                  const BasicSolution<BasicSystem<double, D>>& solution) {
   ImpactSums sums(spec);
   add_impacts(sums, system, solution, spec.speeds[1]);
   StatisticValues values = std::move(sums).values();
@@ -437,6 +444,11 @@ StatisticValues system_statistics(const EnsembleSpec& spec, const System& system
   }
   return values;
 }
+
+template StatisticValues system_statistics(const EnsembleSpec&, const System&,
+                                           const BasicSolution<System>&);
+template StatisticValues system_statistics(const EnsembleSpec&, const SpatialSystem&,
+                                           const BasicSolution<SpatialSystem>&);
 
 StatisticValues run_statistics(const EnsembleSpec& spec, const ReferenceCase& reference,
                                const Trajectory& run) {

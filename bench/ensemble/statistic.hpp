@@ -38,7 +38,9 @@ struct Statistic {
 
 /// The response of the attachment of `cable` to a pull is at most this, as across its arm [1/kg].
 [[nodiscard]] double most_response(const Case& the_case, const Cable& cable);
-[[nodiscard]] double most_response(const System& system, const CableOfSystem& cable);
+template <int D>
+[[nodiscard]] double most_response(const BasicSystem<double, D>& system,
+                                   const BasicCableOfSystem<double, D>& cable);
 
 /// A value for each statistic; none where the motion has none of it.
 using StatisticValues = std::vector<std::optional<double>>;
@@ -49,8 +51,10 @@ using StatisticValues = std::vector<std::optional<double>>;
                                                const std::optional<Lock>& lock);
 
 /// Likewise for a system, which has other statistics.
-[[nodiscard]] StatisticValues system_statistics(const EnsembleSpec& spec, const System& system,
-                                                const BasicSolution<System>& solution);
+template <int D>
+[[nodiscard]] StatisticValues system_statistics(
+    const EnsembleSpec& spec, const BasicSystem<double, D>& system,
+    const BasicSolution<BasicSystem<double, D>>& solution);
 
 /// Of an engine's run of it.
 [[nodiscard]] StatisticValues run_statistics(const EnsembleSpec& spec,

@@ -96,7 +96,8 @@ struct Line {
 
 Line read_line(const Command& command, const std::vector<std::string>& words) {
   Line line;
-  line.takes_systems = command.name == "solve" || command.name == "cases";
+  line.takes_systems =
+      command.name == "solve" || command.name == "cases" || command.name == "ensemble";
   for (const std::string& word : words) {
     const Argument* argument = std::exchange(line.asked, nullptr);
     if (argument == nullptr && word.starts_with('-')) {

@@ -87,13 +87,12 @@ std::optional<Atlas> atlas_of(const EnsembleReport& report) {
     atlas.pictured.push_back(cells <= most_pictures && !report.result.interrupted &&
                              draws.solved(draw));
   }
-  const bool is_system = std::holds_alternative<System>(spec.the_case);
   const std::vector<std::string> of_case = {"impacts", "settled_fast", "swing_energy", "captured",
                                             "first_cable"};
   const std::vector<std::string> of_system = {
       "impacts",          "settled_fast", "largest_impulse", "largest_tension",
       "impacts_a_period", "repeats",      "first_cable"};
-  for (const std::string& name : is_system ? of_system : of_case) {
+  for (const std::string& name : is_system(spec.the_case) ? of_system : of_case) {
     atlas.maps.push_back(map_of(report, name, cells));
   }
   return atlas;

@@ -73,13 +73,15 @@ Document document_of(const EnsembleReport& report, Medium medium) {
   return out.section("distributions", "Distributions", inside);
 }
 
-std::string picture(const AnyCase& any, const SolveOptions& options) {
-  if (const auto* const system = std::get_if<System>(&any)) {
-    const auto solution = solve(*system, options);
-    return plot_svg({*system, solution, settling(*system, solution), std::nullopt});
-  }
-  const Case& the_case = std::get<Case>(any);
+std::string picture(const Case& the_case, const SolveOptions& options) {
   return plot_svg(the_case, solve(the_case, options));
+}
+
+template <int D>
+std::string picture(const BasicSystem<double, D>& system, const SolveOptions& options) {
+  const auto solution = solve(system, options);
+  const SystemSettling settled = settling(system, solution);
+  return plot_svg(BasicSystemMotion<D>{system, solution, settled, std::nullopt});
 }
 
 /// A picture of the first motion of each cell of the atlas.
@@ -92,7 +94,8 @@ void write_pictures(const std::filesystem::path& out, const EnsembleReport& repo
   for (std::size_t cell = 0; cell < atlas->draws.size(); ++cell) {
     if (atlas->pictured[cell]) {
       const AnyCase any = named_case_of(report.request.spec, exact, atlas->draws[cell]);
-      write_file(out / picture_name(cell), picture(any, options_of(exact)));
+      write_file(out / picture_name(cell),
+                 std::visit([&](const auto& one) { return picture(one, options_of(exact)); }, any));
     }
   }
 }

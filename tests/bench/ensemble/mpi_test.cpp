@@ -21,14 +21,18 @@ std::string together(int ranks) {
          std::to_string(ranks);
 }
 
+const char* const of_a_case =
+    "case = \"breakwater/1510121100\"\nuntil = 5\n"
+    "[[vary]]\nquantities = [\"x\", \"y\", \"spin\"]\nnormal = 1e-3\n"
+    "[[exact]]\nname = \"sequential\"\nlaw = \"sequential\"\n";
+const char* const of_a_system_in_space =
+    "case = \"tethered-ball\"\nuntil = 2\n"
+    "[[vary]]\nquantities = [\"x\", \"rotation_z\", \"spin_y\"]\nnormal = 1e-3\n";
+
 /// A spec in a folder of its own, beside the results.
 class Spec {
  public:
-  Spec()
-      : file_(folder_.file("spec.toml",
-                           "case = \"breakwater/1510121100\"\nuntil = 5\n"
-                           "[[vary]]\nquantities = [\"x\", \"y\", \"spin\"]\nnormal = 1e-3\n"
-                           "[[exact]]\nname = \"sequential\"\nlaw = \"sequential\"\n")) {}
+  explicit Spec(const std::string& text = of_a_case) : file_(folder_.file("spec.toml", text)) {}
   [[nodiscard]] Outcome run(const std::string& shell, const fs::path& out,
                             const std::vector<std::string>& more = {}) const {
     std::vector<std::string> words = {"ensemble", file_.string(), "--out",  out.string(),
@@ -57,6 +61,16 @@ TEST(EnsembleOfProcesses, FindsTheSameInAnyNumberOfThem) {
     EXPECT_NE(outcome.output.find("index.html, with"), std::string::npos);
     EXPECT_EQ(outcome.output.find("index.html, with"), outcome.output.rfind("index.html, with"))
         << "one of them speaks";
+  }
+}
+
+TEST(EnsembleOfProcesses, FindsTheSameOfASystemInSpace) {
+  const Spec spec(of_a_system_in_space);
+  EXPECT_EQ(spec.run("", spec.out("alone")).code, 0);
+  const Outcome outcome = spec.run(together(2), spec.out("two"));
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  for (const char* const file : {"ensemble.json", "index.html", "draws/exact/00000200.csv"}) {
+    EXPECT_EQ(content_of(spec.out("two") / file), content_of(spec.out("alone") / file)) << file;
   }
 }
 

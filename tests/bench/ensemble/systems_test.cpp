@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <set>
 #include <string>
@@ -11,41 +12,53 @@
 #include "bench/ensemble/draw.hpp"
 #include "bench/ensemble/output/comparison.hpp"
 #include "bench/ensemble/output/output.hpp"
+#include "bench/ensemble/spec_file.hpp"
 #include "bench/ensemble/statistic.hpp"
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/system_geometry.hpp"
 #include "tautline/system_settling.hpp"
 #include "tests/bench/ensemble/solved.hpp"
+#include "tests/bench/program.hpp"
 
 namespace tautline::bench {
 namespace {
 
-System shipped(const std::string& name) {
-  for (const ShippedSystem& one : shipped_systems()) {
+template <class Shipped>
+auto named(const std::vector<Shipped>& all, const std::string& name) {
+  for (const Shipped& one : all) {
     if (one.system.name == name) {
       return one.system;
     }
   }
   ADD_FAILURE() << "no shipped system is called " << name;
-  return {};
+  return decltype(Shipped::system){};
 }
 
-bool has(const System& system, const std::string& name) {
+System shipped(const std::string& name) { return named(shipped_systems(), name); }
+SpatialSystem in_space(const std::string& name) { return named(shipped_spatial_systems(), name); }
+
+template <class TheSystem>
+bool has(const TheSystem& system, const std::string& name) {
   const auto names = quantities_of(system);
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 // every number that may vary takes what it is given, for every shipped system
 TEST(SystemQuantities, TakeEveryValue) {
-  for (const ShippedSystem& one : shipped_systems()) {
-    for (const std::string& name : quantities_of(one.system)) {
-      System changed = one.system;
-      set_quantity(changed, name, 0.75);
-      EXPECT_NEAR(quantity(changed, name), 0.75, 1e-15) << one.system.name << ' ' << name;
-      scale_quantity(changed, name, 2.0);
-      EXPECT_NEAR(quantity(changed, name), 1.5, 1e-15) << one.system.name << ' ' << name;
+  const auto expect_taken = [](const auto& shipped) {
+    for (const auto& one : shipped) {
+      for (const std::string& name : quantities_of(one.system)) {
+        auto changed = one.system;
+        set_quantity(changed, name, 0.75);
+        EXPECT_NEAR(quantity(changed, name), 0.75, 1e-15) << one.system.name << ' ' << name;
+        scale_quantity(changed, name, 2.0);
+        EXPECT_NEAR(quantity(changed, name), 1.5, 1e-15) << one.system.name << ' ' << name;
+      }
     }
-  }
+  };
+  expect_taken(shipped_systems());
+  expect_taken(shipped_spatial_systems());
 }
 
 TEST(SystemQuantities, HaveNamesThatMeanOneThing) {
@@ -114,6 +127,72 @@ TEST(SystemQuantities, ShiftAllWavesInTime) {
   EXPECT_NE(quantity(waves, "amplitude_1"), 5.0);
 }
 
+TEST(SystemQuantities, InSpaceHaveTheNamesOfTheFile) {
+  const SpatialSystem load = in_space("hoisted-load");
+  for (const char* name : {"x", "y", "z", "load.rotation_x", "velocity_z", "spin_y", "load.spin_z",
+                           "inertia_x", "hook.mass", "drag", "spin_drag", "gravity_z", "length_4",
+                           "length_rate", "restitution", "amplitude", "period", "phase_1"}) {
+    EXPECT_TRUE(has(load, name)) << name;
+  }
+  for (const char* name : {"angle", "spin", "inertia", "rotation", "hook.rotation_x",
+                           "hook.inertia_x", "hook.spin_drag"}) {
+    EXPECT_FALSE(has(load, name)) << name;
+  }
+  EXPECT_EQ(unit_of_quantity(load, "rotation_y"), "rad");
+  EXPECT_EQ(unit_of_quantity(load, "inertia_z"), "kg m^2");
+  EXPECT_EQ(unit_of_quantity(load, "amplitude"), "m");
+  EXPECT_EQ(unit_of_quantity(in_space("moored-buoy"), "amplitude"), "N");
+  SpatialSystem changed = load;
+  set_quantity(changed, "load.spin_z", 2.0);
+  EXPECT_EQ(changed.initial.bodies[0].spin, (BasicVector<double, 3>(0.4, -0.3, 2.0)));
+  set_quantity(changed, "gravity_x", 0.5);
+  EXPECT_EQ(changed.gravity.at(0.0), (BasicVector<double, 3>(0.5, 0.0, -1.0)));
+  set_quantity(changed, "inertia_y", 0.09);
+  EXPECT_EQ(changed.bodies[0].inertia, (BasicVector<double, 3>(0.08, 0.09, 0.12)));
+  EXPECT_TRUE(changed.bodies[1].inertia.isZero(0)) << "the hook stays a point mass";
+}
+
+// the three numbers of a rotation are those of the file, set in any order, up to a whole turn
+TEST(SystemQuantities, TurnABodyInSpaceAsItsFileDoes) {
+  using Rotation = BasicVector<double, 3>;
+  SpatialSystem brick = in_space("tumbling-brick");
+  Quaternion& orientation = brick.initial.bodies[0].orientation;
+  for (const Rotation& rotation :
+       {Rotation(0.2, -0.3, 0.1), Rotation(0.0, 0.0, 1e-12), Rotation(0.0, 3.1, 0.5),
+        Rotation(-4.0, 1.0, 3.0), Rotation(0.0, 0.0, -6.2)}) {
+    orientation = Quaternion::Unit(0);
+    for (const int axis : {2, 0, 1}) {
+      set_quantity(brick, std::string("rotation_") + "xyz"[axis], rotation[axis]);
+    }
+    EXPECT_LT((orientation - quaternion_of<double>(rotation)).norm(), 1e-15)
+        << rotation.transpose();
+    for (const int axis : {0, 1, 2}) {
+      EXPECT_NEAR(quantity(brick, std::string("rotation_") + "xyz"[axis]), rotation[axis], 1e-14)
+          << rotation.transpose();
+    }
+  }
+}
+
+// no pull moves an attachment more than that says
+TEST(SystemEnsemble, BoundsTheResponseOfEachCable) {
+  const auto expect_bound = [](const auto& all) {
+    for (const auto& one : all) {
+      SolveOptions options;
+      options.max_events = 50;
+      const auto solution = solve(one.system, options);
+      for (std::size_t index = 0; index < one.system.cables.size(); ++index) {
+        const double most = most_response(one.system, one.system.cables[index]);
+        for (const auto& event : solution.events()) {
+          EXPECT_LE(delassus(one.system, event.before, index), most * (1.0 + 1e-12))
+              << one.system.name << " cable " << index;
+        }
+      }
+    }
+  };
+  expect_bound(shipped_systems());
+  expect_bound(shipped_spatial_systems());
+}
+
 double value_of(const EnsembleRequest& request, const EnsembleResult& result, std::size_t draw,
                 const std::string& name) {
   const std::size_t place = place_of_statistic(statistics_of(request.spec), name);
@@ -157,6 +236,85 @@ TEST(SystemEnsemble, SaysWhatTheSettlingOfEachDrawSays) {
     EXPECT_EQ(value_of(request, result, draw, "taut_share_0"), settled.cables[0].taut_share);
     ASSERT_TRUE(settled.cables[0].impulse);
     EXPECT_EQ(value_of(request, result, draw, "largest_impulse"), settled.cables[0].impulse->value);
+  }
+}
+
+// likewise in space, where a body is drawn in each of its numbers
+TEST(SystemEnsemble, InSpaceSaysWhatTheSettlingOfEachDrawSays) {
+  const EnsembleRequest request = request_of(
+      "case = \"tethered-ball\"\ncount = 12\n[[vary]]\nquantities = [\"x\", \"rotation_y\", "
+      "\"velocity_z\", \"spin_z\", \"mass\", \"inertia_x\", \"length\", \"gravity_z\"]\n"
+      "normal = 1e-4\n");
+  const EnsembleResult result = solved(request);
+  ASSERT_EQ(result.draws.front().problems(), 0U) << result.draws.front().first_problem();
+  std::set<double> masses;
+  for (std::size_t draw = 0; draw < 12; ++draw) {
+    const auto system =
+        std::get<SpatialSystem>(case_of(request.spec, request.setups.front(), draw));
+    masses.insert(system.bodies[0].mass);
+    EXPECT_NEAR(system.initial.bodies[0].orientation.norm(), 1.0, 1e-15);
+    const auto solution = solve(system);
+    const SystemSettling settled = settling(system, solution);
+    EXPECT_EQ(value_of(request, result, draw, "taut_share_0"), settled.cables[0].taut_share);
+    ASSERT_TRUE(settled.cables[0].impulse);
+    ASSERT_TRUE(settled.cables[0].tension);
+    EXPECT_EQ(value_of(request, result, draw, "largest_impulse"), settled.cables[0].impulse->value);
+    EXPECT_EQ(value_of(request, result, draw, "largest_tension"), settled.cables[0].tension->value);
+    EXPECT_EQ(value_of(request, result, draw, "settled_fast"), settled.last_impacts[0].time);
+  }
+  EXPECT_EQ(masses.size(), 12U) << "no two draws are alike";
+}
+
+// two of four slings carry a box, with what each of two has at rest: m g / 2 over the cosine of its
+// angle, 1.5 to 3.5^(1/2)
+TEST(SystemEnsemble, HasTheTwoSlingsThatCarryABox) {
+  const SpecReading reading = read_spec_file(TAUTLINE_SPECS "/slings.toml");
+  ASSERT_TRUE(reading.spec) << reading.problems.front();
+  EnsembleRequest request{*reading.spec, {}, {}, {}};
+  request.spec.count = 12;
+  request.setups = setups_of(request.spec, {});
+  const EnsembleResult result = solved(request);
+  ASSERT_EQ(result.draws.front().problems(), 0U) << result.draws.front().first_problem();
+  for (std::size_t draw = 0; draw < 12; ++draw) {
+    double taut = 0.0;
+    for (const char* name : {"taut_share_0", "taut_share_1", "taut_share_2", "taut_share_3"}) {
+      taut += value_of(request, result, draw, name);
+    }
+    EXPECT_GT(taut, 1.9) << "draw " << draw;
+    EXPECT_LT(taut, 3.0) << "draw " << draw;
+    const double of_two = 1000.0 * 9.81 / 2.0 * std::sqrt(3.5) / 1.5;
+    EXPECT_GT(value_of(request, result, draw, "largest_tension"), 0.99 * of_two);
+  }
+}
+
+TEST(SystemEnsemble, InSpaceHasAPictureOfEachCell) {
+  const EnsembleRequest request = request_of(
+      "case = \"spherical-slack\"\nuntil = 4\ncount = 1\n[[vary]]\nquantities = [\"velocity_y\"]\n"
+      "grid = [0.2, 0.4]\npoints = 2\n[[vary]]\nquantities = [\"restitution\"]\n"
+      "grid = [0.0, 0.5]\npoints = 2\n");
+  const EnsembleResult result = solved(request);
+  const test::TemporaryFolder folder;
+  write_ensemble(folder.path(), {request, result, findings_of(request, result, 1)});
+  std::size_t pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "cells")) {
+    EXPECT_NE(test::content_of(entry.path()).find(">front</text>"), std::string::npos)
+        << entry.path();
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 4U);
+}
+
+TEST(SystemEnsemble, InSpaceHasNoQuantityOfThePlane) {
+  for (const auto& [name, right] : {std::pair("angle", "angle is none of this case; it has"),
+                                    {"spin", "spin is none of this case; did you mean"},
+                                    {"rotation_w",
+                                     "rotation_w is none of this case; did you mean "
+                                     "rotation_x, rotation_y or rotation_z?"}}) {
+    const SpecReading reading = read_spec_text(
+        "case = \"bifilar\"\n[[vary]]\nquantities = [\"" + std::string(name) + "\"]\nnormal = 1\n",
+        "test.toml");
+    ASSERT_EQ(reading.problems.size(), 1U) << name;
+    EXPECT_NE(reading.problems.front().find(right), std::string::npos) << reading.problems.front();
   }
 }
 

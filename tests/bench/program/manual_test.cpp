@@ -153,6 +153,7 @@ TEST(Completion, OffersWhatFits) {
   EXPECT_EQ(offered({"solve", "two-b"}), "two-bodies\n");
   EXPECT_EQ(offered({"cases", "two-b"}), "two-bodies\n");
   EXPECT_EQ(offered({"run", "two-b"}), "\n") << "engines run cases alone";
+  EXPECT_EQ(offered({"ensemble", "spec.toml", "--case", "bifi"}), "bifilar\n");
   EXPECT_EQ(offered({"run", "bouncing-ball", "--engine", "exa"}), "exact\n");
   EXPECT_EQ(offered({"run", "bouncing-ball", "--engine", "=", "exa"}), "exact\n");
   EXPECT_EQ(offered({"run", "--engine", "exact", "--model", "ev"}), "event\n");

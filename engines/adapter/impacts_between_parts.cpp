@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "system/kernel.hpp"
+#include "tautline/cable_row.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impulses_by_hand.hpp"
 
@@ -19,17 +21,44 @@ constexpr double contradicting = 1000.0;
 /// gap while another is hit.
 constexpr double pulling = 20.0;
 
-/// The largest speed of a point of the body around a jump [m/s].
-double speed_around(const Case& the_case, const State& before, const State& after) {
+double length_of(const Cable& cable, const State& /*state*/) { return cable.length; }  // [m]
+double length_of(const SpatialCable& cable, const SpatialSystemState& state) {
+  return cable.length.at(state.time)[0];
+}
+
+double heaviest(const Case& the_case) { return the_case.body.mass; }  // [kg]
+double heaviest(const SpatialSystem& system) {
+  return std::ranges::max_element(system.bodies, {}, &SpatialBody::mass)->mass;
+}
+
+/// `state` with the velocities of `other`.
+State with_motion_of(State state, const State& other) {
+  state.velocity = other.velocity;
+  state.spin = other.spin;
+  return state;
+}
+SpatialSystemState with_motion_of(SpatialSystemState state, const SpatialSystemState& other) {
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    state.bodies[i].velocity = other.bodies[i].velocity;
+    state.bodies[i].spin = other.bodies[i].spin;
+  }
+  return state;
+}
+
+/// The largest speed of a point of a body around a jump [m/s].
+template <class TheCase>
+double speed_around(const TheCase& the_case, const StateOf<TheCase>& before,
+                    const StateOf<TheCase>& after) {
   return std::max(speed_scale(the_case, before), speed_scale(the_case, after));
 }
 
 /// The cables that `state` leaves no room.
-CableSet touched(const Case& the_case, const State& state, double rounding) {
+template <class TheCase>
+CableSet touched(const TheCase& the_case, const StateOf<TheCase>& state, double rounding) {
   CableSet result;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    const Cable& cable = the_case.cables[index];
-    if (gap(cable, state) <= touching * rounding * cable.length) {
+    const auto& cable = the_case.cables[index];
+    if (gap(cable, state) <= touching * rounding * length_of(cable, state)) {
       result.insert(index);
     }
   }
@@ -37,50 +66,56 @@ CableSet touched(const Case& the_case, const State& state, double rounding) {
 }
 
 /// The impulses of `cables` that change the velocity of `before` to that of `after`.
-CableVector impulses_of_jump(const Case& the_case, const State& before, const State& after,
-                             CableSet cables, double rounding) {
+template <class TheCase>
+CableVector impulses_of_jump(const TheCase& the_case, const StateOf<TheCase>& before,
+                             const StateOf<TheCase>& after, CableSet cables, double rounding) {
   CableVector jumps(static_cast<Eigen::Index>(cables.size()));
   Eigen::Index row = 0;
   for (const std::size_t index : cables) {
-    const Cable& cable = the_case.cables[index];
+    const auto& cable = the_case.cables[index];
     jumps[row++] = gap_rate(cable, after) - gap_rate(cable, before);
   }
   return impulses_by_hand(delassus(the_case, before, cables), -jumps,
-                          contradicting * rounding * speed_around(the_case, before, after));
+                          contradicting * rounding * speed_around(the_case, before, after),
+                          rank_of<TheCase>);
 }
 
 }  // namespace
 
-ImpactsBetweenParts::ImpactsBetweenParts(const Case& the_case, double rounding)
+template <class TheCase>
+ImpactsBetweenParts<TheCase>::ImpactsBetweenParts(const TheCase& the_case, double rounding)
     : case_(the_case), rounding_(rounding), impulses_(the_case.cables.size()) {}
 
-void ImpactsBetweenParts::begin_step(const State& now) {
+template <class TheCase>
+void ImpactsBetweenParts<TheCase>::begin_step(const State& now) {
   last_ = now;
   parts_ = 0.0;
   events_.clear();
   std::fill(impulses_.begin(), impulses_.end(), 0.0);
 }
 
-void ImpactsBetweenParts::end_part(double dt, const State& now, CableSet pulled) {
+template <class TheCase>
+void ImpactsBetweenParts<TheCase>::end_part(double dt, const State& now, CableSet pulled) {
   parts_ += dt;
   last_ = now;
   taut_ = pulled;
 }
 
-void ImpactsBetweenParts::end_step(double dt, const State& now) {
+template <class TheCase>
+void ImpactsBetweenParts<TheCase>::end_step(double dt, const State& now) {
   parts_ = dt;  // in float, the sum is off by rounding
   look(now);
   start_.advance(dt);
 }
 
-void ImpactsBetweenParts::look(const State& now) {
+template <class TheCase>
+void ImpactsBetweenParts<TheCase>::look(const State& now) {
   // exactly: nothing else changes the velocity between two parts
-  if (now.velocity == last_.velocity && now.spin == last_.spin) {
+  if (motion_of(now) == motion_of(last_)) {
     return;
   }
-  State before = now;  // the pose may have been corrected at the end of a part
-  before.velocity = last_.velocity;
-  before.spin = last_.spin;
+  // the pose may have been corrected at the end of a part
+  const State before = with_motion_of(now, last_);
   last_ = now;
   const CableSet candidates = touched(case_, now, rounding_);
   if ((candidates - taut_).empty()) {
@@ -88,7 +123,7 @@ void ImpactsBetweenParts::look(const State& now) {
   }
   const CableVector all = impulses_of_jump(case_, before, now, candidates, rounding_);
   const double least =
-      pulling * rounding_ * case_.body.mass * speed_around(case_, before, now);  // [N s]
+      pulling * rounding_ * heaviest(case_) * speed_around(case_, before, now);  // [N s]
   Event event{start_.now() + parts_, EventKind::impact, {}, {}, before, now};
   std::vector<double> impulses;
   Eigen::Index row = 0;
@@ -110,5 +145,8 @@ void ImpactsBetweenParts::look(const State& now) {
   }
   events_.push_back(std::move(event));
 }
+
+template class ImpactsBetweenParts<Case>;
+template class ImpactsBetweenParts<SpatialSystem>;
 
 }  // namespace tautline

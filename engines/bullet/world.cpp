@@ -28,6 +28,16 @@ btRigidBody& BareWorld::add_fixed_body(const btVector3& position) {
   return added;
 }
 
+btRigidBody& BareWorld::add_hook(btMotionState& pose) {
+  btRigidBody& added = add_body(0.0, btVector3(0, 0, 0));
+  added.setMotionState(&pose);  // and it is there
+  added.setInterpolationWorldTransform(added.getWorldTransform());
+  added.setCollisionFlags(added.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  added.setActivationState(DISABLE_DEACTIVATION);
+  dynamics_.addRigidBody(&added, 0, 0);
+  return added;
+}
+
 void BareWorld::step_once(double dt) {
   const auto step = static_cast<btScalar>(dt);
   if (btFuzzyZero(step)) {  // less than SIMD_EPSILON, 1.2e-7 in float: only as a substep is it made
@@ -69,10 +79,10 @@ State World::state() const {
 
 void World::advance(double dt) {
   step_once(dt);
-  follow_turn(dt);
+  follow(dt);
 }
 
-void World::follow_turn(double dt) {
+void World::follow(double dt) {
   angle_ += dt * body_->getAngularVelocity().z();  // the new spin turns the body in Bullet
   angle_ = state().angle;
 }
@@ -135,20 +145,23 @@ void SystemWorld::place(const SpatialSystemState& state) {
   }
 }
 
-void SystemWorld::step_under(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity,
-                             double dt) {
+void SystemWorld::load(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity) {
   dynamics().setGravity(vector(gravity));
   for (std::size_t index = 0; index < moving_.size(); ++index) {
     moving_[index]->applyCentralForce(vector(loads[index].force));
     moving_[index]->applyTorque(vector(loads[index].moment));
   }
-  step_once(dt);
-  time_ += dt;
+}
+
+void SystemWorld::load(double dt) {
+  const SpatialSystemState now = state();
+  load(loads_in_step(system_, now, dt), gravity_in_step(system_, now, dt));
 }
 
 void SystemWorld::advance(double dt) {
-  const SpatialSystemState now = state();
-  step_under(loads_in_step(system_, now, dt), gravity_in_step(system_, now, dt), dt);
+  load(dt);
+  step_once(dt);
+  follow(dt);
 }
 
 void SystemWorld::fly(double dt) {
@@ -165,7 +178,9 @@ void SystemWorld::fly(double dt) {
     }
   };
   kick(-0.5);
-  step_under(loads, gravity, dt);
+  load(loads, gravity);
+  step_once(dt);
+  follow(dt);
   kick(0.5);
 }
 

@@ -39,6 +39,9 @@ class BareWorld {
   /// Adds a body that does not move; Bullet's contacts need one at the other side.
   btRigidBody& add_fixed_body(const btVector3& position);
 
+  /// Adds a kinematic body, which goes in a step to where `pose` has it then.
+  btRigidBody& add_hook(btMotionState& pose);
+
   /// Adds a constraint, which the world then owns.
   template <class Constraint>
   Constraint& add(std::unique_ptr<Constraint> constraint) {
@@ -92,7 +95,7 @@ class World : public BareWorld {
   void advance(double dt);
 
   /// After a step of `dt` [s] that another made: the angle goes on from there.
-  void follow_turn(double dt);
+  void follow(double dt);
 
   /// Adds `change` to the body's velocity [m/s].
   void kick(const Vec2& change);
@@ -120,6 +123,13 @@ class SystemWorld : public BareWorld {
   /// One step of `dt` [s] under what is given to act.
   void advance(double dt);
 
+  /// The two halves of that where another makes the step: before it, and after it or a part of it.
+  void load(double dt);
+  void follow(double dt) { time_ += dt; }
+
+  [[nodiscard]] double time() const { return time_; }  // [s]
+  void set_time(double time) { time_ = time; }
+
   /// A step without cables in which a body flies the exact parabola: half of what gravity and
   /// loads give is taken away before the step and given back after it.
   void fly(double dt);
@@ -128,7 +138,7 @@ class SystemWorld : public BareWorld {
   [[nodiscard]] const std::vector<btRigidBody*>& bodies() const { return moving_; }
 
  private:
-  void step_under(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity, double dt);
+  void load(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity);
 
   const SpatialSystem system_;
   std::vector<btRigidBody*> moving_;  // owned by the base

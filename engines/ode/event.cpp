@@ -27,7 +27,9 @@ template <class TheCase, class TheWorld>
 class OdeAdapter final : public BasicEventAdapter<TheCase> {
  public:
   explicit OdeAdapter(const TheCase& the_case)
-      : case_(the_case), world_(the_case, Rotation::finite) {}
+      : case_(the_case), world_(the_case, Rotation::finite) {
+    check_contacts(the_case);
+  }
 
   [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
 

@@ -44,6 +44,7 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
   FixedStepSimulation(const TheCase& the_case, const RunSettings& run, const Choice& choice)
       : case_(the_case), choice_(choice), run_(run), world_(the_case, choice.rotation) {
+    check_contacts(the_case);
     if (choice.cfm) {
       dWorldSetCFM(world_.id(), *choice.cfm);
     }

@@ -174,12 +174,6 @@ void World::fly(double dt) { fly_parabola(*this, gravity_, dt); }
 
 SystemWorld::SystemWorld(const SpatialSystem& system, Rotation rotation)
     : BareWorld(system.cables.size(), rotation), system_(system) {
-  for (std::size_t index = 0; index < system.cables.size(); ++index) {
-    if (!pulls_along_a_line(system.cables[index])) {
-      throw std::invalid_argument("unsupported: a contact of ODE pulls along one line, cable " +
-                                  std::to_string(index) + " runs over a ring between bodies");
-    }
-  }
   for (const SpatialBody& body : system.bodies) {
     moving_.push_back(add_body(
         body.mass, has_inertia(body.inertia)
@@ -187,6 +181,28 @@ SystemWorld::SystemWorld(const SpatialSystem& system, Rotation rotation)
                        : Eigen::Vector3d::Constant(turnable_inertia(Body{body.mass, 0.0}))));
   }
   place(system.initial);
+}
+
+void check_contacts(const SpatialSystem& system) {
+  for (std::size_t index = 0; index < system.cables.size(); ++index) {
+    if (!pulls_along_a_line(system.cables[index])) {
+      throw std::invalid_argument("unsupported: a contact of ODE pulls along one line, cable " +
+                                  std::to_string(index) + " runs over a ring between bodies");
+    }
+  }
+}
+
+dBodyID SystemWorld::add_hook(const Eigen::Vector3d& position) {
+  const dBodyID hook = dBodyCreate(id());
+  dBodySetKinematic(hook);
+  dBodySetPosition(hook, position.x(), position.y(), position.z());
+  return hook;
+}
+
+void SystemWorld::move_hook(dBodyID hook, const Eigen::Vector3d& there, double dt) {
+  const dReal* position = dBodyGetPosition(hook);
+  dBodySetLinearVel(hook, (there.x() - position[0]) / dt, (there.y() - position[1]) / dt,
+                    (there.z() - position[2]) / dt);
 }
 
 SpatialSystemState SystemWorld::state() const {
@@ -232,21 +248,28 @@ void SystemWorld::pull(std::size_t index, const SystemRow& row, const dSurfacePa
                   surface);
 }
 
-void SystemWorld::step_under(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity,
-                             double dt) {
+void SystemWorld::load(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity) {
   set_gravity(gravity);
   for (std::size_t index = 0; index < moving_.size(); ++index) {
     const auto& [force, moment] = loads[index];
     dBodyAddForce(moving_[index], force.x(), force.y(), force.z());
     dBodyAddTorque(moving_[index], moment.x(), moment.y(), moment.z());
   }
+}
+
+void SystemWorld::load(double dt) {
+  const SpatialSystemState now = state();
+  load(loads_in_step(system_, now, dt), gravity_in_step(system_, now, dt));
+}
+
+void SystemWorld::step_loaded(double dt) {
   step_and_read_impulses(dt);
   time_ += dt;
 }
 
 void SystemWorld::advance(double dt) {
-  const SpatialSystemState now = state();
-  step_under(loads_in_step(system_, now, dt), gravity_in_step(system_, now, dt), dt);
+  load(dt);
+  step_loaded(dt);
 }
 
 void SystemWorld::fly(double dt) {
@@ -266,7 +289,8 @@ void SystemWorld::fly(double dt) {
     }
   };
   kick(-0.5);
-  step_under(loads, gravity, dt);
+  load(loads, gravity);
+  step_loaded(dt);
   kick(0.5);
 }
 

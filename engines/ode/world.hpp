@@ -89,6 +89,7 @@ class World : public BareWorld {
 
   /// One `dWorldStep` of `dt` [s], > 0; the contacts are gone afterwards.
   void advance(double dt);
+  void step_loaded(double dt) { advance(dt); }
 
   /// A step without contacts in which the body flies the exact parabola.
   void fly(double dt);
@@ -102,7 +103,6 @@ class World : public BareWorld {
 /// An ODE world with the bodies of a system in space in it.
 class SystemWorld : public BareWorld {
  public:
-  /// Throws std::invalid_argument where a cable does not pull along one line: a contact does.
   SystemWorld(const SpatialSystem& system, Rotation rotation);
 
   [[nodiscard]] SpatialSystemState state() const;
@@ -114,13 +114,28 @@ class SystemWorld : public BareWorld {
   void advance(double dt);  // under what is given to act
   void fly(double dt);
 
+  /// The two parts of `advance`, where its step may be split: before it all, and once or more.
+  void load(double dt);
+  void step_loaded(double dt);
+
+  [[nodiscard]] double time() const { return time_; }  // [s]
+  void set_time(double time) { time_ = time; }
+
+  /// Adds a kinematic body, and lets it go to `there` [m] in a step of `dt` [s].
+  dBodyID add_hook(const Eigen::Vector3d& position);
+  static void move_hook(dBodyID hook, const Eigen::Vector3d& there, double dt);
+
  private:
-  void step_under(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity, double dt);
+  void load(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity);
 
   const SpatialSystem system_;
   std::vector<dBodyID> moving_;
   double time_ = 0.0;  // [s]
 };
+
+/// Throws std::invalid_argument where a cable does not pull along one line: a contact does.
+void check_contacts(const SpatialSystem& system);
+inline void check_contacts(const Case& /*the_case*/) {}
 
 /// The settings every model needs: those of `World`.
 [[nodiscard]] std::vector<Setting> world_settings();

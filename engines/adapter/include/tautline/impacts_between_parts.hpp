@@ -12,10 +12,17 @@ namespace tautline {
 /// two of them, in no time: each is seen from outside, as the jump from the velocity with which a
 /// part ended to that with which the next one begins. A cable that pulled in that part rested taut,
 /// and its jump is none by itself.
+template <class TheCase>  // Case or SpatialSystem
 class ImpactsBetweenParts {
  public:
+  using State = StateOf<TheCase>;
+  using Event = BasicEvent<TheCase>;
+
   /// `rounding` is that of the engine's numbers [-].
-  ImpactsBetweenParts(const Case& the_case, double rounding);
+  ImpactsBetweenParts(const TheCase& the_case, double rounding);
+
+  /// Lengths and ends as the engine moves them, for the parts to come.
+  void sees(const TheCase& the_case) { case_ = the_case; }
 
   /// To be called in this order, with the state at each: a step, its parts of `dt` [s], in which
   /// the cables `pulled` pulled, its end.
@@ -33,7 +40,7 @@ class ImpactsBetweenParts {
   /// Notes an impact if the velocity of `now` is not the one seen last.
   void look(const State& now);
 
-  const Case case_;
+  TheCase case_;
   double rounding_;
   Clock start_;         // of the step
   double parts_ = 0.0;  // [s], of the step, so far

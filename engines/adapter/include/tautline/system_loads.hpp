@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "tautline/system_geometry.hpp"
@@ -75,6 +79,73 @@ struct Gain {
         in_the_world(state, dt * in_the_body(state, load.moment).cwiseQuotient(body.inertia));
   }
   return result;
+}
+
+/// The first instant after `time` [s] at which something given is not smooth; infinite: never.
+[[nodiscard]] inline double next_knot_after(const SpatialSystem& system, double time) {
+  double result = std::numeric_limits<double>::infinity();
+  each_function(system,
+                [&](const auto& function) { result = std::min(result, function.next_knot(time)); });
+  for (const SpatialCable& cable : system.cables) {
+    for (const auto& change : {cable.from_time, cable.cut_at}) {
+      result = change && *change > time ? std::min(result, *change) : result;
+    }
+  }
+  return result;
+}
+
+/// What falls within this part of a step [-] on an instant at which something given is not smooth,
+/// is after it.
+inline constexpr double same_instant = 1e-9;
+
+/// Calls `step` with start and end [s] of each part of a step of `dt` [s] from `time` on: it is
+/// split where something given is not smooth.
+template <class Step>
+void each_smooth_part(const SpatialSystem& system, double time, double dt, const Step& step) {
+  const double end = time + dt;
+  const double near = same_instant * dt;
+  while (time < end) {
+    const double knot = next_knot_after(system, time + near);
+    const double until = knot < end - near ? knot : end;
+    step(time, until);
+    time = until;
+  }
+}
+
+/// `system` as an engine that moves ends and winches evenly has it in a step of `dt` [s] from
+/// `time` [s] on.
+[[nodiscard]] inline SpatialSystem evenly_in_step(SpatialSystem system, double time, double dt) {
+  const auto even = [&](auto& function) {
+    if (!function.is_constant()) {
+      const auto start = function.at(time);
+      const auto rate = ((function.at(time + dt) - start) / dt).eval();
+      function.pieces = {{time, {start, rate}}};
+      function.waves.clear();
+    }
+  };
+  for (SpatialCable& cable : system.cables) {
+    even(cable.length);
+    even(cable.from.motion);
+    even(cable.to.motion);
+    for (SpatialEnd& ring : cable.through) {
+      even(ring.motion);
+    }
+  }
+  return system;
+}
+
+/// Throws std::invalid_argument where a cable does not go straight from a body to another one, or
+/// to the world: `whose` cable, such as "tautline's drop-in cable", can do no more.
+inline void check_straight(const SpatialSystem& system, const std::string& whose) {
+  for (std::size_t index = 0; index < system.cables.size(); ++index) {
+    const SpatialCable& cable = system.cables[index];
+    if (!cable.through.empty() || cable.from.body == cable.to.body) {
+      throw std::invalid_argument("unsupported: " + whose +
+                                  " goes straight from a body to another one or to the world, "
+                                  "cable " +
+                                  std::to_string(index) + " does not");
+    }
+  }
 }
 
 }  // namespace tautline

@@ -100,11 +100,11 @@ class BulletSystemAdapter final : public SystemEventAdapter {
   }
 
   void fly(double dt) override {
-    double fastest = 0.0;  // [rad/s]
+    double spin = 0.0;  // [rad/s], the largest
     for (const SpatialState& body : world_.state().bodies) {
-      fastest = std::max(fastest, body.spin.norm());
+      spin = std::max(spin, body.spin.norm());
     }
-    const int parts = parts_of_flight(fastest, dt);
+    const int parts = parts_of_flight(spin, dt);
     for (int done = 0; done < parts; ++done) {
       world_.fly(dt / parts);
     }
@@ -112,15 +112,13 @@ class BulletSystemAdapter final : public SystemEventAdapter {
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     std::vector<btCollisionObject*> bodies;
-    double fastest = 0.0;  // [m/s]
     for (btRigidBody* const body : world_.bodies()) {
       body->clearForces();
       body->setFlags(0);  // no time passes: no turn brings a gyroscopic impulse
       bodies.push_back(body);
-      fastest = std::max(fastest, static_cast<double>(body->getLinearVelocity().length()));
     }
-    CableVector impulses =
-        solve_here(rows_, world_, std::move(bodies), system_, cables, rates, fastest);
+    CableVector impulses = solve_here(rows_, world_, std::move(bodies), system_, cables, rates,
+                                      fastest(world_.state()));
     for (btRigidBody* const body : world_.bodies()) {
       body->setFlags(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);  // as shipped
     }

@@ -29,13 +29,35 @@ class MujocoEventAdapter final : public EventAdapter {
   World world_;
 };
 
+/// In space MuJoCo flies by its method of Runge and Kutta: its Euler method turns bodies to first
+/// order alone.
+class MujocoSystemAdapter final : public SystemEventAdapter {
+ public:
+  explicit MujocoSystemAdapter(const SpatialSystem& system) : world_(system, Integrator::rk4) {}
+
+  [[nodiscard]] SpatialSystemState state() const override { return world_.state(); }
+  void place(const SpatialSystemState& state) override { world_.place(state); }
+  void fly(double dt) override { world_.advance(dt); }
+  [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
+    (void)world_.look();
+    return world_.pull(cables, rates);
+  }
+
+ private:
+  SystemWorld world_;
+};
+
 }  // namespace
 
 std::vector<ModelEntry> event_models() {
-  return {event_model<MujocoEventAdapter>(
+  return {event_model<MujocoEventAdapter, MujocoSystemAdapter>(
       "MuJoCo flies and gives tendons and masses, the event driver finds the instants: each impact "
       "is solved by hand at the exact pose.",
-      joined({world_settings(), {parabola_setting()}}))};
+      joined({world_settings(),
+              {parabola_setting(),
+               {"of a system: integrator", "RK4",
+                "It turns bodies to fourth order, Euler's method to first, and flies parabolas."}},
+              system_settings()}))};
 }
 
 }  // namespace tautline::mujoco

@@ -7,15 +7,16 @@
 namespace tautline::mujoco {
 namespace {
 
-class ImpulseSimulation final : public SteppedSimulation {
+template <class TheCase, class TheWorld>
+class ImpulseSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
-  ImpulseSimulation(const Case& the_case, const RunSettings& run)
+  ImpulseSimulation(const TheCase& the_case, const RunSettings& run)
       : case_(the_case),
         correction_(usual_correction / run.step),
         world_(the_case, Integrator::rk4),
         impulses_(the_case.cables.size()) {}
 
-  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
 
   void step(double dt) override {
@@ -29,13 +30,13 @@ class ImpulseSimulation final : public SteppedSimulation {
  private:
   void pull_overstretched(double dt) {
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
-    const State now = world_.state();
-    const std::vector<CableRow> rows = world_.look();
+    const StateOf<TheCase> now = world_.state();
+    const auto rows = world_.look(dt);
     CableSet cables;
     CableVector rates(static_cast<Eigen::Index>(rows.size()));
     Eigen::Index count = 0;
     for (std::size_t index = 0; index < rows.size(); ++index) {
-      const CableRow& row = rows[index];
+      const auto& row = rows[index];
       if (acts(row, Activation::overstretched, dt)) {
         cables.insert(index);
         rates[count++] = wanted_rate(row, restitution(case_.cables[index], row.rate), correction_,
@@ -52,9 +53,9 @@ class ImpulseSimulation final : public SteppedSimulation {
     }
   }
 
-  const Case case_;
+  const TheCase case_;
   double correction_;  // [1/s], part of the overstretch
-  World world_;
+  TheWorld world_;
   std::vector<double> impulses_;
 };
 
@@ -68,8 +69,10 @@ std::vector<ModelEntry> impulse_models() {
                                  "masses.",
                      .settings = joined({world_settings(),
                                          {{"integrator", "RK4",
-                                           "It flies the exact parabola between the impulses."}}})},
-           .start = makes<ImpulseSimulation>(),
+                                           "It flies the exact parabola between the impulses."}},
+                                         system_settings()})},
+           .start = makes<ImpulseSimulation<Case, World>>(),
+           .start_system = makes<ImpulseSimulation<SpatialSystem, SystemWorld>>(),
            .follows_speed = true}};
 }
 

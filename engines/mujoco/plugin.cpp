@@ -15,7 +15,8 @@ EngineTable table() {
   return {.name = "mujoco",
           .version = mj_versionString(),
           .precision = precision_of<mjtNum>,
-          .families = {tendon_limit_models(), impulse_models(), event_models()}};
+          .families = {tendon_limit_models(), impulse_models(), event_models()},
+          .dimensions = 3};
 }
 
 }  // namespace

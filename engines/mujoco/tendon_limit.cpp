@@ -49,10 +49,11 @@ double damping_ratio_of(double e) {
   return 0.5 * (low + high);
 }
 
-std::vector<TendonLimit> limits_of(const Case& the_case, const RunSettings& run) {
+template <class TheCase>
+std::vector<TendonLimit> limits_of(const TheCase& the_case, const RunSettings& run) {
   const double frequency = std::numbers::pi / (steps_per_bounce * run.step);  // [1/s]
   std::vector<TendonLimit> limits;
-  for (const Cable& cable : the_case.cables) {
+  for (const auto& cable : the_case.cables) {
     limits.push_back(
         {parameter_of(run, "stiffness", frequency * frequency),
          parameter_of(run, "damping", 2.0 * damping_ratio_of(cable.restitution) * frequency)});
@@ -66,12 +67,13 @@ std::vector<Parameter> limit_parameters() {
           {.name = "stiffness", .low = 4.4e-4, .high = 0.1, .logarithmic = true, .step_power = -2}};
 }
 
-class TendonLimitSimulation final : public SteppedSimulation {
+template <class TheCase, class TheWorld>
+class TendonLimitSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
-  TendonLimitSimulation(const Case& the_case, const RunSettings& run, Integrator integrator)
+  TendonLimitSimulation(const TheCase& the_case, const RunSettings& run, Integrator integrator)
       : world_(the_case, integrator, limits_of(the_case, run)), impulses_(the_case.cables.size()) {}
 
-  [[nodiscard]] State state() const override { return world_.state(); }
+  [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
 
   void step(double dt) override {
@@ -82,7 +84,7 @@ class TendonLimitSimulation final : public SteppedSimulation {
   }
 
  private:
-  World world_;
+  TheWorld world_;
   std::vector<double> impulses_;
 };
 
@@ -97,14 +99,16 @@ std::vector<Setting> limit_settings() {
 
 ModelEntry entry(std::string name, std::string sentence, Integrator integrator,
                  const std::vector<Setting>& own) {
-  return {.model = {.name = std::move(name),
-                    .sentence = std::move(sentence),
-                    .settings = joined({world_settings(), limit_settings(), own}),
-                    .maker = Maker::engine,
-                    .parameters = limit_parameters(),
-                    .code = "<spatial limited=\"true\" solreflimit=\"-{stiffness} -{damping}\" "
-                            "solimplimit=\"0.9999 0.9999 1 0.5 1\">"},
-          .start = makes<TendonLimitSimulation>(integrator)};
+  return {
+      .model = {.name = std::move(name),
+                .sentence = std::move(sentence),
+                .settings = joined({world_settings(), limit_settings(), own, system_settings()}),
+                .maker = Maker::engine,
+                .parameters = limit_parameters(),
+                .code = "<spatial limited=\"true\" solreflimit=\"-{stiffness} -{damping}\" "
+                        "solimplimit=\"0.9999 0.9999 1 0.5 1\">"},
+      .start = makes<TendonLimitSimulation<Case, World>>(integrator),
+      .start_system = makes<TendonLimitSimulation<SpatialSystem, SystemWorld>>(integrator)};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/system.hpp"
 
 namespace tautline::mujoco {
 
@@ -21,6 +22,11 @@ struct TendonLimit {
 /// spatial tendon per cable. `limits` has one entry per cable, or none where tendons are to be
 /// measured only.
 [[nodiscard]] std::string model_xml(const Case& the_case, Integrator integrator,
+                                    const std::vector<TendonLimit>& limits);
+
+/// The model of a system: bodies with free joints, and after them a mocap body for each end or ring
+/// that moves, in the order of the cables. A tendon goes through the sites of its rings.
+[[nodiscard]] std::string model_xml(const SpatialSystem& system, Integrator integrator,
                                     const std::vector<TendonLimit>& limits);
 
 }  // namespace tautline::mujoco

@@ -40,7 +40,7 @@ class OdeAdapter final : public BasicEventAdapter<TheCase> {
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     const StateOf<TheCase> before = world_.state();
     const double largest = delassus(case_, before, cables).diagonal().maxCoeff();
-    const double speed = fastest(before);
+    const double speed = speed_of(before);
     dWorldSetCFM(world_.id(), cables.size() > 1 ? softness * largest : 0.0);
     solve_once(cables, rates, before);
     for (const double more : nudges) {
@@ -59,14 +59,8 @@ class OdeAdapter final : public BasicEventAdapter<TheCase> {
   }
 
  private:
-  [[nodiscard]] double fastest(const State& state) const { return speed_scale(case_, state); }
-  [[nodiscard]] double fastest(const SpatialSystemState& state) const {
-    double result = 0.0;
-    for (const SpatialState& body : state.bodies) {
-      result = std::max(result, body.velocity.norm());
-    }
-    return result;
-  }
+  [[nodiscard]] double speed_of(const State& state) const { return speed_scale(case_, state); }
+  [[nodiscard]] double speed_of(const SpatialSystemState& state) const { return fastest(state); }
 
   void solve_once(CableSet cables, const CableVector& rates, const StateOf<TheCase>& before) {
     Eigen::Index position = 0;

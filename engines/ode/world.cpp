@@ -175,10 +175,7 @@ void World::fly(double dt) { fly_parabola(*this, gravity_, dt); }
 SystemWorld::SystemWorld(const SpatialSystem& system, Rotation rotation)
     : BareWorld(system.cables.size(), rotation), system_(system) {
   for (const SpatialBody& body : system.bodies) {
-    moving_.push_back(add_body(
-        body.mass, has_inertia(body.inertia)
-                       ? body.inertia
-                       : Eigen::Vector3d::Constant(turnable_inertia(Body{body.mass, 0.0}))));
+    moving_.push_back(add_body(body.mass, turnable_inertia(body)));
   }
   place(system.initial);
 }

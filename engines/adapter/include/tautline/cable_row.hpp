@@ -88,6 +88,15 @@ struct SystemRow {
   return result;
 }
 
+/// The speed of the fastest body [m/s], to measure the roundings of velocities by.
+[[nodiscard]] inline double fastest(const SpatialSystemState& state) {
+  double result = 0.0;
+  for (const SpatialState& body : state.bodies) {
+    result = std::max(result, body.velocity.norm());
+  }
+  return result;
+}
+
 /// When a model with fixed steps lets a cable act.
 enum class Activation {
   overstretched,  // at zero gap or beyond when the step starts

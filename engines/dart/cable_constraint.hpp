@@ -3,18 +3,20 @@
 #include <dart/constraint/ConstraintBase.hpp>
 #include <dart/dynamics/BodyNode.hpp>
 
-#include "tautline/cable_row.hpp"
+#include <vector>
 
 namespace tautline::dart_engine {
 
-/// A one-sided constraint row on a body, as DART's own constraints are made: the solver asks it for
-/// bounds and a right-hand side, and for the velocity changes that impulses make.
+/// A one-sided constraint row on bodies of one skeleton, as DART's own constraints are made: the
+/// solver asks it for bounds and a right-hand side, and for the velocity changes that impulses
+/// make.
 class CableConstraint final : public dart::constraint::ConstraintBase {
  public:
-  explicit CableConstraint(dart::dynamics::BodyNode& body);
+  explicit CableConstraint(std::vector<dart::dynamics::BodyNode*> bodies);
 
-  /// From now on it acts: after a solve the gap of `row` opens with at least `rate` [m/s].
-  void pull(const CableRow& row, double rate);
+  /// From now on it acts: after a solve the bodies move along `directions`, one for each, with at
+  /// least `rate` [m/s] in sum: moment and force of a pull of 1 N, in the axes of the body.
+  void pull(std::vector<Eigen::Vector6d> directions, double rate);
   void let_go() { acts_ = false; }
 
   /// In the latest solve [N s], >= 0.
@@ -31,10 +33,10 @@ class CableConstraint final : public dart::constraint::ConstraintBase {
   [[nodiscard]] dart::dynamics::SkeletonPtr getRootSkeleton() const override;
 
  private:
-  dart::dynamics::BodyNode& body_;
-  Eigen::Vector6d direction_ = Eigen::Vector6d::Zero();  // moment and force, in the body's axes
-  double rate_ = 0.0;                                    // [m/s], wanted
-  double impulse_ = 0.0;                                 // [N s]
+  std::vector<dart::dynamics::BodyNode*> bodies_;
+  std::vector<Eigen::Vector6d> directions_;
+  double rate_ = 0.0;     // [m/s], wanted
+  double impulse_ = 0.0;  // [N s]
   bool acts_ = false;
 };
 

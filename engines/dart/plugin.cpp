@@ -13,7 +13,8 @@ EngineTable table() {
   return {.name = "dart",
           .version = version(),
           .precision = precision_of<double>,
-          .families = {row_models(), event_models()}};
+          .families = {row_models(), event_models()},
+          .dimensions = 3};
 }
 
 }  // namespace

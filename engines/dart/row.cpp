@@ -9,20 +9,27 @@
 namespace tautline::dart_engine {
 namespace {
 
-class RowWorld : public World {
+/// The rows are told before gravity acts: DART asks them after it.
+template <class Base>
+class Told : public Base {
  public:
-  using World::World;
+  using Base::Base;
 
-  /// The rows are told before gravity acts: DART asks them after it.
   template <class Look>
   void advance(double dt, const Look& look) {
     look();
-    World::advance(dt);
+    Base::advance(dt);
   }
+};
+
+class RowWorld : public Told<World> {
+ public:
+  using InSpace = Told<SystemWorld>;
+  using Told<World>::Told;
 };
 
 }  // namespace
 
-std::vector<ModelEntry> row_models() { return row_and_early<RowWorld>({}); }
+std::vector<ModelEntry> row_models() { return row_and_early<RowWorld>(system_settings()); }
 
 }  // namespace tautline::dart_engine

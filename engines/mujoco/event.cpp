@@ -56,7 +56,7 @@ std::vector<ModelEntry> event_models() {
       joined({world_settings(),
               {parabola_setting(),
                {"of a system: integrator", "RK4",
-                "It turns bodies to fourth order, Euler's method to first, and flies parabolas."}},
+                "It turns bodies to second order, Euler's method to first, and flies parabolas."}},
               system_settings()}))};
 }
 

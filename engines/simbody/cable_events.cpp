@@ -36,31 +36,37 @@ double with_sign(double value) { return value == 0.0 ? std::numeric_limits<doubl
 
 }  // namespace
 
-CableEvents::CableEvents(PlanarBody& body) : body_(body), rods_(body), impulses_(rods_.size()) {}
+template <class TheCase>
+CableEvents<TheCase>::CableEvents(Bodies<TheCase>& bodies)
+    : bodies_(bodies), rods_(bodies), impulses_(rods_.size()) {}
 
-double CableEvents::overstretch(const SimTK::State& state, std::size_t cable) const {
+template <class TheCase>
+double CableEvents<TheCase>::overstretch(const SimTK::State& state, std::size_t cable) const {
   constexpr double no_event = -1.0;  // any
   return rods_.is_on(state, cable) || leaving_.contains(cable)
              ? no_event
              : with_sign(rods_.overstretch(state, cable));
 }
 
-double CableEvents::opening(const SimTK::State& state, std::size_t cable) const {
+template <class TheCase>
+double CableEvents<TheCase>::opening(const SimTK::State& state, std::size_t cable) const {
   constexpr double no_event = 1.0;  // any
   return leaving_.contains(cable) ? with_sign(rate(state, cable) + turn_speed) : no_event;
 }
 
-double CableEvents::tension(const SimTK::State& state, std::size_t cable) const {
+template <class TheCase>
+double CableEvents<TheCase>::tension(const SimTK::State& state, std::size_t cable) const {
   constexpr double no_event = 1.0;  // any
   return rods_.is_on(state, cable) ? with_sign(rods_.tension(state, cable)) : no_event;
 }
 
-void CableEvents::react(SimTK::State& state) {
+template <class TheCase>
+void CableEvents<TheCase>::react(SimTK::State& state) {
   if (++reactions_ > most_reactions) {
     trouble_ = "more than " + std::to_string(most_reactions) + " events in one step";
     return;
   }
-  body_.system().realize(state, SimTK::Stage::Dynamics);
+  bodies_.system().realize(state, SimTK::Stage::Dynamics);
   const CableSet cables = touching(state);
   strike_closing(state, cables);
   CableSet resting;
@@ -81,30 +87,34 @@ void CableEvents::react(SimTK::State& state) {
   state.invalidateAll(SimTK::Stage::Position);  // Simbody keeps the values it watches with the pose
 }
 
-void CableEvents::check(const SimTK::State& state) {
+template <class TheCase>
+void CableEvents<TheCase>::check(const SimTK::State& state) {
   for (std::size_t index = 0; index < rods_.size(); ++index) {
-    if (rods_.overstretch(state, index) > overlooked * cable(index).length) {
+    if (rods_.overstretch(state, index) > overlooked * bodies_.length(index)) {
       trouble_ = "cable " + std::to_string(index) + " is overstretched: an impact was overlooked";
     }
   }
 }
 
-void CableEvents::start_step() {
+template <class TheCase>
+void CableEvents<TheCase>::start_step() {
   events_.clear();
   std::fill(impulses_.begin(), impulses_.end(), 0.0);
   reactions_ = 0;
 }
 
 /// Of the gap [m/s].
-double CableEvents::rate(const SimTK::State& state, std::size_t cable) const {
-  return gap_rate(body_.the_case().cables[cable], body_.state_of(state));
+template <class TheCase>
+double CableEvents<TheCase>::rate(const SimTK::State& state, std::size_t cable) const {
+  return gap_rate(bodies_.the_case().cables[cable], bodies_.state_of(state));
 }
 
-CableSet CableEvents::touching(const SimTK::State& state) const {
+template <class TheCase>
+CableSet CableEvents<TheCase>::touching(const SimTK::State& state) const {
   CableSet result;
   for (std::size_t index = 0; index < rods_.size(); ++index) {
     if (rods_.is_on(state, index) ||
-        rods_.overstretch(state, index) >= -touch_rounding * cable(index).length) {
+        rods_.overstretch(state, index) >= -touch_rounding * bodies_.length(index)) {
       result.insert(index);
     }
   }
@@ -112,9 +122,10 @@ CableSet CableEvents::touching(const SimTK::State& state) const {
 }
 
 /// Strikes those of `cables` that are taut, close or rest, if one of them closes.
-void CableEvents::strike_closing(SimTK::State& state, CableSet cables) {
-  const State before = body_.state_of(state);
-  const double rounding = rate_rounding * speed_scale(body_.the_case(), before);
+template <class TheCase>
+void CableEvents<TheCase>::strike_closing(SimTK::State& state, CableSet cables) {
+  const StateOf<TheCase> before = bodies_.state_of(state);
+  const double rounding = rate_rounding * speed_of(bodies_.the_case(), before);
   CableSet struck;
   CableVector wanted(static_cast<Eigen::Index>(cables.size()));
   Eigen::Index count = 0;
@@ -132,13 +143,16 @@ void CableEvents::strike_closing(SimTK::State& state, CableSet cables) {
   if (fastest <= rounding) {
     return;
   }
-  CableVector impulses = strike(body_, state, struck, wanted.head(count));
+  CableVector impulses = strike(bodies_, state, struck, wanted.head(count));
   Eigen::Index row = 0;
   for (const std::size_t index : struck) {
     impulses_[index] += impulses[row++];
   }
   events_.push_back({state.getTime(), EventKind::impact, struck, std::move(impulses), before,
-                     body_.state_of(state)});
+                     bodies_.state_of(state)});
 }
+
+template class CableEvents<Case>;
+template class CableEvents<SpatialSystem>;
 
 }  // namespace tautline::simbody

@@ -4,18 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "planar_body.hpp"
+#include "bodies.hpp"
 #include "rods.hpp"
 #include "tautline/cable_set.hpp"
 #include "tautline/solution.hpp"
 
 namespace tautline::simbody {
 
-/// The cables of a body as events of an integration: what to watch, and what to do with the
+/// The cables of bodies as events of an integration: what to watch, and what to do with the
 /// integrator's state when a length or a tension passes zero.
+template <class TheCase>
 class CableEvents {
  public:
-  explicit CableEvents(PlanarBody& body);
+  using Event = BasicEvent<TheCase>;
+
+  explicit CableEvents(Bodies<TheCase>& bodies);
 
   // What to watch, never zero. `state` is realized to positions, velocities, accelerations.
 
@@ -47,15 +50,15 @@ class CableEvents {
   [[nodiscard]] const std::vector<double>& impulses() const { return impulses_; }
 
  private:
-  [[nodiscard]] const Cable& cable(std::size_t index) const {
-    return body_.the_case().cables[index];
+  [[nodiscard]] const auto& cable(std::size_t index) const {
+    return bodies_.the_case().cables[index];
   }
   [[nodiscard]] double rate(const SimTK::State& state, std::size_t cable) const;
   [[nodiscard]] CableSet touching(const SimTK::State& state) const;
   void strike_closing(SimTK::State& state, CableSet cables);
 
-  PlanarBody& body_;
-  Rods rods_;
+  Bodies<TheCase>& bodies_;
+  Rods<TheCase> rods_;
   CableSet leaving_;  // left at their length, and not turned back yet
   std::vector<Event> events_;
   std::vector<double> impulses_;

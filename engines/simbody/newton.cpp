@@ -4,8 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "tautline/geometry.hpp"
-
 namespace tautline::simbody {
 namespace {
 
@@ -22,29 +20,37 @@ struct Row {
   double response;       // of the gap rate, to it [1/kg]
 };
 
-Row row_of(PlanarBody& body, const SimTK::State& state, const Cable& cable) {
-  const SimTK::MobilizedBody& mobilized = body.mobilized();
-  const SimTK::Vec3 station = vector(cable.attachment);
-  const SimTK::UnitVec3 towards(vector(cable.anchor) -
-                                mobilized.findStationLocationInGround(state, station));
+template <class TheCase>
+Row row_of(Bodies<TheCase>& bodies, const SimTK::State& state, std::size_t cable) {
+  const Station from = bodies.from(cable);
+  const Station to = bodies.to(cable);
+  const SimTK::UnitVec3 towards(to.body.findStationLocationInGround(state, to.at) -
+                                from.body.findStationLocationInGround(state, from.at));
   Row row;
-  body.matter().multiplyByStationJacobianTranspose(state, mobilized.getMobilizedBodyIndex(),
-                                                   station, SimTK::Vec3(towards), row.force);
-  body.matter().multiplyByMInv(state, row.force, row.change);
+  bodies.matter().multiplyByStationJacobianTranspose(state, from.body.getMobilizedBodyIndex(),
+                                                     from.at, SimTK::Vec3(towards), row.force);
+  if (!to.body.isGround()) {
+    SimTK::Vector other;
+    bodies.matter().multiplyByStationJacobianTranspose(state, to.body.getMobilizedBodyIndex(),
+                                                       to.at, -SimTK::Vec3(towards), other);
+    row.force += other;
+  }
+  bodies.matter().multiplyByMInv(state, row.force, row.change);
   row.response = ~row.force * row.change;
   return row;
 }
 
 }  // namespace
 
-CableVector strike(PlanarBody& body, SimTK::State& state, CableSet cables,
+template <class TheCase>
+CableVector strike(Bodies<TheCase>& bodies, SimTK::State& state, CableSet cables,
                    const CableVector& rates) {
   std::vector<Row> rows;
   for (const std::size_t index : cables) {
-    rows.push_back(row_of(body, state, body.the_case().cables[index]));
+    rows.push_back(row_of(bodies, state, index));
   }
   // projected Gauss-Seidel: one impulse after the other, none of them below zero in sum
-  const double enough = solve_rounding * speed_scale(body.the_case(), body.state_of(state));
+  const double enough = solve_rounding * speed_of(bodies.the_case(), bodies.state_of(state));
   CableVector impulses = CableVector::Zero(rates.size());
   SimTK::Vector speeds = state.getU();
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -64,5 +70,8 @@ CableVector strike(PlanarBody& body, SimTK::State& state, CableSet cables,
   state.updU() = speeds;
   return impulses;
 }
+
+template CableVector strike(Bodies<Case>&, SimTK::State&, CableSet, const CableVector&);
+template CableVector strike(Bodies<SpatialSystem>&, SimTK::State&, CableSet, const CableVector&);
 
 }  // namespace tautline::simbody

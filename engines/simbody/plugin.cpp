@@ -22,7 +22,8 @@ EngineTable table() {
   return {.name = "simbody",
           .version = version(),
           .precision = precision_of<SimTK::Real>,
-          .families = {rope_models(), event_handler_models()}};
+          .families = {rope_models(), event_handler_models()},
+          .dimensions = 3};
 }
 
 }  // namespace

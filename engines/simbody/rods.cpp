@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "tautline/geometry.hpp"
-
 namespace tautline::simbody {
 namespace {
 
@@ -13,28 +11,34 @@ constexpr double rounding = 1e-12;
 
 }  // namespace
 
-Rods::Rods(PlanarBody& body) : body_(body) {
-  for (const Cable& cable : body.the_case().cables) {
-    SimTK::Constraint::Rod rod(body.ground(), vector(cable.anchor), body.mobilized(),
-                               vector(cable.attachment), cable.length);
+template <class TheCase>
+Rods<TheCase>::Rods(Bodies<TheCase>& bodies) : bodies_(bodies) {
+  for (std::size_t index = 0; index < bodies.the_case().cables.size(); ++index) {
+    Station from = bodies.from(index);
+    Station to = bodies.to(index);
+    SimTK::Constraint::Rod rod(to.body, to.at, from.body, from.at, bodies.length(index));
     rod.setDisabledByDefault(true);
     rods_.push_back(rod);
   }
 }
 
-bool Rods::is_on(const SimTK::State& state, std::size_t cable) const {
+template <class TheCase>
+bool Rods<TheCase>::is_on(const SimTK::State& state, std::size_t cable) const {
   return !rods_[cable].isDisabled(state);
 }
 
-double Rods::overstretch(const SimTK::State& state, std::size_t cable) const {
+template <class TheCase>
+double Rods<TheCase>::overstretch(const SimTK::State& state, std::size_t cable) const {
   return rods_[cable].findLengthViolation(state);
 }
 
-double Rods::tension(const SimTK::State& state, std::size_t cable) const {
+template <class TheCase>
+double Rods<TheCase>::tension(const SimTK::State& state, std::size_t cable) const {
   return rods_[cable].getRodTension(state);
 }
 
-bool Rods::hold(SimTK::State& state, CableSet resting) {
+template <class TheCase>
+bool Rods<TheCase>::hold(SimTK::State& state, CableSet resting) {
   for (std::size_t index = 0; index < rods_.size(); ++index) {
     if (resting.contains(index)) {
       rods_[index].enable(state);
@@ -43,10 +47,10 @@ bool Rods::hold(SimTK::State& state, CableSet resting) {
     }
   }
   if (!resting.empty()) {
-    body_.system().realize(state, SimTK::Stage::Position);
-    body_.system().projectU(state, rounding);
+    bodies_.system().realize(state, SimTK::Stage::Position);
+    bodies_.system().projectU(state, rounding);
   }
-  body_.system().realize(state, SimTK::Stage::Acceleration);
+  bodies_.system().realize(state, SimTK::Stage::Acceleration);
   // a rod that pushes is no cable: without the worst of them, until none does
   CableSet on = resting;
   while (!on.empty()) {
@@ -58,26 +62,32 @@ bool Rods::hold(SimTK::State& state, CableSet resting) {
     }
     rods_[loosest].disable(state);
     on.erase(loosest);
-    body_.system().realize(state, SimTK::Stage::Acceleration);
+    bodies_.system().realize(state, SimTK::Stage::Acceleration);
   }
   const double least =
-      -rounding * acceleration_scale(body_.the_case(), body_.state_of(state));  // [m/s^2]
+      -rounding * acceleration_of(bodies_.the_case(), bodies_.state_of(state));  // [m/s^2]
   const std::vector<std::size_t> off = (resting - on).indices();
   return std::ranges::all_of(
       off, [&](std::size_t index) { return gap_acceleration(state, index) >= least; });
 }
 
 /// [m/s^2], with the tensions of the rods that are on.
-double Rods::gap_acceleration(const SimTK::State& state, std::size_t cable) const {
-  const SimTK::Vec3 station = vector(body_.the_case().cables[cable].attachment);
-  const SimTK::MobilizedBody& body = body_.mobilized();
-  const SimTK::Vec3 arm = vector(body_.the_case().cables[cable].anchor) -
-                          body.findStationLocationInGround(state, station);
+template <class TheCase>
+double Rods<TheCase>::gap_acceleration(const SimTK::State& state, std::size_t cable) const {
+  const Station from = bodies_.from(cable);
+  const Station to = bodies_.to(cable);
+  const SimTK::Vec3 arm = to.body.findStationLocationInGround(state, to.at) -
+                          from.body.findStationLocationInGround(state, from.at);
   const SimTK::UnitVec3 towards(arm);
-  const SimTK::Vec3 velocity = body.findStationVelocityInGround(state, station);
+  const SimTK::Vec3 velocity = from.body.findStationVelocityInGround(state, from.at) -
+                               to.body.findStationVelocityInGround(state, to.at);
+  const SimTK::Vec3 acceleration = from.body.findStationAccelerationInGround(state, from.at) -
+                                   to.body.findStationAccelerationInGround(state, to.at);
   const double along = SimTK::dot(velocity, towards);
-  return SimTK::dot(body.findStationAccelerationInGround(state, station), towards) -
-         (velocity.normSqr() - along * along) / arm.norm();
+  return SimTK::dot(acceleration, towards) - (velocity.normSqr() - along * along) / arm.norm();
 }
+
+template class Rods<Case>;
+template class Rods<SpatialSystem>;
 
 }  // namespace tautline::simbody

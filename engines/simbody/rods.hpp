@@ -2,16 +2,17 @@
 
 #include <vector>
 
-#include "planar_body.hpp"
+#include "bodies.hpp"
 #include "tautline/cable_set.hpp"
 
 namespace tautline::simbody {
 
-/// The cables of a body as Constraint::Rod: on while a cable is taut, off while it is slack.
+/// The cables of bodies as Constraint::Rod: on while a cable is taut, off while it is slack.
+template <class TheCase>
 class Rods {
  public:
-  /// Adds the rods to the body's system, all of them off.
-  explicit Rods(PlanarBody& body);
+  /// Adds the rods to the system of the bodies, all of them off.
+  explicit Rods(Bodies<TheCase>& bodies);
 
   [[nodiscard]] std::size_t size() const { return rods_.size(); }
   [[nodiscard]] bool is_on(const SimTK::State& state, std::size_t cable) const;
@@ -29,7 +30,7 @@ class Rods {
  private:
   [[nodiscard]] double gap_acceleration(const SimTK::State& state, std::size_t cable) const;
 
-  PlanarBody& body_;
+  Bodies<TheCase>& bodies_;
   std::vector<SimTK::Constraint::Rod> rods_;
 };
 

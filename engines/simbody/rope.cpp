@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "bodies.hpp"
 #include "models.hpp"
-#include "planar_body.hpp"
 #include "quiet.hpp"
 
 namespace tautline::simbody {
@@ -49,24 +49,29 @@ class SummingSolver final : public SimTK::PLUSImpulseSolver {
   mutable SimTK::Vector sum_;
 };
 
-class RopeSimulation final : public SteppedSimulation {
+template <class TheCase>
+class RopeSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
-  explicit RopeSimulation(const Case& the_case)
-      : body_(the_case), stepper_(body_.system()), impulses_(the_case.cables.size()) {
-    for (const Cable& cable : the_case.cables) {
-      ropes_.push_back(new SimTK::Rope(body_.ground(), vector(cable.anchor), body_.mobilized(),
-                                       vector(cable.attachment), cable.length, cable.restitution));
-      body_.matter().adoptUnilateralContact(ropes_.back());
+  explicit RopeSimulation(const TheCase& the_case)
+      : bodies_(the_case), stepper_(bodies_.system()), impulses_(the_case.cables.size()) {
+    for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
+      Station from = bodies_.from(index);
+      Station to = bodies_.to(index);
+      ropes_.push_back(new SimTK::Rope(to.body, to.at, from.body, from.at, bodies_.length(index),
+                                       the_case.cables[index].restitution));
+      bodies_.matter().adoptUnilateralContact(ropes_.back());
     }
     stepper_.setRestitutionModel(SimTK::SemiExplicitEulerTimeStepper::Newton);
     stepper_.setConstraintTolerance(constraint_tolerance);
     solver_ = new SummingSolver(stepper_.getDefaultFrictionTransitionVelocityInUse());
     stepper_.setImpulseSolver(solver_);
     const Quiet quiet;
-    stepper_.initialize(body_.initial_state());
+    stepper_.initialize(bodies_.initial_state());
   }
 
-  [[nodiscard]] State state() const override { return body_.state_of(stepper_.getState()); }
+  [[nodiscard]] StateOf<TheCase> state() const override {
+    return bodies_.state_of(stepper_.getState());
+  }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
 
   void step(double dt) override {
@@ -87,8 +92,8 @@ class RopeSimulation final : public SteppedSimulation {
     return std::max(0.0, solver_->sum()[rope.getContactMultiplierIndex(state)]);
   }
 
-  PlanarBody body_;
-  std::vector<SimTK::Rope*> ropes_;  // owned by the body's matter
+  Bodies<TheCase> bodies_;
+  std::vector<SimTK::Rope*> ropes_;  // owned by the matter of the bodies
   SimTK::SemiExplicitEulerTimeStepper stepper_;
   SummingSolver* solver_;  // owned by stepper_
   std::vector<double> impulses_;
@@ -101,19 +106,21 @@ std::vector<ModelEntry> rope_models() {
       {.model = {.name = "rope",
                  .sentence = "SimTK::Rope in SemiExplicitEulerTimeStepper: a bounce in the step "
                              "after the cable is overstretched, and then the step's gravity.",
-                 .settings = {{"setRestitutionModel", "Newton",
-                               "Simbody's default is Poisson's law."},
-                              {"setConstraintTolerance", "1e-8",
-                               "A rope acts from this gap on; with the default 1e-4 the error "
-                               "stops shrinking there."},
-                              {"setImpulseSolver", "PLUSImpulseSolver, summed up",
-                               "The default solver; the time-stepper does not tell its "
-                               "impulses.",
-                               Origin::engine_default},
-                              {"std::cout, stdout", "dropped while it steps",
-                               "Debian's build prints a page of every step."}},
+                 .settings = joined(
+                     {{{"setRestitutionModel", "Newton", "Simbody's default is Poisson's law."},
+                       {"setConstraintTolerance", "1e-8",
+                        "A rope acts from this gap on; with the default 1e-4 the error "
+                        "stops shrinking there."},
+                       {"setImpulseSolver", "PLUSImpulseSolver, summed up",
+                        "The default solver; the time-stepper does not tell its "
+                        "impulses.",
+                        Origin::engine_default},
+                       {"std::cout, stdout", "dropped while it steps",
+                        "Debian's build prints a page of every step."}},
+                      system_settings()}),
                  .maker = Maker::engine},
-       .start = makes<RopeSimulation>()}};
+       .start = makes<RopeSimulation<Case>>(),
+       .start_system = makes<RopeSimulation<SpatialSystem>>()}};
 }
 
 }  // namespace tautline::simbody

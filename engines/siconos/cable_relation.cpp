@@ -4,7 +4,7 @@
 #include <SiconosVector.hpp>
 #include <SimpleMatrix.hpp>
 
-#include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::siconos_engine {
 namespace {
@@ -42,6 +42,41 @@ void CableRelation::computeDotJachq(const BlockVector& q, BlockVector& /*z*/,
     state.velocity = Vec2(rate(0), rate(1));
     state.spin = rate(2);
     put(*_dotjachq, gap_gradient_rate(cable_, state));
+  }
+}
+
+SpatialSystemState SystemCableRelation::state_of(double time, const BlockVector& places) const {
+  SpatialSystemState result;
+  result.time = time;
+  result.bodies.resize(bodies_);
+  unsigned int first = 0;
+  for (const std::size_t body : on_) {
+    SpatialState& place = result.bodies[body];
+    for (unsigned int i = 0; i < 3; ++i) {
+      place.position[i] = places(first + i);
+    }
+    for (unsigned int i = 0; i < 4; ++i) {
+      place.orientation[i] = places(first + 3 + i);
+    }
+    place.orientation.normalize();
+    first += place_numbers;
+  }
+  return result;
+}
+
+void SystemCableRelation::computeh(double time, const BlockVector& places, SiconosVector& y) {
+  y(0) = gap(cable_, state_of(time, places));
+}
+
+void SystemCableRelation::computeJachqT(Interaction& /*interaction*/,
+                                        std::shared_ptr<BlockVector> places) {
+  const RowOf<SpatialSystem> gradient = gap_gradient(cable_, state_of(0.0, *places));
+  unsigned int first = 0;
+  for (const std::size_t body : on_) {
+    for (unsigned int i = 0; i < twist_numbers; ++i) {
+      (*_jachqT)(0, first + i) = gradient[static_cast<Eigen::Index>(twist_numbers * body + i)];
+    }
+    first += twist_numbers;
   }
 }
 

@@ -93,7 +93,7 @@ class EventDrivenSimulation final : public Simulation {
   [[nodiscard]] State state() const override { return now_; }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
   [[nodiscard]] std::span<const Event> events() const override { return events_; }
-  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+  [[nodiscard]] std::optional<StopOfRun> stopped() const override { return stop_; }
 
   void step(double dt) override {
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
@@ -109,13 +109,13 @@ class EventDrivenSimulation final : public Simulation {
       int count = 0;
       while (end - events_ahead_->startingTime() > simultaneous()) {
         if (++count > most_events) {
-          stop_ = Stop{time(), "the events of a step do not end"};
+          stop_ = StopOfRun{time(), "the events of a step do not end"};
           return;
         }
         to_next_event();
       }
     } catch (const std::exception& error) {
-      stop_ = Stop{time(), reason(error)};
+      stop_ = StopOfRun{time(), reason(error)};
     }
   }
 
@@ -177,7 +177,7 @@ class EventDrivenSimulation final : public Simulation {
   std::shared_ptr<EventDriven> events_ahead_;
   std::vector<double> impulses_;
   std::vector<tautline::Event> events_;
-  std::optional<Stop> stop_;
+  std::optional<StopOfRun> stop_;
 };
 
 }  // namespace

@@ -30,7 +30,8 @@ constexpr double theta = 0.5;
 
 enum class Projection { none, direct };
 
-std::shared_ptr<TimeStepping> stepping(const System& system, double dt, Projection projection) {
+std::shared_ptr<TimeStepping> stepping(const Interactions& system, double dt,
+                                       Projection projection) {
   auto times = std::make_shared<TimeDiscretisation>(0.0, dt);
   std::shared_ptr<TimeStepping> result;
   if (projection == Projection::none) {
@@ -46,9 +47,11 @@ std::shared_ptr<TimeStepping> stepping(const System& system, double dt, Projecti
   return result;
 }
 
-class MoreauJeanSimulation final : public SteppedSimulation {
+/// `TheSystem` is what Siconos sees of a `TheCase`.
+template <class TheCase, class TheSystem>
+class MoreauJeanSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
-  MoreauJeanSimulation(const Case& the_case, const RunSettings& run, Projection projection)
+  MoreauJeanSimulation(const TheCase& the_case, const RunSettings& run, Projection projection)
       : case_(the_case),
         projection_(projection),
         now_(the_case.initial),
@@ -56,9 +59,9 @@ class MoreauJeanSimulation final : public SteppedSimulation {
     begin(run.step);
   }
 
-  [[nodiscard]] State state() const override { return now_; }
+  [[nodiscard]] StateOf<TheCase> state() const override { return now_; }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
-  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+  [[nodiscard]] std::optional<StopOfRun> stopped() const override { return stop_; }
 
   void step(double dt) override {
     std::fill(impulses_.begin(), impulses_.end(), 0.0);
@@ -77,11 +80,14 @@ class MoreauJeanSimulation final : public SteppedSimulation {
       stepping_->nextStep();
     } catch (const std::exception& error) {
       std::fill(impulses_.begin(), impulses_.end(), 0.0);
-      stop_ = Stop{clock_.now(), reason(error)};
+      stop_ = StopOfRun{clock_.now(), reason(error)};
       return;
     }
     now_ = system_->state();
     clock_.advance(dt);
+    if constexpr (TheCase::has_several_bodies) {
+      now_.time = clock_.now();
+    }
   }
 
  private:
@@ -94,26 +100,31 @@ class MoreauJeanSimulation final : public SteppedSimulation {
     stepping_ = stepping(*system_, dt, projection_);
   }
 
-  const Case case_;
+  const TheCase case_;
   Projection projection_;
-  State now_;
+  StateOf<TheCase> now_;
   Clock clock_;
   double dt_ = 0.0;  // [s]
-  std::optional<System> system_;
+  std::optional<TheSystem> system_;
   std::shared_ptr<TimeStepping> stepping_;
   std::vector<double> impulses_;
-  std::optional<Stop> stop_;
+  std::optional<StopOfRun> stop_;
 };
 
 ModelEntry entry(std::string name, std::string sentence, Projection projection) {
-  return {.model = {.name = std::move(name),
-                    .sentence = std::move(sentence),
-                    .settings = {{"LCP::compute", "overridden, ends the run where the solver fails",
-                                  "Siconos prints a line and goes on with what the solver has "
-                                  "left."}},
-                    .maker = Maker::engine},
-          .start = makes<MoreauJeanSimulation>(projection),
-          .follows_speed = true};
+  ModelEntry result = {
+      .model = {.name = std::move(name),
+                .sentence = std::move(sentence),
+                .settings = {{"LCP::compute", "overridden, ends the run where the solver fails",
+                              "Siconos prints a line and goes on with what the solver has left."}},
+                .maker = Maker::engine},
+      .start = makes<MoreauJeanSimulation<Case, System>>(projection),
+      .follows_speed = true};
+  if (projection == Projection::none) {
+    result.model.settings = joined({result.model.settings, system_settings()});
+    result.start_system = makes<MoreauJeanSimulation<SpatialSystem, SystemInSpace>>(projection);
+  }
+  return result;
 }
 
 }  // namespace

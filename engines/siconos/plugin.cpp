@@ -34,7 +34,8 @@ EngineTable table() {
   return {.name = "siconos",
           .version = library_version(),
           .precision = precision_of<double>,
-          .families = {moreau_jean_models(), event_driven_models()}};
+          .families = {moreau_jean_models(), event_driven_models()},
+          .dimensions = 3};
 }
 
 }  // namespace

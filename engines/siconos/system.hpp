@@ -10,25 +10,18 @@
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
 
+class DynamicalSystem;
 class LagrangianDS;
+class NewtonEulerDS;
 class NewtonImpactNSL;
+class Relation;
 
 namespace tautline::siconos_engine {
 
-/// A case as Siconos sees it: a Lagrangian system with constant mass and force, and one interaction
-/// per cable, of a `CableRelation` and Newton's impact law. Siconos ties a system to the simulation
-/// it was first given to, so each simulation has its own.
-class System {
+/// The interactions of cables, one for each, with Newton's impact law. Siconos ties a system to the
+/// simulation it was first given to, so each simulation has its own.
+class Interactions {
  public:
-  /// The body starts in `start` at time 0.
-  System(const Case& the_case, const State& start);
-
-  [[nodiscard]] State state() const;
-
-  /// Gives every cable the restitution that it has at its gap rate of now; none to those slower
-  /// than `capture_speed` [m/s].
-  void set_restitutions(double capture_speed = 0.0);
-
   /// The cables in Siconos' index set `level`: 1 the cables that act, or that touch when events are
   /// located; 2 those that are taut.
   [[nodiscard]] CableSet index_set(unsigned int level) const;
@@ -38,15 +31,64 @@ class System {
 
   [[nodiscard]] SP::NonSmoothDynamicalSystem dynamics() const { return dynamics_; }
 
- private:
-  const Case* case_;  // the simulation's, which outlives this
-  std::shared_ptr<LagrangianDS> body_;
+ protected:
+  Interactions();
+
+  /// Adds the next cable, between one body and itself, or two.
+  void add(double restitution, std::shared_ptr<Relation> relation,
+           const std::vector<std::shared_ptr<DynamicalSystem>>& on);
+
+  /// Gives every cable the restitution that it has at its gap rate of now; none to those slower
+  /// than `capture_speed` [m/s].
+  template <class TheCase>
+  void set_restitutions(const TheCase& the_case, const StateOf<TheCase>& now, double capture_speed);
+
   SP::NonSmoothDynamicalSystem dynamics_;
+
+ private:
   std::vector<std::shared_ptr<NewtonImpactNSL>> laws_;
   std::vector<SP::Interaction> interactions_;
 };
 
+/// A case as Siconos sees it: a Lagrangian system with constant mass and force, and a
+/// `CableRelation` per cable.
+class System : public Interactions {
+ public:
+  /// The body starts in `start` at time 0.
+  System(const Case& the_case, const State& start);
+
+  [[nodiscard]] State state() const;
+  void set_restitutions(double capture_speed = 0.0) {
+    Interactions::set_restitutions(*case_, state(), capture_speed);
+  }
+
+ private:
+  const Case* case_;  // the simulation's, which outlives this
+  std::shared_ptr<LagrangianDS> body_;
+};
+
+/// A system in space: a Newton and Euler system for each body, and a `SystemCableRelation` per
+/// cable. Throws std::invalid_argument where a cable joins more than two bodies, or where its ends
+/// or its length move.
+class SystemInSpace : public Interactions {
+ public:
+  SystemInSpace(const SpatialSystem& system, const SpatialSystemState& start);
+
+  [[nodiscard]] SpatialSystemState state() const;
+  void set_restitutions(double capture_speed = 0.0) {
+    Interactions::set_restitutions(*system_, state(), capture_speed);
+  }
+
+ private:
+  const SpatialSystem* system_;  // the simulation's, which outlives this
+  std::vector<std::shared_ptr<NewtonEulerDS>> bodies_;
+  double start_;  // [s], of the run, where Siconos has 0
+};
+
 /// What an exception of Siconos says, in one line.
 [[nodiscard]] std::string reason(const std::exception& error);
+
+/// What a model that runs systems says of that.
+[[nodiscard]] std::vector<Setting> system_settings();
 
 }  // namespace tautline::siconos_engine

@@ -193,12 +193,15 @@ std::vector<Setting> settings(const std::vector<Setting>& own) {
   return joined({world_settings(),
                  {{"setRestitution", "the cable's restitution",
                    "A cable does not rebound unless it is set."}},
-                 own,
-                 system_settings(),
-                 {{"of a system: kinematic bodies, setMaxLengthRate",
+                 own});
+}
+
+std::vector<Setting> in_space() {
+  return joined({system_settings(),
+                 {{"kinematic bodies, setMaxLengthRate",
                    "from where an end or a length is as a step starts to where it is at its end",
                    "btCableConstraint knows no function of time; it moves both evenly."},
-                  {"of a system: setEnabled", "while a cable is hooked up and not cut",
+                  {"setEnabled", "while a cable is hooked up and not cut",
                    "Such a cable pulls at nothing."}}});
 }
 
@@ -209,7 +212,8 @@ std::vector<ModelEntry> cable_models() {
       {.model = {.name = "cable",
                  .sentence = "tautline's btCableConstraint, the drop-in cable for a world of "
                              "one's own, in stepSimulation.",
-                 .settings = settings({})},
+                 .settings = settings({}),
+                 .in_space = in_space()},
        .start = makes<CableSimulation<Case, World, Cables>>(),
        .start_system = makes<CableSimulation<SpatialSystem, SystemWorld, SystemCables>>()},
       {.model = {.name = "cable-events",
@@ -218,7 +222,8 @@ std::vector<ModelEntry> cable_models() {
                  .settings = settings({{"btStepWithCables",
                                         "instead of stepSimulation, with its own 8 parts a "
                                         "step",
-                                        "Impacts are solved at zero gap and in no time."}})},
+                                        "Impacts are solved at zero gap and in no time."}}),
+                 .in_space = in_space()},
        .start = makes<CableEventsSimulation<Case, World, Cables>>(),
        .start_system = makes<CableEventsSimulation<SpatialSystem, SystemWorld, SystemCables>>()}};
 }

@@ -65,19 +65,18 @@ std::vector<ModelEntry> event_models() {
   return {event_model<DartEventAdapter<Case, World>, DartEventAdapter<SpatialSystem, SystemWorld>>(
       "DART flies and solves, the event driver finds the instants: each impact is one solve at the "
       "exact pose.",
-      joined(
-          {{{"setBoxedLcpSolver", "PgsBoxedLcpSolver",
-             "Pivoting, DART's choice, fails on three cables that are nearly dependent, and on any "
-             "four."},
-            {"setSecondaryBoxedLcpSolver", "nullptr", "The iteration needs none behind it."},
-            {"mMaxIteration", std::to_string(iterations),
-             "Nearly dependent cables hit together converge slowly; one cable takes two."},
-            {"mDeltaXThreshold, mRelativeDeltaXTolerance", "0, 1e-15",
-             "DART's 1e-6 and 1e-3 leave an impact as inexact as that."},
-            {"mEpsilonForDivision", "1e-15 of the momentum",
-             "The iteration does not wait for smaller impulses; DART's 1e-9 knows no units."},
-            parabola_setting()},
-           system_settings()}))};
+      {{"setBoxedLcpSolver", "PgsBoxedLcpSolver",
+        "Pivoting, DART's choice, fails on three cables that are nearly dependent, and on any "
+        "four."},
+       {"setSecondaryBoxedLcpSolver", "nullptr", "The iteration needs none behind it."},
+       {"mMaxIteration", std::to_string(iterations),
+        "Nearly dependent cables hit together converge slowly; one cable takes two."},
+       {"mDeltaXThreshold, mRelativeDeltaXTolerance", "0, 1e-15",
+        "DART's 1e-6 and 1e-3 leave an impact as inexact as that."},
+       {"mEpsilonForDivision", "1e-15 of the momentum",
+        "The iteration does not wait for smaller impulses; DART's 1e-9 knows no units."},
+       parabola_setting()},
+      system_settings())};
 }
 
 }  // namespace tautline::dart_engine

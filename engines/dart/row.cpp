@@ -30,6 +30,6 @@ class RowWorld : public Told<World> {
 
 }  // namespace
 
-std::vector<ModelEntry> row_models() { return row_and_early<RowWorld>(system_settings()); }
+std::vector<ModelEntry> row_models() { return row_and_early<RowWorld>({}, {}, system_settings()); }
 
 }  // namespace tautline::dart_engine

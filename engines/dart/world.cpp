@@ -258,13 +258,13 @@ void SystemWorld::fly(double dt) {
 }
 
 std::vector<Setting> system_settings() {
-  return {{"of a system: joints", "TranslationalJoint, and a BallJoint on it",
+  return {{"joints", "TranslationalJoint, and a BallJoint on it",
            "The velocity of a FreeJoint is in the axes of the body, and a spinning body then does "
            "not fly straight."},
-          {"of a system: setTransformFromParentBodyNode of the BallJoint",
+          {"setTransformFromParentBodyNode of the BallJoint",
            "the orientation, but for a turn by 1 rad",
            "DART takes two terms of the series of a turn by less than 1e-3 rad: 2e-10 rad off."},
-          {"of a system: setGravity, addExtForce, addExtTorque",
+          {"setGravity, addExtForce, addExtTorque",
            "what is given, as it is in the middle of the step; drag as it decays in the step",
            "DART knows no function of time."}};
 }

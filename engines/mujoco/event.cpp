@@ -53,9 +53,8 @@ std::vector<ModelEntry> event_models() {
   return {event_model<MujocoEventAdapter, MujocoSystemAdapter>(
       "MuJoCo flies and gives tendons and masses, the event driver finds the instants: each impact "
       "is solved by hand at the exact pose.",
-      joined({world_settings(),
-              {parabola_setting(),
-               {"of a system: integrator", "RK4",
+      joined({world_settings(), {parabola_setting()}}),
+      joined({{{"integrator", "RK4",
                 "It turns bodies to second order, Euler's method to first, and flies parabolas."}},
               system_settings()}))};
 }

@@ -69,8 +69,8 @@ std::vector<ModelEntry> impulse_models() {
                                  "masses.",
                      .settings = joined({world_settings(),
                                          {{"integrator", "RK4",
-                                           "It flies the exact parabola between the impulses."}},
-                                         system_settings()})},
+                                           "It flies the exact parabola between the impulses."}}}),
+                     .in_space = system_settings()},
            .start = makes<ImpulseSimulation<Case, World>>(),
            .start_system = makes<ImpulseSimulation<SpatialSystem, SystemWorld>>(),
            .follows_speed = true}};

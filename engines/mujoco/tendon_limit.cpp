@@ -99,16 +99,16 @@ std::vector<Setting> limit_settings() {
 
 ModelEntry entry(std::string name, std::string sentence, Integrator integrator,
                  const std::vector<Setting>& own) {
-  return {
-      .model = {.name = std::move(name),
-                .sentence = std::move(sentence),
-                .settings = joined({world_settings(), limit_settings(), own, system_settings()}),
-                .maker = Maker::engine,
-                .parameters = limit_parameters(),
-                .code = "<spatial limited=\"true\" solreflimit=\"-{stiffness} -{damping}\" "
-                        "solimplimit=\"0.9999 0.9999 1 0.5 1\">"},
-      .start = makes<TendonLimitSimulation<Case, World>>(integrator),
-      .start_system = makes<TendonLimitSimulation<SpatialSystem, SystemWorld>>(integrator)};
+  return {.model = {.name = std::move(name),
+                    .sentence = std::move(sentence),
+                    .settings = joined({world_settings(), limit_settings(), own}),
+                    .maker = Maker::engine,
+                    .parameters = limit_parameters(),
+                    .code = "<spatial limited=\"true\" solreflimit=\"-{stiffness} -{damping}\" "
+                            "solimplimit=\"0.9999 0.9999 1 0.5 1\">",
+                    .in_space = system_settings()},
+          .start = makes<TendonLimitSimulation<Case, World>>(integrator),
+          .start_system = makes<TendonLimitSimulation<SpatialSystem, SystemWorld>>(integrator)};
 }
 
 }  // namespace

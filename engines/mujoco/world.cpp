@@ -254,11 +254,11 @@ std::vector<Setting> world_settings() {
 }
 
 std::vector<Setting> system_settings() {
-  return {{"of a system: joints", "free", "Bodies of a system move in space."},
-          {"of a system: opt.gravity, xfrc_applied",
+  return {{"joints", "free", "Bodies of a system move in space."},
+          {"opt.gravity, xfrc_applied",
            "what is given, as it is in the middle of the step; drag as it decays in the step",
            "MuJoCo knows no function of time."},
-          {"of a system: mocap_pos, tendon_range",
+          {"mocap_pos, tendon_range",
            "where ends that move are, and how long cables are, as a step starts",
            "MuJoCo knows no function of time, and no velocity of such an end."}};
 }

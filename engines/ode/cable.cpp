@@ -214,12 +214,15 @@ std::vector<Setting> settings(const std::vector<Setting>& own) {
   return joined({world_settings(),
                  {{"dCableSetBounce", "the cable's restitution",
                    "A cable does not rebound unless it is set."}},
-                 own,
-                 system_settings(),
-                 {{"of a system: dBodySetKinematic, dCableSetLengthRate",
+                 own});
+}
+
+std::vector<Setting> in_space() {
+  return joined({system_settings(),
+                 {{"dBodySetKinematic, dCableSetLengthRate",
                    "from where an end or a length is as a step starts to where it is at its end",
                    "dCable knows no function of time; it moves both evenly."},
-                  {"of a system: the cables of a step", "those that are hooked up and not cut",
+                  {"the cables of a step", "those that are hooked up and not cut",
                    "The others pull at nothing."}}});
 }
 
@@ -230,7 +233,8 @@ std::vector<ModelEntry> cable_models() {
       {.model = {.name = "cable",
                  .sentence = "tautline's dCable, the drop-in cable for a world of one's own, "
                              "in dWorldStep with ODE's own settings.",
-                 .settings = settings({})},
+                 .settings = settings({}),
+                 .in_space = in_space()},
        .start = makes<CableSimulation<Case, World, Cables>>(),
        .start_system = makes<CableSimulation<SpatialSystem, SystemWorld, SystemCables>>()},
       {.model = {.name = "cable-events",
@@ -242,7 +246,8 @@ std::vector<ModelEntry> cable_models() {
                        "Impacts are solved at zero gap and in no time."},
                       {"dBodySetFiniteRotationMode", "1",
                        "The default turns the body to first order only, and no event mends "
-                       "that."}})},
+                       "that."}}),
+                 .in_space = in_space()},
        .start = makes<CableEventsSimulation<Case, World, Cables>>(),
        .start_system = makes<CableEventsSimulation<SpatialSystem, SystemWorld, SystemCables>>()}};
 }

@@ -121,7 +121,7 @@ ModelEntry entry(std::string name, std::string sentence, Projection projection) 
       .start = makes<MoreauJeanSimulation<Case, System>>(projection),
       .follows_speed = true};
   if (projection == Projection::none) {
-    result.model.settings = joined({result.model.settings, system_settings()});
+    result.model.in_space = system_settings();
     result.start_system = makes<MoreauJeanSimulation<SpatialSystem, SystemInSpace>>(projection);
   }
   return result;

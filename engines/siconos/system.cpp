@@ -236,11 +236,10 @@ SpatialSystemState SystemInSpace::state() const {
 }
 
 std::vector<Setting> system_settings() {
-  return {
-      {"of a system: NewtonEulerDS, NewtonEulerR", "one per body, one per cable",
-       "Bodies of a system move in space."},
-      {"of a system: computeFExt, computeMExt", "gravity, forces, moments and drag at each instant",
-       "They are overridden: Siconos' own plug-ins are functions of C."}};
+  return {{"NewtonEulerDS, NewtonEulerR", "one per body, one per cable",
+           "Bodies of a system move in space."},
+          {"computeFExt, computeMExt", "gravity, forces, moments and drag at each instant",
+           "They are overridden: Siconos' own plug-ins are functions of C."}};
 }
 
 std::string reason(const std::exception& error) {

@@ -211,8 +211,8 @@ double acceleration_of(const SpatialSystem& system, const SpatialSystemState& st
 }
 
 std::vector<Setting> system_settings() {
-  return {{"of a system: mobilizers", "MobilizedBody::Free", "Bodies of a system move in space."},
-          {"of a system: Force::Custom", "gravity, forces, moments and drag at each instant",
+  return {{"mobilizers", "MobilizedBody::Free", "Bodies of a system move in space."},
+          {"Force::Custom", "gravity, forces, moments and drag at each instant",
            "Simbody's own elements know no function of time."}};
 }
 

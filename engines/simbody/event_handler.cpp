@@ -111,31 +111,31 @@ class EventHandlerSimulation final : public BasicSimulation<TheCase> {
 }  // namespace
 
 std::vector<ModelEntry> event_handler_models() {
-  return {
-      {.model = {.name = "event-handler",
-                 .sentence = "RungeKuttaMersonIntegrator finds the instants by event handlers "
-                             "of our own, which solve "
-                             "impacts by Newton's law, all cables at once, and switch rods on "
-                             "while cables are taut.",
-                 .settings = joined(
-                     {{{"setAccuracy", "1e-10",
-                        "The default 1e-3 finds an instant to 1e-9 s, and leaves 1e-7 m on the "
-                        "standard case."},
-                       {"of a system: setAccuracy", "1e-12",
-                        "A spinning ball was off by 1e-7 rad in three seconds with 1e-10."},
-                       {"setRequiredLocalizationTimeWindow", "1e-3",
-                        "In units of the accuracy times 0.1 s: the default 0.1 leaves 1e-12 s."},
-                       {"setAllowInterpolation", "false",
-                        "A step of the integrator is then no longer than one of the run: it "
-                        "sees a cable that "
-                        "is at its length at the end of a step, not one that was in between."},
-                       {"Constraint::Rod", "on while a cable is taut",
-                        "A rebound slower than 1e-6 m/s is none; the rod is off again when its "
-                        "tension ends."}},
-                      system_settings()})},
-       .start = makes<EventHandlerSimulation<Case>>(),
-       .start_system = makes<EventHandlerSimulation<SpatialSystem>>(),
-       .follows_speed = true}};
+  return {{.model = {.name = "event-handler",
+                     .sentence = "RungeKuttaMersonIntegrator finds the instants by event handlers "
+                                 "of our own, which solve "
+                                 "impacts by Newton's law, all cables at once, and switch rods on "
+                                 "while cables are taut.",
+                     .settings =
+                         {{"setAccuracy", "1e-10",
+                           "The default 1e-3 finds an instant to 1e-9 s, and leaves 1e-7 m on the "
+                           "standard case."},
+                          {"setRequiredLocalizationTimeWindow", "1e-3",
+                           "In units of the accuracy times 0.1 s: the default 0.1 leaves 1e-12 s."},
+                          {"setAllowInterpolation", "false",
+                           "A step of the integrator is then no longer than one of the run: it "
+                           "sees a cable that "
+                           "is at its length at the end of a step, not one that was in between."},
+                          {"Constraint::Rod", "on while a cable is taut",
+                           "A rebound slower than 1e-6 m/s is none; the rod is off again when its "
+                           "tension ends."}},
+                     .in_space = joined(
+                         {{{"setAccuracy", "1e-12",
+                            "A spinning ball was off by 1e-7 rad in three seconds with 1e-10."}},
+                          system_settings()})},
+           .start = makes<EventHandlerSimulation<Case>>(),
+           .start_system = makes<EventHandlerSimulation<SpatialSystem>>(),
+           .follows_speed = true}};
 }
 
 }  // namespace tautline::simbody

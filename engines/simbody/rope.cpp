@@ -106,19 +106,19 @@ std::vector<ModelEntry> rope_models() {
       {.model = {.name = "rope",
                  .sentence = "SimTK::Rope in SemiExplicitEulerTimeStepper: a bounce in the step "
                              "after the cable is overstretched, and then the step's gravity.",
-                 .settings = joined(
-                     {{{"setRestitutionModel", "Newton", "Simbody's default is Poisson's law."},
-                       {"setConstraintTolerance", "1e-8",
-                        "A rope acts from this gap on; with the default 1e-4 the error "
-                        "stops shrinking there."},
-                       {"setImpulseSolver", "PLUSImpulseSolver, summed up",
-                        "The default solver; the time-stepper does not tell its "
-                        "impulses.",
-                        Origin::engine_default},
-                       {"std::cout, stdout", "dropped while it steps",
-                        "Debian's build prints a page of every step."}},
-                      system_settings()}),
-                 .maker = Maker::engine},
+                 .settings = {{"setRestitutionModel", "Newton",
+                               "Simbody's default is Poisson's law."},
+                              {"setConstraintTolerance", "1e-8",
+                               "A rope acts from this gap on; with the default 1e-4 the error "
+                               "stops shrinking there."},
+                              {"setImpulseSolver", "PLUSImpulseSolver, summed up",
+                               "The default solver; the time-stepper does not tell its "
+                               "impulses.",
+                               Origin::engine_default},
+                              {"std::cout, stdout", "dropped while it steps",
+                               "Debian's build prints a page of every step."}},
+                 .maker = Maker::engine,
+                 .in_space = system_settings()},
        .start = makes<RopeSimulation<Case>>(),
        .start_system = makes<RopeSimulation<SpatialSystem>>()}};
 }

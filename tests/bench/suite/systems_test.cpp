@@ -91,9 +91,9 @@ TEST(SystemBench, ShardsMakeTheReportOfTheWhole) {
   const TemporaryFolder folder;
   const auto out = [&](const std::string& name) { return (folder.path() / name).string(); };
   const auto shard = [&](const std::string& which, const std::string& name) {
-    std::vector<std::string> arguments = {"bench",     "two-bodies", "winch", "--engines",
-                                          "exact,ode", "--steps",    "0.01",  "--out",
-                                          out(name)};
+    std::vector<std::string> arguments = {"bench",     "two-bodies", "winch",
+                                          "--engines", "exact,ode",  "--steps",
+                                          "0.01",      "--out",      out(name)};
     if (!which.empty()) {
       arguments.insert(arguments.end(), {"--shard", which});
     }
@@ -120,10 +120,8 @@ TEST(SystemBench, RefusesInASentence) {
   const Outcome law = program({"bench", "parallel-robot", "--law", "energetic", "--out", out});
   EXPECT_EQ(law.code, 2);
   EXPECT_NE(law.errors.find("parallel-robot has 8 cables"), std::string::npos) << law.errors;
-  const Outcome model =
-      program({"run", "conical", "--engine", "bullet64", "--model", "two-phase"});
-  EXPECT_NE(model.output.find("model two-phase has one body in the plane alone"),
-            std::string::npos)
+  const Outcome model = program({"run", "conical", "--engine", "bullet64", "--model", "two-phase"});
+  EXPECT_NE(model.output.find("model two-phase has one body in the plane alone"), std::string::npos)
       << model.output;
 }
 
@@ -141,9 +139,8 @@ TEST(SystemBench, ASystemInThePlaneMovesInSpaceAsInThePlane) {
       const SystemState in_plane = one.at(time);
       const SpatialSystemState there = other.at(time);
       for (std::size_t body = 0; body < planar.bodies.size(); ++body) {
-        worst = std::max(worst, (there.bodies[body].position.head<2>() -
-                                 in_plane.bodies[body].position)
-                                    .norm());
+        worst = std::max(
+            worst, (there.bodies[body].position.head<2>() - in_plane.bodies[body].position).norm());
         worst = std::max(worst, std::abs(there.bodies[body].position.z()));
       }
     }

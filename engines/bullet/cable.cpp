@@ -39,7 +39,7 @@ class Cables {
   std::vector<btCableConstraint*> cables_;
 };
 
-/// The same of a system: ends that move are kinematic bodies, and what changes the length a winch.
+/// Cables of a system: ends that move are kinematic bodies, and what changes the length a winch.
 class SystemCables : public Cables {
  public:
   SystemCables(const SpatialSystem& system, SystemWorld& world) : system_(system) {
@@ -97,7 +97,7 @@ class SystemCables : public Cables {
   std::vector<std::unique_ptr<btDefaultMotionState>> hooks_;  // of each cable; most have none
 };
 
-/// Of a `Case`, or of a `SpatialSystem`.
+/// TheCase is Case or SpatialSystem.
 template <class TheCase, class TheWorld, class TheCables>
 class CableSimulation final : public BasicSteppedSimulation<TheCase> {
  public:

@@ -9,7 +9,7 @@
 namespace tautline::dart_engine {
 namespace {
 
-/// The rows are told before gravity acts: DART asks them after it.
+/// The rows learn it before gravity acts: DART asks them after it.
 template <class Base>
 class Told : public Base {
  public:

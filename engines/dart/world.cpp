@@ -41,7 +41,7 @@ struct BareWorld::Parts {
   [[nodiscard]] dart::dynamics::Joint& joint(std::size_t body) const {
     return *bodies[body]->getParentJoint();
   }
-  /// The joint that carries that of a body in space.
+  /// The joint that carries the joint of a body in space.
   [[nodiscard]] dart::dynamics::Joint& carrier(std::size_t body) const {
     return *bodies[body]->getParentBodyNode()->getParentJoint();
   }

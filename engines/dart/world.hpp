@@ -67,7 +67,7 @@ class World : public BareWorld {
 
   void advance(double dt) { step(dt); }
 
-  /// The same without cables, such that the body flies the exact parabola.
+  /// A step without cables in which the body flies the exact parabola.
   void fly(double dt);
 
  private:
@@ -94,7 +94,7 @@ class SystemWorld : public BareWorld {
   double time_ = 0.0;  // [s]
 };
 
-/// What a model that runs systems says of that.
+/// Settings of models that run systems.
 [[nodiscard]] std::vector<Setting> system_settings();
 
 /// The version of the library's headers: the library itself does not tell it.

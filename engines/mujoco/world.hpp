@@ -105,7 +105,7 @@ class SystemWorld : public BareWorld {
 /// The settings every model needs: those of `World`.
 [[nodiscard]] std::vector<Setting> world_settings();
 
-/// What a model that runs systems says of that.
+/// Settings of models that run systems.
 [[nodiscard]] std::vector<Setting> system_settings();
 
 }  // namespace tautline::mujoco

@@ -71,7 +71,7 @@ class Cables {
   std::vector<std::unique_ptr<std::remove_pointer_t<dCableID>, DestroyCable>> owned_;
 };
 
-/// The same of a system: ends that move are kinematic bodies, and what changes the length a winch.
+/// Cables of a system: ends that move are kinematic bodies, and what changes the length a winch.
 class SystemCables : public Cables {
  public:
   SystemCables(const SpatialSystem& system, SystemWorld& world) : system_(system) {
@@ -121,7 +121,7 @@ class SystemCables : public Cables {
   std::vector<dBodyID> hooks_;  // of each cable; most have none
 };
 
-/// Of a `Case`, or of a `SpatialSystem`.
+/// TheCase is Case or SpatialSystem.
 template <class TheCase, class TheWorld, class TheCables>
 class CableSimulation final : public BasicSteppedSimulation<TheCase> {
  public:

@@ -88,7 +88,7 @@ class SystemInSpace : public Interactions {
 /// What an exception of Siconos says, in one line.
 [[nodiscard]] std::string reason(const std::exception& error);
 
-/// What a model that runs systems says of that.
+/// Settings of models that run systems.
 [[nodiscard]] std::vector<Setting> system_settings();
 
 }  // namespace tautline::siconos_engine

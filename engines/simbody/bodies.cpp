@@ -17,7 +17,8 @@ constexpr int angle = 0;
 constexpr int x = 1;
 constexpr int y = 2;
 
-// those of MobilizedBody::Free: a quaternion, then a position; a spin in the world, then a velocity
+// as MobilizedBody::Free has them: a quaternion, then a position; a spin in the world, then a
+// velocity
 constexpr int position_of_free = 4;
 constexpr int velocity_of_free = 3;
 

@@ -58,7 +58,7 @@ class Bodies {
 [[nodiscard]] double acceleration_of(const Case& the_case, const State& state);
 [[nodiscard]] double acceleration_of(const SpatialSystem& system, const SpatialSystemState& state);
 
-/// What a model that runs systems says of that.
+/// Settings of models that run systems.
 [[nodiscard]] std::vector<Setting> system_settings();
 
 }  // namespace tautline::simbody

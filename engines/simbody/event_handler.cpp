@@ -13,7 +13,7 @@ namespace {
 /// 1e-3, to 1e-7 m.
 constexpr double accuracy = 1e-10;
 
-/// The same in space, where a spinning body takes more.
+/// In space a spinning body takes more.
 constexpr double accuracy_in_space = 1e-12;
 
 /// Of an event, in units of the accuracy times the system's time scale of 0.1 s [-]: 1e-14 s.

@@ -94,8 +94,8 @@ struct Gain {
   return result;
 }
 
-/// What falls within this part of a step [-] on an instant at which something given is not smooth,
-/// is after it.
+/// A step that ends within this part of it [-] of an instant at which something given is not
+/// smooth, is after it.
 inline constexpr double same_instant = 1e-9;
 
 /// Calls `step` with start and end [s] of each part of a step of `dt` [s] from `time` on: it is

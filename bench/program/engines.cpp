@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -31,8 +32,17 @@ void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
   fmt::print("{}  version {}, {}\n", engine.info->name, printable(engine.info->version),
              engine.info->precision);
   Table models({"  model", "what it is"}, 2);
+  std::vector<std::string> in_space;
   for (const Model& model : engine.info->models) {
     models.add({"  " + model.name, printable(model.sentence, 1000)});
+    if (model.in_space) {
+      in_space.push_back(model.name);
+    }
+  }
+  if (!in_space.empty()) {
+    fmt::print(
+        "{}", wrapped_lines(fmt::format("  also systems in space: {}\n", fmt::join(in_space, ", ")),
+                            style.text, 2));
   }
   const std::string text = models.plain(style);
   fmt::print("{}\n", text.substr(text.find('\n') + 1));  // without the headings

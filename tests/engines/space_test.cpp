@@ -64,7 +64,7 @@ class EngineInSpace : public testing::TestWithParam<ModelUnderTest> {
 
   /// A run; none where the model says in one sentence that it cannot.
   [[nodiscard]] Started start(const SpatialSystem& system, const std::string& model,
-                          double step) const {
+                              double step) const {
     try {
       return engine().start_system(system, model, step);
     } catch (const std::invalid_argument& error) {
@@ -86,8 +86,8 @@ double apart(const SpatialSystem& system, const SpatialSystemState& a,
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
     result = std::max(result, (a.bodies[i].position - b.bodies[i].position).norm());
     if (has_inertia(system.bodies[i].inertia)) {
-      result = std::max(
-          result, angle_between<double>(a.bodies[i].orientation, b.bodies[i].orientation));
+      result =
+          std::max(result, angle_between<double>(a.bodies[i].orientation, b.bodies[i].orientation));
     }
   }
   return result;
@@ -269,9 +269,9 @@ TEST_P(EngineInSpace, IsExactByEventsUntilCablesStayTaut) {
         worst = std::max(worst, apart(system, run->state(), right) / grown);
       }
       ++held;
-      expect_within(model + ", " + system.name + " off, over its growth of " +
-                        std::to_string(grown),
-                    worst, allowed_of(GetParam()));
+      expect_within(
+          model + ", " + system.name + " off, over its growth of " + std::to_string(grown), worst,
+          allowed_of(GetParam()));
     }
     EXPECT_GE(held, 6U);
   }

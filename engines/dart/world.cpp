@@ -258,15 +258,15 @@ void SystemWorld::fly(double dt) {
 }
 
 std::vector<Setting> system_settings() {
-  return {{"joints", "TranslationalJoint, and a BallJoint on it",
-           "The velocity of a FreeJoint is in the axes of the body, and a spinning body then does "
-           "not fly straight."},
-          {"setTransformFromParentBodyNode of the BallJoint",
-           "the orientation, but for a turn by 1 rad",
-           "DART takes two terms of the series of a turn by less than 1e-3 rad: 2e-10 rad off."},
-          {"setGravity, addExtForce, addExtTorque",
-           "what is given, as it is in the middle of the step; drag as it decays in the step",
-           "DART knows no function of time."}};
+  return {
+      {"joints", "TranslationalJoint, and a BallJoint on it",
+       "Their velocities are those of a state: one in the world, and a spin in the body's axes."},
+      {"setTransformFromParentBodyNode of the BallJoint",
+       "the orientation, but for a turn by 1 rad",
+       "DART takes two terms of the series of a turn by less than 1e-3 rad: 2e-10 rad off."},
+      {"setGravity, addExtForce, addExtTorque",
+       "what is given, as it is in the middle of the step; drag as it decays in the step",
+       "DART knows no function of time."}};
 }
 
 std::string version() { return DART_VERSION; }

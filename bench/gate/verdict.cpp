@@ -141,6 +141,9 @@ void add_verdicts(Report& report, const ListedProblems& listed) {
     if (run.judgement) {
       add_judged(*run.judgement, precision_of(report, run.key) != "float32", problems);
     }
+    if (problems.empty() && run.metrics && !run.judgement) {
+      continue;  // of a system, which is compared and not judged
+    }
     for (Problem& problem : problems) {
       const ListedProblem* const found = listed.find(run.key, problem.kind);
       problem.listed = found != nullptr;

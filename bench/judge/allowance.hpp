@@ -133,10 +133,10 @@ class Expectation {
   mutable std::mutex guard_;
 };
 
-/// For each of `references`, which must outlive them.
 /// A run of a case is compared with this: in a system with the exact motion, which must outlive it.
 using AnyExpectation = std::variant<Expectation, const ReferenceSystem*>;
 using Expectations = std::deque<AnyExpectation>;
+/// For each of `references`, which must outlive them.
 [[nodiscard]] Expectations expectations_of(const std::vector<Reference>& references);
 
 }  // namespace tautline::bench

@@ -250,6 +250,13 @@ Request read_request(const BenchCommand& command) {
     append(request.problems, before.problems);
     request.listed_before = std::move(before.listed).value_or(ListedProblems());
   }
+  if (request.problems.empty() && !options.cases.empty() && options.models.empty() &&
+      plan(options).empty() &&
+      std::any_of(options.engines.begin(), options.engines.end(),
+                  [](const RegisteredEngine& engine) { return engine.info.has_value(); })) {
+    request.problems.emplace_back(
+        "no model of these engines runs systems; `tautline engines` names those that do");
+  }
   request.within = within_of(command, request.problems);
   for (const BenchCase& any : options.cases) {
     if (request.within && std::holds_alternative<SpatialSystem>(any)) {

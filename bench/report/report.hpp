@@ -190,6 +190,7 @@ struct SystemBodyRow {
 };
 /// A system in space as a report shows it.
 struct SystemRow {
+  std::string hash;  // of its case file
   std::vector<SystemBodyRow> bodies;
   std::vector<double> gravity;  // x, y, z [m/s^2], at the start
   std::vector<SystemCableRow> cables;

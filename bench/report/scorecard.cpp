@@ -185,7 +185,6 @@ bool graver(const ModelCard& one, const ModelCard& two) {
   return gravity_of(one) > gravity_of(two);
 }
 
-/// "Use row at 0.001 s: 0.61 % of a cable off, 0.4 ms of processor time a second."
 /// The setup of a card that is off least.
 std::string nearest_sentence(const Scorecard& card) {
   const Setup* nearest = nullptr;
@@ -202,6 +201,7 @@ std::string nearest_sentence(const Scorecard& card) {
                            printable(nearest->model), nearest->step, percent_text(*nearest->off));
 }
 
+/// "Use row at 0.001 s: 0.61 % of a cable off, 0.4 ms of processor time a second."
 std::string use_sentence(const Scorecard& card) {
   if (!card.use && card.of_systems) {
     return nearest_sentence(card);

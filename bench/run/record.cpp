@@ -16,6 +16,20 @@ namespace {
 /// An impulse below this fraction of mass times speed is a solver's rounding, not a pull [-].
 constexpr double least_impulse = 1e-12;
 
+/// How fast gravity, forces and drag change a gap rate in a step, at most as they are at `state`
+/// [m/s^2].
+double pull_of_gravity(const Case& the_case, const State& /*state*/) {
+  return the_case.gravity.norm();
+}
+double pull_of_gravity(const SpatialSystem& system, const SpatialSystemState& state) {
+  const RowOf<SpatialSystem> accelerations = free_accelerations(system, state);
+  double largest = 0.0;
+  for (Eigen::Index row = 0; row < accelerations.size(); row += 6) {
+    largest = std::max(largest, accelerations.segment<3>(row).norm());
+  }
+  return largest;
+}
+
 /// The impulse that the case makes likely at most [N s].
 double likely_impulse(const Case& the_case) {
   double longest = 0.0;
@@ -39,25 +53,19 @@ double likely_impulse(const SpatialSystem& system) {
   for (const SpatialBody& body : system.bodies) {
     lightest = std::min(lightest, body.mass);
   }
-  double fastest = std::sqrt(system.gravity.at(0.0).norm() * longest);
+  double fastest = std::sqrt(pull_of_gravity(system, system.initial) * longest);
   for (const SpatialState& body : system.initial.bodies) {
-    fastest = std::max(fastest, body.velocity.norm());
+    fastest = std::max(fastest, body.velocity.norm() + body.spin.norm() * longest);
+  }
+  constexpr int instants = 50;  // at which moving ends and winches are looked at
+  SpatialSystemState still = standing_still(system.initial);
+  for (int k = 0; k <= instants; ++k) {
+    still.time = system.duration * k / instants;
+    for (const SpatialCable& cable : system.cables) {
+      fastest = std::max(fastest, std::abs(gap_rate(cable, still)));
+    }
   }
   return lightest * fastest;
-}
-
-/// How fast gravity, forces and drag change a gap rate in a step, at most as they are at `state`
-/// [m/s^2].
-double pull_of_gravity(const Case& the_case, const State& /*state*/) {
-  return the_case.gravity.norm();
-}
-double pull_of_gravity(const SpatialSystem& system, const SpatialSystemState& state) {
-  const RowOf<SpatialSystem> accelerations = free_accelerations(system, state);
-  double largest = 0.0;
-  for (Eigen::Index row = 0; row < accelerations.size(); row += 6) {
-    largest = std::max(largest, accelerations.segment<3>(row).norm());
-  }
-  return largest;
 }
 
 /// `like` with the velocities of `other`.
@@ -390,8 +398,8 @@ BasicTrajectory<TheCase> record(const TheCase& the_case,
     const double dt = last ? the_case.duration - start : step;
     const double end = last ? the_case.duration : static_cast<double>(index + 1) * step;
     simulation.step(dt);
-    now = state_at(simulation, end);
     run.stop = simulation.stopped();
+    now = state_at(simulation, run.stop ? run.stop->time : end);
     if (!reasonable(the_case, now)) {
       run.diverged = true;
       break;

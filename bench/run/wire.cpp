@@ -140,7 +140,7 @@ struct NumberWriter {
     numbers.push_back(std::isfinite(number) ? number : no_number);
   }
   template <class Item>
-  void fit(const std::vector<Item>& items) {
+  void fit(const std::vector<Item>& items, std::size_t /*most*/ = 0) {
     (*this)(items.size());
   }
 };
@@ -166,9 +166,12 @@ struct NumberReader {
     numbers = numbers.subspan(1);
   }
   template <class Item>
-  void fit(std::vector<Item>& items) {
+  void fit(std::vector<Item>& items, std::size_t most = std::numeric_limits<std::size_t>::max()) {
     std::size_t count = 0;
     (*this)(count);
+    if (count > most) {
+      throw std::out_of_range("a message has too many of something");
+    }
     items.resize(std::min(count, numbers.size()));
   }
 };
@@ -178,10 +181,7 @@ struct NumberReader {
 void pass_state(auto& numbers, auto& state) {
   if constexpr (requires { state.bodies; }) {
     numbers(state.time);
-    numbers.fit(state.bodies);
-    if (state.bodies.size() > max_bodies) {
-      throw std::out_of_range("a state of a message has too many bodies");
-    }
+    numbers.fit(state.bodies, max_bodies);
     for (auto& body : state.bodies) {
       pass_state(numbers, body);
     }

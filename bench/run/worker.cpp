@@ -202,6 +202,45 @@ bool settle_determinism(const WorkerRequest& check, const WorkerLimits& limits,
 
 }  // namespace
 
+namespace {
+
+std::optional<Trajectory>& motion_of(RunReply& reply, const Case& /*the_case*/) {
+  return reply.trajectory;
+}
+std::optional<SystemTrajectory>& motion_of(RunReply& reply, const SpatialSystem& /*system*/) {
+  return reply.in_space;
+}
+
+bool is_of(const Case& /*the_case*/, const State& /*state*/) { return true; }
+bool is_of(const SpatialSystem& system, const SpatialSystemState& state) {
+  return state.bodies.size() == system.bodies.size();
+}
+
+/// True where `run` can be one of `the_case`.
+template <class TheCase>
+bool is_of(const TheCase& the_case, const BasicTrajectory<TheCase>& run) {
+  const std::size_t cables = the_case.cables.size();
+  return (run.tensions.empty() || run.tensions.size() == run.points.size() * cables) &&
+         std::all_of(run.points.begin(), run.points.end(),
+                     [&](const auto& point) { return is_of(the_case, point.state); }) &&
+         std::all_of(run.impacts.begin(), run.impacts.end(), [&](const auto& impact) {
+           return impact.cable < cables && is_of(the_case, impact.before) &&
+                  is_of(the_case, impact.after);
+         });
+}
+
+/// Puts the run of `the_case` that `answer` is into `reply`, if it is one.
+template <class TheCase>
+void take_run(const TheCase& the_case, std::optional<WorkerAnswer>& answer, RunReply& reply) {
+  auto* const run = answer ? std::get_if<BasicRunAnswer<TheCase>>(&*answer) : nullptr;
+  if (run != nullptr && is_of(the_case, run->trajectory)) {
+    reply.cost = run->cost;
+    motion_of(reply, the_case) = std::move(run->trajectory);
+  }
+}
+
+}  // namespace
+
 RunReply run_in_worker(const RunRequest& request, Workplace& workplace) {
   RunReply reply;
   try {
@@ -215,13 +254,10 @@ RunReply run_in_worker(const RunRequest& request, Workplace& workplace) {
     reply.output_tail = other.end.output_tail;
     reply.printed = other.end.printed;
     reply.interrupted = other.interrupted();
-    if (!other.answer) {
-    } else if (auto* const run = std::get_if<RunAnswer>(&*other.answer)) {
-      reply.cost = run->cost;
-      reply.trajectory = std::move(run->trajectory);
-    } else if (auto* const of_system = std::get_if<SystemRunAnswer>(&*other.answer)) {
-      reply.cost = of_system->cost;
-      reply.in_space = std::move(of_system->trajectory);
+    std::visit([&](const auto& the_case) { take_run(the_case, other.answer, reply); },
+               request.the_case);
+    if (reply.failure.empty() && !reply.trajectory && !reply.in_space && !reply.interrupted) {
+      reply.failure = "gave a result that makes no sense";
     }
   } catch (const std::system_error& error) {
     reply.failure = std::string("cannot run a worker: ") + error.what();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -56,6 +57,9 @@ std::string state_names(const SpatialSystem& system) {
     if (body.empty() && system.bodies.size() > 1) {
       body = fmt::format("body_{}", index);
     }
+    std::replace_if(
+        body.begin(), body.end(),
+        [](unsigned char letter) { return std::isalnum(letter) == 0 && letter != '_'; }, '_');
     for (const auto& one : coordinates(system.initial.bodies[index])) {
       names += fmt::format("{}{}{},", body, body.empty() ? "" : "_", one.name);
     }

@@ -52,8 +52,8 @@ void tell_of_systems(const SuiteOptions& options, Report& report) {
       }
       model.in_space = any ? model.in_space : std::nullopt;
     }
-    if (not_run.size() == engine.info->models.size()) {
-      report.in_the_plane_alone.push_back(engine.name + ": an engine of the plane");
+    if (any && not_run.size() == engine.info->models.size() && !not_run.empty()) {
+      report.in_the_plane_alone.push_back(engine.name + ": all");
     } else if (!not_run.empty()) {
       report.in_the_plane_alone.push_back(
           fmt::format("{}: {}", engine.name, fmt::join(not_run, ", ")));

@@ -220,6 +220,7 @@ CaseRow case_row(const ReferenceSystem& reference, double count_speed) {
                              .swing = {}};
   }
   SystemRow& shown = row.system.emplace();
+  shown.hash = fmt::format("{:016x}", stable_hash(write_system(system)));
   shown.gravity = numbers_of(system.gravity.at(0.0));
   for (const SpatialBody& body : system.bodies) {
     shown.bodies.push_back({body.name, body.mass, numbers_of(body.inertia)});

@@ -91,12 +91,15 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
         break;
       }
       const State now = adapter_->state();
-      const double to_knot = time_to_knot(case_, now);
-      const double until = std::min(rest, to_knot);
-      const double gone = swings() ? swing_to_event(until, time) : fly_to_contact(until, time);
+      const double knot = next_knot(case_, now);
+      const double before_knot = time_to_knot(case_, now) - rounding_of_time(time);
+      const double until = std::min(rest, before_knot);
+      const double gone = !(until > 0.0) ? 0.0
+                          : swings()     ? swing_to_event(until, time)
+                                         : fly_to_contact(until, time);
       rest -= gone;
-      if (gone >= to_knot) {
-        pass_knot(next_knot(case_, now));
+      if (gone >= before_knot) {
+        pass_knot(knot);
       }
       const std::size_t strikes = events_.size();
       strike(clock_.now() + (dt - rest));
@@ -153,6 +156,11 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
       }
     }
     taut_ = held_ ? held_->taut() : CableSet{};
+  }
+
+  /// A move ends so much before a knot [s]: at it, a cable that is cut would hold no longer.
+  [[nodiscard]] static double rounding_of_time(double time) {
+    return few_roundings * epsilon<double>() * std::max(1.0, time);
   }
 
   /// Something given over time is not smooth here: cables are cut, hooked up, or pulled otherwise.

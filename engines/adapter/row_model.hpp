@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tautline/cable_row.hpp"
+#include "tautline/clock.hpp"
 #include "tautline/model_table.hpp"
 
 // For engines that take constraint rows of their user's own. `Rows` is what such an engine has: a
@@ -54,6 +55,7 @@ class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpul
 
   void step(double dt) override {
     world_.advance(dt, [this, dt] { look(dt); });
+    clock_.advance(dt);
     for (std::size_t index = 0; index < impulses_.size(); ++index) {
       impulses_[index] = asleep() ? 0.0 : world_.impulse(index);
       tension_impulses_[index] =
@@ -77,7 +79,7 @@ class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpul
 
   /// Tells each row what it asks for in a step of `dt` [s].
   void look(double dt) {
-    const StateOf<TheCase> now = world_.state();
+    const StateOf<TheCase> now = at_time_of_step(world_.state(), clock_);
     for (std::size_t index = 0; index < impulses_.size(); ++index) {
       const auto& cable = case_.cables[index];
       const auto row = row_in_step(cable, now, dt);
@@ -95,6 +97,7 @@ class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpul
   Activation activation_;
   double correction_;  // [1/s], part of the overstretch
   RowWorld world_;
+  Clock clock_;
   std::vector<double> impulses_;
   std::vector<double> tension_impulses_;
 };

@@ -147,6 +147,7 @@ SystemWorld::SystemWorld(const SpatialSystem& system, Integrator integrator,
                          const std::vector<TendonLimit>& limits)
     : BareWorld(model_xml(system, integrator, limits)),
       system_(system),
+      limits_(!limits.empty()),
       given_(system.cables.size()) {
   place(system.initial);
 }
@@ -186,7 +187,7 @@ void SystemWorld::set_cables() {
   for (std::size_t index = 0; index < system_.cables.size(); ++index) {
     const SpatialCable& cable = system_.cables[index];
     model().tendon_range[2 * index + 1] = cable.length.at(time_)[0];
-    if (cable.from_time || cable.cut_at) {
+    if (limits_ && (cable.from_time || cable.cut_at)) {
       model().tendon_limited[index] = cable.acts_at(time_) ? 1 : 0;
     }
     for (std::size_t i = 0; i <= cable.segments(); ++i) {

@@ -99,6 +99,7 @@ class SystemWorld : public BareWorld {
 
   const SpatialSystem system_;
   double time_ = 0.0;          // [s]
+  bool limits_;                // its tendons have limits
   std::vector<double> given_;  // what a step of a `look` adds to the rate of each gap [m/s]
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "models.hpp"
+#include "tautline/clock.hpp"
 #include "world.hpp"
 
 namespace tautline::ode {
@@ -58,7 +59,7 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
   [[nodiscard]] std::span<const double> impulses() const override { return world_.impulses(); }
 
   void step(double dt) override {
-    const StateOf<TheCase> start = world_.state();
+    const StateOf<TheCase> start = at_time_of_step(world_.state(), clock_);
     for (std::size_t index = 0; index < case_.cables.size(); ++index) {
       const auto& cable = case_.cables[index];
       const auto row_now = row_in_step(cable, start, dt);
@@ -74,6 +75,7 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
       }
     }
     world_.advance(dt);
+    clock_.advance(dt);
     if (choice_.push != Push::by_rule) {
       return;
     }
@@ -113,6 +115,7 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
   Choice choice_;
   RunSettings run_;
   TheWorld world_;
+  Clock clock_;
 };
 
 /// What the surface of the joint is given in all models.

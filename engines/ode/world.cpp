@@ -42,9 +42,10 @@ bool pulls_along_a_line(const SpatialCable& cable) {
 
 }  // namespace
 
-BareWorld::BareWorld(std::size_t cables, Rotation rotation)
+BareWorld::BareWorld(std::size_t cables, Rotation rotation, Turning turning)
     : world_(create_world()),
       rotation_(rotation),
+      turning_(turning),
       contacts_(dJointGroupCreate(0)),
       feedbacks_(cables),
       impulses_(cables) {}
@@ -140,7 +141,9 @@ void BareWorld::solve_here() {
   for (std::size_t index = 0; index < bodies_.size(); ++index) {
     dBodyCopyPosition(bodies_[index], poses[index].position);
     dBodyCopyQuaternion(bodies_[index], poses[index].quaternion);
-    dBodySetGyroscopicMode(bodies_[index], 0);  // no time passes
+    if (turning_ == Turning::in_space) {
+      dBodySetGyroscopicMode(bodies_[index], 0);  // no time passes
+    }
   }
   dVector3 gravity;
   dWorldGetGravity(world_, gravity);
@@ -151,7 +154,9 @@ void BareWorld::solve_here() {
     const Pose& pose = poses[index];
     dBodySetPosition(bodies_[index], pose.position[0], pose.position[1], pose.position[2]);
     dBodySetQuaternion(bodies_[index], pose.quaternion);
-    dBodySetGyroscopicMode(bodies_[index], 1);  // as shipped
+    if (turning_ == Turning::in_space) {
+      dBodySetGyroscopicMode(bodies_[index], 1);  // as shipped
+    }
   }
 }
 
@@ -173,7 +178,7 @@ void World::advance(double dt) {
 void World::fly(double dt) { fly_parabola(*this, gravity_, dt); }
 
 SystemWorld::SystemWorld(const SpatialSystem& system, Rotation rotation)
-    : BareWorld(system.cables.size(), rotation), system_(system) {
+    : BareWorld(system.cables.size(), rotation, Turning::in_space), system_(system) {
   for (const SpatialBody& body : system.bodies) {
     moving_.push_back(add_body(body.mass, turnable_inertia(body)));
   }

@@ -27,7 +27,9 @@ struct CableContact {
 /// step.
 class BareWorld {
  public:
-  BareWorld(std::size_t cables, Rotation rotation);
+  enum class Turning { in_the_plane, in_space };
+
+  BareWorld(std::size_t cables, Rotation rotation, Turning turning = Turning::in_the_plane);
   BareWorld(const BareWorld&) = delete;
   BareWorld& operator=(const BareWorld&) = delete;
   ~BareWorld();
@@ -61,6 +63,7 @@ class BareWorld {
 
   dWorldID world_;
   Rotation rotation_;
+  Turning turning_;
   dJointGroupID contacts_;
   std::vector<dBodyID> bodies_;
   std::vector<Pull> pulls_;                // of the next step

@@ -73,6 +73,7 @@ void fields(Visitor& visit, SystemBodyRow& body) {
 template <class Visitor>
 void fields(Visitor& visit, SystemRow& system) {
   visit.means("of a system in space, at the start");
+  visit("hash", system.hash, "of its case file: equal where all numbers are");
   visit("bodies", system.bodies);
   visit("gravity", system.gravity, "[m/s^2]");
   visit("cables", system.cables);
@@ -175,10 +176,11 @@ void fields(Visitor& visit, Model& model) {
         "whose the cable is: as shipped, built by hand with the engine's parts, or tautline's "
         "driver");
   visit("settings", model.settings, "every setting that is not left alone");
-  visit.unless_missing("in_space", model.in_space,
-                       [](auto& inside, std::vector<Setting>& settings) {
-                         inside("in_space", settings, "what is also set for a system in space");
-                       });
+  visit.unless_missing(
+      "in_space", model.in_space, [](auto& inside, std::vector<Setting>& settings) {
+        inside("in_space", settings,
+               "what is set for a system in space, in place of settings of the same name");
+      });
 }
 
 /// An engine that could not be asked has a name alone.

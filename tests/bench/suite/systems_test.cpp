@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "bench/cases/bench_case.hpp"
@@ -79,6 +80,43 @@ TEST(SystemBench, ComparesModelsThatTakeSystemsWithTheirExactMotion) {
   EXPECT_NE(csv.find("ball_wz,event,tension_0\n0,"), std::string::npos) << csv.substr(0, 200);
 }
 
+/// The metrics of one run.
+json metrics_of(const std::string& the_case, const std::string& engine, const std::string& model,
+                const std::string& step) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "run.json").string();
+  const Outcome outcome = program(
+      {"run", the_case, "--engine", engine, "--model", model, "--step", step, "--json", file});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors << outcome.output;
+  return json::parse(content_of(file)).at("metrics");
+}
+
+TEST(SystemBench, ATautCableThatIsCutPullsUntilThen) {
+  for (const char* engine : {"bullet64", "ode"}) {
+    const double coarse = metrics_of("tow", engine, "event", "0.02").at("horizon_position_error");
+    const double fine = metrics_of("tow", engine, "event", "0.01").at("horizon_position_error");
+    EXPECT_LE(coarse, 5e-4) << engine;
+    EXPECT_LE(fine, 0.5 * coarse) << engine;
+  }
+}
+
+TEST(SystemBench, ACutAfterTheEndChangesNothing) {
+  const TemporaryFolder folder;
+  const Outcome shown = program({"cases", "tethered-ball"});
+  ASSERT_EQ(shown.code, 0);
+  const std::string plain = (folder.path() / "plain.toml").string();
+  const std::string cut = (folder.path() / "cut.toml").string();
+  std::ofstream(plain) << shown.output;
+  std::ofstream(cut) << shown.output << "cut_at = 1000.0\n";
+  for (const auto& [engine, model] :
+       {std::pair("mujoco", "impulse"), std::pair("mujoco", "event"), std::pair("ode", "row")}) {
+    if (built_engines().count(engine) != 0) {
+      EXPECT_EQ(metrics_of(plain, engine, model, "0.01"), metrics_of(cut, engine, model, "0.01"))
+          << engine << " " << model;
+    }
+  }
+}
+
 TEST(SystemBench, SaysNothingOfSystemsWhereThereIsNone) {
   const TemporaryFolder folder;
   const json report = report_of({"bouncing-ball"}, folder);
@@ -120,6 +158,12 @@ TEST(SystemBench, RefusesInASentence) {
   const Outcome law = program({"bench", "parallel-robot", "--law", "energetic", "--out", out});
   EXPECT_EQ(law.code, 2);
   EXPECT_NE(law.errors.find("parallel-robot has 8 cables"), std::string::npos) << law.errors;
+  if (built_engines().count("box2d") != 0) {
+    const Outcome none = program({"bench", "conical", "--engines", "box2d", "--out", out});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_NE(none.errors.find("no model of these engines runs systems"), std::string::npos)
+        << none.errors;
+  }
   const Outcome model = program({"run", "conical", "--engine", "bullet64", "--model", "two-phase"});
   EXPECT_NE(model.output.find("model two-phase has one body in the plane alone"), std::string::npos)
       << model.output;
@@ -155,7 +199,18 @@ TEST(SystemBench, ARunComesBitForBit) {
   state.bodies[1].spin = Eigen::Vector3d(1.0 / 3.0, -0.0, 1e-300);
   run.trajectory.points = {{0.25, state}};
   run.trajectory.stop = StopOfRun{0.3, "enough"};
-  const auto answer = answer_from(to_bytes(run));
+  run.trajectory.tensions = {1.5, -0.0};
+  run.trajectory.impacts.resize(2);
+  for (auto& impact : run.trajectory.impacts) {
+    impact.cable = 1;
+    impact.before = impact.after = state;
+  }
+  const std::string bytes = to_bytes(run);
+  const auto answer = answer_from(bytes);
+  EXPECT_EQ(to_bytes(answer.value()), bytes);
+  EXPECT_FALSE(answer_from(bytes.substr(0, bytes.size() - 8)).has_value());
+  run.trajectory.points[0].state.bodies.resize(9);  // one more than a system may have
+  EXPECT_TRUE(std::holds_alternative<Failure>(answer_from(to_bytes(run)).value()));
   ASSERT_TRUE(answer && std::holds_alternative<SystemRunAnswer>(*answer));
   const SystemTrajectory& read = std::get<SystemRunAnswer>(*answer).trajectory;
   ASSERT_EQ(read.points.size(), 1U);
@@ -174,13 +229,16 @@ TEST(SystemBench, EnergyIsComparedWhereNothingDrives) {
     return compare(system, reference.solution, reference.settling, reference.horizon, run)
         .energy_gain;
   };
+  int found = 0;
   for (const ShippedSpatialSystem& shipped : shipped_spatial_systems()) {
+    found += shipped.system.name == "conical" || shipped.system.name == "hoisted-load" ? 1 : 0;
     if (shipped.system.name == "conical") {
       EXPECT_TRUE(std::isfinite(gain_of(shipped.system)));
     } else if (shipped.system.name == "hoisted-load") {
       EXPECT_TRUE(std::isnan(gain_of(shipped.system)));
     }
   }
+  EXPECT_EQ(found, 2);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/clock.hpp"
 #include "tautline/impulses_by_hand.hpp"
 #include "tautline/system_geometry.hpp"
 
@@ -57,6 +58,18 @@ struct SystemRow {
   still.time += later;
   return {gap_gradient(cable, state), gap(cable, state), gap_rate(cable, state),
           gap_rate(cable, still)};
+}
+
+/// `state` at the time of `clock`, which a state in the plane does not keep: a sum of steps would
+/// miss the instant at which a cable is cut.
+[[nodiscard]] inline State at_time_of_step(const State& state, const Clock& /*clock*/) {
+  return state;
+}
+/// A system's state keeps it.
+[[nodiscard]] inline SpatialSystemState at_time_of_step(SpatialSystemState state,
+                                                        const Clock& clock) {
+  state.time = clock.now();
+  return state;
 }
 
 /// The row of a cable for a step of `dt` [s].

@@ -81,8 +81,8 @@ struct Model {
   Maker maker = Maker::by_hand;            // whose its cable is
   std::vector<Parameter> parameters = {};  // that a run may set; none in most models
   std::string code = {};  // sets them in a user's program, "{name}" where a value stands
-  /// Set where it runs systems in space, too (`Engine::start_system`): what is set for them next to
-  /// `settings`.
+  /// Set where it runs systems in space, too (`Engine::start_system`): what is set for them, in
+  /// place of `settings` of the same name.
   std::optional<std::vector<Setting>> in_space = {};
 };
 

@@ -45,8 +45,10 @@ double predictability_horizon(const SpatialSystem& system,
     const auto other = solve(near, {.law = law});
     for (std::size_t k = 1; k <= instants; ++k) {
       const double time = horizon * static_cast<double>(k) / static_cast<double>(instants);
-      const bool is_known = time <= other.end_time();
-      if (!is_known || apart(solution.at(time), other.at(time)) > visible) {
+      if (time > other.end_time()) {
+        break;  // it says nothing
+      }
+      if (apart(solution.at(time), other.at(time)) > visible) {
         horizon = time;
         break;
       }

@@ -112,7 +112,15 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   void stop(const std::string& why, double time) { stop_ = StopOfRun{time, said_at(why, time)}; }
 
   [[nodiscard]] TouchingOf<TheCase> touching(const State& state) const {
-    return {touching_, rounding_.rate * speed_scale(case_, state)};
+    return {touching_, std::max(rate_rounding_, rounding_.rate * speed_scale(case_, state))};
+  }
+
+  /// What rounding leaves of the rates of a system's bodies that are stopped within an instant is
+  /// of the speeds before.
+  void note_speed(const State& state) {
+    if constexpr (TheCase::has_several_bodies) {
+      rate_rounding_ = touching(state).rate_rounding;
+    }
   }
 
   /// Stops where the step has used up what it may. That says nothing about accumulation: an elastic
@@ -298,6 +306,7 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   /// Strikes the touching cables that close or rest, if one of them closes by more than rounding.
   void strike(double time) {
     const State before = adapter_->state();
+    note_speed(before);
     const double rounding = touching(before).rate_rounding;
     CableSet cables;
     double fastest = 0.0;  // closing
@@ -354,8 +363,9 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   typename Adapter::Rounding rounding_;
   CompletionLimits completion_;
   Clock clock_;
-  CableSet touching_;  // at zero gap now
-  CableSet taut_;      // of those, the ones that stay so
+  double rate_rounding_ = 0.0;  // [m/s], at least
+  CableSet touching_;           // at zero gap now
+  CableSet taut_;               // of those, the ones that stay so
   std::optional<BasicHold<TheCase>>
       held_;  // the exact motion from here while cables pull, or as they let go
   std::vector<double> impulses_;

@@ -115,8 +115,8 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
     return {touching_, std::max(rate_rounding_, rounding_.rate * speed_scale(case_, state))};
   }
 
-  /// What rounding leaves of the rates of a system's bodies that are stopped within an instant is
-  /// of the speeds before.
+  /// Bodies of a system may be stopped within an instant: rounding of their rates is then of the
+  /// speeds before.
   void note_speed(const State& state) {
     if constexpr (TheCase::has_several_bodies) {
       rate_rounding_ = touching(state).rate_rounding;

@@ -294,7 +294,7 @@ TEST_P(EngineInSpace, IsOfFirstOrderInFixedSteps) {
         continue;
       }
       const auto exact = solve(system);
-      const double bounces = time_of_impact(exact, impacts);
+      const double bounces = time_of_impact(exact, static_cast<std::size_t>(impacts));
       const double end = bounces > 0.0 ? bounces : 2.0;
       std::vector<double> errors;
       for (const double step : {1e-2, 1e-3, 1e-4}) {

@@ -15,8 +15,8 @@ namespace tautline {
 template <class TheCase>  // Case or SpatialSystem
 class ImpactsBetweenParts {
  public:
-  using State = StateOf<TheCase>;
-  using Event = BasicEvent<TheCase>;
+  using State = StateOf<TheCase>;     // of its bodies
+  using Event = BasicEvent<TheCase>;  // an impact
 
   /// `rounding` is that of the engine's numbers [-].
   ImpactsBetweenParts(const TheCase& the_case, double rounding);

@@ -67,9 +67,10 @@ struct BodyLoad {
 /// The change of the velocity of a body [m/s], or of its spin in world axes [rad/s], that gravity
 /// and its load give in `dt` [s].
 struct Gain {
-  Eigen::Vector3d velocity;
-  Eigen::Vector3d spin;
+  Eigen::Vector3d velocity;  // [m/s]
+  Eigen::Vector3d spin;      // [rad/s]
 };
+/// The gain of `body` in `state` under `gravity` and its `load` in `dt` [s].
 [[nodiscard]] inline Gain gain_in_step(const SpatialBody& body, const SpatialState& state,
                                        const Eigen::Vector3d& gravity, const BodyLoad& load,
                                        double dt) {

@@ -105,7 +105,7 @@ struct StopOfRun {
 template <class TheCase>
 class BasicSimulation {
  public:
-  using Stop = StopOfRun;
+  using Stop = StopOfRun;  // why it cannot go on
 
   BasicSimulation() = default;
   BasicSimulation(const BasicSimulation&) = delete;

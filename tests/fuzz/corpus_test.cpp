@@ -77,7 +77,7 @@ TEST(FuzzSeeds, AreAccepted) {
   EXPECT_TRUE(bench::record_from(content(reports / "record.json"), ""));
 
   std::size_t kind = 1;  // the first is a failure
-  for (const char* name : {"info", "run", "check", "digest", "strikes"}) {
+  for (const char* name : {"info", "run", "check", "digest", "strikes", "system"}) {
     const std::string seed = content(corpus / "protocol" / (std::string("worker-") + name));
     const auto answer = bench::answer_from(std::string_view(seed).substr(1));
     ASSERT_TRUE(answer) << name;

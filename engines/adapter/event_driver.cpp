@@ -90,9 +90,8 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
       if (stop_) {
         break;
       }
-      const State now = adapter_->state();
-      const double knot = next_knot(case_, now);
-      const double before_knot = time_to_knot(case_, now) - rounding_of_time(time);
+      const auto [knot, to_knot] = next_knot_from_here();
+      const double before_knot = to_knot - rounding_of_time(time);
       const double until = std::min(rest, before_knot);
       const double gone = !(until > 0.0) ? 0.0
                           : swings()     ? swing_to_event(until, time)
@@ -164,6 +163,17 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
       }
     }
     taut_ = held_ ? held_->taut() : CableSet{};
+  }
+
+  /// When something given over time is not smooth next, and how long until then [s]; never in the
+  /// plane, where the engine is not asked for its state.
+  [[nodiscard]] std::pair<double, double> next_knot_from_here() const {
+    if constexpr (TheCase::has_several_bodies) {
+      const State now = adapter_->state();
+      return {next_knot(case_, now), time_to_knot(case_, now)};
+    } else {
+      return {infinity<double>(), infinity<double>()};
+    }
   }
 
   /// A move ends so much before a knot [s]: at it, a cable that is cut would hold no longer.

@@ -97,8 +97,8 @@ Breakwater any_breakwater() {
 }
 
 State any_motion() {
-  return {Vec2(number(-0.3, 0.3), number(-0.2, 0.6)), number(-1.5, 1.5),
-          Vec2(number(-1.0, 1.0), number(-1.0, 1.0)), number(-3.0, 3.0)};
+  return {Vec2{number(-0.3, 0.3), number(-0.2, 0.6)}, number(-1.5, 1.5),
+          Vec2{number(-1.0, 1.0), number(-1.0, 1.0)}, number(-3.0, 3.0)};
 }
 
 /// Moves the body straight from or to one anchor until that cable is at zero gap, and makes it

@@ -366,9 +366,9 @@ TEST(SystemProblems, FindALengthThatReachesZeroAsADenseScanDoes) {
     system.cables[0].from_time = between(0.1, 1.0);
     Function<1>& length = system.cables[0].length;
     using One = Function<1>::Value;
-    length =
-        Function<1>::spline({0.0, between(0.5, 1.5), between(2.0, 3.0), 3.9},
-                            {One(1.0), One(between(0.1, 1.2)), One(between(0.1, 1.2)), One(1.0)});
+    const std::vector<double> times = {0.0, between(0.5, 1.5), between(2.0, 3.0), 3.9};
+    length = Function<1>::spline(
+        times, {One(1.0), One(between(0.1, 1.2)), One(between(0.1, 1.2)), One(1.0)});
     length.waves = {{One(between(0.0, 0.3)), between(0.0, 30.0), between(-3.0, 3.0)},
                     {One(between(0.0, 0.3)), between(0.0, 3.0), between(-3.0, 3.0)}};
     double least = infinite;

@@ -44,12 +44,13 @@ Case long_cable(test::Random& random) {
   result.gravity = turned(-1.0, random.uniform(-0.1, 0.1));
   result.cables = {
       {turned(far, aside),
-       is_point ? Vec2(0.0, 0.0) : Vec2(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)), 1.0,
+       is_point ? Vec2(0.0, 0.0) : Vec2{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)}, 1.0,
        random.uniform(0.0, 1.0)}};
   Cable& cable = result.cables[0];
   cable.length =
       (cable.anchor - cable.attachment).norm() + random.uniform(0.05, 0.3);  // starts slack
-  result.initial.velocity = turned(random.uniform(-1.0, 0.0), random.uniform(-0.1, 0.1));
+  const double nearing = random.uniform(-1.0, 0.0);
+  result.initial.velocity = turned(nearing, random.uniform(-0.1, 0.1));
   result.initial.spin = is_point ? 0.0 : random.uniform(-0.5, 0.5);
   return result;
 }

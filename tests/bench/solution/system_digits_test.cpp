@@ -21,10 +21,11 @@
 namespace tautline::bench {
 namespace {
 
-/// How many random systems are solved: more with TAUTLINE_DIGITS_OF_SYSTEMS in the environment, of
-/// which 300 take a quarter of an hour.
+/// In the environment: how many random systems are solved. 300 take some hours.
+constexpr const char* how_many = "TAUTLINE_DIGITS_OF_SYSTEMS";
+
 int random_systems() {
-  const char* const wanted = std::getenv("TAUTLINE_DIGITS_OF_SYSTEMS");
+  const char* const wanted = std::getenv(how_many);
   return wanted != nullptr ? std::atoi(wanted) : 4;
 }
 
@@ -174,6 +175,10 @@ TEST(SystemDigits, NoneIsWrong) {
       continue;
     }
     compare_with_truth(system, "system " + std::to_string(solved++), count);
+    if (std::getenv(how_many) != nullptr) {
+      std::printf("  %d systems: %ld numbers, %ld wrong\n", solved, count.printed, count.wrong);
+      std::fflush(stdout);
+    }
   }
   std::printf("  %d systems: %ld numbers of %ld digits, %ld wrong\n", solved, count.printed,
               count.digits, count.wrong);

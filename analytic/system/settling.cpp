@@ -91,6 +91,7 @@ std::optional<Real> least_energy(const BasicSystem<Real, D>& system,
   calm.duration = times / rate;
   SolveOptions limited;
   limited.max_events = 100;  // it hardly moves
+  limited.max_steps = 500;   // with an equilibrium up to 300; without, it may fall into a ring
   const auto solution = solve(calm, limited);
   const auto end = solution.at(solution.end_time());
   const Real left = kinetic_energy(calm.bodies, end);

@@ -337,12 +337,14 @@ template <int D>
 std::vector<Bounded> BasicCheckedMotion<D>::impulses(std::size_t index) const {
   const CableVector& mine = solution_.events()[index].impulses;
   const auto same = same_event(index);
+  // a cable goes taut by an impact, or without one: which may be a matter of rounding
+  const auto* const other = same ? &in_digits_->solution.events()[*same].impulses : nullptr;
   std::vector<Bounded> result;
   for (Eigen::Index row = 0; row < mine.size(); ++row) {
     const double impulse = std::max(0.0, mine[row]);  // below are gravity's
     double error = -1.0;
-    if (same) {
-      error = off_by(impulse, max(Multi(0), in_digits_->solution.events()[*same].impulses[row]));
+    if (other != nullptr && other->size() == mine.size()) {
+      error = off_by(impulse, max(Multi(0), (*other)[row]));
       if (completed_time(index) > 0.0) {  // those that come later may be less, or more
         error = max(error, impulse);
       }

@@ -38,12 +38,12 @@ function(tautline_target target)
     # The checks make functions long, and GCC's usual colouring of registers takes up to a third of the time
     # to compile them; its simpler allocator checks the same.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fira-algorithm=priority>)
-    # The program and the tests reach memory through containers and references alone. What these three
-    # checks would find there ASan finds as a bad access, and they take a third of the time to compile. The
-    # fuzzers leave them to the preset `asan` in all folders.
+    # The solver, the program and the tests reach memory through containers and references alone. What these
+    # three checks would find there ASan finds as a bad access, and they take a third of the time to compile.
+    # The fuzzers leave them to the preset `asan` in all folders.
     cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}"
       OUTPUT_VARIABLE room)
-    if((TAUTLINE_FUZZ AND NOT TAUTLINE_TESTS) OR room MATCHES "^(bench|tests)(/|$)")
+    if((TAUTLINE_FUZZ AND NOT TAUTLINE_TESTS) OR room MATCHES "^(analytic|bench|tests)(/|$)")
       target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,object-size)
     endif()
     # A program at a fixed address has nothing to relocate when it starts: the table of checked globals is

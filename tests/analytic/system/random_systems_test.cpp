@@ -71,9 +71,9 @@ void report(const Tally& tally) {
 }
 
 #ifdef TAUTLINE_SANITIZED
-constexpr int drawn_in_space = 100;  // sanitizers slow this down tenfold
-constexpr int drawn_in_plane = 100;
-constexpr int scanned = 20;
+constexpr int drawn_in_space = 30;  // sanitizers slow this down tenfold
+constexpr int drawn_in_plane = 50;
+constexpr int scanned = 8;
 #else
 constexpr int drawn_in_space = 1000;
 constexpr int drawn_in_plane = 2000;

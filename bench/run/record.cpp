@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tautline/system_geometry.hpp"
+#include "tautline/case_or_system.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -66,20 +66,6 @@ double likely_impulse(const SpatialSystem& system) {
     }
   }
   return lightest * fastest;
-}
-
-/// `like` with the velocities of `other`.
-State with_velocities(State like, const State& other) {
-  like.velocity = other.velocity;
-  like.spin = other.spin;
-  return like;
-}
-SpatialSystemState with_velocities(SpatialSystemState like, const SpatialSystemState& other) {
-  for (std::size_t index = 0; index < like.bodies.size(); ++index) {
-    like.bodies[index].velocity = other.bodies[index].velocity;
-    like.bodies[index].spin = other.bodies[index].spin;
-  }
-  return like;
 }
 
 /// The state of `simulation` at `time` [s], which a system's state has, too.

@@ -183,10 +183,19 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
 
   /// Something given over time is not smooth here: cables are cut, hooked up, or pulled otherwise.
   void pass_knot(double knot) {
-    const State now = at_time(adapter_->state(), knot);
+    const State before = adapter_->state();
+    const State now = at_time(before, knot);
     adapter_->place(now);  // not a rounding before it
     touching_ = touching_at_knot(case_, now, touching_);
     taut_ = taut_ & touching_;
+    const double rounding = touching(now).rate_rounding;
+    for (const std::size_t index : taut_.indices()) {
+      const auto& cable = case_.cables[index];
+      // a winch that stops or starts lets a taut cable go, or strikes it
+      if (std::abs(gap_rate(cable, now) - gap_rate(cable, before)) > rounding) {
+        taut_ = taut_ - CableSet::of(index);
+      }
+    }
   }
 
   [[nodiscard]] bool swings() const { return held_ && !held_->pulling.empty(); }

@@ -21,30 +21,6 @@ constexpr double contradicting = 1000.0;
 /// gap while another is hit.
 constexpr double pulling = 20.0;
 
-double length_of(const Cable& cable, const State& /*state*/) { return cable.length; }  // [m]
-double length_of(const SpatialCable& cable, const SpatialSystemState& state) {
-  return cable.length.at(state.time)[0];
-}
-
-double heaviest(const Case& the_case) { return the_case.body.mass; }  // [kg]
-double heaviest(const SpatialSystem& system) {
-  return std::ranges::max_element(system.bodies, {}, &SpatialBody::mass)->mass;
-}
-
-/// `state` with the velocities of `other`.
-State with_motion_of(State state, const State& other) {
-  state.velocity = other.velocity;
-  state.spin = other.spin;
-  return state;
-}
-SpatialSystemState with_motion_of(SpatialSystemState state, const SpatialSystemState& other) {
-  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-    state.bodies[i].velocity = other.bodies[i].velocity;
-    state.bodies[i].spin = other.bodies[i].spin;
-  }
-  return state;
-}
-
 /// The largest speed of a point of a body around a jump [m/s].
 template <class TheCase>
 double speed_around(const TheCase& the_case, const StateOf<TheCase>& before,
@@ -115,7 +91,7 @@ void ImpactsBetweenParts<TheCase>::look(const State& now) {
     return;
   }
   // the pose may have been corrected at the end of a part
-  const State before = with_motion_of(now, last_);
+  const State before = with_velocities(now, last_);
   last_ = now;
   const CableSet candidates = touched(case_, now, rounding_);
   if ((candidates - taut_).empty()) {

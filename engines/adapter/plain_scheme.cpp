@@ -6,10 +6,41 @@
 #include <cstddef>
 #include <utility>
 
-#include "tautline/geometry.hpp"
+#include "tautline/case_or_system.hpp"
 
 namespace tautline {
 namespace {
+
+// A body in the plane, and systems in space.
+
+void accelerate(const Case& the_case, const State& /*state*/, double dt, Eigen::Vector3d& rates) {
+  rates.head<2>() += dt * the_case.gravity;
+}
+void accelerate(const SpatialSystem& system, const SpatialSystemState& state, double dt,
+                RowOf<SpatialSystem>& rates) {
+  rates += dt * free_accelerations(system, state);
+}
+
+/// The part of a gap's rate that is given: by a winch and ends that move [m/s].
+double given_rate(const Cable& /*cable*/, const State& /*state*/, double /*of_bodies*/) {
+  return 0.0;
+}
+double given_rate(const SpatialCable& cable, const SpatialSystemState& state, double of_bodies) {
+  return gap_rate(cable, state) - of_bodies;
+}
+
+/// `state` a step later, moved by `way` and with these rates.
+State after(State state, double /*dt*/, const Eigen::Vector3d& way, const Eigen::Vector3d& rates) {
+  state.velocity = rates.head<2>();
+  state.spin = rates[2];
+  return moved(state, way);
+}
+SpatialSystemState after(const SpatialSystemState& state, double dt,
+                         const RowOf<SpatialSystem>& way, const RowOf<SpatialSystem>& there) {
+  SpatialSystemState result = moved(with_gain(state, there - motion_of(state)), way);
+  result.time += dt;
+  return result;
+}
 
 /// The part of the overstretch that a step takes back [-], as engines do.
 constexpr double corrected = 0.2;
@@ -21,41 +52,46 @@ constexpr int most_sweeps = 60;
 constexpr double converged = 1e-13;
 
 /// A cable that acts in a step.
+template <class TheCase>
 struct Row {
   std::size_t cable = 0;
-  Eigen::Vector3d gradient;   // of its gap
-  double target = 0.0;        // [m/s], the least rate that it asks for
+  RowOf<TheCase> gradient;    // of its gap
+  double target = 0.0;        // [m/s], the least rate that it asks the bodies for
   double inverse_mass = 0.0;  // along it
   double overstretch = 0.0;   // [m]
 };
 
 }  // namespace
 
-PlainScheme::PlainScheme(Case the_case, Acts acts)
+template <class TheCase>
+BasicPlainScheme<TheCase>::BasicPlainScheme(TheCase the_case, Acts acts)
     : case_(std::move(the_case)),
       acts_(acts),
       state_(case_.initial),
       impulses_(case_.cables.size()) {}
 
-void PlainScheme::step(double dt) {
-  const Eigen::Vector3d weight = inverse_mass(case_.body);
-  const Eigen::Vector3d before(state_.velocity.x(), state_.velocity.y(), state_.spin);
-  Eigen::Vector3d velocity = before;
-  velocity.head<2>() += dt * case_.gravity;
-  std::array<Row, max_cables> rows;
+template <class TheCase>
+void BasicPlainScheme<TheCase>::step(double dt) {
+  const RowOf<TheCase> weight = inverse_mass(bodies_of(case_));
+  const RowOf<TheCase> before = motion_of(state_);
+  RowOf<TheCase> velocity = before;
+  accelerate(case_, state_, dt, velocity);
+  std::array<Row<TheCase>, max_cables> rows;
   std::size_t count = 0;
   for (std::size_t index = 0; index < case_.cables.size(); ++index) {
-    const Cable& cable = case_.cables[index];
+    const auto& cable = case_.cables[index];
     const double room = gap(cable, state_);
     if (acts_ == Acts::late && room >= 0.0) {
       continue;
     }
-    const Eigen::Vector3d row = gap_gradient(cable, state_);
-    if (acts_ == Acts::early && room + dt * row.dot(velocity) >= 0.0) {
+    const RowOf<TheCase> row = gap_gradient(cable, state_);
+    const double of_bodies = row.dot(before);
+    const double given = given_rate(cable, state_, of_bodies);
+    if (acts_ == Acts::early && room + dt * (row.dot(velocity) + given) >= 0.0) {
       continue;
     }
-    const double rate = row.dot(before);
-    rows[count++] = {index, row, rate < 0.0 ? restitution(cable, rate) * -rate : 0.0,
+    const double rate = of_bodies + given;
+    rows[count++] = {index, row, (rate < 0.0 ? restitution(cable, rate) * -rate : 0.0) - given,
                      row.dot(row.cwiseProduct(weight)), std::max(0.0, -room)};
   }
   std::fill(impulses_.begin(), impulses_.end(), 0.0);
@@ -63,7 +99,7 @@ void PlainScheme::step(double dt) {
     double change = 0.0;
     double largest = 0.0;
     for (std::size_t place = 0; place < count; ++place) {
-      const Row& row = rows[place];
+      const Row<TheCase>& row = rows[place];
       const double lacking = row.target - row.gradient.dot(velocity);
       const double more = std::max(lacking / row.inverse_mass, -impulses_[row.cable]);
       impulses_[row.cable] += more;
@@ -75,15 +111,16 @@ void PlainScheme::step(double dt) {
       break;
     }
   }
-  state_.velocity = velocity.head<2>();
-  state_.spin = velocity[2];
   // of the pose alone: as a velocity it would be a rebound
-  Eigen::Vector3d way = dt * velocity;
+  RowOf<TheCase> way = dt * velocity;
   for (std::size_t place = 0; place < count; ++place) {
-    const Row& row = rows[place];
+    const Row<TheCase>& row = rows[place];
     way += corrected * row.overstretch / row.inverse_mass * row.gradient.cwiseProduct(weight);
   }
-  state_ = moved(state_, way);
+  state_ = after(state_, dt, way, velocity);
 }
+
+template class BasicPlainScheme<Case>;
+template class BasicPlainScheme<SpatialSystem>;
 
 }  // namespace tautline

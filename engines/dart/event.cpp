@@ -22,12 +22,6 @@ constexpr int iterations = 100'000;
 /// this part of the body's momentum.
 constexpr double solve_rounding = 1e-15;
 
-double mass_of(const Case& the_case) { return the_case.body.mass; }  // [kg]
-/// The largest.
-double mass_of(const SpatialSystem& system) {
-  return std::ranges::max_element(system.bodies, {}, &SpatialBody::mass)->mass;
-}
-
 /// For a `Case`, or for a `SpatialSystem`.
 template <class TheCase, class TheWorld>
 class DartEventAdapter final : public BasicEventAdapter<TheCase> {
@@ -51,7 +45,7 @@ class DartEventAdapter final : public BasicEventAdapter<TheCase> {
 
   /// [N s]; DART also leaves out a row whose diagonal, at least 1 / mass, is not above this number.
   [[nodiscard]] double least_impulse(const StateOf<TheCase>& state) const {
-    const double mass = mass_of(case_);
+    const double mass = heaviest(case_);
     return std::min(solve_rounding * mass * speed_of(state), 0.5 / mass);
   }
 

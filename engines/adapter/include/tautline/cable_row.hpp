@@ -8,10 +8,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "tautline/case.hpp"
+#include "tautline/case_or_system.hpp"
 #include "tautline/clock.hpp"
 #include "tautline/impulses_by_hand.hpp"
-#include "tautline/system_geometry.hpp"
 
 namespace tautline {
 
@@ -126,21 +125,6 @@ template <class Row>
 template <class Row>
 [[nodiscard]] double rebound_rate(const Row& row, double restitution) {
   return restitution * std::max(0.0, -row.rate);
-}
-
-/// The velocities of the bodies as a row has them [m/s, rad/s].
-[[nodiscard]] inline Eigen::Vector3d motion_of(const State& state) {
-  return {state.velocity.x(), state.velocity.y(), state.spin};
-}
-/// In a system one body comes after the other.
-[[nodiscard]] inline RowOf<SpatialSystem> motion_of(const SpatialSystemState& state) {
-  RowOf<SpatialSystem> result = no_change(state);
-  Eigen::Index row = 0;
-  for (const SpatialState& body : state.bodies) {
-    result.segment<6>(row) << body.velocity, body.spin;
-    row += 6;
-  }
-  return result;
 }
 
 /// By how much the gap rate of cable `index` changes at most in a step of `dt` [s] from `state` in

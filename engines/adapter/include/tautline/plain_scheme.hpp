@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/system.hpp"
 
 namespace tautline {
 
@@ -12,23 +13,25 @@ namespace tautline {
 /// closed, of all cables at once, by projected Gauss and Seidel; and it takes back a fifth of what
 /// a cable is overstretched, by the pose alone. It converges with the first order of the step, and
 /// has no more than a step has to have: what errs by much more than it does not owe that to its
-/// step.
-class PlainScheme {
+/// step. A case is a `Case` or a `SpatialSystem`; what is given over time acts in a step as at its
+/// start.
+template <class TheCase>
+class BasicPlainScheme {
  public:
   /// Which cables act in a step: those that are overstretched at its start, or those that would be
   /// at its end. The first comes late to an impact, the second early.
   enum class Acts { late, early };
 
   /// `the_case` may have a restitution above 1.
-  PlainScheme(Case the_case, Acts acts);
+  BasicPlainScheme(TheCase the_case, Acts acts);
 
   /// The body now; a caller may change it between two steps.
-  [[nodiscard]] State& state() { return state_; }
+  [[nodiscard]] StateOf<TheCase>& state() { return state_; }
   /// The body now, to read.
-  [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const StateOf<TheCase>& state() const { return state_; }
 
   /// Its case; a caller may change cables and gravity between two steps.
-  [[nodiscard]] Case& system() { return case_; }
+  [[nodiscard]] TheCase& system() { return case_; }
 
   /// Advances by `dt` [s].
   void step(double dt);
@@ -37,10 +40,12 @@ class PlainScheme {
   [[nodiscard]] std::span<const double> impulses() const { return impulses_; }
 
  private:
-  Case case_;
+  TheCase case_;
   Acts acts_;
-  State state_;
+  StateOf<TheCase> state_;
   std::vector<double> impulses_;
 };
+
+using PlainScheme = BasicPlainScheme<Case>;
 
 }  // namespace tautline

@@ -75,6 +75,9 @@ void add_judged(const Judgement& judgement, bool in_doubles, Problems& problems)
   if (judgement.flight > most_flight) {
     add(problems, "flight", flight_text(judgement.flight), judgement.flight);
   }
+  if (judgement.rotation.value_or(0.0) > most_rotation) {
+    add(problems, "rotation", rotation_text(*judgement.rotation), judgement.rotation);
+  }
 }
 
 /// The findings by the runs that they are about, of those that no judgement has.
@@ -105,6 +108,7 @@ bool could_show(const RunRow& run, const std::string& kind) {
          : kind == "events"         ? judgement.following.located
          : kind == "position"       ? judgement.following.ratio.has_value()
          : kind == "missed-impacts" ? judgement.impacts.due > 0
+         : kind == "rotation"       ? judgement.rotation.has_value()
                                     : true;
 }
 
@@ -140,9 +144,6 @@ void add_verdicts(Report& report, const ListedProblems& listed) {
     }
     if (run.judgement) {
       add_judged(*run.judgement, precision_of(report, run.key) != "float32", problems);
-    }
-    if (problems.empty() && run.metrics && !run.judgement) {
-      continue;  // of a system, which is compared and not judged
     }
     for (Problem& problem : problems) {
       const ListedProblem* const found = listed.find(run.key, problem.kind);

@@ -72,8 +72,9 @@ struct ExactHit {
   bool alone;          // no other cable is struck at the same instant
 };
 
-/// Those up to `until` [s], in rising time.
-[[nodiscard]] std::vector<ExactHit> exact_hits(const ReferenceCase& reference, double until);
+/// Those up to `until` [s], in rising time. A reference is one of a case or of a system.
+template <class TheReference>
+[[nodiscard]] std::vector<ExactHit> exact_hits(const TheReference& reference, double until);
 
 /// The error of the plain scheme at some instants, over shifts of its first step.
 struct Yardstick {
@@ -84,16 +85,19 @@ struct Yardstick {
 
 /// The error of the plain scheme on `reference` in steps of `step` [s], up to each of `times` [s],
 /// which rise; of the first ones alone once an attachment point is off by `enough` [m].
-[[nodiscard]] Yardstick yardstick(const ReferenceCase& reference, double step,
+template <class TheReference>
+[[nodiscard]] Yardstick yardstick(const TheReference& reference, double step,
                                   const std::vector<double>& times, double enough);
 
 /// Says of all runs of a case how far each may be off, from the exact motion. Any thread may ask.
-class Expectation {
+/// Systems have the plain scheme alone, no derivative: twice its error is allowed to them.
+template <class TheReference>
+class BasicExpectation {
  public:
   /// `reference` must outlive this.
-  explicit Expectation(const ReferenceCase& reference);
+  explicit BasicExpectation(const TheReference& reference);
 
-  [[nodiscard]] const ReferenceCase& reference() const { return reference_; }
+  [[nodiscard]] const TheReference& reference() const { return reference_; }
 
   /// For runs with steps of `step` [s] and numbers of the engine's `precision`: worked out when it
   /// is first asked for.
@@ -101,24 +105,25 @@ class Expectation {
                                            std::string_view precision = "float64") const;
 
   /// How much rounding has grown to [m] at an instant: of numbers with a relative error of one,
-  /// once in each second and once at each event. Random roundings add up by their squares.
+  /// once in each second and once at each event. Random roundings add up by their squares. 0 of
+  /// systems.
   [[nodiscard]] double rounding_at(double time, double step) const;
 
-  /// The fastest that the body or an attachment point moves, or a cable closes, in the exact motion
-  /// [m/s]; the largest acceleration of the body, of an attachment point by its spin, and
+  /// The fastest that a body or an attachment point moves, or a cable closes, in the exact motion
+  /// [m/s]; the largest acceleration of a body, of an attachment point by its spin, and
   /// ExactHit::change of an impact [m/s^2].
   [[nodiscard]] double speed() const { return speed_; }
   [[nodiscard]] double acceleration() const { return acceleration_; }
   [[nodiscard]] double turning() const { return turning_; }
   [[nodiscard]] double change() const { return change_; }
-  /// The farthest that the body is from the origin [m].
+  /// The farthest that a body is from the origin [m].
   [[nodiscard]] double extent() const { return extent_; }
 
  private:
   void follow();
   [[nodiscard]] Allowance made(double step, double rounding) const;
 
-  const ReferenceCase& reference_;
+  const TheReference& reference_;
   double end_;                 // [s], of what is judged
   double speed_ = 0.0;         //
   double acceleration_ = 0.0;  //
@@ -133,8 +138,11 @@ class Expectation {
   mutable std::mutex guard_;
 };
 
-/// A run of a case is compared with this: in a system with the exact motion, which must outlive it.
-using AnyExpectation = std::variant<Expectation, const ReferenceSystem*>;
+using Expectation = BasicExpectation<ReferenceCase>;
+using SystemExpectation = BasicExpectation<ReferenceSystem>;
+
+/// A run is compared with one of them.
+using AnyExpectation = std::variant<Expectation, SystemExpectation>;
 using Expectations = std::deque<AnyExpectation>;
 /// For each of `references`, which must outlive them.
 [[nodiscard]] Expectations expectations_of(const std::vector<Reference>& references);

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
-#include "tautline/geometry.hpp"
+#include "bench/judge/states.hpp"
+#include "bench/measure/compare.hpp"
+#include "tautline/case_or_system.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -12,16 +15,52 @@ namespace {
 /// Beside every allowance: of the shortest cable [-].
 constexpr double least_part = 1e-7;
 
+/// This part of the fall in a step is allowed [-]. In the plane the derivative of the motion has
+/// it.
+template <class TheCase>
+constexpr double of_first_step = std::is_same_v<TheCase, Case> ? 0.0 : 1.0;
+
+/// [m/s^2], at the start.
+double weight_of(const Case& the_case) { return the_case.gravity.norm(); }
+double weight_of(const SpatialSystem& system) { return system.gravity.at(0.0).norm(); }
+
+/// True where `body` turns on as it does.
+bool keeps_spin(const SpatialBody& body) {
+  return body.inertia.minCoeff() == body.inertia.maxCoeff() && body.spin_drag == 0.0 &&
+         body.moment.empty();
+}
+
+/// True where an engine's own steps take a body that flies to its exact place, and all cables, too:
+/// otherwise they turn it, and add up what is given over time, as well as they can.
+bool flies_exactly(const Case& /*the_case*/) { return true; }
+bool flies_exactly(const SpatialSystem& system) {
+  return keeps_energy(system) &&
+         std::all_of(system.bodies.begin(), system.bodies.end(),
+                     [](const SpatialBody& body) { return keeps_spin(body) && body.drag == 0.0; });
+}
+
+/// The longest arm of a cable on body `index` [m].
+double farthest_end(const SpatialSystem& system, std::size_t index) {
+  double arm = 0.0;
+  for (const SpatialCable& cable : system.cables) {
+    for (std::size_t end = 0; end <= cable.segments(); ++end) {
+      arm = cable.end(end).body == index ? std::max(arm, cable.end(end).at.norm()) : arm;
+    }
+  }
+  return arm;
+}
+
 /// Within what time of an exact impact a run has it [s], if it has it.
 double reach(const Allowance& allowance, const ExactHit& hit) {
   return 2.5 * allowance.step + 1.5 * allowance.of_cables(hit.time) / hit.speed;
 }
 
-const RecordedImpact* nearest(const Trajectory& run, const ExactHit& hit, double within) {
-  const RecordedImpact* found = nullptr;
-  auto impact =
-      std::lower_bound(run.impacts.begin(), run.impacts.end(), hit.time - within,
-                       [](const RecordedImpact& one, double time) { return one.time < time; });
+template <class TheCase>
+const BasicRecordedImpact<TheCase>* nearest(const BasicTrajectory<TheCase>& run,
+                                            const ExactHit& hit, double within) {
+  const BasicRecordedImpact<TheCase>* found = nullptr;
+  auto impact = std::lower_bound(run.impacts.begin(), run.impacts.end(), hit.time - within,
+                                 [](const auto& one, double time) { return one.time < time; });
   for (; impact != run.impacts.end() && impact->time <= hit.time + within; ++impact) {
     if (impact->cable == hit.cable && (found == nullptr || std::abs(impact->time - hit.time) <
                                                                std::abs(found->time - hit.time))) {
@@ -35,8 +74,10 @@ const RecordedImpact* nearest(const Trajectory& run, const ExactHit& hit, double
 constexpr double least_flight = 8.0;
 
 /// The first exact impact with a rebound that lasts, after which the run stays taut.
-std::optional<StaysTaut> stays_taut(const Expectation& expectation, const Allowance& allowance,
-                                    const Trajectory& run) {
+template <class TheReference, class TheCase>
+std::optional<StaysTaut> stays_taut(const BasicExpectation<TheReference>& expectation,
+                                    const Allowance& allowance,
+                                    const BasicTrajectory<TheCase>& run) {
   const double end = expectation.reference().solution.end_time();
   const std::vector<ExactHit> hits = exact_hits(expectation.reference(), end);
   for (std::size_t place = 0; place < hits.size(); ++place) {
@@ -56,7 +97,7 @@ std::optional<StaysTaut> stays_taut(const Expectation& expectation, const Allowa
         flight < least_flight * run.step || hit.restitution < 0.1) {
       continue;
     }
-    const RecordedImpact* const found = nearest(run, hit, reach(allowance, hit));
+    const auto* const found = nearest(run, hit, reach(allowance, hit));
     if (found == nullptr) {
       break;
     }
@@ -69,8 +110,9 @@ std::optional<StaysTaut> stays_taut(const Expectation& expectation, const Allowa
 
 /// The end of the stretch in which rounding alone is to blame [s]: a start on taut cables has none,
 /// and where impacts accumulate, an engine may end them a little before.
-double end_of_flight(const ReferenceCase& reference) {
-  const Solution& solution = reference.solution;
+template <class TheReference>
+double end_of_flight(const TheReference& reference) {
+  const auto& solution = reference.solution;
   if (!solution.arcs().front().taut.empty()) {
     return 0.0;
   }
@@ -83,26 +125,33 @@ double end_of_flight(const ReferenceCase& reference) {
 }
 
 /// When a cable first acts in the exact motion [s]; after its end if none does.
-double first_contact(const ReferenceCase& reference) {
-  const Solution& solution = reference.solution;
+template <class TheReference>
+double first_contact(const TheReference& reference) {
+  const auto& solution = reference.solution;
   if (!solution.arcs().front().taut.empty()) {
     return 0.0;
   }
-  const std::vector<Event>& events = solution.events();
+  const auto& events = solution.events();
   return events.empty() ? std::numeric_limits<double>::infinity() : events.front().time;
 }
 
-Following following(const Expectation& expectation, const Allowance& allowance,
-                    const Trajectory& run, std::string_view precision) {
-  const ReferenceCase& reference = expectation.reference();
+template <class TheReference, class TheCase>
+Following following(const BasicExpectation<TheReference>& expectation, const Allowance& allowance,
+                    const BasicTrajectory<TheCase>& run, std::string_view precision) {
+  const TheReference& reference = expectation.reference();
   const double shortest = shortest_cable(reference.the_case);
   const double taut = end_of_flight(reference);
   Following result;
-  result.located = locates(run);
+  result.located = locates(run) && flies_exactly(reference.the_case);
+  // a cable that starts taut may be slack by a rounding, and act a step later
+  const double fall =
+      reference.solution.arcs().front().taut.empty()
+          ? 0.0
+          : of_first_step<TheCase> * expectation.acceleration() * run.step * run.step;
   // a free flight alone says nothing of cables
   const bool tells = allowance.until > first_contact(reference);
   double worst = 0.0;
-  for (const Point& point : run.points) {
+  for (const auto& point : run.points) {
     if (point.time > allowance.until) {
       break;
     }
@@ -110,24 +159,24 @@ Following following(const Expectation& expectation, const Allowance& allowance,
     if (point.time <= 0.0) {
       continue;
     }
-    worst =
-        std::max(worst, (point.state.position - reference.solution.at(point.time).position).norm());
+    worst = std::max(worst, apart(point.state, reference.solution.at(point.time)));
     const double grown = rounding_of(precision) * expectation.rounding_at(point.time, run.step);
-    const double allowed = allowance.at(point.time) + least_part * shortest;
+    const double allowed = allowance.at(point.time) + least_part * shortest + fall;
     if (tells && (!result.ratio || worst > *result.ratio * allowed)) {
       result.ratio = worst / allowed;
       result.time = point.time;
       result.error = worst;
     }
-    if (result.located && point.time < taut) {
+    if (result.located && point.time < taut && grown > 0.0) {
       result.rounding = std::max(result.rounding.value_or(0.0), worst / grown);
     }
   }
   return result;
 }
 
-Expected expected(const Expectation& expectation, const Allowance& allowance,
-                  const Trajectory& run) {
+template <class TheReference, class TheCase>
+Expected expected(const BasicExpectation<TheReference>& expectation, const Allowance& allowance,
+                  const BasicTrajectory<TheCase>& run) {
   const double last = run.stop ? run.stop->time : run.points.back().time;
   const double until = std::min(allowance.until, last - 5.0 * run.step);
   // one more than is judged: what follows the last too closely makes it unsure
@@ -157,44 +206,113 @@ Expected expected(const Expectation& expectation, const Allowance& allowance,
 /// Flights that are no longer than this many steps say nothing of the acceleration.
 constexpr double steps_of_flight = 7.5;
 
-/// The largest difference [m/s^2] of a mean acceleration in flight from gravity, or of an
-/// attachment point by a spin that changes: where all cables are slack by more than `slack` [m],
-/// nothing but gravity acts. `rounding` [m/s] is what a step adds.
-double off_in_flight(const Case& the_case, const Trajectory& run, double slack, double rounding) {
+/// The flights of `run` that say something: where all cables are slack by more than `slack` [m],
+/// nothing but gravity and what is given acts. `use` gets the first and the last point of each.
+template <class TheCase, class Use>
+void each_flight(const TheCase& the_case, const BasicTrajectory<TheCase>& run, double slack,
+                 const Use& use) {
+  const double spacing = run.step * static_cast<double>(run.stride);  // [s]
+  const auto flies = [&](const auto& point) {
+    return std::all_of(the_case.cables.begin(), the_case.cables.end(),
+                       [&](const auto& cable) { return gap(cable, point.state) > slack; });
+  };
+  const auto end = run.points.end();
+  for (auto from = std::find_if(run.points.begin(), end, flies); from != end;) {
+    const auto over = std::find_if_not(from, end, flies);
+    const auto last = std::prev(over);
+    if (last->time - from->time > steps_of_flight * spacing) {
+      use(from, last);
+    }
+    from = std::find_if(over, end, flies);
+  }
+}
+
+/// By how much the velocity of a body is off after a flight of `time` [s], or of an attachment
+/// point by a spin that changes [m/s].
+double off_after(const Case& the_case, const State& from, const State& last, double time) {
   double arm = 0.0;  // [m]
   for (const Cable& cable : the_case.cables) {
     arm = std::max(arm, cable.attachment.norm());
   }
-  const double spacing = run.step * static_cast<double>(run.stride);  // [s]
-  const auto flies = [&](const Point& point) {
-    return std::all_of(the_case.cables.begin(), the_case.cables.end(),
-                       [&](const Cable& cable) { return gap(cable, point.state) > slack; });
-  };
-  double worst = 0.0;
-  const auto end = run.points.end();
-  for (auto from = std::find_if(run.points.begin(), end, flies); from != end;) {
-    const auto over = std::find_if_not(from, end, flies);
-    const Point& last = *std::prev(over);
-    const double time = last.time - from->time;
-    if (time > steps_of_flight * spacing) {
-      const Vec2 gained = last.state.velocity - from->state.velocity;
-      const double turned = arm * std::abs(last.state.spin - from->state.spin);
-      const double off = std::max((gained - time * the_case.gravity).norm(), turned);
-      worst = std::max(worst, (off - rounding * time / run.step) / time);
+  const Vec2 gained = last.velocity - from.velocity;
+  const double turned = arm * std::abs(last.spin - from.spin);
+  return std::max((gained - time * the_case.gravity).norm(), turned);
+}
+/// Bodies of a system count where nothing but one gravity accelerates them, and spins where they
+/// last.
+double off_after(const SpatialSystem& system, const SpatialSystemState& from,
+                 const SpatialSystemState& last, double time) {
+  const Eigen::Vector3d gravity = system.gravity.at(0.0);
+  double off = 0.0;
+  for (std::size_t index = 0; index < system.bodies.size(); ++index) {
+    const SpatialBody& body = system.bodies[index];
+    const SpatialState& one = from.bodies[index];
+    const SpatialState& other = last.bodies[index];
+    if (system.gravity.is_constant() && body.drag == 0.0 && body.force.empty()) {
+      off = std::max(off, (other.velocity - one.velocity - time * gravity).norm());
     }
-    from = std::find_if(over, end, flies);
+    if (keeps_spin(body)) {
+      off = std::max(off, farthest_end(system, index) * (other.spin - one.spin).norm());
+    }
   }
+  return off;
+}
+
+/// The largest difference [m/s^2] of a mean acceleration in flight from what acts. `rounding` [m/s]
+/// is what a step adds.
+template <class TheCase>
+double off_in_flight(const TheCase& the_case, const BasicTrajectory<TheCase>& run, double slack,
+                     double rounding) {
+  double worst = 0.0;
+  each_flight(the_case, run, slack, [&](const auto from, const auto last) {
+    const double time = last->time - from->time;
+    const double off = off_after(the_case, from->state, last->state, time);
+    worst = std::max(worst, (off - rounding * time / run.step) / time);
+  });
+  return worst;
+}
+
+/// The largest change [-] of a body's angular momentum in flight, which nothing changes, as part of
+/// it and in units of what a scheme of first order explains: the square of the turn in a step, for
+/// each step.
+double turned_in_flight(const SpatialSystem& system, const SystemTrajectory& run, double slack,
+                        double rounding) {
+  constexpr double least_steps = 10.0;  // what rounding leaves of a slow turn is small against that
+  double worst = 0.0;
+  each_flight(system, run, slack, [&](const auto from, const auto last) {
+    for (std::size_t index = 0; index < system.bodies.size(); ++index) {
+      const SpatialBody& body = system.bodies[index];
+      if (!has_inertia(body.inertia) || body.spin_drag > 0.0 || !body.moment.empty()) {
+        continue;
+      }
+      const auto momentum = [&](const auto& point) {
+        const SpatialState& state = point.state.bodies[index];
+        return in_the_world(state, Eigen::Vector3d(body.inertia.cwiseProduct(state.spin)));
+      };
+      const double spin = from->state.bodies[index].spin.norm();
+      const Eigen::Vector3d before = momentum(*from);
+      for (auto point = from; spin > 0.0 && point != last;) {
+        ++point;
+        const double steps = (point->time - from->time) / run.step;
+        const double turned = spin * run.step;  // [rad], in a step
+        const double explained =
+            turned * turned * (steps + least_steps) + rounding * (1.0 + turned) * steps;
+        worst = std::max(worst, (momentum(*point) - before).norm() / (explained * before.norm()));
+      }
+    }
+  });
   return worst;
 }
 
 /// The largest rise of the energy outside of contacts [J].
-double largest_rise(const Case& the_case, const Trajectory& run) {
+template <class TheCase>
+double largest_rise(const TheCase& the_case, const BasicTrajectory<TheCase>& run) {
   constexpr double margin = 1.01;  // steps around a contact
   double least = energy(the_case, run.points.front().state);
   double rise = 0.0;
   double busy = -std::numeric_limits<double>::infinity();  // [s], until a contact has ended
   auto contact = run.impacts.begin();
-  for (const Point& point : run.points) {
+  for (const auto& point : run.points) {
     for (; contact != run.impacts.end() && contact->time - margin * run.step < point.time;
          ++contact) {
       const double steps = static_cast<double>(std::max<std::size_t>(1, contact->steps));
@@ -212,15 +330,11 @@ double largest_rise(const Case& the_case, const Trajectory& run) {
 
 }  // namespace
 
-bool locates(const Trajectory& run) {
-  return !run.impacts.empty() &&
-         std::all_of(run.impacts.begin(), run.impacts.end(),
-                     [](const RecordedImpact& impact) { return impact.steps == 0; });
-}
-
-Judgement judge(const Expectation& expectation, const Trajectory& run,
-                const std::vector<AuditedImpact>& impacts, std::string_view precision) {
-  const Case& the_case = expectation.reference().the_case;
+template <class TheReference, class TheCase>
+Judgement judge(const BasicExpectation<TheReference>& expectation,
+                const BasicTrajectory<TheCase>& run, const std::vector<AuditedImpact>& impacts,
+                std::string_view precision) {
+  const TheCase& the_case = expectation.reference().the_case;
   const Allowance& allowance = expectation.allowance(run.step, precision);
   Judgement result;
   result.rebounds = rebounds_of(impacts, stays_taut(expectation, allowance, run));
@@ -231,31 +345,45 @@ Judgement judge(const Expectation& expectation, const Trajectory& run,
   const double steps = run.points.back().time / run.step;
   const double floats = rounding_of(precision);
   constexpr double tiny = std::numeric_limits<double>::min();  // where nothing moves
-  const double weight = the_case.gravity.norm();
+  const double weight = weight_of(the_case);
   const double slack = 4.0 * run.step * static_cast<double>(run.stride) * speed +
                        floats * expectation.extent() * steps;  // [m]
   result.flight = off_in_flight(the_case, run, slack, 2.0 * floats * expectation.speed()) /
                   ((weight > 0.0 ? weight : acceleration) + tiny);
   result.overstretch = run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
                                           floats * expectation.extent() * std::sqrt(steps));
+  if constexpr (!std::is_same_v<TheCase, Case>) {
+    result.rotation = turned_in_flight(the_case, run, slack, floats);
+  }
   const double start = std::abs(energy(the_case, the_case.initial));
   const double force =
-      the_case.body.mass * std::max(expectation.acceleration(), expectation.change());  // [N]
+      heaviest(the_case) * std::max(expectation.acceleration(), expectation.change());  // [N]
   const double far = std::max(shortest_cable(the_case), expectation.extent());          // [m]
-  result.energy =
-      largest_rise(the_case, run) / (force * expectation.speed() * run.step + 1e-9 * start +
-                                     1e-6 * kinetic_energy(the_case.body, the_case.initial) +
-                                     floats * std::max(start, force * far) * steps + tiny);
+  if (keeps_energy(the_case)) {
+    result.energy = largest_rise(the_case, run) /
+                    (force * expectation.speed() * run.step + 1e-9 * start +
+                     1e-6 * kinetic_energy(bodies_of(the_case), the_case.initial) +
+                     floats * std::max(start, force * far) * steps + tiny);
+  }
   return result;
 }
 
-std::size_t readable_impacts(const ReferenceCase& reference, double step) {
+template Judgement judge(const Expectation&, const Trajectory&, const std::vector<AuditedImpact>&,
+                         std::string_view);
+template Judgement judge(const SystemExpectation&, const SystemTrajectory&,
+                         const std::vector<AuditedImpact>&, std::string_view);
+
+template <class TheReference>
+std::size_t readable_impacts(const TheReference& reference, double step) {
   const std::vector<ExactHit> hits = exact_hits(reference, reference.solution.end_time());
   return static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), [&](const ExactHit& hit) {
-    const Cable& cable = reference.the_case.cables[hit.cable];
+    const auto& cable = reference.the_case.cables[hit.cable];
     return hit.alone &&
            doubt_of_rates(cable, hit.speed, step * hit.change) <= readable_part * hit.speed;
   }));
 }
+
+template std::size_t readable_impacts(const ReferenceCase&, double);
+template std::size_t readable_impacts(const ReferenceSystem&, double);
 
 }  // namespace tautline::bench

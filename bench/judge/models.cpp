@@ -66,6 +66,9 @@ void add_run(const JudgedRun& run, ModelJudgement& model) {
   model.overstretch = std::max(model.overstretch, one.overstretch);
   model.energy = std::max(model.energy, one.energy);
   model.flight = std::max(model.flight, one.flight);
+  if (one.rotation) {
+    model.rotation = std::max(model.rotation.value_or(0.0), *one.rotation);
+  }
   const Following& following = one.following;
   if (!following.ratio) {
     return;
@@ -236,6 +239,10 @@ std::string words_of(const Rebounds& rebounds) {
 
 std::string flight_text(double flight) {
   return fmt::format("accelerates wrong in flight, by {:.2g} %", 100.0 * flight);
+}
+
+std::string rotation_text(double rotation) {
+  return fmt::format("turns wrong in flight, {:.2g} times what a step explains", rotation);
 }
 
 std::string words_of(Course course, const std::optional<double>& ratio) {

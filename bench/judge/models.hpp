@@ -41,6 +41,7 @@ struct ModelJudgement {
   double overstretch = 0.0;        // [-], at worst
   double energy = 0.0;             // [-], at worst
   double flight = 0.0;             // [-], at worst
+  std::optional<double> rotation;  // [-], at worst
 };
 
 /// Every model, in the order of its first run.
@@ -67,6 +68,8 @@ struct ModelJudgement {
 
 /// "accelerates wrong in flight, by 1 %", of Judgement::flight.
 [[nodiscard]] std::string flight_text(double flight);
+/// "turns wrong in flight, 20 times what a step explains", of Judgement::rotation.
+[[nodiscard]] std::string rotation_text(double rotation);
 
 /// "exact to its events", "as good as a step-by-step model can be", "converges, with 8 times the
 /// error of a plain scheme", ...

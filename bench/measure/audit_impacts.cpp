@@ -8,7 +8,7 @@
 
 #include "bench/measure/audit_lost.hpp"
 #include "bench/measure/impact_match.hpp"
-#include "tautline/geometry.hpp"
+#include "tautline/case_or_system.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -22,7 +22,8 @@ constexpr std::size_t least_held = 4;
 
 /// True where a step stops the body and the steps that follow hold it: nothing came back, which the
 /// first step says.
-bool sticks(const Case& the_case, const RecordedImpact& impact) {
+template <class TheCase>
+bool sticks(const TheCase& the_case, const BasicRecordedImpact<TheCase>& impact) {
   constexpr double still_closing = 0.1;  // [-], of the speed
   const double speed = -impact.rate_before;
   const double e = restitution(the_case.cables[impact.cable], impact.rate_before);
@@ -34,8 +35,9 @@ bool sticks(const Case& the_case, const RecordedImpact& impact) {
 constexpr double step_and_rounding = 1.01;  // steps
 
 /// True where no impact of another cable begins up to `over` [s], or at the instant of this one.
-bool none_follows(const Trajectory& run, std::size_t index, double over) {
-  const std::vector<RecordedImpact>& impacts = run.impacts;
+template <class TheCase>
+bool none_follows(const BasicTrajectory<TheCase>& run, std::size_t index, double over) {
+  const auto& impacts = run.impacts;
   for (std::size_t next = index + 1; next < impacts.size() && impacts[next].time <= over; ++next) {
     if (impacts[next].cable != impacts[index].cable) {
       return false;
@@ -46,19 +48,21 @@ bool none_follows(const Trajectory& run, std::size_t index, double over) {
 
 /// True where no other cable pulled in the impact's steps or in the step after them, and the run
 /// has this step: a contact that another impact or the end of the run cuts off is not read.
-bool alone(const Trajectory& run, std::size_t index) {
-  const RecordedImpact& impact = run.impacts[index];
+template <class TheCase>
+bool alone(const BasicTrajectory<TheCase>& run, std::size_t index) {
+  const auto& impact = run.impacts[index];
   const double over = impact.ended + step_and_rounding * run.step;
   return !impact.shared && (impact.steps == 0 || over <= run.points.back().time) &&
          none_follows(run, index, over);
 }
 
 /// The same of the steps in which a body is stopped and held; later ones say nothing of it.
-bool stopped_alone(const Trajectory& run, std::size_t index) {
-  const RecordedImpact& impact = run.impacts[index];
+template <class TheCase>
+bool stopped_alone(const BasicTrajectory<TheCase>& run, std::size_t index) {
+  const auto& impact = run.impacts[index];
   const auto before = run.impacts.begin() + static_cast<std::ptrdiff_t>(index);
   return none_follows(run, index, impact.time + static_cast<double>(least_held) * run.step) &&
-         std::none_of(run.impacts.begin(), before, [&](const RecordedImpact& earlier) {
+         std::none_of(run.impacts.begin(), before, [&](const auto& earlier) {
            return earlier.cable != impact.cable &&
                   earlier.ended + step_and_rounding * run.step >= impact.time;
          });
@@ -69,16 +73,11 @@ double excess(double momentum, double explained, double impulse) {
   return std::max(0.0, std::abs(momentum) - explained) / impulse;
 }
 
-AuditedImpact audited(const Case& the_case, const RecordedImpact& impact, double floor) {
-  const Cable& cable = the_case.cables[impact.cable];
-  const Eigen::Vector3d pull = gap_gradient(cable, impact.before);
-  AuditedImpact result;
-  result.speed = -impact.rate_before;
-  result.requested = restitution(cable, impact.rate_before);
-  result.effective = impact.rate_after / result.speed;
+/// Adds what the impulse of one cable on one body in the plane does not explain.
+void add_unexplained(const Case& the_case, const RecordedImpact& impact, double floor,
+                     AuditedImpact& result) {
+  const Eigen::Vector3d pull = gap_gradient(the_case.cables[impact.cable], impact.before);
   result.arm = pull[2];
-  result.rate_floor = floor;
-  result.steps = impact.steps;
   const auto& [mass, inertia] = the_case.body;
   const double inverse = 1.0 / mass + (inertia > 0.0 ? pull[2] * pull[2] / inertia : 0.0);
   const double impulse = result.speed * (1.0 + std::abs(result.effective)) / inverse;
@@ -87,7 +86,34 @@ AuditedImpact audited(const Case& the_case, const RecordedImpact& impact, double
   const double gyration = std::sqrt(inertia / mass);  // [m]
   result.across = excess(across, explained, impulse);
   result.turning = gyration > 0.0 ? excess(impact.stray[2] / gyration, explained, impulse) : 0.0;
+}
+
+template <class TheCase>
+AuditedImpact audited(const TheCase& the_case, const BasicRecordedImpact<TheCase>& impact,
+                      double floor) {
+  const auto& cable = the_case.cables[impact.cable];
+  AuditedImpact result;
+  result.speed = -impact.rate_before;
+  result.requested = restitution(cable, impact.rate_before);
+  result.effective = impact.rate_after / result.speed;
+  result.rate_floor = doubt_of_rates(cable, result.speed, floor);
+  result.steps = impact.steps;
+  if constexpr (std::is_same_v<TheCase, Case>) {
+    add_unexplained(the_case, impact, floor, result);
+  }
   return result;
+}
+
+/// By how much the rate of a gap changes by what acts on bodies that stand still, and by what is
+/// given over time [m/s^2], at most: an engine may take either a step earlier or later.
+double falling(const Case& the_case, std::size_t index, const State& state) {
+  return std::abs(gap_gradient(the_case.cables[index], state).head<2>().dot(the_case.gravity));
+}
+double falling(const SpatialSystem& system, std::size_t index, const SpatialSystemState& state) {
+  const SpatialSystemState still = standing_still(state);
+  const double by_forces =
+      gap_gradient(system.cables[index], still).dot(free_accelerations(system, still));
+  return std::abs(by_forces) + std::abs(free_gap_acceleration(system, index, still) - by_forces);
 }
 
 /// True where the exact motion stays on one line through the only cable's anchor, and so do its
@@ -113,33 +139,25 @@ bool bounces_straight(const ReferenceCase& reference) {
 
 }  // namespace
 
-double doubt_of_rates(const Cable& cable, double speed, double change) {
-  if (!depends_on_speed(cable)) {
-    return change;
-  }
-  const double here = restitution(cable, speed);
-  return change +
-         speed * std::max(std::abs(restitution(cable, std::max(0.0, speed - change)) - here),
-                          std::abs(restitution(cable, speed + change) - here));
-}
-
-double change_of_rates(const Case& the_case, std::size_t index, const State& before,
-                       const State& after) {
-  const Cable& cable = the_case.cables[index];
-  const Eigen::Vector3d gone(after.velocity.x(), after.velocity.y(), after.spin);
+template <class TheCase>
+double change_of_rates(const TheCase& the_case, std::size_t index, const StateOf<TheCase>& before,
+                       const StateOf<TheCase>& after) {
+  const auto& cable = the_case.cables[index];
   const double flown = std::max(std::abs(free_gap_acceleration(the_case, index, before)),
                                 std::abs(free_gap_acceleration(the_case, index, after)));
-  const double turned = std::abs(gap_gradient_rate(cable, before).dot(gone));
-  const double fallen = std::abs(gap_gradient(cable, before).head<2>().dot(the_case.gravity));
+  const double turned = std::abs(gap_gradient_rate(cable, before).dot(motion_of(after)));
+  const double fallen = falling(the_case, index, before);
   return restitution(cable, gap_rate(cable, before)) * flown + turned + fallen;
 }
 
-std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const Trajectory& run) {
-  const Case& the_case = reference.the_case;
+template <class TheReference, class TheCase>
+std::vector<AuditedImpact> audited_impacts(const TheReference& reference,
+                                           const BasicTrajectory<TheCase>& run) {
+  const TheCase& the_case = reference.the_case;
   const double end = reference.solution.end_time();
   std::vector<AuditedImpact> result;
   for (std::size_t index = 0; index < run.impacts.size(); ++index) {
-    RecordedImpact recorded = run.impacts[index];
+    BasicRecordedImpact<TheCase> recorded = run.impacts[index];
     const bool stuck = sticks(the_case, recorded) && stopped_alone(run, index);
     if (recorded.time > end || !(stuck || alone(run, index))) {
       continue;
@@ -149,14 +167,11 @@ std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const
       recorded.after = recorded.before;
       recorded.stray.setZero();
     }
-    State after = recorded.before;
-    after.velocity = recorded.after.velocity;
-    after.spin = recorded.after.spin;
+    const StateOf<TheCase> after = with_velocities(recorded.before, recorded.after);
     const double steps = stuck ? 1.0 : std::max(1.0, static_cast<double>(recorded.steps));
     const double floor =
         steps * run.step * change_of_rates(the_case, recorded.cable, recorded.before, after);
-    AuditedImpact impact = audited(the_case, recorded, floor);
-    impact.rate_floor = doubt_of_rates(the_case.cables[recorded.cable], impact.speed, floor);
+    const AuditedImpact impact = audited(the_case, recorded, floor);
     if (std::isfinite(impact.effective * impact.requested) &&
         impact.rate_floor <= readable_part * impact.speed) {
       result.push_back(impact);
@@ -164,6 +179,13 @@ std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference, const
   }
   return result;
 }
+
+template std::vector<AuditedImpact> audited_impacts(const ReferenceCase&, const Trajectory&);
+template std::vector<AuditedImpact> audited_impacts(const ReferenceSystem&,
+                                                    const SystemTrajectory&);
+template double change_of_rates(const Case&, std::size_t, const State&, const State&);
+template double change_of_rates(const SpatialSystem&, std::size_t, const SpatialSystemState&,
+                                const SpatialSystemState&);
 
 std::optional<Ladder> ladder_of(const ReferenceCase& reference, const Trajectory& run,
                                 double count_speed) {

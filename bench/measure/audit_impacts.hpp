@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -14,7 +16,7 @@ struct AuditedImpact {
   double speed = 0.0;      // [m/s], > 0, at which the cable closed
   double requested = 0.0;  // [-], the cable's restitution at that speed
   double effective = 0.0;  // [-], what came back
-  double arm = 0.0;        // [m]
+  double arm = 0.0;        // [m]; 0 of a system
   double across = 0.0;     // [-], unexplained momentum across the cable, as part of the impulse
   double turning = 0.0;  // [-], unexplained spin, as part of the impulse at the radius of gyration
   double rate_floor = 0.0;  // [m/s], what its steps do to its rates at most
@@ -30,18 +32,29 @@ inline constexpr double readable_part = 0.1;
 /// By how much a step may change what is read of an impact of cable `index`, per second of it
 /// [m/s^2]: the rate before is one of a flight that goes on for up to a step, the rate after one of
 /// a flight that has gone on and of the pose before. `before` and `after` are at one pose.
-[[nodiscard]] double change_of_rates(const Case& the_case, std::size_t index, const State& before,
-                                     const State& after);
+template <class TheCase>
+[[nodiscard]] double change_of_rates(const TheCase& the_case, std::size_t index,
+                                     const StateOf<TheCase>& before, const StateOf<TheCase>& after);
 
 /// By how much rates that change by `change` [m/s] put in doubt what is read of an impact at
 /// `speed` [m/s], in [m/s]: by more if the restitution depends on the speed, and next to a capture
 /// speed by all of it.
-[[nodiscard]] double doubt_of_rates(const Cable& cable, double speed, double change);
+template <class TheCable>
+[[nodiscard]] double doubt_of_rates(const TheCable& cable, double speed, double change) {
+  if (!depends_on_speed(cable)) {
+    return change;
+  }
+  const double here = restitution(cable, speed);
+  return change +
+         speed * std::max(std::abs(restitution(cable, std::max(0.0, speed - change)) - here),
+                          std::abs(restitution(cable, speed + change) - here));
+}
 
 /// The impacts of `run` that say something of restitution: those of one cable alone that can be
 /// read, up to the end of the exact motion.
-[[nodiscard]] std::vector<AuditedImpact> audited_impacts(const ReferenceCase& reference,
-                                                         const Trajectory& run);
+template <class TheReference, class TheCase>
+[[nodiscard]] std::vector<AuditedImpact> audited_impacts(const TheReference& reference,
+                                                         const BasicTrajectory<TheCase>& run);
 
 /// Heights of consecutive bounces on one cable through the centre of mass, as parts of the first
 /// fall.

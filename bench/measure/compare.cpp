@@ -102,16 +102,6 @@ double early_end(const std::vector<CountedImpact>& exact, std::size_t impacts, d
   return std::min(end, 0.5 * (exact[impacts - 1].time + exact[impacts].time));
 }
 
-/// True where nothing but impacts and drag changes the energy.
-bool keeps_energy(const Case& /*the_case*/) { return true; }
-bool keeps_energy(const SpatialSystem& system) {
-  bool all_constant = true;
-  each_function(
-      system, [&](const auto& function) { all_constant = all_constant && function.is_constant(); });
-  return all_constant && std::all_of(system.bodies.begin(), system.bodies.end(),
-                                     [](const SpatialBody& body) { return body.moment.empty(); });
-}
-
 /// All but the swing.
 template <class TheCase, class TheSettling>
 Metrics compared(const TheCase& the_case, const BasicSolution<TheCase>& solution,
@@ -153,6 +143,14 @@ Metrics compared(const TheCase& the_case, const BasicSolution<TheCase>& solution
 }
 
 }  // namespace
+
+bool keeps_energy(const SpatialSystem& system) {
+  bool all_constant = true;
+  each_function(
+      system, [&](const auto& function) { all_constant = all_constant && function.is_constant(); });
+  return all_constant && std::all_of(system.bodies.begin(), system.bodies.end(),
+                                     [](const SpatialBody& body) { return body.moment.empty(); });
+}
 
 Metrics compare(const Case& the_case, const Solution& solution, const Settling& settling,
                 double horizon, const Trajectory& run, const CompareOptions& options) {

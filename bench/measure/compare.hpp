@@ -20,6 +20,10 @@ struct CompareOptions {
   std::size_t early_impacts = 5;
 };
 
+/// True where nothing but impacts and drag changes the energy.
+[[nodiscard]] constexpr bool keeps_energy(const Case& /*the_case*/) { return true; }
+[[nodiscard]] bool keeps_energy(const SpatialSystem& system);
+
 /// Holds `run` against `solution`, both of `the_case`; `settling` of the solution, `horizon` [s]
 /// from `predictability_horizon`. Of a system what is furthest off of its bodies counts. Windows
 /// end where the exact solution says; what a run that ends earlier does not reach, it misses.

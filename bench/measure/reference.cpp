@@ -43,6 +43,14 @@ double shortest_cable(const Case& the_case) {
   return shortest;
 }
 
+double shortest_cable(const SpatialSystem& system) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const SpatialCable& cable : system.cables) {
+    shortest = std::min(shortest, cable.length.at(system.initial.time)[0]);
+  }
+  return shortest;
+}
+
 double exact_sample_time(const Solution& solution, std::size_t index) {
   constexpr std::size_t last = exact_samples - 1;
   return index == last

@@ -38,8 +38,9 @@ using ReferenceSystem = BasicReference<SpatialSystem, SystemSettling>;
 using Reference = std::variant<ReferenceCase, ReferenceSystem>;
 [[nodiscard]] std::vector<Reference> solve_all(const std::vector<BenchCase>& cases, ImpactLaw law);
 
-/// The length of the shortest cable [m].
+/// The length of the shortest cable [m], at the start.
 [[nodiscard]] double shortest_cable(const Case& the_case);
+[[nodiscard]] double shortest_cable(const SpatialSystem& system);
 
 /// When the exact motion first has a taut cable [s]; its end without one. A simulation
 /// that does not follow the motion on taut cables may stop there.

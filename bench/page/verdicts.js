@@ -87,8 +87,7 @@
       const { runs: [first, ...others], bars } = one;
       bars.replaceChildren(...(first ? [make('span', { class: 'head' }, `Restitution in ${short(first.case)}, median, step ${number(first.step)} s`),
         ...bar('asked', first.e[1], 'asked'), ...[first, ...others].flatMap(({ model, e }) => bar(model, e[2], looks[e[0]], more[e[0]]))]
-        : report.cases.every((one) => one.system) ? [] // which are not judged
-          : [make('span', { class: 'head' }, 'No case here asks for one restitution that can be read.')]));
+        : [make('span', { class: 'head' }, 'No case here asks for one restitution that can be read.')]));
       const { look, text } = some ? saidOf(one) : { look: one.look.replace('verdict ', ''), text: one.said };
       one.name.className = `verdict ${look}`;
       one.fault.textContent = text;

@@ -103,10 +103,9 @@ inline constexpr std::array all_words = {Word::sound, Word::listed_problem, Word
 [[nodiscard]] const char* to_string(Word word);  // "sound", "listed problem", ...
 
 /// The kinds of problems that a run can have.
-inline constexpr std::array<std::string_view, 11> problem_kinds = {
-    "failure",        "restitution",        "position",       "events",
-    "missed-impacts", "overstretch",        "energy",         "flight",
-    "sleeping",       "tangential-impulse", "angular-impulse"};
+inline constexpr std::array<std::string_view, 12> problem_kinds = {
+    "failure", "restitution", "position", "events",   "missed-impacts",     "overstretch",
+    "energy",  "flight",      "rotation", "sleeping", "tangential-impulse", "angular-impulse"};
 
 /// True where a finding of the audit of this kind is a problem of its own; a finding on rebounds is
 /// the judgement's, and how long an impact takes is none.

@@ -109,6 +109,9 @@ std::vector<std::string> wrongs(const Report& report, const ModelCard& card, std
   if (judged.flight > most_flight) {
     out.push_back(flight_text(judged.flight));
   }
+  if (judged.rotation.value_or(0.0) > most_rotation) {
+    out.push_back(rotation_text(*judged.rotation));
+  }
   return out;
 }
 
@@ -185,27 +188,8 @@ bool graver(const ModelCard& one, const ModelCard& two) {
   return gravity_of(one) > gravity_of(two);
 }
 
-/// The setup of a card that is off least.
-std::string nearest_sentence(const Scorecard& card) {
-  const Setup* nearest = nullptr;
-  for (const ModelCard& model : card.models) {
-    for (const Setup& setup : model.setups) {
-      if (setup.off && (nearest == nullptr || *setup.off < *nearest->off)) {
-        nearest = &setup;
-      }
-    }
-  }
-  return nearest == nullptr
-             ? "No run of them can be compared."
-             : fmt::format("Nearest is {} at {:g} s: {} of a cable off at first.",
-                           printable(nearest->model), nearest->step, percent_text(*nearest->off));
-}
-
 /// "Use row at 0.001 s: 0.61 % of a cable off, 0.4 ms of processor time a second."
 std::string use_sentence(const Scorecard& card) {
-  if (!card.use && card.of_systems) {
-    return nearest_sentence(card);
-  }
   if (!card.use) {
     const bool kept = std::any_of(card.models.begin(), card.models.end(),
                                   [](const ModelCard& model) { return model.may_be_used(); });
@@ -387,9 +371,6 @@ Scorecard scorecard(const Report& report, const std::string& engine) {
     card.verdicts.add(model.verdicts);
   }
   card.use = chosen(card.models);
-  card.of_systems =
-      std::all_of(report.cases.begin(), report.cases.end(),
-                  [](const CaseRow& the_case) { return the_case.system.has_value(); });
   return card;
 }
 
@@ -447,8 +428,6 @@ EngineWords words_of(const Scorecard& card) {
   if (kept == done && kept > 0) {
     out.word = out.word == Word::too_few ? Word::sound : out.word;
     out.fault = fmt::format("No problem found in {}.", counted(kept, "model"));
-  } else if (done > 0 && card.of_systems) {
-    out.fault = fmt::format("{} compared, not judged.", counted(done, "model"));
   } else if (done > 0) {
     out.fault =
         fmt::format("Too few impacts to judge {} of {}.", done - kept, counted(done, "model"));

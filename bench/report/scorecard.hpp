@@ -53,7 +53,6 @@ struct Scorecard {
   /// no model may be used, or none is good enough.
   std::optional<Setup> use;
   Tally verdicts;
-  bool of_systems = false;  // all cases are systems, which are compared and not judged
 };
 [[nodiscard]] Scorecard scorecard(const Report& report, const std::string& engine);
 

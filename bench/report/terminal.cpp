@@ -64,9 +64,6 @@ std::string judgement_text(const RunRow& run, const TerminalStyle& style) {
     out += wrapped("Restitution: " + words_of(run.judgement->rebounds) + ".", style.text);
     out += wrapped("Followed: " + followed_text(run.judgement->following) + ".", style.text);
   }
-  if (run.metrics && !run.judgement) {
-    out += wrapped(words::systems, style.text);
-  }
   for (const Problem& problem : run.verdict ? run.verdict->problems : std::vector<Problem>()) {
     out += wrapped(fmt::format("Problem, {}: {}.{}", in_words(problem.kind),
                                printable(problem.sentence, longest_sentence),

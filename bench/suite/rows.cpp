@@ -135,13 +135,16 @@ void measure(const Expectation& expectation, const EngineInfo& engine, const Tra
   row.judgement = judge(expectation, run, record.audit->impacts, engine.precision);
 }
 
-/// A system has measures alone.
-void measure(const ReferenceSystem& reference, const SystemTrajectory& run,
-             const CompareOptions& options, RunRow& row) {
+/// A system has no attribution and no ladder.
+void measure(const SystemExpectation& expectation, const EngineInfo& engine,
+             const SystemTrajectory& run, const CompareOptions& options, RunRecord& record) {
+  const ReferenceSystem& reference = expectation.reference();
   const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
                                   reference.horizon, run, options);
-  row.metrics = values_of(metrics);
-  row.details = details_of(metrics, run);
+  record.row.metrics = values_of(metrics);
+  record.row.details = details_of(metrics, run);
+  record.audit = RunAudit{std::nullopt, audited_impacts(reference, run), std::nullopt};
+  record.row.judgement = judge(expectation, run, record.audit->impacts, engine.precision);
 }
 
 TimingRow timing_row(const RunKey& key, const Cost& cost) {
@@ -164,15 +167,15 @@ RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine, c
   RunRecord record;
   record.row.key = key;
   const auto* const expectation = std::get_if<Expectation>(&expected);
+  const auto* const of_system = std::get_if<SystemExpectation>(&expected);
   std::tie(record.row.status, record.row.reason) =
-      expectation != nullptr
-          ? status(expectation->reference(), reply, reply.trajectory)
-          : status(*std::get<const ReferenceSystem*>(expected), reply, reply.in_space);
+      expectation != nullptr ? status(expectation->reference(), reply, reply.trajectory)
+                             : status(of_system->reference(), reply, reply.in_space);
   if (reply.trajectory && expectation != nullptr) {
     measure(*expectation, engine, *reply.trajectory, options, record);
     record.timing = timing_row(key, reply.cost);
-  } else if (reply.in_space && expectation == nullptr) {
-    measure(*std::get<const ReferenceSystem*>(expected), *reply.in_space, options, record.row);
+  } else if (reply.in_space && of_system != nullptr) {
+    measure(*of_system, engine, *reply.in_space, options, record);
     record.timing = timing_row(key, reply.cost);
   } else if (!reply.output_tail.empty()) {
     const std::size_t size = std::min(reply.output_tail.size(), quotable_length);
@@ -203,6 +206,17 @@ CaseRow row_of(const auto& reference, double count_speed) {
 std::vector<double> numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 EndRow end_row(const SpatialEnd& end) { return {end.body, numbers_of(end.at)}; }
+
+/// From when on a run of these steps is judged no longer, and what it can be read by.
+template <class TheReference>
+void add_predictable(const BasicExpectation<TheReference>& expectation,
+                     const std::vector<double>& steps, CaseRow& row) {
+  for (const double step : steps) {
+    const Allowance& allowance = expectation.allowance(step);
+    row.predictable.push_back({step, allowance.until, allowance.barrier,
+                               readable_impacts(expectation.reference(), step)});
+  }
+}
 
 CaseRow case_row(const ReferenceSystem& reference, double count_speed) {
   const SpatialSystem& system = reference.the_case;
@@ -238,8 +252,10 @@ CaseRow case_row(const ReferenceSystem& reference, double count_speed) {
 
 CaseRow case_row(const AnyExpectation& expected, const CompareOptions& options,
                  const std::vector<double>& steps) {
-  if (const auto* const system = std::get_if<const ReferenceSystem*>(&expected)) {
-    return case_row(**system, options.count_speed);
+  if (const auto* const system = std::get_if<SystemExpectation>(&expected)) {
+    CaseRow row = case_row(system->reference(), options.count_speed);
+    add_predictable(*system, steps, row);
+    return row;
   }
   const auto& expectation = std::get<Expectation>(expected);
   const ReferenceCase& reference = expectation.reference();
@@ -259,11 +275,7 @@ CaseRow case_row(const AnyExpectation& expected, const CompareOptions& options,
   const State& start = the_case.initial;
   row.live = live_address(the_case);
   row.start = Eigen::Vector3d(start.position.x(), start.position.y(), start.angle);
-  for (const double step : steps) {
-    const Allowance& allowance = expectation.allowance(step);
-    row.predictable.push_back(
-        {step, allowance.until, allowance.barrier, readable_impacts(reference, step)});
-  }
+  add_predictable(expectation, steps, row);
   row.step_needed = step_needed(reference, usual_part);
   return row;
 }

@@ -282,6 +282,9 @@ void fields(Visitor& visit, ModelJudgement& model) {
   visit("overstretch", model.overstretch, "the largest of a run");
   visit("energy", model.energy, "the largest of a run");
   visit("flight", model.flight, "the largest of a run");
+  visit.unless_missing("rotation", model.rotation, [](auto& inside, double& rotation) {
+    inside("rotation", rotation, "the largest of a run of a system");
+  });
 }
 
 template <class Visitor>

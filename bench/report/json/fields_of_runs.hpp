@@ -219,6 +219,11 @@ void fields(Visitor& visit, Judgement& judgement) {
       "flight", judgement.flight,
       "how far the acceleration in flight is off, as a part of gravity, or without gravity of the "
       "largest acceleration");
+  visit.unless_missing("rotation", judgement.rotation, [](auto& inside, double& rotation) {
+    inside("rotation", rotation,
+           "what a flight changes of an angular momentum that nothing changes, in units of what a "
+           "scheme of first order explains: of systems");
+  });
 }
 
 template <class Visitor>
@@ -242,7 +247,8 @@ void fields(Visitor& visit, Attribution& attribution) {
 template <class Visitor>
 void fields(Visitor& visit, Problem& problem) {
   visit("kind", problem.kind,
-        "restitution, position, events, missed-impacts, overstretch, energy, flight, failure, "
+        "restitution, position, events, missed-impacts, overstretch, energy, flight, rotation, "
+        "failure, "
         "or the kind of a finding of the audit");
   visit("sentence", problem.sentence);
   visit("value", problem.value, "of the kind: a ratio, a deviation or a count");

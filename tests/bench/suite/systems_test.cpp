@@ -100,6 +100,14 @@ TEST(SystemBench, ATautCableThatIsCutPullsUntilThen) {
   }
 }
 
+TEST(SystemBench, AWinchThatStopsLetsItsCableGo) {
+  for (const char* engine : {"bullet64", "ode"}) {
+    // the load is thrown up, and falls back into its cable: 0.01 m off where that is left out
+    EXPECT_LE(metrics_of("winch", engine, "event", "0.01").at("horizon_position_error"), 1e-4);
+    EXPECT_LE(metrics_of("winch", engine, "event", "0.001").at("horizon_position_error"), 1e-6);
+  }
+}
+
 TEST(SystemBench, ACutAfterTheEndChangesNothing) {
   const TemporaryFolder folder;
   const Outcome shown = program({"cases", "tethered-ball"});

@@ -1,0 +1,157 @@
+// What is said of runs of systems in space: nothing of a plain correct scheme, and each planted
+// fault.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "bench/judge/judgement.hpp"
+#include "bench/measure/audit_impacts.hpp"
+#include "tautline/plain_scheme.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::test {
+namespace {
+
+using namespace bench;
+using Scheme = BasicPlainScheme<SpatialSystem>;
+
+/// A plain scheme that may do something of its own before and after each step of `dt` [s].
+class Spoiled final : public SystemSimulation {
+ public:
+  using Spoil = std::function<void(Scheme&, double dt)>;
+
+  Spoiled(const SpatialSystem& system, Spoil before, Spoil after)
+      : scheme_(system, Scheme::Acts::late), before_(std::move(before)), after_(std::move(after)) {}
+
+  void step(double dt) override {
+    if (before_) {
+      before_(scheme_, dt);
+    }
+    scheme_.step(dt);
+    if (after_) {
+      after_(scheme_, dt);
+    }
+  }
+  [[nodiscard]] SpatialSystemState state() const override { return scheme_.state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return scheme_.impulses(); }
+
+ private:
+  Scheme scheme_;
+  Spoil before_;
+  Spoil after_;
+};
+
+/// One of those that are shipped, in the plane z = 0 where it is one of the plane.
+SpatialSystem shipped(const std::string& name) {
+  for (const ShippedSpatialSystem& one : shipped_spatial_systems()) {
+    if (one.system.name == name) {
+      return one.system;
+    }
+  }
+  for (const ShippedSystem& one : shipped_systems()) {
+    if (one.system.name == name) {
+      return in_space(one.system);
+    }
+  }
+  ADD_FAILURE() << "no system " << name;
+  return {};
+}
+
+/// The judgement of the scheme on `system`, spoilt.
+Judgement judged(const SpatialSystem& system, double step, const Spoiled::Spoil& before = {},
+                 const Spoiled::Spoil& after = {}) {
+  const ReferenceSystem reference = solve_case(system, ImpactLaw::simultaneous);
+  const SystemExpectation expectation(reference);
+  Spoiled simulation(system, before, after);
+  const SystemTrajectory run = record(system, simulation, step);
+  return judge(expectation, run, audited_impacts(reference, run), "float64");
+}
+
+constexpr double step = 1e-3;  // [s]
+
+TEST(JudgementOfSystems, IsWithoutAFaultOfAPlainScheme) {
+  for (const char* name : {"tethered-ball", "spherical-slack", "bifilar", "winch", "two-bodies", "tumbling-brick"}) {
+    const Judgement found = judged(shipped(name), step);
+    EXPECT_FALSE(found.rebounds.wrong()) << name;
+    EXPECT_LE(found.following.ratio.value_or(0.0), 1.0) << name;
+    EXPECT_EQ(found.impacts.missed, 0U) << name;
+    EXPECT_LE(found.overstretch, 1.1) << name;
+    EXPECT_LE(found.energy, 0.5) << name;
+    EXPECT_LE(found.flight, 1e-9) << name;
+    EXPECT_LE(found.rotation.value_or(1.0), 1.0) << name;
+  }
+}
+
+TEST(JudgementOfSystems, TellsARebound) {
+  const auto rebounds = [](double part) {
+    return judged(shipped("tethered-ball"), step, [part](Scheme& scheme, double) {
+             for (SpatialCable& cable : scheme.system().cables) {
+               cable.restitution = part * 0.7;
+             }
+           })
+        .rebounds;
+  };
+  ASSERT_EQ(shipped("tethered-ball").cables.front().restitution, 0.7);
+  EXPECT_EQ(rebounds(1.0).word, Rebound::kept);
+  const Rebounds low = rebounds(0.7);
+  EXPECT_EQ(low.word, Rebound::off);
+  EXPECT_NEAR(low.deviation.value_or(0.0), -0.21, 0.02);
+  EXPECT_EQ(rebounds(0.0).word, Rebound::none);
+}
+
+TEST(JudgementOfSystems, TellsAWrongGravity) {
+  const Judgement found =
+      judged(shipped("tethered-ball"), step, [](Scheme& scheme, double) {
+        if (scheme.state().time == 0.0) {
+          auto& gravity = scheme.system().gravity;
+          gravity = Function<3>::constant(1.01 * gravity.at(0.0));
+        }
+      });
+  EXPECT_NEAR(found.flight, 0.01, 1e-6);
+}
+
+TEST(JudgementOfSystems, TellsARotationWithoutTheGyroscopicTerm) {
+  // the spin in the world goes on as it is
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+  const Judgement found = judged(
+      shipped("tumbling-brick"), step,
+      [&](Scheme& scheme, double) {
+        const SpatialState& body = scheme.state().bodies[0];
+        spin = in_the_world(body, body.spin);
+      },
+      [&](Scheme& scheme, double) {
+        SpatialState& body = scheme.state().bodies[0];
+        if (scheme.impulses()[0] == 0.0) {
+          body.spin = in_the_body(body, spin);
+        }
+      });
+  EXPECT_GT(found.rotation.value_or(0.0), most_rotation);
+  EXPECT_LE(found.flight, 1e-9);
+}
+
+TEST(JudgementOfSystems, TellsAWinchThatAnEngineLeavesOut) {
+  const Judgement found =
+      judged(shipped("winch"), step, [](Scheme& scheme, double) {
+        for (SpatialCable& cable : scheme.system().cables) {
+          cable.length = Function<1>::constant(cable.length.at(0.0)[0]);
+        }
+      });
+  EXPECT_GT(found.following.ratio.value_or(0.0), most_ratio);
+}
+
+TEST(JudgementOfSystems, TellsEnergyThatComesFromNowhere) {
+  const auto pushed = [](const char* name) {
+    return judged(shipped(name), step, {}, [](Scheme& scheme, double dt) {
+      for (SpatialState& body : scheme.state().bodies) {
+        body.velocity *= 1.0 + 0.1 * dt;
+      }
+    });
+  };
+  EXPECT_GT(pushed("spherical-slack").energy, most_energy);
+  EXPECT_EQ(pushed("winch").energy, 0.0);  // which gives energy itself
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -30,6 +30,19 @@ bench::RegisteredEngine engine_from_list(const ordered_json& row) {
   return engine;
 }
 
+std::vector<ModelUnderTest> models_of_the_build(bool outside) {
+  std::vector<ModelUnderTest> result;
+  for (const bench::RegisteredEngine& engine : engines_of_the_build()) {
+    if (!engine.info || outside != (engine.plugin.extension() != ".so")) {
+      continue;
+    }
+    for (const Model& model : engine.info->models) {
+      result.push_back({engine.plugin, engine.name, model.name, engine.info->precision});
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<bench::RegisteredEngine> engines_of_the_build() {
@@ -45,20 +58,10 @@ std::vector<bench::RegisteredEngine> engines_of_the_build() {
   return engines;
 }
 
-std::vector<ModelUnderTest> models_under_test() {
-  std::vector<ModelUnderTest> result;
-  for (const bench::RegisteredEngine& engine : engines_of_the_build()) {
-    // an engine in a process of its own has tests of its own (npm/), and may be here or not
-    const bool outside = engine.plugin.extension() != ".so";
-    if (!engine.info || outside) {
-      continue;
-    }
-    for (const Model& model : engine.info->models) {
-      result.push_back({engine.plugin, engine.name, model.name, engine.info->precision});
-    }
-  }
-  return result;
-}
+// an engine in a process of its own has tests of its own (npm/), and may be here or not
+std::vector<ModelUnderTest> models_under_test() { return models_of_the_build(false); }
+
+std::vector<ModelUnderTest> models_outside() { return models_of_the_build(true); }
 
 std::vector<ModelUnderTest> event_models() {
   std::vector<ModelUnderTest> result = models_under_test();

@@ -41,6 +41,9 @@ void PrintTo(const ModelUnderTest& model, std::ostream* out);
 /// Every model of every plug-in there.
 [[nodiscard]] std::vector<ModelUnderTest> models_under_test();
 
+/// Every model of every engine there that has a process of its own: those on npm that are fetched.
+[[nodiscard]] std::vector<ModelUnderTest> models_outside();
+
 /// Those called `event`, whose engines find the instants of the impacts.
 [[nodiscard]] std::vector<ModelUnderTest> event_models();
 

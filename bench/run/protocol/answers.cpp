@@ -4,16 +4,23 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "bench/base/text.hpp"
+#include "bench/data/coordinates.hpp"
 #include "bench/run/protocol/json.hpp"
 #include "bench/run/protocol/messages.hpp"
 
 namespace tautline::bench {
 namespace {
 
-constexpr int protocol_version = 1;
+/// The protocols of this program. A child of the first is an engine of the plane.
+constexpr int first_protocol = 1;
+constexpr int latest_protocol = 2;
+
+/// A quaternion is one of an orientation if its square is 1 up to this [-]: float leaves 1e-6.
+constexpr double quaternion_rounding = 1e-4;
 
 // the codes of JSON-RPC that mean more than the engine's own sentence
 constexpr int parse_error = -32700;
@@ -79,10 +86,41 @@ class Answer {
   std::string_view method_;
 };
 
-State state_part(const Part& part) {
+/// The numbers of a state, for a sentence.
+std::string words_of(StateForm form) {
+  if (form.bodies == 0) {
+    return "x, y, angle, vx, vy, spin";
+  }
+  return std::string("x, y, z, qw, qx, qy, qz, vx, vy, vz, wx, wy, wz") +
+         (form.bodies > 1 ? " of each body" : "");
+}
+
+bool are_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Refuses `row`, whose numbers are `numbers`, where a body that is somewhere has no orientation.
+void refuse_orientations(const Part& row, std::span<const double> numbers, StateForm form) {
+  constexpr std::size_t before = 3;      // numbers of a body
+  constexpr std::size_t quaternion = 4;  // numbers of an orientation
+  for (std::size_t body = 0; body < form.bodies; ++body) {
+    const std::size_t place = body_width * body + before;
+    double square = 0.0;
+    for (const double number : numbers.subspan(place, quaternion)) {
+      square += number * number;
+    }
+    if (are_finite(numbers.subspan(body_width * body, body_width)) &&
+        !(std::abs(square - 1.0) <= quaternion_rounding)) {
+      row[place].refuse("the first of four numbers whose squares add up to 1");
+    }
+  }
+}
+
+std::vector<double> state_part(const Part& part, StateForm form) {
   std::vector<double> row;
-  part.append_numbers(row, state_width, "x, y, angle, vx, vy, spin");
-  return state_from(row.data());
+  part.append_numbers(row, form.width(), words_of(form));
+  refuse_orientations(part, row, form);
+  return row;
 }
 
 Origin origin_from(const std::string& word) {
@@ -156,7 +194,7 @@ ChildModel model_part(const Part& part) {
   result.model.name = part.at("name").name();
   result.model.sentence = part.at("sentence").text();
   part.has_only({"name", "sentence", "maker", "drive", "follows_speed", "tension", "settings",
-                 "parameters", "code"});
+                 "parameters", "code", "in_space"});
   result.model.maker = maker_from(part.at("maker").one_of({"engine", "by_hand", "tautline"}));
   if (const auto drive = part.find("drive")) {
     result.by_events = drive->one_of({"steps", "events"}) == "events";
@@ -176,7 +214,20 @@ ChildModel model_part(const Part& part) {
   if (const auto code = part.find("code")) {
     result.model.code = code->text();
   }
+  if (const auto in_space = part.find("in_space")) {
+    result.model.in_space = settings_part(*in_space);
+  }
   return result;
+}
+
+/// The dimensions of an engine's world: [2], or [2, 3].
+int dimensions_part(const Part& part) {
+  constexpr const char* right = "[2] or [2, 3]";
+  if (part.size() == 0 || part.size() > 2 || part[0].number() != 2.0 ||
+      (part.size() == 2 && part[1].number() != 3.0)) {
+    part.refuse(right);
+  }
+  return static_cast<int>(part.size()) + 1;
 }
 
 }  // namespace
@@ -185,23 +236,70 @@ State state_from(const double* row) {
   return {Vec2(row[0], row[1]), row[2], Vec2(row[3], row[4]), row[5]};
 }
 
+SpatialSystemState state_from(const double* row, std::size_t bodies, double time) {
+  SpatialSystemState result;
+  result.time = time;
+  for (std::size_t body = 0; body < bodies; ++body) {
+    SpatialState& one = result.bodies.emplace_back();
+    for (const auto& coordinate : coordinates(one)) {
+      coordinate.value = *row++;
+    }
+    one.orientation.normalize();  // an engine in float rounds it
+  }
+  return result;
+}
+
+std::vector<double> numbers_of(const State& state) {
+  std::vector<double> result;
+  for (const auto& one : coordinates(state)) {
+    result.push_back(one.value);
+  }
+  return result;
+}
+
+std::vector<double> numbers_of(const SpatialSystemState& state) {
+  std::vector<double> result;
+  for (const SpatialState& body : state.bodies) {
+    for (const auto& one : coordinates(body)) {
+      result.push_back(one.value);
+    }
+  }
+  return result;
+}
+
+std::size_t StateForm::width() const { return bodies == 0 ? state_width : body_width * bodies; }
+
 ChildInfo info_answer(std::string_view line, int id) {
   const Answer answer(line, id, "info");
   const Part info = answer.result();
-  if (info.at("protocol").number() != protocol_version) {
-    info.at("protocol").refuse(fmt::format("{}, the protocol of this program", protocol_version));
+  const double protocol = info.at("protocol").number();
+  if (protocol != first_protocol && protocol != latest_protocol) {
+    info.at("protocol")
+        .refuse(fmt::format("{} or {}, the protocols of this program", first_protocol,
+                            latest_protocol));
   }
   ChildInfo result;
   result.name = info.at("name").name();
   result.version = info.at("version").text();
   result.precision = info.at("precision").one_of({"float64", "float32"});
   const Part models = info.at("models");
-  info.has_only({"protocol", "name", "version", "precision", "models"});
+  info.has_only({"protocol", "name", "version", "precision", "models", "dimensions"});
+  const auto dimensions = info.find("dimensions");
+  if (dimensions && protocol == latest_protocol) {
+    result.dimensions = dimensions_part(*dimensions);
+  } else if (dimensions) {
+    dimensions->refuse("left out: protocol 1 has the plane alone");
+  }
   std::set<std::string> seen;
   for (std::size_t index = 0; index < models.size(); ++index) {
     result.models.push_back(model_part(models[index]));
     if (!seen.insert(result.models.back().model.name).second) {
       models[index].at("name").refuse("another name than the models before it have");
+    }
+    if (result.models.back().model.in_space && result.dimensions == 2) {
+      models[index]
+          .at("in_space")
+          .refuse("left out, or the engine's protocol 2 and its dimensions [2, 3]");
     }
   }
   if (result.models.empty()) {
@@ -210,12 +308,12 @@ ChildInfo info_answer(std::string_view line, int id) {
   return result;
 }
 
-ChildStart start_answer(std::string_view line, int id) {
+ChildStart start_answer(std::string_view line, int id, StateForm form) {
   const Answer answer(line, id, "start");
   const Part start = answer.result();
   start.has_only({"state", "rounding"});
   ChildStart result;
-  result.state = state_part(start.at("state"));
+  result.state = state_part(start.at("state"), form);
   if (const auto rounding = start.find("rounding")) {
     rounding->has_only({"gap", "rate"});
     result.rounding = {rounding->at("gap").number(), rounding->at("rate").number()};
@@ -228,13 +326,14 @@ ChildStart start_answer(std::string_view line, int id) {
   return result;
 }
 
-ChildSteps step_answer(std::string_view line, int id, std::size_t cables, std::size_t count) {
+ChildSteps step_answer(std::string_view line, int id, std::size_t cables, std::size_t count,
+                       StateForm form) {
   const Answer answer(line, id, "step");
   const Part result = answer.result();
   result.has_only({"steps", "stopped"});
   const Part rows = result.at("steps");
   ChildSteps steps;
-  steps.width = state_width + cables;
+  steps.width = form.width() + cables;
   if (const auto stopped = result.find("stopped")) {
     stopped->has_only({"time", "reason"});
     steps.stopped = {stopped->at("time").number(),
@@ -248,25 +347,26 @@ ChildSteps step_answer(std::string_view line, int id, std::size_t cables, std::s
   steps.values.reserve(rows.size() * steps.width);
   for (std::size_t index = 0; index < rows.size(); ++index) {
     rows[index].append_numbers(steps.values, steps.width,
-                               "x, y, angle, vx, vy, spin, then the impulse of each cable");
-    const auto row = steps.values.end() - static_cast<std::ptrdiff_t>(steps.width);
-    const auto impulses = row + static_cast<std::ptrdiff_t>(state_width);
+                               words_of(form) + ", then the impulse of each cable");
+    const std::span<const double> row = std::span(steps.values).last(steps.width);
+    refuse_orientations(rows[index], row, form);
     // a body that is nowhere has left its cables too
-    const bool somewhere = std::all_of(row, impulses, [](double x) { return std::isfinite(x); });
-    for (std::size_t cable = 0; cable < cables && somewhere; ++cable) {
-      refuse_push(rows[index][state_width + cable], impulses[static_cast<std::ptrdiff_t>(cable)]);
+    const bool somewhere = are_finite(row.first(form.width()));
+    for (std::size_t cable = form.width(); cable < row.size() && somewhere; ++cable) {
+      refuse_push(rows[index][cable], row[cable]);
     }
   }
   return steps;
 }
 
-State state_answer(std::string_view line, int id, std::string_view method) {
+std::vector<double> state_answer(std::string_view line, int id, std::string_view method,
+                                 StateForm form) {
   const Answer answer(line, id, method);
   answer.result().has_only({"state"});
-  return state_part(answer.result().at("state"));
+  return state_part(answer.result().at("state"), form);
 }
 
-ChildSolve solve_answer(std::string_view line, int id, std::size_t cables) {
+ChildSolve solve_answer(std::string_view line, int id, std::size_t cables, StateForm form) {
   const Answer answer(line, id, "solve");
   answer.result().has_only({"impulses", "state"});
   std::vector<double> impulses;
@@ -276,7 +376,7 @@ ChildSolve solve_answer(std::string_view line, int id, std::size_t cables) {
     refuse_push(given[cable], impulses[cable]);
   }
   return {Eigen::Map<const Eigen::VectorXd>(impulses.data(), static_cast<Eigen::Index>(cables)),
-          state_part(answer.result().at("state"))};
+          state_part(answer.result().at("state"), form)};
 }
 
 }  // namespace tautline::bench

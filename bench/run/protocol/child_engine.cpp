@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -15,6 +14,7 @@
 #include "bench/run/protocol/children.hpp"
 #include "bench/run/protocol/messages.hpp"
 #include "bench/run/record.hpp"
+#include "tautline/clock.hpp"
 #include "tautline/event_driver.hpp"
 
 namespace tautline::bench {
@@ -39,31 +39,32 @@ void refuse_wrapped(const State& before, const State& after, double dt) {
 /// early has not cost many for nothing.
 constexpr std::size_t most_at_once = 100;
 
-bool same_bits(const State& one, const State& other) {
-  const auto numbers = [](const State& state) {
-    return std::array{state.position.x(), state.position.y(), state.angle,
-                      state.velocity.x(), state.velocity.y(), state.spin};
-  };
-  const auto ones = numbers(one);
-  const auto others = numbers(other);
-  return std::memcmp(ones.data(), others.data(), sizeof(ones)) == 0;
+/// An orientation has no turns to be lost.
+void refuse_wrapped(const SpatialSystemState&, const SpatialSystemState&, double) {}
+
+/// The state of these numbers at a time [s], which states of the plane do not keep.
+State state_of(const Case&, const double* row, double /*time*/) { return state_from(row); }
+SpatialSystemState state_of(const SpatialSystem& system, const double* row, double time) {
+  return state_from(row, system.bodies.size(), time);
 }
 
-class BySteps : public Simulation {
+template <class TheCase>
+class BySteps : public BasicSimulation<TheCase> {
  public:
-  BySteps(Children& children, const Case& the_case, const ChildModel& model,
+  BySteps(Children& children, const TheCase& the_case, const ChildModel& model,
           const RunSettings& settings)
       : child_(children),
         case_(the_case),
         model_(model),
         settings_(settings),
         usual_left_(step_count(the_case.duration, settings.step) - 1),
-        state_(child_->start(the_case, model, settings).state),
+        row_(child_->start(the_case, model, settings).state),
+        state_(state_of(the_case, row_.data(), 0.0)),
         impulses_(the_case.cables.size()) {}
 
-  [[nodiscard]] State state() const override { return state_; }
+  [[nodiscard]] StateOf<TheCase> state() const override { return state_; }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
-  [[nodiscard]] std::optional<Stop> stopped() const override { return stop_; }
+  [[nodiscard]] std::optional<StopOfRun> stopped() const override { return stop_; }
 
   void step(double dt) override {
     if (stop_) {
@@ -77,6 +78,7 @@ class BySteps : public Simulation {
       ask(dt, is_usual);
     }
     ++taken_;
+    clock_.advance(dt);
     if (next_ < ahead_.count()) {
       take(ahead_.values.data() + next_ * ahead_.width, dt);
       ++next_;
@@ -113,7 +115,7 @@ class BySteps : public Simulation {
       ahead_ = child_->step(settings_.step, std::min(left, most_at_once));
     }
     const double* const last = ahead_.values.data() + (ahead_.count() - 1) * ahead_.width;
-    if (taken_ > 0 && !same_bits(state_from(last), state_)) {
+    if (taken_ > 0 && std::memcmp(last, row_.data(), row_.size() * sizeof(double)) != 0) {
       throw ProtocolError("the engine does not reach the same state again by the same steps");
     }
     ahead_ = {};
@@ -121,13 +123,14 @@ class BySteps : public Simulation {
   }
 
   void take(const double* row, double dt) {
-    const State before = std::exchange(state_, state_from(row));
+    std::copy_n(row, row_.size(), row_.begin());
+    const auto before = std::exchange(state_, state_of(case_, row, clock_.now()));
     refuse_wrapped(before, state_, dt);
-    std::copy_n(row + state_width, impulses_.size(), impulses_.begin());
+    std::copy_n(row + row_.size(), impulses_.size(), impulses_.begin());
   }
 
   Children::Lease child_;
-  const Case case_;
+  const TheCase case_;
   const ChildModel model_;
   const RunSettings settings_;
   std::size_t usual_left_;  // steps of the usual length that may be asked for ahead
@@ -135,92 +138,120 @@ class BySteps : public Simulation {
   std::size_t at_once_ = 1;
   ChildSteps ahead_;
   std::size_t next_ = 0;  // of `ahead_`
-  State state_;
+  Clock clock_;
+  std::vector<double> row_;  // the numbers of the state
+  StateOf<TheCase> state_;
   std::vector<double> impulses_;
-  std::optional<Stop> stop_;
+  std::optional<StopOfRun> stop_;
 };
 
 /// The same where these impulses are all that the cables pull with.
-class ByStepsWithTension final : public BySteps, public TensionImpulses {
+template <class TheCase>
+class ByStepsWithTension final : public BySteps<TheCase>, public TensionImpulses {
  public:
-  using BySteps::BySteps;
-  [[nodiscard]] std::span<const double> tension_impulses() const override { return impulses(); }
+  using BySteps<TheCase>::BySteps;
+  [[nodiscard]] std::span<const double> tension_impulses() const override {
+    return this->impulses();
+  }
 };
 
 /// A run that the child steps. Steps of the usual length are asked for ahead, and none past the
 /// last of them: a message costs more than many steps.
-std::unique_ptr<Simulation> start_by_steps(Children& children, const Case& the_case,
-                                           const ChildModel& model, const RunSettings& settings) {
+template <class TheCase>
+std::unique_ptr<BasicSimulation<TheCase>> start_by_steps(Children& children,
+                                                         const TheCase& the_case,
+                                                         const ChildModel& model,
+                                                         const RunSettings& settings) {
   if (model.tells_tension) {
-    return std::make_unique<ByStepsWithTension>(children, the_case, model, settings);
+    return std::make_unique<ByStepsWithTension<TheCase>>(children, the_case, model, settings);
   }
-  return std::make_unique<BySteps>(children, the_case, model, settings);
+  return std::make_unique<BySteps<TheCase>>(children, the_case, model, settings);
 }
 
-bool same_place(const State& one, const State& other) {
-  // a NaN is nowhere, and -0 moves as 0 does
-  return one.position == other.position && one.angle == other.angle &&
-         one.velocity == other.velocity && one.spin == other.spin;
-}
+double time_of(const State& /*state*/) { return 0.0; }
+double time_of(const SpatialSystemState& state) { return state.time; }
 
-/// The body of a child. Each answer brings the state, so that to ask for it costs no message.
-class ChildBody final : public EventAdapter {
+/// The bodies of a child. Each answer brings the state, so that to ask for it costs no message.
+template <class TheCase>
+class ChildBodies final : public BasicEventAdapter<TheCase> {
  public:
-  ChildBody(Children& children, const Case& the_case, const ChildModel& model,
-            const std::string& precision, const RunSettings& settings)
-      : child_(children), rounding_(precision == "float32" ? float_rounding : double_rounding()) {
+  using State = StateOf<TheCase>;
+  using Rounding = typename BasicEventAdapter<TheCase>::Rounding;
+
+  ChildBodies(Children& children, const TheCase& the_case, const ChildModel& model,
+              const std::string& precision, const RunSettings& settings)
+      : child_(children),
+        case_(the_case),
+        rounding_(precision == "float32" ? this->float_rounding : double_rounding()) {
     const ChildStart start = child_->start(the_case, model, settings);
-    state_ = start.state;
-    rounding_ = start.rounding.value_or(rounding_);
+    take(start.state, 0.0);
+    if (start.rounding) {
+      rounding_ = {start.rounding->gap, start.rounding->rate};
+    }
   }
 
   [[nodiscard]] State state() const override { return state_; }
   [[nodiscard]] Rounding rounding() const override { return rounding_; }
 
   void place(const State& state) override {
-    if (!same_place(state, state_)) {  // else it is there
-      state_ = child_->place(state);
+    // a NaN is nowhere, and -0 moves as 0 does
+    if (numbers_of(state) != numbers_of(state_) || time_of(state) != time_of(state_)) {
+      take(child_->place(state), time_of(state));
     }
   }
 
   void fly(double dt) override {
-    const State before = std::exchange(state_, child_->fly(dt));
+    const State before = state_;
+    take(child_->fly(dt), time_of(before) + dt);
     refuse_wrapped(before, state_, dt);
   }
 
   [[nodiscard]] CableVector solve(CableSet cables, const CableVector& rates) override {
     ChildSolve solved = child_->solve(cables, rates);
-    state_ = solved.state;
+    take(solved.state, time_of(state_));
     return std::move(solved.impulses);
   }
 
  private:
-  [[nodiscard]] Rounding double_rounding() const { return EventAdapter::rounding(); }
+  void take(const std::vector<double>& numbers, double time) {
+    state_ = state_of(case_, numbers.data(), time);
+  }
+  [[nodiscard]] Rounding double_rounding() const { return BasicEventAdapter<TheCase>::rounding(); }
 
   Children::Lease child_;
+  const TheCase case_;
   Rounding rounding_;
   State state_;
 };
 
 /// A run in which the event driver finds every event, and the child flies and solves.
-std::unique_ptr<Simulation> start_by_events(Children& children, const Case& the_case,
-                                            const ChildModel& model, const std::string& precision,
-                                            const RunSettings& settings) {
+template <class TheCase>
+std::unique_ptr<BasicSimulation<TheCase>> start_by_events(Children& children,
+                                                          const TheCase& the_case,
+                                                          const ChildModel& model,
+                                                          const std::string& precision,
+                                                          const RunSettings& settings) {
   return drive_by_events(
-      the_case, std::make_unique<ChildBody>(children, the_case, model, precision, settings),
+      the_case,
+      std::make_unique<ChildBodies<TheCase>>(children, the_case, model, precision, settings),
       settings.law);
 }
 
 ModelEntry entry_of(const ChildModel& model, const std::string& precision,
                     const std::shared_ptr<Children>& children) {
-  const auto start = [=](const Case& the_case,
-                         const RunSettings& settings) -> std::unique_ptr<Simulation> {
+  const auto start = [=]<class TheCase>(
+                         const TheCase& the_case,
+                         const RunSettings& settings) -> std::unique_ptr<BasicSimulation<TheCase>> {
     return model.by_events ? start_by_events(*children, the_case, model, precision, settings)
                            : start_by_steps(*children, the_case, model, settings);
   };
-  return {.model = model.model,
-          .start = start,
-          .follows_speed = model.by_events || model.follows_speed};
+  ModelEntry result = {.model = model.model,
+                       .start = start,
+                       .follows_speed = model.by_events || model.follows_speed};
+  if (model.model.in_space) {
+    result.start_system = start;
+  }
+  return result;
 }
 
 }  // namespace
@@ -233,7 +264,7 @@ std::unique_ptr<ChildEngine> ChildEngine::open(const EngineFile& file, std::size
     throw ProtocolError(fmt::format("the engine says that its name is {}, {} says {}", info.name,
                                     printable(file.path.native(), 1024), file.name));
   }
-  EngineTable table{info.name, info.version, info.precision, {{}}};
+  EngineTable table{info.name, info.version, info.precision, {{}}, info.dimensions};
   for (const ChildModel& model : info.models) {
     table.families.front().push_back(entry_of(model, info.precision, children));
   }

@@ -22,35 +22,47 @@ auto Conversation::exchange(std::string_view method, const Request& request, con
 Conversation::Conversation(const KeptCommand& command)
     : child_(command), info_(exchange("info", info_request, info_answer)) {}
 
-ChildStart Conversation::start(const Case& the_case, const ChildModel& model,
+template <class TheCase>
+ChildStart Conversation::start(const TheCase& the_case, const ChildModel& model,
                                const RunSettings& settings) {
   cables_ = the_case.cables.size();
+  form_ = {};
+  if constexpr (TheCase::has_several_bodies) {
+    form_.bodies = the_case.bodies.size();
+  }
   return exchange(
-      "start", [&](int id) { return start_request(id, the_case, model, settings); }, start_answer);
+      "start", [&](int id) { return start_request(id, the_case, model, settings); },
+      [&](std::string_view line, int id) { return start_answer(line, id, form_); });
 }
+template ChildStart Conversation::start(const Case&, const ChildModel&, const RunSettings&);
+template ChildStart Conversation::start(const SpatialSystem&, const ChildModel&,
+                                        const RunSettings&);
 
 ChildSteps Conversation::step(double dt, std::size_t count) {
   return exchange(
       "step", [&](int id) { return step_request(id, dt, count); },
-      [&](std::string_view line, int id) { return step_answer(line, id, cables_, count); });
+      [&](std::string_view line, int id) { return step_answer(line, id, cables_, count, form_); });
 }
 
-State Conversation::fly(double dt) {
+std::vector<double> Conversation::fly(double dt) {
   return exchange(
       "fly", [&](int id) { return fly_request(id, dt); },
-      [](std::string_view line, int id) { return state_answer(line, id, "fly"); });
+      [&](std::string_view line, int id) { return state_answer(line, id, "fly", form_); });
 }
 
-State Conversation::place(const State& state) {
+template <class TheState>
+std::vector<double> Conversation::place(const TheState& state) {
   return exchange(
       "place", [&](int id) { return place_request(id, state); },
-      [](std::string_view line, int id) { return state_answer(line, id, "place"); });
+      [&](std::string_view line, int id) { return state_answer(line, id, "place", form_); });
 }
+template std::vector<double> Conversation::place(const State&);
+template std::vector<double> Conversation::place(const SpatialSystemState&);
 
 ChildSolve Conversation::solve(CableSet cables, const CableVector& rates) {
   return exchange(
       "solve", [&](int id) { return solve_request(id, cables, rates); },
-      [&](std::string_view line, int id) { return solve_answer(line, id, cables.size()); });
+      [&](std::string_view line, int id) { return solve_answer(line, id, cables.size(), form_); });
 }
 
 double Children::processor_time() const {

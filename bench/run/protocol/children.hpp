@@ -24,11 +24,13 @@ class Conversation {
   [[nodiscard]] bool sound() const { return sound_; }
 
   /// Begins a run, and ends the one before.
-  [[nodiscard]] ChildStart start(const Case& the_case, const ChildModel& model,
+  template <class TheCase>  // Case or SpatialSystem
+  [[nodiscard]] ChildStart start(const TheCase& the_case, const ChildModel& model,
                                  const RunSettings& settings);
   [[nodiscard]] ChildSteps step(double dt, std::size_t count);
-  [[nodiscard]] State fly(double dt);
-  [[nodiscard]] State place(const State& state);
+  [[nodiscard]] std::vector<double> fly(double dt);
+  template <class TheState>  // State or SpatialSystemState
+  [[nodiscard]] std::vector<double> place(const TheState& state);
   [[nodiscard]] ChildSolve solve(CableSet cables, const CableVector& rates);
 
  private:
@@ -41,6 +43,7 @@ class Conversation {
   int id_ = 0;  // of the latest request
   bool sound_ = true;
   std::size_t cables_ = 0;  // of the case that runs
+  StateForm form_;          // of its states
   ChildInfo info_;
 };
 

@@ -48,11 +48,19 @@ struct ChildInfo {
   std::string version;
   std::string precision;
   std::vector<ChildModel> models;
+  int dimensions = 2;  // of its world
+};
+
+/// The form of a state: how many numbers it has.
+struct StateForm {
+  std::size_t bodies = 0;  // of a system in space; 0: the body of a case in the plane
+
+  [[nodiscard]] std::size_t width() const;  // how many numbers
 };
 
 /// The answer to `start`.
 struct ChildStart {
-  State state;
+  std::vector<double> state;
   std::optional<EventAdapter::Rounding> rounding;  // none where it is that of its precision
 };
 
@@ -68,31 +76,46 @@ struct ChildSteps {
 /// The answer to `solve`.
 struct ChildSolve {
   CableVector impulses;
-  State state;
+  std::vector<double> state;
 };
 
-/// Numbers in a state.
+/// Numbers in a state of the plane.
 inline constexpr std::size_t state_width = 6;
+
+/// Numbers in the state of each body of a system.
+inline constexpr std::size_t body_width = 13;
 
 /// The state at the beginning of a row.
 [[nodiscard]] State state_from(const double* row);
+/// Likewise in space, at a time [s].
+[[nodiscard]] SpatialSystemState state_from(const double* row, std::size_t bodies, double time);
+
+/// The numbers of a state.
+[[nodiscard]] std::vector<double> numbers_of(const State& state);
+/// In space.
+[[nodiscard]] std::vector<double> numbers_of(const SpatialSystemState& state);
 
 // Requests, without the end of their line.
 [[nodiscard]] std::string info_request(int id);
 [[nodiscard]] std::string start_request(int id, const Case& the_case, const ChildModel& model,
                                         const RunSettings& settings);
+[[nodiscard]] std::string start_request(int id, const SpatialSystem& system,
+                                        const ChildModel& model, const RunSettings& settings);
 [[nodiscard]] std::string step_request(int id, double dt, std::size_t count);
 [[nodiscard]] std::string fly_request(int id, double dt);
 [[nodiscard]] std::string place_request(int id, const State& state);
+[[nodiscard]] std::string place_request(int id, const SpatialSystemState& state);
 [[nodiscard]] std::string solve_request(int id, CableSet cables, const CableVector& rates);
 
 // Answers to them. Each throws ProtocolError for a line that is no such answer, and EngineRefusal
-// with the engine's own sentence.
+// with the engine's own sentence. States have the form that the run has.
 [[nodiscard]] ChildInfo info_answer(std::string_view line, int id);
-[[nodiscard]] ChildStart start_answer(std::string_view line, int id);
+[[nodiscard]] ChildStart start_answer(std::string_view line, int id, StateForm form = {});
 [[nodiscard]] ChildSteps step_answer(std::string_view line, int id, std::size_t cables,
-                                     std::size_t count);
-[[nodiscard]] State state_answer(std::string_view line, int id, std::string_view method);
-[[nodiscard]] ChildSolve solve_answer(std::string_view line, int id, std::size_t cables);
+                                     std::size_t count, StateForm form = {});
+[[nodiscard]] std::vector<double> state_answer(std::string_view line, int id,
+                                               std::string_view method, StateForm form = {});
+[[nodiscard]] ChildSolve solve_answer(std::string_view line, int id, std::size_t cables,
+                                      StateForm form = {});
 
 }  // namespace tautline::bench

@@ -2,7 +2,7 @@
 // that the length makes, or as an equation of the solver's own.
 
 import { serve } from "../../protocol/javascript/engine.mjs";
-import { atOneSpeed, eventModel, limitModel, rowModels, setting, turnableInertia, unwrap } from "../common/models.mjs";
+import { atOneSpeed, eventModel, limitModel, rowModels, setting, turnableInertia, turnableMoments, unwrap } from "../common/models.mjs";
 import { installedVersion } from "../common/version.mjs";
 import { solverRow } from "./row_constraint.mjs";
 
@@ -14,6 +14,8 @@ const engine = {
   // a step turns the quaternion by its derivative: by twice an arctangent
   flight: { substeps: 1, spinFor: (spin, dt) => (Math.tan((spin * dt) / 2) * 2) / dt },
   world,
+  system,
+  inSpace: [setting("linearFactor, angularFactor", "as shipped", "Bodies of a system move in space.")],
 };
 
 /** Two coupled rows converge by a factor for each iteration; cannon's 10 leave an order of cables. */
@@ -65,6 +67,34 @@ function world({ gravity, body: { mass, inertia }, cables }, { rows, early, step
   return world;
 }
 
+function system({ bodies }) {
+  const w = new C.World();
+  return {
+    bodies: bodies.map(({ mass, inertia }) => {
+      const body = new C.Body({ mass, linearDamping: 0, angularDamping: 0, allowSleep: false });
+      const moments = turnableMoments({ mass, inertia }), { position, velocity, quaternion, angularVelocity } = body;
+      body.inertia.set(...moments);
+      body.invInertia.set(...moments.map((moment) => 1 / moment));
+      w.addBody(body);
+      body.updateSolveMassProperties();
+      return {
+        read: () => ({ position: position.toArray(), orientation: [quaternion.w, quaternion.x, quaternion.y, quaternion.z], velocity: velocity.toArray(), turning: angularVelocity.toArray() }),
+        place(at, [cosine, ...axis]) {
+          position.set(...at);
+          quaternion.set(...axis, cosine);
+          body.updateInertiaWorld(true);
+        },
+        setVelocity(v, turning) {
+          velocity.set(...v);
+          angularVelocity.set(...turning);
+        },
+      };
+    }),
+    setGravity: (gravity) => w.gravity.set(...gravity),
+    step: (dt) => w.step(dt),
+  };
+}
+
 const settings = [
   setting("linearDamping, angularDamping", 0, "As shipped a body loses a hundredth of its speed in a second."),
   setting("linearFactor, angularFactor", "x, y and about z", "The cases are planar."),
@@ -79,6 +109,7 @@ serve({
   name: "cannon",
   version: installedVersion(import.meta.url, "cannon-es"),
   precision: engine.precision,
+  dimensions: [2, 3],
   models: [
     atOneSpeed(inSolver("contact", "A contact of cannon's between the body and the circle of the cable's length, in the steps that start overstretched; its restitution counts the velocity of the body's centre alone.", contact, { rows: "contact" }), "a contact of cannon-es has one restitution"),
     ...rowModels(engine, settings),

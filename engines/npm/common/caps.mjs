@@ -5,9 +5,8 @@ import { Unsupported } from "../../protocol/javascript/engine.mjs";
 /** The largest speed [m/s] in a step. */
 export const fastest = ([, , , vx, vy], [gx, gy], dt) => Math.hypot(vx, vy) + dt * Math.hypot(gx, gy);
 
-/** Throws a sentence where a step of `dt` [s] from `state` would meet a cap of the engine's. */
-export function checkCaps({ title, flight }, { gravity }, state, dt) {
-  const speed = fastest(state, gravity, dt), spin = Math.abs(state[5]);
+/** Throws a sentence where a step of `dt` [s] at these speeds [m/s], [rad/s] would meet a cap of the engine's. */
+export function checkMotion({ title, flight }, speed, spin, dt) {
   const refuse = (cap, found) => {
     throw new Unsupported(`${title} cuts a body's motion to ${cap}; here it is ${found.toPrecision(4)}`);
   };
@@ -17,7 +16,7 @@ export function checkCaps({ title, flight }, { gravity }, state, dt) {
 }
 
 /** Throws a sentence where a number of the case does not fit into the engine's. */
-export function checkNumbers({ title, precision }, { gravity, body, cables, initial }) {
+export function checkNumbers({ title, precision }, { gravity, body, bodies, cables, initial }) {
   if (precision !== "float32") return;
   const check = (value) => {
     const rounded = Math.fround(value);
@@ -25,9 +24,9 @@ export function checkNumbers({ title, precision }, { gravity, body, cables, init
       throw new Unsupported(`${title}'s single precision cannot hold ${value}`);
     }
   };
-  const numbers = (value) => (typeof value === "object" ? Object.values(value).forEach(numbers) : check(value));
-  numbers([gravity, body, cables, initial]);
+  const numbers = (value) => {
+    if (typeof value === "object") Object.values(value).forEach(numbers);
+    else if (typeof value === "number") check(value);
+  };
+  numbers([gravity, body ?? bodies, cables, initial]);
 }
-
-/** The case's initial state. */
-export const initialState = ({ initial: { position, angle, velocity, spin } }) => [...position, angle, ...velocity, spin];

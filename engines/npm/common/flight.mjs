@@ -5,6 +5,7 @@
 //   exactTurn          [rad] in a step, beyond which the engine's turn is not exact in its numbers
 //   speed              [m/s], to which the engine cuts a velocity without a word
 //   turn, move         [rad], [m] in a step, to which it does
+//   inSpace            what of these is otherwise in space
 //
 // of which all but the first may be absent.
 
@@ -25,20 +26,25 @@ export function kick(world, [, , , vx, vy, itsSpin], [gx, gy], dt, spin = itsSpi
   world.setVelocity(vx + dt * gx, vy + dt * gy, spin);
 }
 
+/** In how many parts a flight of `dt` [s] at these speeds [m/s], [rad/s] meets no cap, and turns as exactly as the engine can. */
+export function partsOf({ spinFor, move = Infinity, turn: cap = Infinity, exactTurn = Infinity }, speed, spin, dt) {
+  const turn = Math.min(cap, exactTurn, spinFor ? clearTurn : Infinity);
+  const turned = (h) => Math.max(spin, spinFor ? Math.abs(spinFor(spin, h)) : 0) * h;
+  const needed = (h) => Math.max(turned(h) / turn, (speed * h) / move);
+  let parts = 1;
+  while (!(needed(dt / parts) <= partOfCap)) {
+    if ((parts *= 2) > mostParts) throw new Unsupported(`the body is too fast for a flight of ${dt} s`);
+  }
+  return parts;
+}
+
 /**
  * Flies the parabola for `dt` [s] from `start`, where the body is. Over a step of h the engine's own velocity changes
  * n times by g h / n, and moves the body each time: less by g h / (2 n) before, and more by the same after, is exact.
  */
 export function fly(engine, world, { gravity }, start, dt) {
-  const { substeps, spinFor = (spin) => spin, move = Infinity } = engine.flight, spin = start[5];
-  const { turn: cap = Infinity, exactTurn = Infinity } = engine.flight;
-  const turn = Math.min(cap, exactTurn, engine.flight.spinFor ? clearTurn : Infinity);
-  const turned = (h) => Math.max(Math.abs(spin), Math.abs(spinFor(spin, h))) * h;
-  const needed = (h) => Math.max(turned(h) / turn, (fastest(start, gravity, dt) * h) / move);
-  let parts = 1;
-  while (!(needed(dt / parts) <= partOfCap)) {
-    if ((parts *= 2) > mostParts) throw new Unsupported(`the body is too fast for a flight of ${dt} s`);
-  }
+  const { substeps, spinFor = (spin) => spin } = engine.flight, spin = start[5];
+  const parts = partsOf(engine.flight, fastest(start, gravity, dt), Math.abs(spin), dt);
   const h = dt / parts, half = (0.5 * h) / substeps;
   for (let part = 0, now = start; part < parts; ++part) {
     if (part > 0) now = world.state();

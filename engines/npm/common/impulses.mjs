@@ -9,6 +9,9 @@ const mostCables = 8;
 /** A pivot below this part of its diagonal is a cable that the others make superfluous [-]. */
 const leastPivot = 1e-10;
 
+/** A search for the pulling ones of n cables ends after so many n passes [-]: rounding may let it go round in a circle. */
+const mostPasses = 10;
+
 /** A rate is met, and an impulse not negative, up to this part of the largest number asked for [-]. */
 const rounding = 1e-12;
 
@@ -51,9 +54,9 @@ const subsets = Array.from({ length: mostCables + 1 }, (_, count) => {
  * are > 0: the complementarity problem 0 <= a <= W a >= rise. With more than three cables several sets of impulses may
  * give the same motion; this is the first with the fewest cables. Where no impulses will do, the nearest miss.
  */
-export function impulsesFor(rows, body, rise) {
+export function impulsesFor(rows, rise, respond) {
   const scale = rounding * Math.max(...rise.map(Math.abs));
-  const w = rows.map((a) => rows.map((b) => response(a, b, body)));
+  const w = rows.map((a) => rows.map((b) => respond(a, b)));
   let best = [], chosen = [], smallestMiss = Infinity;
   for (const set of subsets[rows.length]) {
     const pulls = solved(set.map((i) => set.map((j) => w[i][j])), set.map((i) => rise[i]));
@@ -69,9 +72,33 @@ export function impulsesFor(rows, body, rise) {
 }
 
 /**
- * The impulses >= 0 [N s] along `rows` that explain the `jump` of velocity [vx, vy, spin] best, by least squares in the
- * kinetic energy: the same problem, as its solution opens each gap at least as fast as the jump does.
+ * The same for any number of independent cables: the rows that pull are found one by one, that of the largest miss first, and let go
+ * where they would push (Lawson and Hanson 1974, chapter 23). A cable that the others make superfluous takes no part.
  */
-export function impulsesBehind(rows, body, [x, y, turn]) {
-  return impulsesFor(rows, body, rows.map(({ nx, ny, moment }) => nx * x + ny * y + moment * turn));
+export function impulsesOfMany(rows, rise, respond) {
+  const w = rows.map((a) => rows.map((b) => respond(a, b))), scale = rounding * Math.max(...rise.map(Math.abs));
+  const solve = (set) => solved(set.map((i) => set.map((j) => w[i][j])), set.map((i) => rise[i]));
+  const pulls = rows.map(() => 0), useless = new Set();
+  let pulling = [];
+  for (let pass = 0; pass < mostPasses * rows.length; ++pass) {
+    const miss = rise.map((wanted, i) => wanted - pulls.reduce((sum, pull, j) => sum + w[i][j] * pull, 0));
+    const next = [...rows.keys()].filter((i) => !pulling.includes(i) && !useless.has(i) && w[i][i] > 0 && miss[i] > scale)
+      .reduce((best, i) => (best === undefined || miss[i] > miss[best] ? i : best), undefined);
+    if (next === undefined) break;
+    pulling.push(next);
+    for (let found = solve(pulling); ; found = solve(pulling)) {
+      if (!found || !(found.at(-1) > 0 || pulling.at(-1) !== next)) { // it depends on the others
+        useless.add(next);
+        pulling = pulling.filter((i) => i !== next);
+        break;
+      }
+      // as far towards what is found as no cable pushes
+      const part = pulling.reduce((least, i, k) => (found[k] <= 0 ? Math.min(least, pulls[i] / (pulls[i] - found[k])) : least), 1);
+      pulling.forEach((i, k) => (pulls[i] = found[k] <= 0 && pulls[i] / (pulls[i] - found[k]) <= part ? 0 : pulls[i] + part * (found[k] - pulls[i])));
+      if (part === 1) break;
+      pulling = pulling.filter((i) => pulls[i] > 0);
+      useless.clear();
+    }
+  }
+  return pulls;
 }

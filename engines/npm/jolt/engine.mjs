@@ -1,13 +1,25 @@
-// Jolt, held in the plane, in single precision. Its distance constraint acts once a step ends beyond the length, and has
+// Jolt, held in the plane or free in space, in single precision. Its distance constraint acts once a step ends beyond the length, and has
 // no restitution.
 
-import { serve } from "../../protocol/javascript/engine.mjs";
-import { bounceModel, eventModel, limitModel, rowModels, setting, tunable, turnableInertia, unwrap } from "../common/models.mjs";
+import { serve, Unsupported } from "../../protocol/javascript/engine.mjs";
+import { bounceModel, eventModel, limitModel, rowModels, setting, tunable, turnableInertia, turnableMoments, unwrap } from "../common/models.mjs";
+import { actsAt, checkStraight, endAt, lengthAt, pairsOf } from "../common/space.mjs";
 import { installedVersion } from "../common/version.mjs";
 
 const J = await (await import("jolt-physics/wasm-compat")).default();
 
-const engine = { title: "Jolt", precision: "float32", flight: { substeps: 1 }, world };
+const engine = {
+  title: "Jolt",
+  precision: "float32",
+  flight: { substeps: 1 },
+  world,
+  system,
+  gyroscopicTerm: true,
+  inSpace: [
+    setting("mAllowedDOFs", "All", "Bodies of a system move in space."),
+    setting("mApplyGyroscopicForce", true, "As shipped Jolt leaves the gyroscopic term out: a box keeps its spin and does not turn over."),
+  ],
+};
 
 /** As shipped, of velocity and spin [1/s]. */
 const shippedDamping = 0.05;
@@ -35,13 +47,18 @@ function createJolt() {
   });
 }
 
-function createBody(bodies, { mass, inertia }, defaults) {
+function createBody(bodies, { mass, inertia }, defaults, inSpace = false) {
   const at = new J.RVec3(0, 0, 0), turned = new J.Quat(0, 0, 0, 1);
   const settings = new J.BodyCreationSettings(new J.SphereShape(0.1), at, turned, J.EMotionType_Dynamic, 0);
   settings.mOverrideMassProperties = J.EOverrideMassProperties_MassAndInertiaProvided;
   settings.mMassPropertiesOverride.mMass = mass;
-  settings.mMassPropertiesOverride.mInertia = J.Mat44.prototype.sScale(turnableInertia({ mass, inertia }));
-  settings.mAllowedDOFs = J.EAllowedDOFs_Plane2D;
+  if (inSpace) {
+    lent(new J.Vec3(...turnableMoments({ mass, inertia })), (moments) => (settings.mMassPropertiesOverride.mInertia = J.Mat44.prototype.sScaleVec3(moments)));
+    settings.mApplyGyroscopicForce = !defaults;
+  } else {
+    settings.mMassPropertiesOverride.mInertia = J.Mat44.prototype.sScale(turnableInertia({ mass, inertia }));
+    settings.mAllowedDOFs = J.EAllowedDOFs_Plane2D;
+  }
   if (!defaults) {
     settings.mLinearDamping = settings.mAngularDamping = 0;
     settings.mAllowSleeping = false;
@@ -53,16 +70,18 @@ function createBody(bodies, { mass, inertia }, defaults) {
   return body;
 }
 
-function createLimit(system, body, { anchor, attachment, length }, { frequency, damping }) {
-  lent(new J.DistanceConstraintSettings(), (settings) => {
+function createLimit(system, bodies, points, length, { frequency, damping }) {
+  return lent(new J.DistanceConstraintSettings(), (settings) => {
     settings.mSpace = J.EConstraintSpace_LocalToBodyCOM;
-    lent(new J.RVec3(...anchor, 0), (point) => (settings.mPoint1 = point));
-    lent(new J.RVec3(...attachment, 0), (point) => (settings.mPoint2 = point));
+    lent(new J.RVec3(...points[0]), (point) => (settings.mPoint1 = point));
+    lent(new J.RVec3(...points[1]), (point) => (settings.mPoint2 = point));
     settings.mMinDistance = 0;
     settings.mMaxDistance = length;
     if (frequency !== undefined) settings.mLimitsSpringSettings.mFrequency = frequency;
     if (damping !== undefined) settings.mLimitsSpringSettings.mDamping = damping;
-    system.AddConstraint(settings.Create(J.Body.prototype.sFixedToWorld, body));
+    const limit = settings.Create(...bodies);
+    system.AddConstraint(limit);
+    return J.castObject(limit, J.DistanceConstraint);
   });
 }
 
@@ -71,7 +90,7 @@ function world({ gravity, body: mass, cables }, { limit, defaults, parameters = 
   lent(new J.Vec3(...gravity, 0), (g) => system.SetGravity(g));
   const body = createBody(bodies, mass, defaults), id = body.GetID();
   // GetTotalLambdaPosition is not always what has acted: the impulses are read from the velocities
-  if (limit) cables.forEach((cable) => createLimit(system, body, cable, parameters));
+  if (limit) cables.forEach(({ anchor, attachment, length }) => createLimit(system, [J.Body.prototype.sFixedToWorld, body], [[...anchor, 0], [...attachment, 0]], length, parameters));
   const v = new J.Vec3(0, 0, 0), w = new J.Vec3(0, 0, 0), r = new J.RVec3(0, 0, 0), q = new J.Quat(0, 0, 0, 1);
   let angle = 0;
   return {
@@ -111,6 +130,63 @@ function world({ gravity, body: mass, cables }, { limit, defaults, parameters = 
   };
 }
 
+/** A body that goes where it is told. */
+function createHook(bodies, at) {
+  const place = new J.RVec3(...at), turned = new J.Quat(0, 0, 0, 1);
+  const body = lent(new J.BodyCreationSettings(new J.SphereShape(0.1), place, turned, J.EMotionType_Kinematic, 0), (settings) => bodies.CreateBody(settings));
+  for (const object of [place, turned]) J.destroy(object);
+  bodies.AddBody(body.GetID(), J.EActivation_Activate);
+  return body;
+}
+
+function system(theSystem, { limit, defaults, parameters = {} }) {
+  if (limit) checkStraight(theSystem, "Jolt's distance constraint", Unsupported);
+  const jolt = createJolt(), physics = jolt.GetPhysicsSystem(), bodies = physics.GetBodyInterface();
+  const moving = theSystem.bodies.map((body) => createBody(bodies, body, defaults, true));
+  const ends = limit ? pairsOf(theSystem, moving, J.Body.prototype.sFixedToWorld, (at) => createHook(bodies, at)) : [];
+  const limits = ends.map(({ cable, ends: pair }) => createLimit(physics, pair.map(({ body }) => body), pair.map(({ at }) => at), lengthAt(cable, 0), parameters));
+  const v = new J.Vec3(0, 0, 0), w = new J.Vec3(0, 0, 0), r = new J.RVec3(0, 0, 0), q = new J.Quat(0, 0, 0, 1), level = new J.Quat(0, 0, 0, 1);
+  const numbers = (vector) => [vector.GetX(), vector.GetY(), vector.GetZ()]; // of a temporary that all getters share
+  return {
+    bodies: moving.map((body) => ({
+      read() {
+        const turned = body.GetRotation(), orientation = [turned.GetW(), ...numbers(turned)];
+        return { position: numbers(body.GetPosition()), orientation, velocity: numbers(body.GetLinearVelocity()), turning: numbers(body.GetAngularVelocity()) };
+      },
+      place(position, [cosine, ...axis]) {
+        r.Set(...position);
+        q.Set(...axis, cosine);
+        bodies.SetPositionAndRotation(body.GetID(), r, q, J.EActivation_Activate);
+      },
+      setVelocity(velocity, turning) {
+        v.Set(...velocity);
+        w.Set(...turning);
+        body.SetLinearVelocity(v);
+        body.SetAngularVelocity(w);
+      },
+    })),
+    setGravity(gravity) {
+      v.Set(...gravity);
+      physics.SetGravity(v);
+    },
+    prepare(time, dt) {
+      ends.forEach(({ cable, ends: pair }, i) => {
+        limits[i].SetEnabled(actsAt(cable, time));
+        limits[i].SetDistance(0, lengthAt(cable, time + dt));
+        for (const { end, hook } of pair) {
+          if (!hook) continue;
+          r.Set(...endAt(end, time + dt));
+          bodies.MoveKinematic(hook.GetID(), r, level, dt);
+        }
+      });
+    },
+    step: (dt) => jolt.Step(dt, 1),
+    free() {
+      for (const object of [v, w, r, q, level, jolt]) J.destroy(object);
+    },
+  };
+}
+
 const shipped = [setting("mAllowedDOFs", "Plane2D", "The cases are planar.")];
 const settings = [
   ...shipped,
@@ -120,16 +196,20 @@ const settings = [
 ];
 const range = setting("mMinDistance, mMaxDistance", "0, the cable's length", "As shipped the constraint is a rod.");
 
+const ends = [setting("MoveKinematic, SetDistance, SetEnabled", "where ends that move go, how long cables are, and which act, at the end of a step", "Jolt knows no function of time.")];
+const asShipped = [setting("mApplyGyroscopicForce", false, "As shipped: the box keeps its spin.", "engine_default")];
+
 serve({
   name: "jolt",
   version: installedVersion(import.meta.url, "jolt-physics"),
   precision: engine.precision,
+  dimensions: [2, 3],
   models: [
-    tunable(limitModel(engine, "distance", "The largest distance of Jolt's DistanceConstraint, which has no restitution: what one tries first.", [...settings, range]),
+    tunable(limitModel(engine, "distance", "The largest distance of Jolt's DistanceConstraint, which has no restitution: what one tries first.", [...settings, range], { inSpace: ends }),
       "settings.mLimitsSpringSettings.mFrequency = {frequency}; settings.mLimitsSpringSettings.mDamping = {damping};",
       [{ name: "damping", low: 0, high: 1 }, { name: "frequency", low: 0.0033, high: 0.05, scale: "log", step_power: -1 }]),
-    limitModel(engine, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true, left: (dt) => [1 - shippedDamping * dt, 1 - shippedDamping * dt] }),
-    bounceModel(engine, "distance-bounce", "The same constraint, undamped, and after a step in which it pulled an impulse that gives the cable's restitution.", [...settings, range]),
+    limitModel(engine, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true, left: (dt) => [1 - shippedDamping * dt, 1 - shippedDamping * dt], inSpace: [...asShipped, ...ends] }),
+    bounceModel(engine, "distance-bounce", "The same constraint, undamped, and after a step in which it pulled an impulse that gives the cable's restitution.", [...settings, range], { inSpace: ends }),
     ...rowModels(engine, settings),
     eventModel(engine, settings),
   ],

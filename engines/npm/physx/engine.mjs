@@ -1,9 +1,10 @@
-// PhysX 5, in single precision. Its joints need no plane: nothing pushes the body out of it. The limit of PxD6Joint has a
+// PhysX 5, in single precision. Its joints need no plane: nothing pushes a body out of one. The limit of PxD6Joint has a
 // restitution, which a speculative step brakes away; where the limit is there only once the cable is overstretched, it has it.
 
-import { serve } from "../../protocol/javascript/engine.mjs";
+import { serve, Unsupported } from "../../protocol/javascript/engine.mjs";
 import { cableRow } from "../../protocol/javascript/cable.mjs";
-import { atOneSpeed, bounceModel, eventModel, limitModel, rowModels, setting, turnableInertia, unwrap } from "../common/models.mjs";
+import { atOneSpeed, bounceModel, eventModel, limitModel, rowModels, setting, turnableInertia, turnableMoments, unwrap } from "../common/models.mjs";
+import { actsAt, checkStraight, endAt, lengthAt, pairsOf } from "../common/space.mjs";
 import { jointMaker } from "./joints.mjs";
 import { loadPhysx } from "./load.mjs";
 
@@ -14,7 +15,15 @@ const scale = new P.PxTolerancesScale(), physics = top.CreatePhysics(P.PHYSICS_V
 top.InitExtensions(physics);
 const dispatcher = top.DefaultCpuDispatcherCreate(0); // no threads
 
-const engine = { title: "PhysX", precision: "float32", flight: { substeps: 1 }, world };
+const engine = {
+  title: "PhysX",
+  precision: "float32",
+  flight: { substeps: 1 },
+  world,
+  system,
+  gyroscopicTerm: true,
+  inSpace: [setting("eENABLE_GYROSCOPIC_FORCES", true, "As shipped PhysX leaves the gyroscopic term out: a box keeps its spin and does not turn over.")],
+};
 
 /** Instead of 100 rad/s, to which PhysX cuts a spin. */
 const largestSpin = 1e6;
@@ -31,7 +40,8 @@ function createScene([gx, gy]) {
 }
 
 function createBody({ mass, inertia }, defaults) {
-  const pose = new P.PxTransform(identity), same = turnableInertia({ mass, inertia }), tensor = new P.PxVec3(same, same, same);
+  const same = turnableInertia({ mass, inertia }), moments = Array.isArray(inertia) ? turnableMoments({ mass, inertia }) : [same, same, same];
+  const pose = new P.PxTransform(identity), tensor = new P.PxVec3(...moments);
   const body = physics.createRigidDynamic(pose);
   body.setMass(mass);
   body.setMassSpaceInertiaTensor(tensor);
@@ -104,6 +114,81 @@ function world({ gravity, body: mass, cables }, { limit, tolerance, defaults }) 
   };
 }
 
+function system(theSystem, { limit, tolerance, defaults }) {
+  if (limit) checkStraight(theSystem, "PhysX's distance joint", Unsupported);
+  const scene = createScene([0, 0]), make = jointMaker(P, physics), hooks = [];
+  const moving = theSystem.bodies.map((properties) => {
+    const body = createBody(properties, defaults);
+    body.setRigidBodyFlag(P.PxRigidBodyFlagEnum.eENABLE_GYROSCOPIC_FORCES, !defaults);
+    scene.addActor(body);
+    return body;
+  });
+  const v = new P.PxVec3(0, 0, 0), w = new P.PxVec3(0, 0, 0), t = new P.PxTransform(identity), q = new P.PxQuat(0, 0, 0, 1);
+  const set = (vector, [x, y, z]) => ([vector.x, vector.y, vector.z] = [x, y, z]);
+  const numbers = ({ x, y, z }) => [x, y, z]; // of a temporary that all getters share
+  const poseAt = (position) => {
+    set(v, position);
+    t.p = v;
+    return t;
+  };
+  const createHook = (at) => {
+    const body = physics.createRigidDynamic(poseAt(at));
+    body.setRigidBodyFlag(P.PxRigidBodyFlagEnum.eKINEMATIC, true);
+    scene.addActor(body);
+    hooks.push(body);
+    return body;
+  };
+  const ends = limit ? pairsOf(theSystem, moving, null, createHook) : [];
+  const joints = ends.map(({ cable, ends: [first, second] }) => make.distance(second.body, { other: first.body, anchor: first.at, attachment: second.at, length: lengthAt(cable, 0) }, tolerance));
+  return {
+    bodies: moving.map((body) => ({
+      read() {
+        const { p, q: turned } = body.getGlobalPose(), position = numbers(p), orientation = [turned.w, ...numbers(turned)];
+        return { position, orientation, velocity: numbers(body.getLinearVelocity()), turning: numbers(body.getAngularVelocity()) };
+      },
+      place(position, [cosine, ...axis]) {
+        set(q, axis);
+        q.w = cosine;
+        t.q = q;
+        body.setGlobalPose(poseAt(position));
+      },
+      setVelocity(velocity, turning) {
+        set(v, velocity);
+        set(w, turning);
+        body.setLinearVelocity(v);
+        body.setAngularVelocity(w);
+      },
+    })),
+    setGravity(gravity) {
+      set(v, gravity);
+      scene.setGravity(v);
+    },
+    prepare(time, dt) {
+      set(q, [0, 0, 0]);
+      q.w = 1;
+      t.q = q;
+      ends.forEach(({ cable, ends: pair }, i) => {
+        joints[i].setDistanceJointFlag(P.PxDistanceJointFlagEnum.eMAX_DISTANCE_ENABLED, actsAt(cable, time));
+        joints[i].setMaxDistance(lengthAt(cable, time + dt));
+        for (const { end, hook } of pair) hook?.setKinematicTarget(poseAt(endAt(end, time + dt)));
+      });
+    },
+    step(dt) {
+      scene.simulate(dt);
+      scene.fetchResults(true);
+    },
+    pulls: joints.length > 0 ? (dt) => joints.map((joint, i) => {
+      joint.getConstraint().getForce(v, w);
+      return Math.hypot(v.x, v.y, v.z) * dt;
+    }) : undefined,
+    free() {
+      for (const one of [...joints, ...moving, ...hooks, scene]) one.release();
+      make.free();
+      for (const object of [v, w, t, q]) P.destroy(object);
+    },
+  };
+}
+
 /** The limit is there in the steps that start overstretched: the speculative one that brakes the body is left out. */
 const toggle = (world, state, cables) => cables.forEach((cable, i) => world.limit(i, cableRow(cable, state).gap <= 0));
 
@@ -119,14 +204,18 @@ const d6 = [...settings,
   setting("PxJointLinearLimit.restitution", "the cable's", "As shipped it is 0."),
   setting("PxJointLinearLimit.bounceThreshold", 0, "As shipped slow impacts do not bounce.")];
 
+const ends = [setting("setKinematicTarget, setMaxDistance", "where ends that move go, and how long cables are, at the end of a step", "PhysX knows no function of time.")];
+const asShipped = [setting("eENABLE_GYROSCOPIC_FORCES", false, "As shipped: the box keeps its spin.", "engine_default")];
+
 serve({
   name: "physx",
   version: [24, 16, 8].map((bits) => (P.PHYSICS_VERSION >> bits) & 255).join("."),
   precision: engine.precision,
+  dimensions: [2, 3],
   models: [
-    limitModel(engine, "distance-defaults", "The largest distance of PxDistanceJoint with its tolerance and the damping of PhysX as shipped: what one tries first.", [distance], { limit: "distance", defaults: true }),
-    limitModel(engine, "distance", "The same joint without tolerance and damping; it has no restitution.", exact, { limit: "distance", tolerance: 0 }),
-    bounceModel(engine, "distance-bounce", "The same joint, and after a step in which it pulled an impulse that gives the cable's restitution.", exact, { limit: "distance", tolerance: 0 }),
+    limitModel(engine, "distance-defaults", "The largest distance of PxDistanceJoint with its tolerance and the damping of PhysX as shipped: what one tries first.", [distance], { limit: "distance", defaults: true, inSpace: [...asShipped, ...ends] }),
+    limitModel(engine, "distance", "The same joint without tolerance and damping; it has no restitution.", exact, { limit: "distance", tolerance: 0, inSpace: ends }),
+    bounceModel(engine, "distance-bounce", "The same joint, and after a step in which it pulled an impulse that gives the cable's restitution.", exact, { limit: "distance", tolerance: 0, inSpace: ends }),
     atOneSpeed(limitModel(engine, "d6", "The distance limit of PxD6Joint with its restitution.", d6, { limit: "d6" }), "a limit of PhysX has one restitution"),
     atOneSpeed(limitModel(engine, "d6-toggled", "The same limit and restitution, switched on only in the steps that start overstretched.", d6, { limit: "d6", prepare: toggle }, "by_hand"), "a limit of PhysX has one restitution"),
     ...rowModels(engine, settings),

@@ -3,8 +3,8 @@
 /** Makes joints of `P`, the library; frees what it has handed over with `free`. */
 export function jointMaker(P, physics) {
   const top = P.PxTopLevelFunctions.prototype, { PxD6AxisEnum: axis, PxD6MotionEnum: motion } = P, kept = [];
-  const frame = ([x, y]) => {
-    const result = new P.PxTransform(P.PxIDENTITYEnum.PxIdentity), point = new P.PxVec3(x, y, 0);
+  const frame = ([x, y, z = 0]) => {
+    const result = new P.PxTransform(P.PxIDENTITYEnum.PxIdentity), point = new P.PxVec3(x, y, z);
     result.p = point;
     P.destroy(point);
     kept.push(result);
@@ -13,8 +13,8 @@ export function jointMaker(P, physics) {
   const linear = ["eX", "eY", "eZ"], angular = ["eTWIST", "eSWING1", "eSWING2"];
   return {
     /** PxDistanceJoint; `tolerance` [m] as shipped where it is not given. */
-    distance(body, { anchor, attachment, length }, tolerance) {
-      const joint = top.DistanceJointCreate(physics, null, frame(anchor), body, frame(attachment));
+    distance(body, { anchor, attachment, length, other = null }, tolerance) {
+      const joint = top.DistanceJointCreate(physics, other, frame(anchor), body, frame(attachment));
       joint.setMaxDistance(length);
       if (tolerance !== undefined) joint.setTolerance(tolerance);
       joint.setDistanceJointFlag(P.PxDistanceJointFlagEnum.eMAX_DISTANCE_ENABLED, true);

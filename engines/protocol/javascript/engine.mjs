@@ -51,15 +51,16 @@ function spelled(value) {
 }
 
 /**
- * Serves `engine`: {name, version, precision, models}. A model is what `info` says of it, and
- * start(case, {step, law, parameters}), which returns a run: state(); step(dt), which returns the impulse of each
- * cable; or for a model driven by events fly(dt), place(state), solve(cables, rates), which returns impulses, and
- * `rounding`. A run may have `stopped`, {time, reason}, and free(), called once it is done.
+ * Serves `engine`: {name, version, precision, models}, and `dimensions` where it runs systems in space. A model is what
+ * `info` says of it, and start(case, {step, law, parameters}), which returns a run: state(); step(dt), which returns
+ * the impulse of each cable; or for a model driven by events fly(dt), place(state), in space place(state, time),
+ * solve(cables, rates), which returns impulses, and `rounding`. A run may have `stopped`, {time, reason}, and free(),
+ * called once it is done.
  */
 export function serve({ models, ...engine }) {
   let run;
   const methods = {
-    info: () => ({ protocol: 1, ...engine, models: models.map(({ start, ...told }) => told) }),
+    info: () => ({ protocol: 2, ...engine, models: models.map(({ start, ...told }) => told) }),
     start({ case: the_case, model, step, law, parameters = {} }) {
       run?.free?.();
       run = undefined;
@@ -77,7 +78,7 @@ export function serve({ models, ...engine }) {
       return { steps, stopped: run.stopped };
     },
     fly: ({ dt }) => (run.fly(dt), { state: run.state() }),
-    place: ({ state }) => (run.place(state), { state: run.state() }),
+    place: ({ state, time }) => (run.place(state, time), { state: run.state() }),
     solve: ({ cables, rates }) => ({ impulses: run.solve(cables, rates), state: run.state() }),
   };
   for (const line of lines()) {

@@ -59,7 +59,7 @@ def _written(answer):
 
 def _answer(engine, models, runs, method, params):
     if method == "info":
-        return {"protocol": 1, **engine, "models": [model.info for model in models]}
+        return {"protocol": 2, **engine, "models": [model.info for model in models]}
     if method == "start":
         runs.clear()
         model = {model.info["name"]: model for model in models}[params["model"]]

@@ -50,7 +50,7 @@ const std::vector<BadChild>& every_child() {
       {"lacks-a-module", "",
        "exit code 1 before it answered info; it printed: Error: Cannot find module 'rope'"},
       {"wrong-name", "", "the engine says that its name is other"},
-      {"wrong-protocol", "", "protocol is 2, must be 1"}};
+      {"wrong-protocol", "", "protocol is 3, must be 1 or 2, the protocols of this program"}};
   return ways;
 }
 

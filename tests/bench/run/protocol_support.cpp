@@ -35,6 +35,11 @@ std::string bad_child(const TemporaryFolder& folder, const std::string& way) {
                  engine_toml(way, {"python3", (children_folder / "bad.py").string(), way}));
 }
 
+std::string space_child(const TemporaryFolder& folder, const std::string& way) {
+  return written(folder, way,
+                 engine_toml(way, {"python3", (children_folder / "ball.py").string(), way}));
+}
+
 std::string sound_child(const TemporaryFolder& folder) {
   return written(folder, "twin",
                  engine_toml("twin", {"python3", (children_folder / "twin.py").string()}));

@@ -32,6 +32,9 @@ inline constexpr const char* no_python = "python3 is not on PATH";
 /// The same for the child that is sound.
 [[nodiscard]] std::string sound_child(const TemporaryFolder& folder);
 
+/// The same for the child that runs systems in space: it is sound, or goes wrong in this way.
+[[nodiscard]] std::string space_child(const TemporaryFolder& folder, const std::string& way);
+
 /// The processes whose environment has TAUTLINE_MARK=`mark`.
 [[nodiscard]] std::vector<int> marked_processes(const std::string& mark);
 

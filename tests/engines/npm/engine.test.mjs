@@ -66,7 +66,7 @@ function near(found, wanted, what, same = 0) {
 }
 
 test("says what it is, and of every setting why", () => {
-  assert.equal(info.protocol, 1);
+  assert.equal(info.protocol, 2);
   assert.equal(info.name, name);
   assert.match(info.version, /^\d+\.\d+/);
   assert.match(info.precision, /^float(32|64)$/);

@@ -44,7 +44,7 @@ test("is no longer than a page, and an engine by it than sixty lines", () => {
 test("keeps what libraries print from the protocol", async () => {
   const child = await started();
   const info = await child.ask("info");
-  assert.equal(info.protocol, 1);
+  assert.equal(info.protocol, 2);
   assert.equal(info.models[0].sentence, "\u00dcml\u00e4ut.");
   assert.equal(info.models[0].start, undefined);
   assert.equal(await child.end(), 0);

@@ -226,10 +226,13 @@ bool moves_unevenly(const SpatialSystem& system) {
 
 /// By how much a model that finds events may be off in steps of 0.01 s, over the growth. DART
 /// turns a body by two terms of a series where it turns by less than 1e-3 rad, which is 2e-10 rad
-/// off each time. Simbody's integrator controls its error.
+/// off each time. Simbody's integrator controls its error. Engines in float lose some roundings of
+/// an orientation in each step, and three on npm to one side.
 double allowed_of(const ModelUnderTest& engine) {
   if (!engine.in_double()) {
-    return 1e-5;
+    const bool to_one_side =
+        engine.engine == "havok" || engine.engine == "physx" || engine.engine == "rapier3d";
+    return to_one_side ? 5e-5 : 1e-5;
   }
   return engine.engine == "dart" ? 1e-9 : engine.engine == "simbody" ? 1e-8 : 1e-12;
 }
@@ -277,16 +280,24 @@ TEST_P(EngineInSpace, IsExactByEventsUntilCablesStayTaut) {
   }
 }
 
+/// The joints that engines on npm ship have no restitution; with a bounce by hand, what float
+/// leaves of a taut cable is more than the error of a step.
+bool is_a_joint_on_npm(const ModelUnderTest& engine, const std::string& model) {
+  return engine.plugin.extension() != ".so" &&
+         (model.rfind("distance", 0) == 0 || model.rfind("rope", 0) == 0 ||
+          model == "tendon-limit-defaults");
+}
+
+/// As shipped, bodies of some engines are damped.
+bool is_damped(const std::string& model) { return model == "distance-defaults"; }
+
 TEST_P(EngineInSpace, IsOfFirstOrderInFixedSteps) {
   constexpr double scatter = 0.4;  // [-], of a slope: where in its step an impact falls is chance
   constexpr double impacts = 3;
   for (const std::string& model : models()) {
-    // the control, `sampled`, has no error of a step, and what engines on npm ship has no
-    // restitution
-    const bool dead =
-        std::set<std::string>{"distance", "distance-defaults", "rope", "tendon-limit-defaults"}
-            .contains(model);
-    if (model.find("event") != std::string::npos || GetParam().engine == "exact" || dead) {
+    // the control, `sampled`, has no error of a step
+    if (model.find("event") != std::string::npos || GetParam().engine == "exact" ||
+        is_a_joint_on_npm(GetParam(), model)) {
       continue;
     }
     double sum = 0.0;
@@ -353,6 +364,9 @@ TEST_P(EngineInSpace, KeepsTheMomentumOfAFreePair) {
   const SpatialSystem pair = free_pair();
   const Point before = momentum(pair, pair.initial);
   for (const std::string& model : models()) {
+    if (is_damped(model)) {
+      continue;
+    }
     const Started run = start(pair, model, step);
     ASSERT_TRUE(run) << model;
     double worst = 0.0;

@@ -12,11 +12,12 @@ namespace {
 constexpr int id = 1;  // every request has it
 constexpr std::size_t cables = 2;
 constexpr std::size_t steps = 3;
+constexpr bench::StateForm in_space{2};  // two bodies
 
 using Read = void (*)(std::string_view);
 
 /// The readers that the first byte chooses, from 'a' on.
-constexpr std::array<Read, 6> readings = {
+constexpr std::array<Read, 10> readings = {
     [](std::string_view line) {
       const bench::ChildInfo info = bench::info_answer(line, id);
       require(!info.name.empty() && !info.models.empty(), "an engine has a name and a model");
@@ -36,6 +37,23 @@ constexpr std::array<Read, 6> readings = {
       if (const auto answer = bench::answer_from(bytes)) {
         static_cast<void>(bench::answer_from(bench::to_bytes(*answer)).value());
       }
+    },
+    [](std::string_view line) {
+      require(bench::start_answer(line, id, in_space).state.size() == in_space.width(),
+              "a state of two bodies");
+    },
+    [](std::string_view line) {
+      const bench::ChildSteps done = bench::step_answer(line, id, cables, steps, in_space);
+      require(done.width == in_space.width() + cables, "states of two bodies, and impulses");
+    },
+    [](std::string_view line) {
+      const std::vector<double> state = bench::state_answer(line, id, "fly", in_space);
+      require(bench::state_from(state.data(), in_space.bodies, 0.0).bodies.size() == 2,
+              "a state of two bodies");
+    },
+    [](std::string_view line) {
+      const bench::ChildSolve solved = bench::solve_answer(line, id, cables, in_space);
+      require(solved.impulses.minCoeff() >= 0.0, "cables pull");
     },
 };
 

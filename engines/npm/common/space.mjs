@@ -187,7 +187,9 @@ export const space = {
       });
       world.advance(h, fall);
       world.state().bodies.forEach((body, i) => {
-        const { turning, factor, given: was } = set[i], changed = plus(world.turningOf(i), was, -1);
+        const { turning, factor, given: was } = set[i], { inertia: [first, ...others] } = system.bodies[i];
+        const keeps = flight.drifts && others.every((moment) => moment === first);
+        const changed = keeps ? still : plus(world.turningOf(i), was, -1);
         const own = plus(turning, changed, 1 / factor);
         world.setVelocity(i, half(i, { ...body, spin: rotatedBack(body.orientation, own) }, 1));
       });

@@ -1,4 +1,4 @@
-// Havok, in single precision. Its limit on the distance looks ahead, lands the body on the length and has no restitution.
+// Havok, in single precision; in space without the gyroscopic term, for which it has no setting. Its limit on the distance looks ahead, lands the body on the length and has no restitution.
 // It brakes bodies slower than about 0.1 m/s, whatever is set: lengths are scaled, so that no body of a case is so slow.
 
 import { readFileSync } from "node:fs";
@@ -19,7 +19,6 @@ const engine = {
   flight: { substeps: 4, exactTurn: 0.25 },
   world,
   system,
-  gyroscopicTerm: true,
   inSpace: [setting("units of mass and length", "mass 1 for the heaviest body", "Havok keeps the inverses of three moments in 8 bits: they are off by up to 0.4 %.")],
 };
 

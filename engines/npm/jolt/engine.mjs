@@ -208,7 +208,7 @@ serve({
     tunable(limitModel(engine, "distance", "The largest distance of Jolt's DistanceConstraint, which has no restitution: what one tries first.", [...settings, range], { inSpace: ends }),
       "settings.mLimitsSpringSettings.mFrequency = {frequency}; settings.mLimitsSpringSettings.mDamping = {damping};",
       [{ name: "damping", low: 0, high: 1 }, { name: "frequency", low: 0.0033, high: 0.05, scale: "log", step_power: -1 }]),
-    limitModel(engine, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true, left: (dt) => [1 - shippedDamping * dt, 1 - shippedDamping * dt], inSpace: [...asShipped, ...ends] }),
+    limitModel({ ...engine, gyroscopicTerm: false }, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true, left: (dt) => [1 - shippedDamping * dt, 1 - shippedDamping * dt], inSpace: [...asShipped, ...ends] }),
     bounceModel(engine, "distance-bounce", "The same constraint, undamped, and after a step in which it pulled an impulse that gives the cable's restitution.", [...settings, range], { inSpace: ends }),
     ...rowModels(engine, settings),
     eventModel(engine, settings),

@@ -25,6 +25,9 @@ const engine = {
   inSpace: [setting("eENABLE_GYROSCOPIC_FORCES", true, "As shipped PhysX leaves the gyroscopic term out: a box keeps its spin and does not turn over.")],
 };
 
+/** PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES, which the package has no name for. */
+const gyroscopicForces = 1 << 10;
+
 /** Instead of 100 rad/s, to which PhysX cuts a spin. */
 const largestSpin = 1e6;
 
@@ -119,7 +122,7 @@ function system(theSystem, { limit, tolerance, defaults }) {
   const scene = createScene([0, 0]), make = jointMaker(P, physics), hooks = [];
   const moving = theSystem.bodies.map((properties) => {
     const body = createBody(properties, defaults);
-    body.setRigidBodyFlag(P.PxRigidBodyFlagEnum.eENABLE_GYROSCOPIC_FORCES, !defaults);
+    body.setRigidBodyFlag(gyroscopicForces, !defaults);
     scene.addActor(body);
     return body;
   });

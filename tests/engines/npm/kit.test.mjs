@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { after, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { restitution } from "../../../engines/protocol/javascript/cable.mjs";
+import { bodiesOf, given, numbersOf, plus, systemRow, turned } from "../../../engines/protocol/javascript/space.mjs";
 import { startChild } from "./client.mjs";
 import { exact, standardCase } from "./standard_case.mjs";
 
@@ -95,6 +96,25 @@ test("looks a restitution up in a table: linear between its points, constant bey
   const found = [0.05, -0.1, 0.2, -0.3, 0.65, 1, 9].map((rate) => restitution(cable, rate));
   [0, 0, 0.4, 0.8, 0.7, 0.6, 0.6].forEach((e, k) => assert.ok(Math.abs(found[k] - e) < 1e-15, `${found}`));
   assert.equal(restitution({ restitution: 0.9 }, -1), 0.9);
+});
+
+test("knows a cable through a ring, whose ends and length move: its gap, the two rates of it, and its wrench", () => {
+  const motion = { pieces: [{ from: 0.1, polynomial: [[0, 0, 0], [0.2, 0.1, 0], [0, 0, 0.4]] }], waves: [{ amplitude: [0.1, 0, 0.2], frequency: 3, phase: 0.4 }] };
+  const length = { pieces: [{ from: 0, polynomial: [[3], [-0.2], [0.1], [0.05]] }, { from: 5, polynomial: [[9]] }], waves: [] };
+  const cable = { ends: [{ body: 0, at: [0.1, -0.2, 0.3] }, { body: 1, at: [0, 0.1, 0.05] }, { at: [0.3, 0.2, 1.5], motion }], length, restitution: 0.5, cut_at: 4 };
+  const numbers = [0, 0, 0, 0.5, 0.5, -0.5, 0.5, 0.3, -0.4, 0.2, 1, -2, 0.5, 0.6, 0.3, 0.9, 0.6, 0, 0.8, 0, -0.1, 0.2, 0.5, -0.7, 0.3, 1.1];
+  const bodies = bodiesOf(numbers), time = 0.7, h = 1e-4;
+  assert.deepEqual(numbersOf(bodies), numbers);
+  const after = (t) => systemRow(cable, bodies.map((body) => ({ ...body, position: plus(body.position, body.velocity, t),
+    orientation: turned(body.orientation, body.spin.map((one) => t * one)) })), time + t);
+  const { gap, rate, acceleration, wrench } = after(0);
+  const near = (found, wanted, what) => assert.ok(Math.abs(found - wanted) < 1e-6, `${what}: ${found}, not ${wanted}`);
+  near((after(h).gap - after(-h).gap) / (2 * h), rate, "rate");
+  near((after(h).rate - after(-h).rate) / (2 * h), acceleration, "acceleration");
+  const pulled = bodies.map(({ velocity, spin, ...pose }, i) => ({ ...pose, velocity: plus(velocity, wrench.slice(6 * i, 6 * i + 3)), spin: plus(spin, wrench.slice(6 * i + 3, 6 * i + 6)) }));
+  near(systemRow(cable, pulled, time).rate - rate, wrench.reduce((sum, one) => sum + one * one, 0), "wrench");
+  assert.ok(Number.isFinite(gap) && systemRow(cable, bodies, 4).gap === Infinity);
+  assert.deepEqual(given(motion, 0)[0].slice(0, 2), [0.1 * Math.cos(0.4), 0]); // its value at the first knot
 });
 
 test("carries an engine that follows the exact motion", async () => {

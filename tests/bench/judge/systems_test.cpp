@@ -72,7 +72,8 @@ Judgement judged(const SpatialSystem& system, double step, const Spoiled::Spoil&
 constexpr double step = 1e-3;  // [s]
 
 TEST(JudgementOfSystems, IsWithoutAFaultOfAPlainScheme) {
-  for (const char* name : {"tethered-ball", "spherical-slack", "bifilar", "winch", "two-bodies", "tumbling-brick"}) {
+  for (const char* name :
+       {"tethered-ball", "spherical-slack", "bifilar", "winch", "two-bodies", "tumbling-brick"}) {
     const Judgement found = judged(shipped(name), step);
     EXPECT_FALSE(found.rebounds.wrong()) << name;
     EXPECT_LE(found.following.ratio.value_or(0.0), 1.0) << name;
@@ -86,11 +87,12 @@ TEST(JudgementOfSystems, IsWithoutAFaultOfAPlainScheme) {
 
 TEST(JudgementOfSystems, TellsARebound) {
   const auto rebounds = [](double part) {
-    return judged(shipped("tethered-ball"), step, [part](Scheme& scheme, double) {
-             for (SpatialCable& cable : scheme.system().cables) {
-               cable.restitution = part * 0.7;
-             }
-           })
+    return judged(shipped("tethered-ball"), step,
+                  [part](Scheme& scheme, double) {
+                    for (SpatialCable& cable : scheme.system().cables) {
+                      cable.restitution = part * 0.7;
+                    }
+                  })
         .rebounds;
   };
   ASSERT_EQ(shipped("tethered-ball").cables.front().restitution, 0.7);
@@ -102,13 +104,12 @@ TEST(JudgementOfSystems, TellsARebound) {
 }
 
 TEST(JudgementOfSystems, TellsAWrongGravity) {
-  const Judgement found =
-      judged(shipped("tethered-ball"), step, [](Scheme& scheme, double) {
-        if (scheme.state().time == 0.0) {
-          auto& gravity = scheme.system().gravity;
-          gravity = Function<3>::constant(1.01 * gravity.at(0.0));
-        }
-      });
+  const Judgement found = judged(shipped("tethered-ball"), step, [](Scheme& scheme, double) {
+    if (scheme.state().time == 0.0) {
+      auto& gravity = scheme.system().gravity;
+      gravity = Function<3>::constant(1.01 * gravity.at(0.0));
+    }
+  });
   EXPECT_NEAR(found.flight, 0.01, 1e-6);
 }
 
@@ -132,12 +133,11 @@ TEST(JudgementOfSystems, TellsARotationWithoutTheGyroscopicTerm) {
 }
 
 TEST(JudgementOfSystems, TellsAWinchThatAnEngineLeavesOut) {
-  const Judgement found =
-      judged(shipped("winch"), step, [](Scheme& scheme, double) {
-        for (SpatialCable& cable : scheme.system().cables) {
-          cable.length = Function<1>::constant(cable.length.at(0.0)[0]);
-        }
-      });
+  const Judgement found = judged(shipped("winch"), step, [](Scheme& scheme, double) {
+    for (SpatialCable& cable : scheme.system().cables) {
+      cable.length = Function<1>::constant(cable.length.at(0.0)[0]);
+    }
+  });
   EXPECT_GT(found.following.ratio.value_or(0.0), most_ratio);
 }
 

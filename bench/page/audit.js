@@ -17,7 +17,9 @@
   if (!app) {
     return;
   }
-  const audited = report.runs.filter((run) => run.impacts && run.impacts.time.length > 0);
+  // impacts in space have no arm and no errors: the replay shows them
+  const planar = new Set(report.cases.filter((one) => !one.system).map((one) => one.name));
+  const audited = report.runs.filter((run) => run.impacts?.time.length > 0 && planar.has(run.case));
   const engines = [...new Set(audited.map((run) => run.engine))];
   const steps = [...new Set(audited.map((run) => run.step))].sort((a, b) => b - a);
   if (audited.length === 0) {

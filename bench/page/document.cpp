@@ -38,12 +38,18 @@ std::string preformatted(std::string_view text, std::string_view more = "") {
   return out + "</pre>";
 }
 
-std::string foot(std::string_view command, const PageAssets& assets) {
-  std::string out = fmt::format("<footer>\n<p>Made by <code>{}</code> {}.</p>\n", command,
+std::string foot(const PageContent& page, const PageAssets& assets) {
+  std::string out = fmt::format("<footer>\n<p>Made by <code>{}</code> {}.</p>\n", page.command,
                                 html_text(TAUTLINE_VERSION));
   if (!assets.plotly.empty()) {
     out += "<details><summary>Charts are drawn by Plotly.js, under the MIT licence.</summary>\n" +
            preformatted(assets.licence) + "</details>\n";
+  }
+  if (page.in_space && !assets.three.empty()) {
+    out +=
+        "<details><summary>Systems in space are drawn by three.js, under the MIT "
+        "licence.</summary>\n" +
+        preformatted(assets.three_licence) + "</details>\n";
   }
   return out + "</footer>\n";
 }
@@ -58,15 +64,21 @@ std::string with_named_main(std::string content) {
 }
 
 /// The data, then what reads them. The parser comes to them last: the page is legible before.
-std::string scripts(const PageContent& page, std::string_view plotly) {
+std::string scripts(const PageContent& page, const PageAssets& assets) {
   std::string out = fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n",
                                 page.data_id, page.data);
   if (!page.motions.empty()) {
     out += fmt::format("<script type=\"application/json\" id=\"motions-data\">{}</script>\n",
                        page.motions);
   }
-  if (!plotly.empty()) {
-    out += fmt::format("<script id=\"plotly\">{}</script>\n", plotly);
+  if (!assets.plotly.empty()) {
+    out += fmt::format("<script id=\"plotly\">{}</script>\n", assets.plotly);
+  }
+  if (page.in_space && !assets.three.empty()) {
+    out += fmt::format("<script id=\"three\">{}</script>\n", assets.three);
+  }
+  if (page.in_space) {
+    out += fmt::format("<script id=\"space-scripts\">\n{}</script>\n", assets.space_scripts);
   }
   return out + fmt::format("<script id=\"page-scripts\">\n{}</script>\n", page.scripts);
 }
@@ -103,7 +115,7 @@ std::string html_document(const PageContent& page, const PageAssets& assets) {
   return head(page, assets.style) +
          fmt::format("<body{}>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n",
                      charts ? "" : " class=\"no-charts\"") +
-         with_named_main(page.content) + foot(page.command, assets) + scripts(page, assets.plotly) +
+         with_named_main(page.content) + foot(page, assets) + scripts(page, assets) +
          "</body>\n</html>\n";
 }
 

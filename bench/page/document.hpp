@@ -18,6 +18,7 @@ struct PageContent {
   std::string_view scripts;   //
   std::string motions = {};   // and that a replay reads, likewise; empty: it has none of its own
   bool files_beside = false;  // whether it may load scripts that lie next to it
+  bool in_space = false;      // whether it replays systems in space
 };
 
 /// A picture that the program has drawn, for a page whose scripts are `PageAssets::figure_scripts`.

@@ -1,5 +1,6 @@
-# Writes OUTPUT, the C++ source that holds the pages' files, from STYLE, SCRIPTS, CHAPTER_SCRIPTS and FIGURE_SCRIPTS (each
-# in order, separated by |), PLOTLY and its LICENCE (both may be empty). Called at build time by bench/page/CMakeLists.txt.
+# Writes OUTPUT, the C++ source that holds the pages' files, from STYLE, SCRIPTS, CHAPTER_SCRIPTS, FIGURE_SCRIPTS and
+# SPACE_SCRIPTS (each in order, separated by |), PLOTLY and its LICENCE, THREE and its THREE_LICENCE (all four may be empty).
+# Called at build time by bench/page/CMakeLists.txt.
 
 # Sets `result` to the text of `files`, one after another.
 function(read_files files result)
@@ -16,6 +17,9 @@ read_files("${STYLE}" style)
 read_files("${SCRIPTS}" scripts)
 read_files("${CHAPTER_SCRIPTS}" chapter_scripts)
 read_files("${FIGURE_SCRIPTS}" figure_scripts)
+read_files("${SPACE_SCRIPTS}" space_scripts)
+read_files("${THREE}" three)
+read_files("${THREE_LICENCE}" three_licence)
 
 set(plotly "")
 set(licence "")
@@ -30,7 +34,7 @@ if(PLOTLY)
   string(REPLACE "@namespace@" "http://www.w3.org/" plotly "${plotly}")
 endif()
 
-foreach(part IN ITEMS style scripts chapter_scripts figure_scripts plotly licence)
+foreach(part IN ITEMS style scripts chapter_scripts figure_scripts plotly licence space_scripts three three_licence)
   # the end of a script, or what opens a comment in one, would end it inside the page
   string(TOLOWER "${${part}}" lower)
   if(lower MATCHES "</script|</style|<!--|\\)tautline_page\"")
@@ -50,7 +54,10 @@ R\"tautline_page(${scripts})tautline_page\",
 R\"tautline_page(${chapter_scripts})tautline_page\",
 R\"tautline_page(${plotly})tautline_page\",
 R\"tautline_page(${licence})tautline_page\",
-R\"tautline_page(${figure_scripts})tautline_page\"};
+R\"tautline_page(${figure_scripts})tautline_page\",
+R\"tautline_page(${space_scripts})tautline_page\",
+R\"tautline_page(${three})tautline_page\",
+R\"tautline_page(${three_licence})tautline_page\"};
   return assets;
 }
 

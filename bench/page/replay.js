@@ -4,9 +4,9 @@
 (() => {
   'use strict';
   const { report, filter, make, select, refill, sample, number, plots, scene } = tautline;
-  const { exactMotion, runMotion, eventTimes } = tautline.motions;
+  const { exactMotion, runMotion, eventTimes, inSpace } = tautline.motions;
   const app = document.getElementById('replay-app');
-  const cases = report.cases.filter((one) => one.path && one.path.time.steps.length > 0);
+  const cases = report.cases.filter((one) => one.path && (one.path.time.steps.length > 0 || one.path.bodies?.length > 0));
   if (!app) {
     return;
   }
@@ -28,7 +28,7 @@
     && String(run.step) === hero.step && run.impacts);
 
   /// `recorded` are the motions of the case's runs, null until they came; `problem` says why they do not.
-  const state = { system: home, runs: [], recorded: null, problem: '', motions: [exactMotion(home)], cable: 0, time: 0, speed: 1, playing: false };
+  const state = { system: home, runs: [], recorded: null, problem: '', motions: [exactMotion(home)], cable: 0, body: 0, time: 0, speed: 1, playing: false };
   let picture;
   let times = [];
   /// The next step of a play: a frame, or with less motion a timer. Pausing takes it back, or the next play has two.
@@ -36,12 +36,14 @@
 
   const runsOf = (system) => report.runs.filter((run) => run.case === system.name && run.impacts);
   const keyOf = (run) => `${run.engine} ${run.model} ${run.step}`;
-  const end = () => state.motions[0].path.time[state.motions[0].path.time.length - 1];
+  const end = () => state.motions[0].end;
 
   /// Runs to start with: that of the picture, or the one whose restitution is off the most, or the first
   /// model of the first engines, at the middle step.
   function firstRuns(system) {
-    const runs = runsOf(system).filter((run) => run.engine !== 'exact' && filter.fits(run));
+    // of the filter all but its case, which is not yet this one
+    const runs = runsOf(system).filter((run) => run.engine !== 'exact'
+      && filter.fits({ ...run, case: tautline.address.get('case') || run.case }));
     const off = ({ e }) => (e && e[0] !== 0 && e[0] !== 2 ? Math.abs(e[2] - e[1]) : -1);
     const worst = runs.includes(heroRun) ? heroRun : [...runs].sort((a, b) => off(b) - off(a))[0];
     if (worst && (worst === heroRun || off(worst) > 0)) {
@@ -54,6 +56,10 @@
   }
 
   const canvas = make('canvas', { class: 'replay-canvas', role: 'img', tabindex: '0', 'aria-label': 'the moving body' });
+  /// The picture of a case in the plane or in space; with the latter, what turns it.
+  const sceneOf = (system) => (inSpace(system) ? window.tautlineSpace.scene : scene);
+  const again = () => picture && show(state.time, false);
+  const turning = window.tautlineSpace?.install(canvas, again);
   const drawnAs = make('ul', { class: 'note replay-note' });
   const status = make('p', { class: 'replay-status', role: 'status' });
   const slider = make('input', { type: 'range', min: 0, step: 'any', 'aria-label': 'time [s]' });
@@ -170,9 +176,10 @@
   function load() {
     const chosen = new Set(state.runs);
     state.motions = [exactMotion(state.system),
-      ...(state.recorded || []).filter((run) => chosen.has(keyOf(run))).map(runMotion)];
+      ...(state.recorded || []).filter((run) => chosen.has(keyOf(run))).map((run) => runMotion(run, state.system))];
     times = eventTimes(state.motions);
-    picture = scene(canvas, state.system, state.motions);
+    picture = sceneOf(state.system)(canvas, state.system, state.motions);
+    turning?.show(state.system, state.motions, picture);
     slider.max = end();
     linkLive();
     app.style.setProperty('--horizon', `${Math.min(100, 100 * state.system.horizon / end())}%`);
@@ -198,14 +205,16 @@
 
   const runChoices = () => [['', 'none'], ...runsOf(state.system).map((run) =>
     [keyOf(run), `${run.engine} ${run.model}, step ${number(run.step)} s`])];
-  const cableChoices = () => state.system.geometry.map((_, i) => [String(i), `cable ${i}`]);
+  const cableChoices = () => Array.from({ length: state.system.cables }, (_, i) => [String(i), `cable ${i}`]);
+  const bodyChoices = () => (state.system.system?.bodies ?? []).map((_, i) => [String(i), window.tautlineSpace.nameOf(state.system.system, i)]);
   const runSelects = Array.from({ length: slots }, (_, i) => select(`Run ${i + 1}`, [['', 'none']], '',
     (value) => { state.runs[i] = value; load(); }));
   const cable = select('Gap of', cableChoices(), '0', (value) => { state.cable = Number(value); load(); });
+  const body = select('Turn of', bodyChoices(), '0', (value) => { state.body = Number(value); load(); });
 
   function choose(system) {
     state.system = system;
-    [state.cable, state.time] = [0, 0];
+    [state.cable, state.body, state.time] = [0, 0, 0];
     const first = firstRuns(system);
     runSelects.forEach((one, i) => {
       refill(one, runChoices());
@@ -213,6 +222,8 @@
       state.runs[i] = one.box.value;
     });
     refill(cable, cableChoices());
+    refill(body, bodyChoices());
+    body.element.hidden = bodyChoices().length < 2;
     const loading = fetchRuns(system);
     load();
     return loading;
@@ -226,21 +237,22 @@
         stop();
         choose(cases.find((one) => one.name === value));
       }).element, ...runSelects.map((one) => one.element)),
-    keys, canvas, slider, make('div', { class: 'horizon', 'aria-hidden': 'true' }),
+    keys, ...(turning ? [turning.legend] : []), canvas, slider, make('div', { class: 'horizon', 'aria-hidden': 'true' }),
     make('div', { class: 'controls replay-buttons' },
       button('Start', 'to the start (Home)', () => show(0)),
       button('\u2190 Event', 'to the event before (Shift and arrow left)', () => toEvent(-1), 'replay-before'),
       play,
       button('Event \u2192', 'to the next event (Shift and arrow right)', () => toEvent(1), 'replay-next'),
       button('End', 'to the end (End)', () => show(end())),
-      select('Speed', speeds, '1', (value) => { state.speed = Number(value); }).element, cable.element),
+      select('Speed', speeds, '1', (value) => { state.speed = Number(value); }).element, cable.element, body.element,
+      ...(turning ? turning.buttons : [])),
     status, live, drawnAs,
     make('p', { class: 'replay-keys' }, 'Keys: ', make('kbd', {}, 'space'), ' plays and pauses, ',
       make('kbd', {}, '\u2190'), ' ', make('kbd', {}, '\u2192'), ' move by a hundredth, with ',
       make('kbd', {}, 'Shift'), ' to the next event, ', make('kbd', {}, 'Home'), ' and ',
       make('kbd', {}, 'End'), ' go to the ends. Slack cables sag and are dashed, taut ones are straight.',
       still.matches ? ' Your system asks for less motion: play goes from event to event.' : ''),
-    graphs);
+    ...(turning ? [turning.help] : []), graphs);
   const graph = plots(graphs, state);
 
   app.addEventListener('keydown', (event) => {
@@ -256,7 +268,6 @@
     own();
   });
   slider.addEventListener('input', () => show(Number(slider.value)));
-  const again = () => picture && show(state.time, false);
   new ResizeObserver(again).observe(canvas);
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => picture && load());
   // drawn when it comes near the view: to measure it earlier would lay out the whole page
@@ -280,7 +291,7 @@
     const last = Math.min(end(), state.system.horizon);
     const instants = [0, 1, 2, 3].map((part) => part * last / 3);
     const sheet = make('canvas');
-    const drawing = scene(sheet, state.system, state.motions, stillSize);
+    const drawing = sceneOf(state.system)(sheet, state.system, state.motions, stillSize);
     stills.replaceChildren(...instants.map((time) => {
       drawing.draw(time, state.speed);
       const text = tautline.inUnits(`t = ${number(time, 4)} s: ${drawing.words(time)}`, state.system);
@@ -289,8 +300,8 @@
   });
   addEventListener('afterprint', () => stills.replaceChildren());
 
-  // for the address
-  tautline.replay = { state, home, show, runs: () => state.runs.filter(Boolean),
+  // for the address, for the picture in space and for tests
+  tautline.replay = { state, home, show, load, picture: () => picture, runs: () => state.runs.filter(Boolean),
     chooseCase: (name) => {
       choose(cases.find((one) => one.name === name) || home);
       app.querySelector('select').value = state.system.name;

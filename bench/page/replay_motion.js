@@ -14,12 +14,15 @@
     });
   }
 
+  /// When a cable is taut, and its gap then.
+  const taut = (cable) => ({ times: numbers(cable.times), grid: cable.times.scale, gapTimes: numbers(cable.gap_times),
+    gapGrid: cable.gap_times.scale, gap: cable.gap });
+
   /// A path with its columns as numbers.
   function drawn(path) {
     const columns = ['time', 'x', 'y', 'angle', 'x_bends', 'y_bends', 'angle_bends', 'energy_time', 'energy'];
     return { ...path, ...Object.fromEntries(columns.map((name) => [name, numbers(path[name])])),
-      cables: path.cables.map((cable) => ({ times: numbers(cable.times), grid: cable.times.scale,
-        gapTimes: numbers(cable.gap_times), gapGrid: cable.gap_times.scale, gap: cable.gap })) };
+      cables: path.cables.map(taut) };
   }
 
   /// The last index with time[index] <= at; 0 before the first.
@@ -73,15 +76,15 @@
     ? Array.from({ length: parts }, (_, k) => at + (k / parts) * (path.time[i + 1] - at)) : [at]));
 
   /// The gap of cable number `i` over time, {x, y}: as it was recorded where the cable is taut, as
-  /// the drawn path has it elsewhere.
-  function gapCurve(path, cable, i, fine) {
+  /// the drawn path has it elsewhere: `gapAt` an instant.
+  function gapCurve(path, cable, i, fine, gapAt = (at) => gap(cable, pose(path, at))) {
     const { times, gapTimes, gapGrid, gap: recorded } = path.cables[i];
     const [x, y] = [[], []];
     const put = (time, value) => { x.push(time); y.push(value); };
     let next = 0;
     const free = (until) => {
       for (; next < fine.length && fine[next] < until; ++next) {
-        put(fine[next], gap(cable, pose(path, fine[next])));
+        put(fine[next], gapAt(fine[next]));
       }
     };
     for (let from = 0; from + 1 < times.length; from += 2) {
@@ -108,19 +111,26 @@
   const runHappenings = ({ time, cable, speed }) => time.map((at, i) => ({ time: at, kind: 'impact',
     cables: [cable[i]], speed: speed[i] }));
 
-  function made(path, happenings, more) {
+  /// The motion of `path` in the plane.
+  function planar(path, system, more) {
     const drawnPath = drawn(path);
-    const way = instants(drawnPath, 8);
-    return { ...more, path: drawnPath, happenings, impacts: happenings.filter((one) => one.kind === 'impact'),
-      pose: (at) => pose(drawnPath, at), way: way.map((at) => pose(drawnPath, at)) };
+    const at = (time) => pose(drawnPath, time);
+    return { ...more, path: drawnPath, pose: at, end: drawnPath.time[drawnPath.time.length - 1],
+      instants: (parts) => instants(drawnPath, parts), way: instants(drawnPath, 8).map(at),
+      gapCurve: (i, fine) => gapCurve(drawnPath, system.geometry[i], i, fine), turn: (body, time) => at(time).angle };
   }
 
+  /// A case of a system in space: its motions and its pictures are those of replay_space.js.
+  const inSpace = (system) => Boolean(system?.system);
+  const made = (path, system, happenings, more) => (inSpace(system) ? window.tautlineSpace.motion : planar)(path, system,
+    { ...more, happenings, impacts: happenings.filter((one) => one.kind === 'impact') });
+
   /// The exact motion of a case.
-  const exactMotion = (system) => made(system.path, exactHappenings(system.events), { name: 'exact path',
+  const exactMotion = (system) => made(system.path, system, exactHappenings(system.events), { name: 'exact path',
     engine: 'exact', model: 'event', reference: true, leftOut: system.events.left_out });
 
   /// The motion of a run from those of its case.
-  const runMotion = (run) => made(run.path, runHappenings(run.impacts), {
+  const runMotion = (run, system) => made(run.path, system, runHappenings(run.impacts), {
     name: `${run.engine} ${run.model}, step ${tautline.number(run.step)} s`,
     engine: run.engine, model: run.model, leftOut: run.impacts.left_out });
 
@@ -149,5 +159,5 @@
   }
 
   tautline.motions = { numbers, drawn, pose, exactMotion, runMotion, runsOf, endOf, gap, gapCurve, isTaut,
-    indexAt, instants, eventTimes };
+    indexAt, instants, eventTimes, taut, inSpace };
 })();

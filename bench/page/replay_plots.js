@@ -3,26 +3,28 @@
 (() => {
   'use strict';
   const { axis, logAxis, mark, chart, make } = tautline;
-  const { gapCurve, instants } = tautline.motions;
   /// Points drawn between two knots, as a gap is curved there.
   const finer = 8;
 
   const fourths = [[0.79, 1], [0.53, 0.74], [0.27, 0.48], [0, 0.21]];
 
+  /// The title of the third panel.
+  const turnTitle = ({ system, body }) => (tautline.motions.inSpace(system) ? window.tautlineSpace.turnTitle(system, body) : 'angle [rad]');
+
   function lines(state, motion, colours) {
     const { path } = motion;
-    const fine = instants(path, finer);
+    const fine = motion.instants(finer);
     const { colour, symbol, dash } = motion.reference
       ? { colour: colours.ink, symbol: 'circle', dash: 'solid' } : mark(motion.engine, motion.model);
     const line = { color: colour, dash, width: motion.reference ? 2 : 1.4 };
     const trace = (yaxis, y, unit, more = {}) => ({ type: 'scatter', mode: 'lines', name: motion.name, x: fine, y,
       yaxis, line, hovertemplate: `<b>%{fullData.name}</b><br>%{x:.4g} s: %{y:.4g} ${unit}<extra></extra>`,
       ...more });
-    const free = gapCurve(path, state.system.geometry[state.cable], state.cable, fine);
+    const free = motion.gapCurve(state.cable, fine);
     return [
       trace('y', free.y, 'm', { x: free.x }),
       trace('y2', path.energy, 'J', { x: path.energy_time }),
-      trace('y3', fine.map((at) => motion.pose(at).angle), 'rad'),
+      trace('y3', fine.map((at) => motion.turn(state.body, at)), /\[(.*)\]/.exec(turnTitle(state))[1]),
       trace('y4', motion.impacts.map((impact) => impact.speed), 'm/s', { mode: 'markers',
         x: motion.impacts.map((impact) => impact.time),
         marker: { color: colour, symbol, size: motion.reference ? 4 : 6,
@@ -41,7 +43,7 @@
     return (colours) => {
       const { system } = state;
       const { path } = state.motions[0];
-      const end = path.time[path.time.length - 1];
+      const { end } = state.motions[0];
       // the exact one's energy and angle set the scale: a run that blows up must not flatten it
       const range = (values) => {
         const [low, high] = [Math.min(...values), Math.max(...values)];
@@ -58,7 +60,7 @@
           xaxis: axis(colours, { title: { text: 'time [s]' }, range: [0, end], anchor: 'y4' }),
           yaxis: panel(`gap ${state.cable} [m]`, 0),
           yaxis2: panel('energy [J]', 1, { range: range(path.energy) }),
-          yaxis3: panel('angle [rad]', 2, { range: range(path.angle) }),
+          yaxis3: panel(turnTitle(state), 2, { range: range(path.angle ?? state.motions[0].instants(finer).map((at) => state.motions[0].turn(state.body, at))) }),
           yaxis4: logAxis(colours, { title: { text: 'impact [m/s]', font: { size: 12 } },
             domain: fourths[3], range: speeds(state) }),
           shapes: system.horizon < end ? [

@@ -87,15 +87,15 @@ bool is_engine(const Argument& argument) {
 }
 
 /// A command line but for its last word, as far as that word's meaning depends on it.
-struct Line {
+struct TypedLine {
   const Argument* asked = nullptr;   // the option whose value comes next
   bool has_word = false;             // one that is known by its place
   std::vector<std::string> engines;  // that are named
   bool takes_systems = false;        // where it takes a case
 };
 
-Line read_line(const Command& command, const std::vector<std::string>& words) {
-  Line line;
+TypedLine read_line(const Command& command, const std::vector<std::string>& words) {
+  TypedLine line;
   line.takes_systems =
       command.name == "solve" || command.name == "cases" || command.name == "ensemble";
   for (const std::string& word : words) {
@@ -121,7 +121,7 @@ Line read_line(const Command& command, const std::vector<std::string>& words) {
   return line;
 }
 
-Offers values_of(const Argument& argument, const Line& line, const Outline& outline) {
+Offers values_of(const Argument& argument, const TypedLine& line, const Outline& outline) {
   const std::string kind = kind_of(argument);
   if (!argument.choices.empty()) {
     return listed<Offers::value_type>(argument.choices,
@@ -232,7 +232,7 @@ std::string completions(const Outline& outline, const std::vector<std::string>& 
   if (name == words.end()) {
     offers = last.starts_with('-') ? names_of(outline.options) : commands_of(outline);
   } else if (const auto* command = find_by(outline.commands, &Command::name, *name)) {
-    const Line line = read_line(*command, {name + 1, words.end()});
+    const TypedLine line = read_line(*command, {name + 1, words.end()});
     const Argument* asked = line.asked;
     if (asked == nullptr && !last.starts_with('-') && !command->words.empty() &&
         (command->words.front().repeats || !line.has_word)) {

@@ -7,13 +7,23 @@
 namespace tautline::bench {
 namespace {
 
-std::vector<Eigen::Vector3d> poses(const GridColumn& x, const GridColumn& y,
-                                   const GridColumn& angle) {
-  const std::vector<double> columns[3] = {numbers(x), numbers(y), numbers(angle)};
-  std::vector<Eigen::Vector3d> result;
-  for (std::size_t index = 0; index < columns[0].size(); ++index) {
-    result.emplace_back(columns[0][index], columns[1][index], columns[2][index]);
+template <int N>
+std::vector<Eigen::Matrix<double, N, 1>> rows(const ForEach<const GridColumn*, N>& columns) {
+  std::vector<Eigen::Matrix<double, N, 1>> result;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const std::vector<double> column = numbers(*columns[k]);
+    result.resize(column.size());
+    for (std::size_t index = 0; index < column.size(); ++index) {
+      result[index][static_cast<Eigen::Index>(k)] = column[index];
+    }
   }
+  return result;
+}
+
+template <std::size_t N>
+std::array<const GridColumn*, N> addresses(const std::array<GridColumn, N>& columns) {
+  std::array<const GridColumn*, N> result{};
+  std::transform(columns.begin(), columns.end(), result.begin(), [](const auto& c) { return &c; });
   return result;
 }
 
@@ -25,19 +35,13 @@ std::size_t index_at(const std::vector<double>& times, double time) {
 
 }  // namespace
 
-DrawnPath::DrawnPath(const Path& path)
-    : time_(numbers(path.time)),
-      knots_(poses(path.x, path.y, path.angle)),
-      bends_(poses(path.x_bends, path.y_bends, path.angle_bends)),
-      energy_time_(numbers(path.energy_time)),
-      energy_(numbers(path.energy)) {
-  for (const TautColumns& cable : path.cables) {
-    taut_.push_back(numbers(cable.times));
-    taut_grid_.push_back(cable.times.scale);
-  }
-}
+template <int N>
+DrawnCurve<N>::DrawnCurve(const GridColumn& time, const ForEach<const GridColumn*, N>& places,
+                          const ForEach<const GridColumn*, N>& bends)
+    : time_(numbers(time)), knots_(rows<N>(places)), bends_(rows<N>(bends)) {}
 
-Eigen::Vector3d DrawnPath::pose(double time) const {
+template <int N>
+typename DrawnCurve<N>::Numbers DrawnCurve<N>::at(double time) const {
   const std::size_t i = index_at(time_, time);
   if (i + 1 >= time_.size() || time <= time_[i]) {
     return knots_[i];
@@ -45,6 +49,31 @@ Eigen::Vector3d DrawnPath::pose(double time) const {
   const double s = (time - time_[i]) / (time_[i + 1] - time_[i]);
   return knots_[i] + s * (knots_[i + 1] - knots_[i]) +
          3.0 * s * (1.0 - s) * ((1.0 - s) * bends_[2 * i] + s * bends_[2 * i + 1]);
+}
+
+template class DrawnCurve<3>;
+template class DrawnCurve<7>;
+
+DrawnPath::DrawnPath(const Path& path)
+    : plane_(path.time, {&path.x, &path.y, &path.angle},
+             {&path.x_bends, &path.y_bends, &path.angle_bends}),
+      energy_time_(numbers(path.energy_time)),
+      energy_(numbers(path.energy)) {
+  for (const TautColumns& cable : path.cables) {
+    taut_.push_back(numbers(cable.times));
+    taut_grid_.push_back(cable.times.scale);
+  }
+  for (const BodyPath& body : path.bodies.value_or(std::vector<BodyPath>())) {
+    bodies_.emplace_back(body.time, addresses(body.places), addresses(body.bends));
+  }
+}
+
+SpatialState DrawnPath::pose(std::size_t body, double time) const {
+  const auto at = bodies_.at(body).at(time);
+  SpatialState state;
+  state.position = at.head<3>();
+  state.orientation = at.tail<4>().normalized();
+  return state;
 }
 
 double DrawnPath::energy(double time) const {

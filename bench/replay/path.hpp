@@ -2,9 +2,13 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
+
+#include "tautline/system.hpp"
 
 namespace tautline::bench {
 
@@ -23,12 +27,36 @@ struct GridColumn {
 /// The numbers of `column`.
 [[nodiscard]] std::vector<double> numbers(const GridColumn& column);
 
+/// A number over time: straight lines between knots. A jump is two knots at one time.
+struct Line {
+  GridColumn time;   // [s]
+  GridColumn value;  // in its own unit
+};
+
 /// When a cable is taut, and its gap as it was recorded then.
 struct TautColumns {
   GridColumn times;         // [s], from, until, from, until, ...: taut in between, else slack
   GridColumn gap_times;     // [s], inside the long ones of these stretches
   std::vector<double> gap;  // [m], recorded then: the least and the largest of a part of a stretch
+  std::optional<Line> tension = {};  // [N], in space where the exact motion has any
 };
+
+/// Something for each of the N numbers of a pose.
+template <class Value, int N>
+using ForEach = std::array<Value, static_cast<std::size_t>(N)>;
+
+/// The curves of the numbers of a pose: N columns over the same knots.
+template <int N>
+struct CurveColumns {
+  double error = 0.0;             // [m], off what was recorded by at most
+  GridColumn time;                // [s], of the knots
+  ForEach<GridColumn, N> places;  //
+  ForEach<GridColumn, N> bends;   // two for each piece
+};
+
+/// How a body in space moves: x, y, z of its centre of mass [m], and w, x, y, z of its quaternion,
+/// which a reader normalises.
+using BodyPath = CurveColumns<7>;
 
 /// A motion as it is drawn: pieces between knots, each of which is a cubic. At the part s of its
 /// way from a knot a to the next b it is at
@@ -36,6 +64,7 @@ struct TautColumns {
 /// where p and q are its two bends: its velocity is (b - a + 3 p) / T at its start and
 /// (b - a - 3 q) / T at its end, T [s] being its length. Where velocities jump, the piece before a
 /// knot ends with another one than the piece after it starts with.
+/// Of a system in space, `bodies` has a path for each body, and the columns of the plane are empty.
 struct Path {
   double error = 0.0;      // [m], off what was recorded by at most: the centre and every attachment
   double spacing = 0.0;    // [s], between two recorded samples; 0: known at every instant
@@ -50,6 +79,27 @@ struct Path {
   GridColumn energy_time;     // [s]; a jump is two knots at one time
   GridColumn energy;          // [J], kinetic and potential; straight between two knots
   std::vector<TautColumns> cables;
+  std::optional<std::vector<BodyPath>> bodies = {};  // of a system in space
+};
+
+/// The curve of N numbers, at any instant.
+template <int N>
+class DrawnCurve {
+ public:
+  using Numbers = Eigen::Matrix<double, N, 1>;
+
+  explicit DrawnCurve(const GridColumn& time, const ForEach<const GridColumn*, N>& places,
+                      const ForEach<const GridColumn*, N>& bends);
+
+  [[nodiscard]] double end_time() const { return time_.empty() ? 0.0 : time_.back(); }
+
+  /// Before the first knot and after the last one, theirs.
+  [[nodiscard]] Numbers at(double time) const;
+
+ private:
+  std::vector<double> time_;
+  std::vector<Numbers> knots_;
+  std::vector<Numbers> bends_;  // two for each piece
 };
 
 /// A path as a page draws it, at any instant: what bench/page/replay_motion.js does in the page.
@@ -57,10 +107,13 @@ class DrawnPath {
  public:
   explicit DrawnPath(const Path& path);
 
-  [[nodiscard]] double end_time() const { return time_.empty() ? 0.0 : time_.back(); }
+  [[nodiscard]] double end_time() const { return plane_.end_time(); }
 
   /// x, y [m] and angle [rad] at `time`; before the first knot and after the last one, theirs.
-  [[nodiscard]] Eigen::Vector3d pose(double time) const;
+  [[nodiscard]] Eigen::Vector3d pose(double time) const { return plane_.at(time); }
+
+  /// The place of a body in space, without its velocity.
+  [[nodiscard]] SpatialState pose(std::size_t body, double time) const;
 
   /// Kinetic and potential energy [J]; at a jump the one after it.
   [[nodiscard]] double energy(double time) const;
@@ -68,9 +121,8 @@ class DrawnPath {
   [[nodiscard]] bool is_taut(std::size_t cable, double time) const;
 
  private:
-  std::vector<double> time_;
-  std::vector<Eigen::Vector3d> knots_;
-  std::vector<Eigen::Vector3d> bends_;  // two for each piece
+  DrawnCurve<3> plane_;
+  std::vector<DrawnCurve<7>> bodies_;  // in space
   std::vector<double> energy_time_;
   std::vector<double> energy_;
   std::vector<std::vector<double>> taut_;  // by cable: from, until, from, until, ...

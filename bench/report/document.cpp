@@ -449,16 +449,19 @@ std::string report_html(const Report& report, const Replay& replay, const PageAs
   out.add(distributions_section(report)).add(causes_section(report)).add(answers_section(report));
   out.add(runs_section(report)).add(models_section(report)).add(reading_section(report));
   out.add(context_section(report));
-  return html_document({.title = title,
-                        .content = fmt::format("<header>\n{}</header>\n{}<main>\n{}</main>\n",
-                                               head.html(), contents_html(report), out.html()),
-                        .command = "tautline bench",
-                        .data_id = "report-data",
-                        .data = html_json(page_json(report, replay)),
-                        .scripts = assets.scripts,
-                        .motions = html_json(own_motions(report, replay)),
-                        .files_beside = report.cases.size() > most_cases_in_page},
-                       assets);
+  return html_document(
+      {.title = title,
+       .content = fmt::format("<header>\n{}</header>\n{}<main>\n{}</main>\n", head.html(),
+                              contents_html(report), out.html()),
+       .command = "tautline bench",
+       .data_id = "report-data",
+       .data = html_json(page_json(report, replay)),
+       .scripts = assets.scripts,
+       .motions = html_json(own_motions(report, replay)),
+       .files_beside = report.cases.size() > most_cases_in_page,
+       .in_space = std::any_of(report.cases.begin(), report.cases.end(),
+                               [](const CaseRow& row) { return row.system.has_value(); })},
+      assets);
 }
 
 }  // namespace tautline::bench

@@ -170,17 +170,36 @@ struct PlaneRow {
   std::vector<CableRow> geometry;
 };
 
-/// An end of a cable of a system, or a ring, at the start.
+/// Numbers that are given over time: see `BasicFunction`, whose parts these are.
+struct FunctionRow {
+  struct Piece {
+    double from = 0.0;                              // [s]
+    std::vector<std::vector<double>> coefficients;  // in rising order, of the time since `from`
+  };
+  struct Wave {
+    std::vector<double> amplitude;
+    double frequency = 0.0;  // [rad/s]
+    double phase = 0.0;      // [rad]
+  };
+  std::vector<Piece> pieces;
+  std::vector<Wave> waves;
+};
+
+/// An end of a cable of a system, or a ring.
 struct EndRow {
-  std::optional<std::size_t> body;  // index; none: the world
-  std::vector<double> at;           // x, y, z [m], in the body's frame or the world
+  std::optional<std::size_t> body;    // index; none: the world
+  std::vector<double> at;             // x, y, z [m], in the body's frame or the world
+  std::optional<FunctionRow> motion;  // [m], added to it; none: it stays there
 };
 struct SystemCableRow {
   EndRow from;
   std::vector<EndRow> through;
   EndRow to;
-  double length = 0.0;                // [m], at the start
-  std::optional<double> restitution;  // none where it depends on the speed
+  double length = 0.0;                          // [m], at the start
+  std::optional<double> restitution;            // none where it depends on the speed
+  std::optional<FunctionRow> length_over_time;  // [m]; none: it stays as it is
+  std::optional<double> from_time;              // [s], when it is hooked up; none: from the start
+  std::optional<double> cut_at;                 // [s]; none: never
 };
 struct SystemBodyRow {
   std::string name;

@@ -117,8 +117,9 @@ Replay replay_of(const Expectations& expectations, const SuiteResult& result) {
   Replay replay;
   for (const AnyExpectation& expected : expectations) {
     const auto* const expectation = std::get_if<Expectation>(&expected);
-    replay.cases.push_back(expectation != nullptr ? exact_replay(expectation->reference())
-                                                  : CaseReplay());
+    replay.cases.push_back(expectation != nullptr
+                               ? exact_replay(expectation->reference())
+                               : exact_replay(*std::get<const ReferenceSystem*>(expected)));
   }
   for (const RunRecord& run : result.runs) {
     replay.runs.push_back(run.replay);

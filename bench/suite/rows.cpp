@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "bench/base/listed.hpp"
@@ -116,10 +117,12 @@ RunDetails details_of(const Metrics& metrics, const BasicTrajectory<TheCase>& ru
   return details;
 }
 
-/// Puts into `record` all that is measured on `run`.
-void measure(const Expectation& expectation, const EngineInfo& engine, const Trajectory& run,
-             const CompareOptions& options, RunRecord& record) {
-  const ReferenceCase& reference = expectation.reference();
+/// Puts into `record` all that is measured on `run`. A system has no attribution and no ladder.
+template <class TheReference, class TheCase>
+void measure(const BasicExpectation<TheReference>& expectation, const EngineInfo& engine,
+             const BasicTrajectory<TheCase>& run, const CompareOptions& options,
+             RunRecord& record) {
+  const TheReference& reference = expectation.reference();
   const double count_speed = options.count_speed;
   const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
                                   reference.horizon, run, options);
@@ -128,23 +131,15 @@ void measure(const Expectation& expectation, const EngineInfo& engine, const Tra
   row.details = details_of(metrics, run);
   record.replay = {run_path(reference.the_case, nearness_of(reference), run),
                    run_impacts(reference.the_case, run, count_speed)};
-  row.attribution = attribute(reference.the_case, reference.solution, reference.horizon, run,
-                              {reference.law, noise_of(engine.precision), count_speed});
-  record.audit = audit(reference, run, count_speed);
-  row.ladder = record.audit->ladder;
+  if constexpr (std::is_same_v<TheCase, Case>) {
+    row.attribution = attribute(reference.the_case, reference.solution, reference.horizon, run,
+                                {reference.law, noise_of(engine.precision), count_speed});
+    record.audit = audit(reference, run, count_speed);
+    row.ladder = record.audit->ladder;
+  } else {
+    record.audit = RunAudit{std::nullopt, audited_impacts(reference, run), std::nullopt};
+  }
   row.judgement = judge(expectation, run, record.audit->impacts, engine.precision);
-}
-
-/// A system has no attribution and no ladder.
-void measure(const SystemExpectation& expectation, const EngineInfo& engine,
-             const SystemTrajectory& run, const CompareOptions& options, RunRecord& record) {
-  const ReferenceSystem& reference = expectation.reference();
-  const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
-                                  reference.horizon, run, options);
-  record.row.metrics = values_of(metrics);
-  record.row.details = details_of(metrics, run);
-  record.audit = RunAudit{std::nullopt, audited_impacts(reference, run), std::nullopt};
-  record.row.judgement = judge(expectation, run, record.audit->impacts, engine.precision);
 }
 
 TimingRow timing_row(const RunKey& key, const Cost& cost) {
@@ -205,7 +200,30 @@ CaseRow row_of(const auto& reference, double count_speed) {
 
 std::vector<double> numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-EndRow end_row(const SpatialEnd& end) { return {end.body, numbers_of(end.at)}; }
+/// `function` as a report has it; none of one that does not change.
+template <int N>
+std::optional<FunctionRow> over_time(const Function<N>& function) {
+  if (function.is_constant()) {
+    return std::nullopt;
+  }
+  const auto list = [](const typename Function<N>::Value& value) {
+    return std::vector<double>(value.begin(), value.end());
+  };
+  FunctionRow row;
+  for (const auto& piece : function.pieces) {
+    row.pieces.push_back({piece.from, listed(piece.coefficients, list)});
+  }
+  for (const auto& wave : function.waves) {
+    row.waves.push_back({list(wave.amplitude), wave.frequency, wave.phase});
+  }
+  return row;
+}
+
+EndRow end_row(const SpatialEnd& end) {
+  // what is given and does not change is a part of the point
+  return {end.body, numbers_of(end.motion.is_constant() ? end.at + end.motion.at(0.0) : end.at),
+          over_time(end.motion)};
+}
 
 /// From when on a run of these steps is judged no longer, and what it can be read by.
 template <class TheReference>
@@ -243,8 +261,10 @@ CaseRow case_row(const ReferenceSystem& reference, double count_speed) {
     shown.cables.push_back(
         {end_row(cable.from), listed(cable.through, end_row), end_row(cable.to),
          cable.length.at(0.0)[0],
-         depends_on_speed(cable) ? std::nullopt : std::optional(cable.restitution)});
+         depends_on_speed(cable) ? std::nullopt : std::optional(cable.restitution),
+         over_time(cable.length), cable.from_time, cable.cut_at});
   }
+  row.extent = drawn_extent(reference);
   return row;
 }
 

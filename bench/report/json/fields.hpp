@@ -49,9 +49,35 @@ void fields(Visitor& visit, CableRow& cable) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, FunctionRow::Piece& piece) {
+  visit("from", piece.from, "[s]");
+  visit("coefficients", piece.coefficients, "in rising order, of the time since `from`");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, FunctionRow::Wave& wave) {
+  visit("amplitude", wave.amplitude);
+  visit("frequency", wave.frequency, "[rad/s]");
+  visit("phase", wave.phase, "at time 0 [rad]");
+}
+
+template <class Visitor>
+void fields(Visitor& visit, FunctionRow& function) {
+  visit.means(
+      "numbers over time: the polynomial whose `from` is the last before the time, and the waves "
+      "amplitude cos(frequency t + phase), summed");
+  visit("pieces", function.pieces,
+        "the last one lasts for ever; before the first one its value at `from` holds");
+  visit("waves", function.waves);
+}
+
+template <class Visitor>
 void fields(Visitor& visit, EndRow& end) {
   visit("body", end.body, "index; null: a point of the world");
   visit("at", end.at, "in the frame of the body, or in the world [m]");
+  visit.unless_missing("motion", end.motion, [](auto& inside, FunctionRow& motion) {
+    inside("motion", motion, "added to `at`, of a point of the world that moves [m]");
+  });
 }
 
 template <class Visitor>
@@ -61,6 +87,16 @@ void fields(Visitor& visit, SystemCableRow& cable) {
   visit("to", cable.to);
   visit("length", cable.length, "at the start [m]");
   visit("restitution", cable.restitution, "null where it depends on the speed");
+  visit.unless_missing("length_over_time", cable.length_over_time,
+                       [](auto& inside, FunctionRow& length) {
+                         inside("length_over_time", length, "where it changes [m]");
+                       });
+  visit.unless_missing("from_time", cable.from_time, [](auto& inside, double& time) {
+    inside("from_time", time, "when it is hooked up; it is there from the start without this [s]");
+  });
+  visit.unless_missing("cut_at", cable.cut_at, [](auto& inside, double& time) {
+    inside("cut_at", time, "when it is cut; never without this [s]");
+  });
 }
 
 template <class Visitor>

@@ -40,6 +40,36 @@ void fields(Visitor& visit, TautColumns& cable) {
   visit("gap_times", cable.gap_times, "inside the long ones of these stretches [s]");
   visit("gap", cable.gap,
         "as it was recorded then: the least and the largest of a part of the stretch [m]");
+  visit.unless_missing("tension", cable.tension, [](auto& inside, Line& tension) {
+    inside(
+        "tension", tension,
+        "in space, where the exact motion has a taut cable: of a run its mean over a step, where "
+        "the engine tells it [N]");
+  });
+}
+
+template <class Visitor>
+void fields(Visitor& visit, BodyPath& path) {
+  constexpr std::array names = {"x", "y", "z", "qw", "qx", "qy", "qz"};
+  visit.means(
+      "of a body in space: x, y, z of its centre of mass [m], and its orientation, the quaternion "
+      "qw + qx i + qy j + qz k, to be normalised; pieces as those of the plane");
+  visit("error", path.error,
+        at_least(0, "by which the centre and what is drawn of the body are off, at most [m]"));
+  visit("time", path.time, "of the knots, rising [s]");
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    visit(names[k], path.places[k]);
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    visit(std::string(names[k]) + "_bends", path.bends[k], "two for each piece");
+  }
+}
+
+template <class Visitor>
+void fields(Visitor& visit, Line& line) {
+  visit.means("a number over time: straight between two knots; a jump is two knots at one time");
+  visit("time", line.time, "[s]");
+  visit("value", line.value);
 }
 
 template <class Visitor>
@@ -69,6 +99,9 @@ void fields(Visitor& visit, Path& path) {
   visit("energy_time", path.energy_time, "a jump is two knots at one time [s]");
   visit("energy", path.energy, "kinetic and potential; straight between two knots [J]");
   visit("cables", path.cables);
+  visit.unless_missing("bodies", path.bodies, [](auto& inside, std::vector<BodyPath>& bodies) {
+    inside("bodies", bodies, "of a system in space, whose columns of the plane are empty");
+  });
 }
 
 template <class Visitor>

@@ -154,6 +154,17 @@ inline void require_agreement(const Path& path) {
       {bends, path.x_bends.steps.size(), path.y_bends.steps.size(), path.angle_bends.steps.size()});
   require_one_length({path.energy_time.steps.size(), path.energy.steps.size()});
 }
+inline void require_agreement(const BodyPath& path) {
+  const std::size_t knots = path.time.steps.size();
+  const std::size_t bends = knots < 2 ? 0 : 2 * (knots - 1);
+  for (std::size_t k = 0; k < path.places.size(); ++k) {
+    require_one_length({knots, path.places[k].steps.size()});
+    require_one_length({bends, path.bends[k].steps.size()});
+  }
+}
+inline void require_agreement(const Line& line) {
+  require_one_length({line.time.steps.size(), line.value.steps.size()});
+}
 inline void require_agreement(const TautColumns& taut) {
   require_one_length({taut.gap_times.steps.size(), taut.gap.size()});
 }

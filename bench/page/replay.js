@@ -274,7 +274,9 @@
   const near = new IntersectionObserver((entries) => {
     if (entries.some((one) => one.isIntersecting)) {
       near.disconnect();
+      performance.mark('replay wanted');
       choose(home);
+      performance.measure('replay shown', 'replay wanted');
       tautline.replay.started?.();
     }
   }, { rootMargin: '300px' });

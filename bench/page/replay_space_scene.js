@@ -150,7 +150,7 @@ Object.assign(window.tautlineSpace, (() => {
       return { eye, target: area.centre, up, fov, near: 0.04 * distance, far: distance + 30 * (area.radius + area.high), distance };
     }
 
-    /// The panes of the picture: `place` is that of a point [px], none of one behind.
+    /// The panes of the picture: `place` gives the pixel of a point, null behind the viewer.
     function panes() {
       if (!size && stage()) {
         const { eye, target } = camera();
@@ -224,7 +224,7 @@ Object.assign(window.tautlineSpace, (() => {
 
     const onFloor = (p) => plus(p, up, area.floor - dot(up, p));
     const grid = round(0.45 * area.radius);
-    /// The floor as a grid, which tells the depth, with the world's axes at its corner.
+    /// The floor as a grid, with the world's axes at its corner.
     function ground() {
       const lines = [];
       const middle = [right, toward].map((axis) => grid * Math.round(dot(axis, area.centre) / grid));
@@ -239,7 +239,7 @@ Object.assign(window.tautlineSpace, (() => {
         ...axes.map((points) => ({ points, colour: colours.muted, width: 2 }))] };
     }
 
-    /// Each body stands over its point of the floor.
+    /// A line from each body down to its point of the floor.
     const plumbs = (pose) => pose.bodies.flatMap(({ p }) => [{ points: [p, onFloor(p)], colour: colours.line, width: 1 },
       { points: ring(onFloor(p), up, 0.02 * area.radius), colour: colours.muted, width: 1 }]);
 
@@ -335,7 +335,12 @@ Object.assign(window.tautlineSpace, (() => {
           context.strokeRect(pane.left, pane.top, pane.w, pane.h);
         }
       }
-      write(tautline.inUnits(`grid ${tautline.number(grid)} m`, the_case), [8, height - 12]);
+      const [length] = on ? [0] : panes().map((pane) => Math.min(pane.scale * grid, pane.w - 20));
+      if (length > 0) {
+        Object.assign(context, { fillStyle: colours.muted });
+        context.fillRect(8, height - 13, length, 2);
+      }
+      write(tautline.inUnits(`${on ? 'grid ' : ''}${tautline.number(grid)} m`, the_case), [on ? 8 : 14 + length, height - 12]);
     }
 
     /// Each cable of the exact motion in words. The drawn gap is off by as much as the path.

@@ -14,6 +14,7 @@
 #include "bench/report/json/json.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
+#include "tautline/system_geometry.hpp"
 #include "tests/bench/support.hpp"
 
 namespace tautline::bench {
@@ -294,6 +295,157 @@ TEST(Motion, TheEventsOfTheExactMotionAreCounted) {
   const EventColumns events = exact_replay(reference).events;
   EXPECT_EQ(events.time.size(), std::min(reference.solution.events().size(), most_drawn));
   EXPECT_EQ(events.time.size() + events.left_out, reference.solution.events().size());
+}
+
+// ---- systems in space
+
+ReferenceSystem spatial(const std::string& name) {
+  for (const ShippedSpatialSystem& shipped : shipped_spatial_systems()) {
+    if (shipped.system.name == name) {
+      return solve_case(shipped.system, ImpactLaw::simultaneous);
+    }
+  }
+  throw std::runtime_error("no shipped system is called " + name);
+}
+
+/// The exact motion as an engine would record it that locates its impacts.
+SystemTrajectory located_run(const ReferenceSystem& reference, double step) {
+  SystemTrajectory run;
+  run.step = step;
+  const double end = reference.solution.end_time();
+  for (std::size_t i = 0; static_cast<double>(i) * step < end; ++i) {
+    const double time = static_cast<double>(i) * step;
+    run.points.push_back({time, reference.solution.at(time)});
+  }
+  run.points.push_back({end, reference.solution.at(end)});
+  for (const auto& event : reference.solution.events()) {
+    if (event.kind == EventKind::impact) {
+      const std::size_t cable = event.cables.indices().front();
+      const SpatialCable& its = reference.the_case.cables[cable];
+      run.impacts.push_back({event.time, cable, 1.0, gap_rate(its, event.before),
+                             gap_rate(its, event.after), 0, event.before, event.after});
+    }
+  }
+  return run;
+}
+
+struct Off {
+  double position = 0.0;  // [m]
+  double turn = 0.0;      // [rad], 2 atan2(|vector part|, |w|)
+  double reach = 0.0;     // [m], of both at the end of what is drawn of the body
+};
+
+/// How far `drawn` is from `state`, the most of all bodies.
+Off off(const SpatialSystem& system, const Nearness& nearness, const DrawnPath& drawn, double time,
+        const SpatialSystemState& state) {
+  Off worst;
+  for (std::size_t body = 0; body < system.bodies.size(); ++body) {
+    const SpatialState there = drawn.pose(body, time);
+    const SpatialState& here = state.bodies[body];
+    Quaternion back = here.orientation;
+    back.tail<3>() *= -1.0;
+    const Quaternion between = product<double>(back, there.orientation);
+    const double turn = 2.0 * std::atan2(between.tail<3>().norm(), std::abs(between[0]));
+    const double position = (there.position - here.position).norm();
+    worst.position = std::max(worst.position, position);
+    worst.turn = std::max(worst.turn, turn);
+    worst.reach = std::max(worst.reach, position + nearness.bodies[body].reach * turn);
+  }
+  return worst;
+}
+
+TEST(MotionInSpace, TheExactMotionIsDrawnWithinAPixelAtRandomInstants) {
+  std::mt19937 random(11);
+  for (const char* name : {"conical", "dzhanibekov", "tethered-ball", "spherical-slack"}) {
+    const ReferenceSystem reference = spatial(name);
+    const Nearness nearness = nearness_of(reference);
+    const Path path = as_read(exact_replay(reference).path);
+    const DrawnPath drawn(path);
+    const double pixel = 1e-3 * drawn_extent(reference);
+    std::uniform_real_distribution<double> instant(0.0, reference.solution.end_time());
+    Off worst;
+    double worst_energy = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+      const double time = instant(random);
+      const SpatialSystemState state = reference.solution.at(time);
+      const Off here = off(reference.the_case, nearness, drawn, time, state);
+      worst.position = std::max(worst.position, here.position);
+      worst.turn = std::max(worst.turn, here.turn);
+      worst.reach = std::max(worst.reach, here.reach);
+      worst_energy =
+          std::max(worst_energy, std::abs(drawn.energy(time) - energy(reference.the_case, state)));
+    }
+    // between two samples of the drawing it may be off by a little more than at them
+    EXPECT_LE(worst.reach, 1.2 * path.error) << name;
+    EXPECT_LE(worst.reach, 0.5 * pixel) << name;
+    EXPECT_LE(worst.position, 0.5 * pixel) << name;
+    EXPECT_LE(worst.turn, 2e-2) << name;
+    EXPECT_LE(worst_energy, 1.2 * path.energy_error) << name;
+    RecordProperty(std::string(name), std::to_string(worst.reach / pixel) + " pixels, " +
+                                          std::to_string(worst.turn) + " rad");
+  }
+}
+
+TEST(MotionInSpace, RunsAreDrawnAsNearToTheirRecordAsTheySay) {
+  for (const char* name : {"dzhanibekov", "tethered-ball", "spherical-slack"}) {
+    const ReferenceSystem reference = spatial(name);
+    const Nearness nearness = nearness_of(reference);
+    for (const double step : {1e-2, 1e-3}) {
+      SystemTrajectory run = located_run(reference, step);
+      // a quaternion and its negative are one orientation
+      for (std::size_t i = 0; i < run.points.size(); i += 3) {
+        run.points[i].state.bodies[0].orientation *= -1.0;
+      }
+      const Path path = as_read(run_path(reference.the_case, nearness, run));
+      const DrawnPath drawn(path);
+      double worst = 0.0;
+      for (const auto& point : run.points) {
+        worst = std::max(worst,
+                         off(reference.the_case, nearness, drawn, point.time, point.state).reach);
+      }
+      EXPECT_LE(worst, path.error * (1.0 + 1e-6) + 1e-12) << name << ", said: " << path.error;
+      EXPECT_LE(path.error, 3e-4 * drawn_extent(reference)) << name << ", step " << step;
+      EXPECT_LE(path.bodies.value()[0].time.steps.size(), most_pieces + 1);
+    }
+  }
+}
+
+TEST(MotionInSpace, TensionsAreThoseOfTheExactMotion) {
+  const ReferenceSystem reference = spatial("conical");
+  const Path path = as_read(exact_replay(reference).path);
+  ASSERT_TRUE(path.cables.at(0).tension.has_value());
+  const std::vector<double> times = numbers(path.cables[0].tension->time);
+  const std::vector<double> values = numbers(path.cables[0].tension->value);
+  const double bound = 1.1 * nearness_of(reference).tension;
+  EXPECT_GT(bound, 0.0);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double time = std::min(times[i], reference.solution.end_time());
+    EXPECT_NEAR(values[i], reference.solution.tensions(time)[0], bound) << time;
+  }
+  EXPECT_FALSE(exact_replay(spatial("dzhanibekov")).path.cables.at(0).tension.has_value())
+      << "a cable that is never taut pulls in impacts alone";
+}
+
+TEST(MotionInSpace, TautIsWhatTheExactMotionHolds) {
+  const ReferenceSystem reference = spatial("spherical-slack");
+  const DrawnPath drawn(as_read(exact_replay(reference).path));
+  std::size_t told = 0;
+  for (const auto& arc : reference.solution.arcs()) {
+    if (arc.end - arc.start > 1e-6) {
+      EXPECT_EQ(drawn.is_taut(0, 0.5 * (arc.start + arc.end)), arc.taut.contains(0)) << arc.start;
+      told += arc.taut.contains(0) ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(told, 0U);
+}
+
+TEST(MotionInSpace, ARunThatFliesAwayIsDrawnUpToThere) {
+  const ReferenceSystem reference = spatial("dzhanibekov");
+  SystemTrajectory run = located_run(reference, 1e-2);
+  run.impacts.clear();
+  run.points.back().state.bodies[0].position.x() = std::numeric_limits<double>::quiet_NaN();
+  const Path path = run_path(reference.the_case, nearness_of(reference), run);
+  EXPECT_NEAR(numbers(path.bodies.value()[0].time).back(), run.points.rbegin()[1].time, 1e-4);
 }
 
 }  // namespace

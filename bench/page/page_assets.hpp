@@ -14,7 +14,7 @@ struct PageAssets {
   std::string_view figure_scripts = {};  // of pages whose figures the program draws
   std::string_view space_scripts = {};   // of the replay of systems in space, before `scripts`
   std::string_view three = {};           // draws those; empty in a build without it
-  std::string_view three_licence = {};   // of three.js, which asks to stand in every copy
+  std::string_view three_licence = {};   // of three.js, for every copy
 };
 
 /// Written by bench/page/embed.cmake when the program is built.

@@ -7,6 +7,8 @@ import { pathToFileURL } from 'node:url';
 import { benchPage, drawAll, reportOf, withPage } from './browser.mjs';
 import { settled } from './replay.mjs';
 
+const axe = readFileSync(new URL('./node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
+
 const spacePage = () => {
   assert.ok(process.env.TAUTLINE_SPACE_PAGE, 'set TAUTLINE_SPACE_PAGE to an index.html of systems in space');
   return process.env.TAUTLINE_SPACE_PAGE;
@@ -326,6 +328,15 @@ test('a page of cases in the plane has nothing of space in it', () => {
   }
   assert.ok(readFileSync(spacePage(), 'utf8').includes('WebGLRenderer'));
 });
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`axe finds nothing in the replay of a system in the ${colorScheme} scheme`, () => space(async ({ page }) => {
+    await page.evaluate(axe);
+    const found = await page.evaluate(() => axe.run({ include: ['#replay-app'], exclude: ['.js-plotly-plot'] },
+      { resultTypes: ['violations'], rules: { 'target-size': { enabled: true } } }));
+    assert.deepEqual(found.violations.map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 200)).join('\n')}`), []);
+  }, { colorScheme }));
+}
 
 for (const width of [400, 1280]) {
   test(`at ${width} px the picture and its controls are on the screen`, () => space(async ({ page }) => {

@@ -116,10 +116,8 @@ Report report_of(const SuiteOptions& options, const Expectations& expectations,
 Replay replay_of(const Expectations& expectations, const SuiteResult& result) {
   Replay replay;
   for (const AnyExpectation& expected : expectations) {
-    const auto* const expectation = std::get_if<Expectation>(&expected);
-    replay.cases.push_back(expectation != nullptr
-                               ? exact_replay(expectation->reference())
-                               : exact_replay(*std::get<const ReferenceSystem*>(expected)));
+    std::visit([&](const auto& one) { replay.cases.push_back(exact_replay(one.reference())); },
+               expected);
   }
   for (const RunRecord& run : result.runs) {
     replay.runs.push_back(run.replay);

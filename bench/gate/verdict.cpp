@@ -67,9 +67,9 @@ void add_judged(const Judgement& judgement, bool in_doubles, Problems& problems)
                     judgement.overstretch),
         judgement.overstretch);
   }
-  if (judgement.energy > most_energy) {
+  if (judgement.energy.value_or(0.0) > most_energy) {
     add(problems, "energy",
-        fmt::format("gains energy in flight, {:.2g} times what a step explains", judgement.energy),
+        fmt::format("gains energy in flight, {:.2g} times what a step explains", *judgement.energy),
         judgement.energy);
   }
   if (judgement.flight > most_flight) {
@@ -109,6 +109,7 @@ bool could_show(const RunRow& run, const std::string& kind) {
          : kind == "position"       ? judgement.following.ratio.has_value()
          : kind == "missed-impacts" ? judgement.impacts.due > 0
          : kind == "rotation"       ? judgement.rotation.has_value()
+         : kind == "energy"         ? judgement.energy.has_value()
                                     : true;
 }
 

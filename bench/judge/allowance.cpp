@@ -164,8 +164,8 @@ std::optional<double> near_miss(const TheReference& reference, const Allowance& 
       // a scheme that looks a step ahead takes a cable for taut that closes by the gap in it
       const double near =
           guard_of_forks * allowance.of_cables(times[place]) + allowance.step * speed;
-      if (speed > 0.0 && earlier <= now && earlier > no_gap * length_of(cable, states[place]) &&
-          earlier < near) {
+      if (speed > 0.0 && earlier <= now && std::isfinite(now) &&
+          earlier > no_gap * length_of(cable, states[place]) && earlier < near) {
         first = std::min(first.value_or(end), times[place - 1]);
         break;
       }

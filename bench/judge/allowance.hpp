@@ -90,7 +90,7 @@ template <class TheReference>
                                   const std::vector<double>& times, double enough);
 
 /// Says of all runs of a case how far each may be off, from the exact motion. Any thread may ask.
-/// Systems have the plain scheme alone, no derivative: twice its error is allowed to them.
+/// Systems have the plain scheme alone, no derivative: three times its error is allowed to them.
 template <class TheReference>
 class BasicExpectation {
  public:

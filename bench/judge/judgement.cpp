@@ -274,11 +274,11 @@ double off_in_flight(const TheCase& the_case, const BasicTrajectory<TheCase>& ru
 
 /// The largest change [-] of a body's angular momentum in flight, which nothing changes, as part of
 /// it and in units of what a scheme of first order explains: the square of the turn in a step, for
-/// each step.
-double turned_in_flight(const SpatialSystem& system, const SystemTrajectory& run, double slack,
-                        double rounding) {
+/// each step. None where no body turns in flight.
+std::optional<double> turned_in_flight(const SpatialSystem& system, const SystemTrajectory& run,
+                                       double slack, double rounding) {
   constexpr double least_steps = 10.0;  // what rounding leaves of a slow turn is small against that
-  double worst = 0.0;
+  std::optional<double> worst;
   each_flight(system, run, slack, [&](const auto from, const auto last) {
     for (std::size_t index = 0; index < system.bodies.size(); ++index) {
       const SpatialBody& body = system.bodies[index];
@@ -297,7 +297,8 @@ double turned_in_flight(const SpatialSystem& system, const SystemTrajectory& run
         const double turned = spin * run.step;  // [rad], in a step
         const double explained =
             turned * turned * (steps + least_steps) + rounding * (1.0 + turned) * steps;
-        worst = std::max(worst, (momentum(*point) - before).norm() / (explained * before.norm()));
+        worst = std::max(worst.value_or(0.0),
+                         (momentum(*point) - before).norm() / (explained * before.norm()));
       }
     }
   });

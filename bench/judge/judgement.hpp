@@ -39,11 +39,12 @@ struct Judgement {
   Following following;
   Expected impacts;
   double overstretch = 0.0;  // [-], in units of what a step explains
-  double energy = 0.0;       // [-], the largest rise outside contacts, in units of m a v step; 0
-                             // where something drives the bodies
-  double flight = 0.0;       // [-], of gravity: by what the acceleration in flight is off
+  /// [-], the largest rise outside contacts, in units of m a v step; none where something drives
+  /// the bodies.
+  std::optional<double> energy;
+  double flight = 0.0;  // [-], of gravity: by what the acceleration in flight is off
   /// [-], by what a flight changes an angular momentum that nothing changes, at most, in units of
-  /// what a scheme of first order explains; none in the plane.
+  /// what a scheme of first order explains; none in the plane, and where no body turns in flight.
   std::optional<double> rotation;
 };
 

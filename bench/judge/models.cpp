@@ -64,7 +64,7 @@ void add_run(const JudgedRun& run, ModelJudgement& model) {
   model.impacts.due += one.impacts.due;
   model.impacts.missed += one.impacts.missed;
   model.overstretch = std::max(model.overstretch, one.overstretch);
-  model.energy = std::max(model.energy, one.energy);
+  model.energy = std::max(model.energy, one.energy.value_or(0.0));
   model.flight = std::max(model.flight, one.flight);
   if (one.rotation) {
     model.rotation = std::max(model.rotation.value_or(0.0), *one.rotation);

@@ -71,7 +71,12 @@
 
   /// The case in the live page, in reports that know where that is.
   const live = report.live_page ? make('a', { class: 'replay-live' }, 'This case in the live page') : '';
-  const linkLive = () => live && live.setAttribute('href', `${report.live_page}#${state.system.live}`);
+  const linkLive = () => {
+    if (live) {
+      live.hidden = !state.system.live; // the live page has one body in the plane
+      live.setAttribute('href', `${report.live_page}#${state.system.live}`);
+    }
+  };
 
   function describe() {
     const at = (event) => Math.abs(event.time - state.time) < 1e-6;

@@ -35,9 +35,9 @@ window.tautlineSpace = (() => {
     const { numbers, taut } = tautline.motions;
     const line = ({ time, value }) => ({ time: numbers(time), value: numbers(value) });
     return { error: path.error, spacing: path.spacing, energy_time: numbers(path.energy_time), energy: numbers(path.energy),
-      bodies: path.bodies.map((body) => ({ time: numbers(body.time), places: names.map((name) => numbers(body[name])),
+      bodies: (path.bodies ?? []).map((body) => ({ time: numbers(body.time), places: names.map((name) => numbers(body[name])),
         bends: names.map((name) => numbers(body[`${name}_bends`])) })),
-      cables: path.cables.map((cable) => ({ ...taut(cable), tension: cable.tension && line(cable.tension) })) };
+      cables: (path.cables ?? []).map((cable) => ({ ...taut(cable), tension: cable.tension && line(cable.tension) })) };
   }
 
   /// The place of a body at `at` [s]: its centre [m] and its orientation.

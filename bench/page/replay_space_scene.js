@@ -15,12 +15,13 @@ Object.assign(window.tautlineSpace, (() => {
 
   let theStage; // undefined until it is needed, null where there is none
   let redraw = () => {};
+  const lost = () => tautline.replay.load(); // whose controls turn the picture no longer
   const stage = () => {
     if (view.flat || !window.tautlineThree) {
       return null;
     }
     if (theStage === undefined) {
-      theStage = window.tautlineThree.stage(() => { theStage = null; redraw(); });
+      theStage = window.tautlineThree.stage(() => { theStage = null; redraw(); lost(); });
     }
     return theStage;
   };
@@ -465,7 +466,7 @@ Object.assign(window.tautlineSpace, (() => {
           tautline.inUnits(`taut, tension 0 to ${tautline.number(largest)} N`, the_case))] : []),
         ...(untold.length > 0 ? [key(`background: ${accent}`, largest > 0 ? `taut, tension not told: ${untold.map((one) => one.name).join('; ')}` : 'taut')] : []),
         key('border-top: 2px dashed var(--muted); height: 0', 'slack'),
-        ...(none && !view.flat ? [make('span', { class: 'key' }, 'Without WebGL in this browser: from the front and from the side.')] : []));
+        ...(none && !view.flat ? [make('span', { class: 'key' }, `Without ${window.tautlineThree ? 'WebGL in this browser' : 'three.js in this page'}: from the front and from the side.`)] : []));
     }
 
     return { buttons: [picture.element, buttons], help, legend, show };

@@ -34,6 +34,8 @@ export function stage(lost) {
   scene.add(new HemisphereLight('#ffffff', '#888888', 1.9), light, light.target);
   let bodies = [];
   let strokes = [];
+  let size = [];
+  const inks = new Map(); // materials of lines, by width
 
   const free = (object) => {
     object.traverse((one) => { one.geometry?.dispose(); one.material?.dispose(); });
@@ -66,7 +68,10 @@ export function stage(lost) {
 
   /// Draws polylines {points, colour, width} in place of those before.
   function draw(lines) {
-    strokes.forEach(free);
+    for (const stroke of strokes) {
+      stroke.geometry.dispose();
+      scene.remove(stroke);
+    }
     const colour = new Color();
     strokes = [...new Set(lines.map((line) => line.width))].map((width) => {
       const own = lines.filter((line) => line.width === width && line.points.length > 1);
@@ -75,7 +80,10 @@ export function stage(lost) {
         const { r, g, b } = colour.set(line.colour);
         return Array((line.points.length - 1) * 2).fill([r, g, b]).flat();
       }));
-      const stroke = new LineSegments2(geometry, new LineMaterial({ linewidth: width, vertexColors: true }));
+      if (!inks.has(width)) { // kept: a material that goes takes its program with it
+        inks.set(width, new LineMaterial({ linewidth: width, vertexColors: true }));
+      }
+      const stroke = new LineSegments2(geometry, inks.get(width));
       stroke.frustumCulled = false;
       scene.add(stroke);
       return stroke;
@@ -91,8 +99,11 @@ export function stage(lost) {
     camera.updateProjectionMatrix();
     light.position.set(...eye).addScaledVector(camera.up, near);
     light.target.position.set(...target);
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(width, height, false);
+    if (size.join() !== [width, height, ratio].join()) {
+      size = [width, height, ratio];
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(width, height, false);
+    }
     scene.traverse((one) => one.material?.resolution?.set(width, height));
     renderer.render(scene, camera);
     return element;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -235,12 +236,22 @@ struct CaseRow {
   std::optional<std::string> motions;    // file beside the page with those of its runs; none: in it
   std::optional<CertifiedDigits> certified;  // none where it was not asked for
   std::vector<Predictable> predictable;      // for each step of the suite
-  StepNeeded step_needed;                    // for the usual question
+  std::optional<StepNeeded> step_needed;     // for the usual question; none of a system
 
   /// The cables of a case in the plane; none of a system.
   [[nodiscard]] const std::vector<CableRow>& geometry() const {
     static const std::vector<CableRow> none;
     return plane ? plane->geometry : none;
+  }
+  /// The restitution that all cables have [-]; none where they differ or it depends on the speed.
+  [[nodiscard]] std::optional<double> asked_restitution() const {
+    const auto of_all = [](const auto& all) -> std::optional<double> {
+      const bool same = std::all_of(all.begin(), all.end(), [&](const auto& cable) {
+        return cable.restitution == all.front().restitution;
+      });
+      return same && !all.empty() ? all.front().restitution : std::nullopt;
+    };
+    return system ? of_all(system->cables) : of_all(geometry());
   }
 };
 

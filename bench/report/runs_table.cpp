@@ -122,15 +122,6 @@ void add_restitution(std::vector<Cell>& cells, const std::optional<MeasuredResti
   }
 }
 
-/// The restitution that all cables of a case have; none where they differ or it depends on speed.
-std::optional<double> asked_restitution(const CaseRow& the_case) {
-  const auto& cables = the_case.geometry();
-  const bool same = std::all_of(cables.begin(), cables.end(), [&](const CableRow& cable) {
-    return cable.restitution == cables.front().restitution;
-  });
-  return same && !cables.empty() ? cables.front().restitution : std::nullopt;
-}
-
 /// What the rows of runs take from elsewhere in the report.
 struct Lookup {
   std::map<std::string, std::optional<double>> restitution;  // by case
@@ -139,7 +130,7 @@ struct Lookup {
 
   explicit Lookup(const Report& report) {
     for (const CaseRow& the_case : report.cases) {
-      restitution.emplace(the_case.name, asked_restitution(the_case));
+      restitution.emplace(the_case.name, the_case.asked_restitution());
       title.emplace(the_case.name, the_case.title);
     }
     for (const TimingRow& timing : report.context.timing) {

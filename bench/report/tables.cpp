@@ -295,10 +295,13 @@ Table steps_table(const Report& report) {
   }
   Table table(std::move(columns));
   for (const CaseRow& row : report.cases) {
-    const StepNeeded& needed = row.step_needed;
-    std::vector<Cell> cells = {word_cell(row.name), step_cell(needed.known(needed.safe)),
-                               step_cell(needed.known(needed.typical)),
-                               number_cell(needed.until, fixed(2))};
+    std::vector<Cell> cells(4, number_cell(std::nullopt, as_count));
+    cells[0] = word_cell(row.name);
+    if (const auto& needed = row.step_needed) {
+      cells[1] = step_cell(needed->known(needed->safe));
+      cells[2] = step_cell(needed->known(needed->typical));
+      cells[3] = number_cell(needed->until, fixed(2));
+    }
     for (const double step : report.options.steps) {
       const Predictable* const found = find_by(row.predictable, &Predictable::step, step);
       cells.push_back(

@@ -181,7 +181,10 @@ std::string lead_sentence(const Report& report) {
       engines.insert(run.key.engine);
     }
   }
-  return fmt::format(words::lead_in, "engines"_a = counted(engines.size(), "physics engine"),
+  const bool systems = std::any_of(report.cases.begin(), report.cases.end(),
+                                   [](const CaseRow& one) { return one.system.has_value(); });
+  return fmt::format(words::lead_in, "bodies"_a = systems ? "bodies" : "a body",
+                     "engines"_a = counted(engines.size(), "physics engine"),
                      "simulate"_a = engines.size() == 1 ? "simulates" : "simulate",
                      "cases"_a = counted(report.cases.size(), "case"));
 }

@@ -191,7 +191,8 @@ void fields(Visitor& visit, CaseRow& row, CaseReplay& replay) {
         "until when the exact solution in double is right, compared with the same motion in many "
         "digits; null where it was not asked for");
   visit("predictable", row.predictable);
-  visit("step_needed", row.step_needed);
+  visit.unless_missing("step_needed", row.step_needed,
+                       [](auto& inside, StepNeeded& needed) { inside("step_needed", needed); });
 }
 
 template <class Visitor>

@@ -104,13 +104,7 @@ double bar_word(Rebound word) {
 /// The restitution that a run has, as a bar shows it: a word, and the restitution got [-], where
 /// the cables of the case ask for one; none of a run that has no one number for it.
 std::optional<std::vector<double>> shown_rebound(const CaseRow& the_case, const RunRow& row) {
-  if (the_case.geometry().empty()) {
-    return std::nullopt;
-  }
-  std::optional<double> asked = the_case.geometry().front().restitution;
-  for (const CableRow& cable : the_case.geometry()) {
-    asked = cable.restitution == asked ? asked : std::nullopt;
-  }
+  const std::optional<double> asked = the_case.asked_restitution();
   if (!row.judgement || !asked) {
     return std::nullopt;
   }
@@ -259,7 +253,7 @@ PageData page_data(const Report& report, const Replay& replay) {
       run.status = row.status;
     }
     if (const CaseRow* const of = find_by(report.cases, &CaseRow::name, row.key.the_case);
-        of != nullptr && !of->geometry().empty()) {
+        of != nullptr) {
       run.rebound = shown_rebound(*of, row);
     }
     if (row.metrics) {

@@ -147,7 +147,7 @@ export function startBounce(engine, theCase, options) {
       return restitution(cable, rate) * Math.max(0, -rate);
     });
     const pulled = [...own.keys()].filter((i) => own[i] > 0), rows = rowsOf(kind, theCase, now);
-    const more = pull(kind, world, theCase, rows, pulled, (i) => wanted[i] - 0 - rows[i].rate);
+    const more = pull(kind, world, theCase, rows, pulled, (i) => wanted[i] - rows[i].rate);
     return own.map((impulse, i) => impulse + more[i]);
   });
 }

@@ -114,12 +114,18 @@ TEST(SystemSettlingOf, ALoadThatAnotherPullsToARingHasNoEquilibrium) {
   system.duration = 2.0;
   const auto solution = solve(system);
   ASSERT_FALSE(solution.arcs().back().taut.empty());
+  constexpr int solves = 20;
   const std::clock_t start = std::clock();
+  for (int repeat = 0; repeat < solves; ++repeat) {
+    EXPECT_FALSE(solve(system).arcs().empty());
+  }
+  const std::clock_t solved = std::clock();
   const SystemSettling result = settling(system, solution);
+  const std::clock_t end = std::clock();
   ASSERT_TRUE(result.lock);
   EXPECT_FALSE(result.lock->residual_energy);
-  constexpr double most = 1.0;  // [s]: it turned around the ring for three
-  EXPECT_LE(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, most);
+  constexpr double most = 5.0;  // of these solves [-]: it turned around the ring for hundreds
+  EXPECT_LE(static_cast<double>(end - solved), most * static_cast<double>(solved - start));
 }
 
 TEST(CommonPeriod, IsTheLeastThatHoldsAllWaves) {

@@ -44,6 +44,7 @@ inline void add_engine(Report& report, const std::string& name,
   judgement.rebounds.slowest = 0.25;
   judgement.rebounds.deviation = 0.0;
   judgement.following.ratio = 0.5;
+  judgement.energy = 0.0;
   judgement.following.until = 5.0;
   judgement.impacts = {3, 0};
   return judgement;

@@ -79,9 +79,9 @@ TEST(JudgementOfSystems, IsWithoutAFaultOfAPlainScheme) {
     EXPECT_LE(found.following.ratio.value_or(0.0), 1.0) << name;
     EXPECT_EQ(found.impacts.missed, 0U) << name;
     EXPECT_LE(found.overstretch, 1.1) << name;
-    EXPECT_LE(found.energy, 0.5) << name;
+    EXPECT_LE(found.energy.value_or(0.0), 0.5) << name;
     EXPECT_LE(found.flight, 1e-9) << name;
-    EXPECT_LE(found.rotation.value_or(1.0), 1.0) << name;
+    EXPECT_LE(found.rotation.value_or(0.0), 1.0) << name;
   }
 }
 
@@ -150,7 +150,7 @@ TEST(JudgementOfSystems, TellsEnergyThatComesFromNowhere) {
     });
   };
   EXPECT_GT(pushed("spherical-slack").energy, most_energy);
-  EXPECT_EQ(pushed("winch").energy, 0.0);  // which gives energy itself
+  EXPECT_FALSE(pushed("winch").energy);  // which gives energy itself
 }
 
 }  // namespace

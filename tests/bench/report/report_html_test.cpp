@@ -239,7 +239,7 @@ TEST(ReportPage, HasTheRestitutionOfEachRunForItsBar) {
 
 TEST(ReportPage, SaysWhichStepEachCaseNeeds) {
   for (const bench::CaseRow& row : made().report.cases) {
-    const bench::StepNeeded& needed = row.step_needed;
+    const bench::StepNeeded& needed = row.step_needed.value();
     EXPECT_EQ(needed.part, 0.01);
     EXPECT_GT(needed.safe, 0.0);
     EXPECT_GE(needed.typical, needed.safe);

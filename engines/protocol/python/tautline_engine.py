@@ -79,12 +79,10 @@ def _answer(engine, models, runs, method, params):
 
 
 def serve(models, **engine):
-    """Serves an engine {name, version, precision} of `models`: classes whose `info` is what the protocol says of a
-    model, and whose objects, Model(case, step, law), are runs; Model(case, step, law, parameters) where a run sets
-    some. A run has state() and step(dt), which returns the impulse of each cable; or fly(dt), place(state) and
-    solve(cables, rates), which returns impulses, for the drive "events", then also `rounding` where numbers are no
-    float64. It may set `stopped`, {time, reason}. An engine that says `dimensions` [2, 3] gets systems in space of the
-    models whose info has `in_space`: states have 13 numbers a body, and the call is place(state, time)."""
+    """Serves an engine {name, version, precision} of `models`: classes with the `info` of the protocol, and objects,
+    Model(case, step, law) or, where a run sets some, Model(case, step, law, parameters), that are runs. A run has state()
+    and step(dt), which returns the impulse of each cable; or fly(dt), place(state) (place(state, time) in space) and
+    solve(cables, rates), which returns impulses, and `rounding` where numbers are no float64. It may set `stopped`."""
     protocol, sys.stdout = os.fdopen(os.dup(1), "w", encoding="utf-8"), sys.stderr
     os.dup2(2, 1)  # standard output is the protocol's, whatever a library prints
     runs = []

@@ -11,7 +11,7 @@ const names = ['<script>alert(1)</script><b id="injected">', '"><img src=x onerr
 async function isHarmless({ page, dialogs, said }) {
   await drawAll(page);
   // every select that offers the names takes each of them, and points at a mark for its text
-  for (const box of await page.locator('#chart-cost select, #error .controls:first-of-type select, #audit-app select, #replay-app select').all()) {
+  for (const box of await page.locator('#chart-cost select, #error .controls:first-of-type select, #audit-app select, #replay-app select:visible').all()) {
     const count = await box.locator('option').count();
     for (let index = 0; index < Math.min(count, names.length + 1); ++index) {
       await box.selectOption({ index });

@@ -23,6 +23,7 @@ namespace tautline::bench::test {
   ball.start_energy = 1.0;
   ball.plane = PlaneRow{{}, Vec2::Zero(), {CableRow{}}};
   ball.start = Eigen::Vector3d::Zero();
+  ball.step_needed.emplace();
   report.cases = {ball};
   return report;
 }

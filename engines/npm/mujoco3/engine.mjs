@@ -47,6 +47,19 @@ ${each(({ attachment }, i) => `<site name="attachment${i}" pos="${attachment.joi
 <tendon>${each((cable, i) => `<spatial ${limitOf(cable, limit, step, parameters)}><site site="anchor${i}"/><site site="attachment${i}"/></spatial>`)}</tendon></mujoco>`;
 }
 
+/** The step of a world, and its end. */
+const stepping = (model, data, options) => ({
+  step(dt) {
+    options.timestep = dt;
+    M.mj_step(model, data);
+  },
+  free() {
+    options.delete();
+    data.delete();
+    model.delete();
+  },
+});
+
 function world(theCase, { limit, step, parameters }) {
   const { mass } = theCase.body, inertia = turnableInertia(theCase.body);
   const model = M.MjModel.from_xml_string(xmlOf(theCase, limit, step, parameters)), data = new M.MjData(model), options = model.opt;
@@ -63,15 +76,7 @@ function world(theCase, { limit, step, parameters }) {
       const [x, y, , vx, vy, spin] = this.state();
       this.setVelocity(vx + jx / mass, vy + jy / mass, spin + ((px - x) * jy - (py - y) * jx) / inertia);
     },
-    step(dt) {
-      options.timestep = dt;
-      M.mj_step(model, data);
-    },
-    free() {
-      options.delete();
-      data.delete();
-      model.delete();
-    },
+    ...stepping(model, data, options),
   };
 }
 
@@ -119,15 +124,7 @@ function system(theSystem, { limit, step, parameters, exact }) {
         if (limit) model.tendon_range[2 * i + 1] = actsAt(cable, time) ? lengthAt(cable, time) : farAway;
       });
     },
-    step(dt) {
-      options.timestep = dt;
-      M.mj_step(model, data);
-    },
-    free() {
-      options.delete();
-      data.delete();
-      model.delete();
-    },
+    ...stepping(model, data, options),
   };
 }
 

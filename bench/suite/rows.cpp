@@ -155,24 +155,32 @@ TimingRow timing_row(const RunKey& key, const Cost& cost) {
   return row;
 }
 
+const std::optional<Trajectory>& run_of(const RunReply& reply, const Expectation& /*of*/) {
+  return reply.trajectory;
+}
+const std::optional<SystemTrajectory>& run_of(const RunReply& reply,
+                                              const SystemExpectation& /*of*/) {
+  return reply.in_space;
+}
+
 }  // namespace
 
 RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine, const RunKey& key,
                      const RunReply& reply, const CompareOptions& options) {
   RunRecord record;
   record.row.key = key;
-  const auto* const expectation = std::get_if<Expectation>(&expected);
-  const auto* const of_system = std::get_if<SystemExpectation>(&expected);
-  std::tie(record.row.status, record.row.reason) =
-      expectation != nullptr ? status(expectation->reference(), reply, reply.trajectory)
-                             : status(of_system->reference(), reply, reply.in_space);
-  if (reply.trajectory && expectation != nullptr) {
-    measure(*expectation, engine, *reply.trajectory, options, record);
-    record.timing = timing_row(key, reply.cost);
-  } else if (reply.in_space && of_system != nullptr) {
-    measure(*of_system, engine, *reply.in_space, options, record);
-    record.timing = timing_row(key, reply.cost);
-  } else if (!reply.output_tail.empty()) {
+  std::visit(
+      [&](const auto& expectation) {
+        const auto& run = run_of(reply, expectation);
+        std::tie(record.row.status, record.row.reason) =
+            status(expectation.reference(), reply, run);
+        if (run) {
+          measure(expectation, engine, *run, options, record);
+          record.timing = timing_row(key, reply.cost);
+        }
+      },
+      expected);
+  if (!record.timing && !reply.output_tail.empty()) {
     const std::size_t size = std::min(reply.output_tail.size(), quotable_length);
     record.row.output_tail = printable(reply.output_tail.substr(reply.output_tail.size() - size),
                                        longest_escape * quotable_length);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +29,17 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// The system of this name in `all`, of those that are shipped; it must be there.
+template <class Shipped>
+[[nodiscard]] auto named(const std::vector<Shipped>& all, const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Shipped& one) { return one.system.name == name; });
+  if (found == all.end()) {
+    throw std::logic_error("no shipped system is called " + name);
+  }
+  return found->system;
+}
 
 /// Every number of a case, bit for bit: -0 differs from 0, and nan equals itself.
 [[nodiscard]] std::vector<std::uint64_t> bits(const Case& the_case);

@@ -20,23 +20,15 @@
 #include "tautline/system_settling.hpp"
 #include "tests/bench/ensemble/solved.hpp"
 #include "tests/bench/program.hpp"
+#include "tests/bench/support.hpp"
 
 namespace tautline::bench {
 namespace {
 
-template <class Shipped>
-auto named(const std::vector<Shipped>& all, const std::string& name) {
-  for (const Shipped& one : all) {
-    if (one.system.name == name) {
-      return one.system;
-    }
-  }
-  ADD_FAILURE() << "no shipped system is called " << name;
-  return decltype(Shipped::system){};
+System shipped(const std::string& name) { return test::named(shipped_systems(), name); }
+SpatialSystem in_space(const std::string& name) {
+  return test::named(shipped_spatial_systems(), name);
 }
-
-System shipped(const std::string& name) { return named(shipped_systems(), name); }
-SpatialSystem in_space(const std::string& name) { return named(shipped_spatial_systems(), name); }
 
 template <class TheSystem>
 bool has(const TheSystem& system, const std::string& name) {

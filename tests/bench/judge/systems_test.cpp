@@ -5,11 +5,13 @@
 
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include "bench/judge/judgement.hpp"
 #include "bench/measure/audit_impacts.hpp"
 #include "tautline/plain_scheme.hpp"
 #include "tautline/scenarios.hpp"
+#include "tests/bench/support.hpp"
 
 namespace tautline::test {
 namespace {
@@ -43,20 +45,13 @@ class Spoiled final : public SystemSimulation {
   Spoil after_;
 };
 
-/// One of those that are shipped, in the plane z = 0 where it is one of the plane.
+/// One of those that are shipped in space.
 SpatialSystem shipped(const std::string& name) {
-  for (const ShippedSpatialSystem& one : shipped_spatial_systems()) {
-    if (one.system.name == name) {
-      return one.system;
-    }
-  }
-  for (const ShippedSystem& one : shipped_systems()) {
-    if (one.system.name == name) {
-      return in_space(one.system);
-    }
-  }
-  ADD_FAILURE() << "no system " << name;
-  return {};
+  return bench::test::named(shipped_spatial_systems(), name);
+}
+/// One of the plane, in the plane z = 0.
+SpatialSystem planar(const std::string& name) {
+  return in_space(bench::test::named(shipped_systems(), name));
 }
 
 /// The judgement of the scheme on `system`, spoilt.
@@ -72,9 +67,11 @@ Judgement judged(const SpatialSystem& system, double step, const Spoiled::Spoil&
 constexpr double step = 1e-3;  // [s]
 
 TEST(JudgementOfSystems, IsWithoutAFaultOfAPlainScheme) {
-  for (const char* name :
-       {"tethered-ball", "spherical-slack", "bifilar", "winch", "two-bodies", "tumbling-brick"}) {
-    const Judgement found = judged(shipped(name), step);
+  for (const SpatialSystem& system :
+       {shipped("tethered-ball"), shipped("spherical-slack"), shipped("bifilar"), planar("winch"),
+        planar("two-bodies"), shipped("tumbling-brick")}) {
+    const std::string& name = system.name;
+    const Judgement found = judged(system, step);
     EXPECT_FALSE(found.rebounds.wrong()) << name;
     EXPECT_LE(found.following.ratio.value_or(0.0), 1.0) << name;
     EXPECT_EQ(found.impacts.missed, 0U) << name;
@@ -133,7 +130,7 @@ TEST(JudgementOfSystems, TellsARotationWithoutTheGyroscopicTerm) {
 }
 
 TEST(JudgementOfSystems, TellsAWinchThatAnEngineLeavesOut) {
-  const Judgement found = judged(shipped("winch"), step, [](Scheme& scheme, double) {
+  const Judgement found = judged(planar("winch"), step, [](Scheme& scheme, double) {
     for (SpatialCable& cable : scheme.system().cables) {
       cable.length = Function<1>::constant(cable.length.at(0.0)[0]);
     }
@@ -142,15 +139,15 @@ TEST(JudgementOfSystems, TellsAWinchThatAnEngineLeavesOut) {
 }
 
 TEST(JudgementOfSystems, TellsEnergyThatComesFromNowhere) {
-  const auto pushed = [](const char* name) {
-    return judged(shipped(name), step, {}, [](Scheme& scheme, double dt) {
+  const auto pushed = [](const SpatialSystem& system) {
+    return judged(system, step, {}, [](Scheme& scheme, double dt) {
       for (SpatialState& body : scheme.state().bodies) {
         body.velocity *= 1.0 + 0.1 * dt;
       }
     });
   };
-  EXPECT_GT(pushed("spherical-slack").energy, most_energy);
-  EXPECT_FALSE(pushed("winch").energy);  // which gives energy itself
+  EXPECT_GT(pushed(shipped("spherical-slack")).energy, most_energy);
+  EXPECT_FALSE(pushed(planar("winch")).energy);  // which gives energy itself
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "tautline/solve.hpp"
 #include "tautline/system_settling.hpp"
 #include "tests/bench/program.hpp"
+#include "tests/bench/support.hpp"
 
 namespace tautline::test {
 namespace {
@@ -383,17 +384,9 @@ SpatialSystem upright(const System& planar) {
   return result;
 }
 
-System system_named(const std::string& name) {
-  for (const ShippedSystem& one : shipped_systems()) {
-    if (one.system.name == name) {
-      return one.system;
-    }
-  }
-  throw std::logic_error("no system " + name);
-}
-
 TEST(Plot, ThePlaneIsOneSideOfSpace) {
-  for (System planar : {system_named("pulley"), system_named("chain-of-three"),
+  for (System planar : {bench::test::named(shipped_systems(), "pulley"),
+                        bench::test::named(shipped_systems(), "chain-of-three"),
                         as_system(case_named("plate-four-cables"))}) {
     planar.duration = std::min(planar.duration, 3.0);
     const SpatialSystem in_space = upright(planar);
@@ -461,7 +454,7 @@ TEST(Plot, ABodyInSpaceIsTheBoxOfItsMoments) {
 }
 
 TEST(Plot, SpaceHasRingsAndAnyDirectionUp) {
-  SpatialSystem system = upright(system_named("pulley"));
+  SpatialSystem system = upright(bench::test::named(shipped_systems(), "pulley"));
   system.gravity = Function<3>::constant(BasicVector<double, 3>(0.0, -9.81, 0.0));
   const auto solution = solve(system);
   const SystemSettling settled = settling(system, solution);

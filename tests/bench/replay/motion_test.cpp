@@ -43,8 +43,10 @@ double distance(const Case& the_case, const Eigen::Vector3d& pose, const State& 
 }
 
 /// The exact motion as an engine would record it that locates its impacts.
-Trajectory located_run(const ReferenceCase& reference, double step) {
-  Trajectory run;
+template <class TheCase, class TheSettling>
+BasicTrajectory<TheCase> located_run(const BasicReference<TheCase, TheSettling>& reference,
+                                     double step) {
+  BasicTrajectory<TheCase> run;
   run.step = step;
   const double end = reference.solution.end_time();
   for (std::size_t i = 0; static_cast<double>(i) * step < end; ++i) {
@@ -52,10 +54,10 @@ Trajectory located_run(const ReferenceCase& reference, double step) {
     run.points.push_back({time, reference.solution.at(time)});
   }
   run.points.push_back({end, reference.solution.at(end)});
-  for (const Event& event : reference.solution.events()) {
+  for (const auto& event : reference.solution.events()) {
     if (event.kind == EventKind::impact) {
       const std::size_t cable = event.cables.indices().front();
-      const Cable& its = reference.the_case.cables[cable];
+      const auto& its = reference.the_case.cables[cable];
       run.impacts.push_back({event.time, cable, 1.0, gap_rate(its, event.before),
                              gap_rate(its, event.after), 0, event.before, event.after});
     }
@@ -300,33 +302,7 @@ TEST(Motion, TheEventsOfTheExactMotionAreCounted) {
 // ---- systems in space
 
 ReferenceSystem spatial(const std::string& name) {
-  for (const ShippedSpatialSystem& shipped : shipped_spatial_systems()) {
-    if (shipped.system.name == name) {
-      return solve_case(shipped.system, ImpactLaw::simultaneous);
-    }
-  }
-  throw std::runtime_error("no shipped system is called " + name);
-}
-
-/// The exact motion as an engine would record it that locates its impacts.
-SystemTrajectory located_run(const ReferenceSystem& reference, double step) {
-  SystemTrajectory run;
-  run.step = step;
-  const double end = reference.solution.end_time();
-  for (std::size_t i = 0; static_cast<double>(i) * step < end; ++i) {
-    const double time = static_cast<double>(i) * step;
-    run.points.push_back({time, reference.solution.at(time)});
-  }
-  run.points.push_back({end, reference.solution.at(end)});
-  for (const auto& event : reference.solution.events()) {
-    if (event.kind == EventKind::impact) {
-      const std::size_t cable = event.cables.indices().front();
-      const SpatialCable& its = reference.the_case.cables[cable];
-      run.impacts.push_back({event.time, cable, 1.0, gap_rate(its, event.before),
-                             gap_rate(its, event.after), 0, event.before, event.after});
-    }
-  }
-  return run;
+  return solve_case(test::named(shipped_spatial_systems(), name), ImpactLaw::simultaneous);
 }
 
 struct Off {

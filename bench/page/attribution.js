@@ -10,8 +10,9 @@
 
   // the causes in the report's order; hatches come round again
   const hatches = ['', '/', '\\', 'x', '-', '|', '+', '.'];
-  const shared = (report.causes || []).find((row) => row.shares);
-  const causes = Object.keys(shared ? shared.shares : {}).map((name, i) =>
+  const names = (report.causes || []).map((row) => Object.keys(row.shares || {}))
+    .reduce((most, some) => (some.length > most.length ? some : most), []);
+  const causes = names.map((name, i) =>
     [name, name.replaceAll('_', ' '), hatches[i % hatches.length]]);
 
   const steps = [...new Set(report.runs.map((run) => run.step))].sort((a, b) => b - a);

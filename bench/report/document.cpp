@@ -195,6 +195,7 @@ Document distributions_section(const Report& report) {
 Document causes_section(const Report& report) {
   const std::string heading = "What the errors come from";
   const Table table = causes_table(report);
+  const auto told = causes_of(report.causes);
   Document out;
   if (table.empty()) {
     out.paragraph("No deviation was taken apart.");
@@ -205,11 +206,11 @@ Document causes_section(const Report& report) {
             "What deviations come from, by engine, model and step, over all cases.");
   out.in(Medium::markdown).paragraph(words::how_to_read_causes);
   out.html(chart_place("chart-attribution", "Shares of the causes, by engine, model and step."));
-  out.in(Medium::markdown).list(listed(causes, [](Cause cause) {
+  out.in(Medium::markdown).list(listed(told, [](Cause cause) {
     return fmt::format("*{}*: {}.", in_words(to_string(cause)), meaning_of(cause));
   }));
   std::string meanings;
-  for (const Cause cause : causes) {
+  for (const Cause cause : told) {
     meanings += entry_html(in_words(to_string(cause)), meaning_of(cause));
   }
   out.html("<dl>\n" + meanings + "</dl>\n");

@@ -308,6 +308,16 @@ struct CausesRow {
   std::optional<double> remainder;          // [-] of the deviation, largest
 };
 
+/// The causes that the rows of a report tell of.
+[[nodiscard]] inline std::span<const Cause> causes_of(const std::vector<CausesRow>& rows) {
+  std::span<const Cause> most = causes_of(CauseParts{});
+  for (const CausesRow& row : rows) {
+    const auto some = causes_of(row.shares.value_or(CauseParts{}));
+    most = some.size() > most.size() ? some : most;
+  }
+  return most;
+}
+
 /// How far numbers lie about their median.
 struct Spread {
   double smallest = 0.0;

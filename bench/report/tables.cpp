@@ -397,7 +397,8 @@ Table causes_table(const Report& report) {
   std::vector<Column> columns = setup_columns();
   columns.push_back(number_column("median", "m", "deviation", "median"));
   columns.push_back(number_column("worst", "m", "deviation", "worst"));
-  for (const Cause cause : causes) {
+  const auto told = causes_of(report.causes);
+  for (const Cause cause : told) {
     columns.push_back(number_column(in_words(to_string(cause)), "", "share of the parts",
                                     std::string(to_string(cause))));
   }
@@ -413,7 +414,8 @@ Table causes_table(const Report& report) {
     const auto& deviation = causes_row.deviation;
     row.cells.push_back(number_cell(deviation ? deviation->median : std::nullopt, as_error));
     row.cells.push_back(number_cell(member(deviation, &MedianAndWorst::worst), as_error));
-    for (const double share : *causes_row.shares) {
+    for (const Cause cause : told) {
+      const double share = (*causes_row.shares)[static_cast<std::size_t>(cause)];
       row.cells.push_back(number_cell(share, fixed(3)));
     }
     row.cells.push_back(number_cell(causes_row.covered, fixed(2)));

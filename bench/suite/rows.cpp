@@ -117,7 +117,7 @@ RunDetails details_of(const Metrics& metrics, const BasicTrajectory<TheCase>& ru
   return details;
 }
 
-/// Puts into `record` all that is measured on `run`. A system has no attribution and no ladder.
+/// Puts into `record` all that is measured on `run`. A system has no ladder.
 template <class TheReference, class TheCase>
 void measure(const BasicExpectation<TheReference>& expectation, const EngineInfo& engine,
              const BasicTrajectory<TheCase>& run, const CompareOptions& options,
@@ -131,9 +131,9 @@ void measure(const BasicExpectation<TheReference>& expectation, const EngineInfo
   row.details = details_of(metrics, run);
   record.replay = {run_path(reference.the_case, nearness_of(reference), run),
                    run_impacts(reference.the_case, run, count_speed)};
+  row.attribution = attribute(reference.the_case, reference.solution, reference.horizon, run,
+                              {reference.law, noise_of(engine.precision), count_speed});
   if constexpr (std::is_same_v<TheCase, Case>) {
-    row.attribution = attribute(reference.the_case, reference.solution, reference.horizon, run,
-                                {reference.law, noise_of(engine.precision), count_speed});
     record.audit = audit(reference, run, count_speed);
     row.ladder = record.audit->ladder;
   } else {

@@ -9,8 +9,7 @@
 
 namespace tautline::bench {
 
-/// What a run left: how it ended, and measures if there is a trajectory; of a case in the plane
-/// also its audit, judgement, attribution and what is drawn of it.
+/// What a run left: how it ended, and what is measured and drawn of it if there is a trajectory.
 [[nodiscard]] RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine,
                                    const RunKey& key, const RunReply& reply,
                                    const CompareOptions& options);

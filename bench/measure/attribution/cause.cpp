@@ -23,7 +23,10 @@ constexpr std::array<CauseText, causes.size()> texts = {
      {"solver_residual", "what else the impulse did: a wrong size or a wrong direction"},
      {"taut_drift", "what goes wrong on taut cables"},
      {"amplification",
-      "what the exact motion makes of all this beyond first order, or of rounding"}}};
+      "what the exact motion makes of all this beyond first order, or of rounding"},
+     {"rotation_in_flight",
+      "how a body in space turns in free flight: without its gyroscopic term, or by coarse "
+      "steps"}}};
 
 const CauseText& text_of(Cause cause) { return texts.at(static_cast<std::size_t>(cause)); }
 

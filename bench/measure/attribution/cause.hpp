@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 
 namespace tautline::bench {
@@ -16,11 +17,13 @@ enum class Cause {
   solver_residual,      // what else the impulse did: wrong size, wrong direction
   taut_drift,           // motion on taut cables
   amplification,        // what the exact motion makes of defects beyond first order, or of rounding
+  rotation_in_flight,   // how a body turns between impacts; of systems alone
 };
-inline constexpr std::array causes = {
-    Cause::flight_bias,         Cause::event_lag,  Cause::late_rate,
-    Cause::position_correction, Cause::threshold,  Cause::restitution_ignored,
-    Cause::solver_residual,     Cause::taut_drift, Cause::amplification};
+inline constexpr std::array causes = {Cause::flight_bias,     Cause::event_lag,
+                                      Cause::late_rate,       Cause::position_correction,
+                                      Cause::threshold,       Cause::restitution_ignored,
+                                      Cause::solver_residual, Cause::taut_drift,
+                                      Cause::amplification,   Cause::rotation_in_flight};
 
 /// The name used in files: "flight_bias", and so on.
 [[nodiscard]] std::string_view to_string(Cause cause);
@@ -30,5 +33,11 @@ inline constexpr std::array causes = {
 
 /// One number per cause [m].
 struct CauseParts : std::array<double, causes.size()> {};
+
+/// The first of the causes that are told of `parts`: rotation in flight, the last, only where there
+/// is some.
+[[nodiscard]] inline std::span<const Cause> causes_of(const CauseParts& parts) {
+  return std::span(causes).first(causes.size() - (parts.back() == 0.0 ? 1U : 0U));
+}
 
 }  // namespace tautline::bench

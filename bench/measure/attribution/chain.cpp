@@ -33,7 +33,7 @@ Eigen::Vector3d change_in_step(const Case& the_case, const Trajectory& run, std:
 
 class Builder {
  public:
-  Builder(const Case& the_case, const Trajectory& run, const Segment& segment,
+  Builder(const Case& the_case, const Trajectory& run, const PlanarSegment& segment,
           const std::vector<Jump>& jumps, const Scheme& scheme, const Solution& exact)
       : case_(the_case),
         run_(run),
@@ -45,8 +45,8 @@ class Builder {
     find_partners(exact);
   }
 
-  [[nodiscard]] Chain build() {
-    Chain chain{exact_, {}};
+  [[nodiscard]] PlanarChain build() {
+    PlanarChain chain{exact_, {}};
     const auto add = [&chain](Cause cause, const State& state) {
       chain.links.push_back({cause, state});
     };
@@ -70,7 +70,7 @@ class Builder {
 
  private:
   /// What the run's rules make of the rebounds, one after the other.
-  void add_rebounds(Chain& chain) const {
+  void add_rebounds(PlanarChain& chain) const {
     const auto late = [this](const Partnered& hit, const State& at) {
       return bounced_rate(case_, scheme_.bounce, *hit.jump, at);
     };
@@ -87,7 +87,7 @@ class Builder {
   }
 
   /// The same where nothing rebounds: the rate of which it would is nobody's.
-  void add_without_rebounds(Chain& chain) const {
+  void add_without_rebounds(PlanarChain& chain) const {
     const auto lost = [this](const Partnered& hit, const State& at) {
       return bounced_rate(case_, scheme_.bounce, *hit.jump, at, false);
     };
@@ -253,7 +253,7 @@ class Builder {
 
   const Case& case_;
   const Trajectory& run_;
-  const Segment& segment_;
+  const PlanarSegment& segment_;
   const Scheme& scheme_;
   double start_;  // [s]
   double end_;    // [s]
@@ -263,9 +263,9 @@ class Builder {
 
 }  // namespace
 
-Chain chain_of(const Case& the_case, const Trajectory& run, const Segment& segment,
-               const std::vector<Jump>& jumps, const Scheme& scheme, const Solution& exact) {
-  if (segment.kind == Segment::Kind::taut) {
+PlanarChain chain_of(const Case& the_case, const Trajectory& run, const PlanarSegment& segment,
+                     const std::vector<Jump>& jumps, const Scheme& scheme, const Solution& exact) {
+  if (segment.kind == PlanarSegment::Kind::taut) {
     const double time = run.points[segment.last].time - run.points[segment.first].time;
     return {exact.at(std::min(time, exact.end_time())), {{Cause::taut_drift, segment.end}}};
   }

@@ -27,19 +27,22 @@ namespace tautline::bench {
 // rebound is lost before it is corrected.
 
 /// A hypothetical state at the end of a segment, and the cause that it has beyond the one before.
-struct Link {
+template <class TheCase>
+struct BasicLink {
   Cause cause;
-  State state;
+  StateOf<TheCase> state;
 };
 
-struct Chain {
-  State exact;              // without any of the causes
-  std::vector<Link> links;  // the last is Segment::end
+template <class TheCase>
+struct BasicChain {
+  StateOf<TheCase> exact;                 // without any of the causes
+  std::vector<BasicLink<TheCase>> links;  // the last is the end of the segment
 };
+using PlanarChain = BasicChain<Case>;
 
 /// The chain of `segment`; `exact` is the motion restarted from its start, with times from there.
-[[nodiscard]] Chain chain_of(const Case& the_case, const Trajectory& run, const Segment& segment,
-                             const std::vector<Jump>& jumps, const Scheme& scheme,
-                             const Solution& exact);
+[[nodiscard]] PlanarChain chain_of(const Case& the_case, const Trajectory& run,
+                                   const PlanarSegment& segment, const std::vector<Jump>& jumps,
+                                   const Scheme& scheme, const Solution& exact);
 
 }  // namespace tautline::bench

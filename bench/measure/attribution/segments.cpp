@@ -51,7 +51,7 @@ class Cutter {
     }
   }
 
-  [[nodiscard]] std::vector<Segment> cut() {
+  [[nodiscard]] std::vector<PlanarSegment> cut() {
     for (std::size_t step = 0; step < last_;) {
       std::size_t end = step;
       while (end < last_ && busy_[end] == busy_[step]) {
@@ -60,7 +60,7 @@ class Cutter {
       if (busy_[step]) {
         add_busy(step, end);
       } else {
-        add(Segment::Kind::flight, end, state(end));
+        add(PlanarSegment::Kind::flight, end, state(end));
       }
       step = end;
     }
@@ -124,7 +124,7 @@ class Cutter {
     return all == held ? result : with_zero_gaps(case_, result, all);
   }
 
-  void add(Segment::Kind kind, std::size_t end, const State& at_end, CableSet held = {}) {
+  void add(PlanarSegment::Kind kind, std::size_t end, const State& at_end, CableSet held = {}) {
     const bool first = segments_.empty();
     segments_.push_back({kind, first ? 0 : segments_.back().last, end,
                          first ? state(0) : segments_.back().end, at_end, held});
@@ -147,10 +147,10 @@ class Cutter {
         continue;
       }
       --before;
-      add(Segment::Kind::taut, before, on_cables(state(before), held));
+      add(PlanarSegment::Kind::taut, before, on_cables(state(before), held));
       return add_busy(before, end, held);
     }
-    add(Segment::Kind::taut, end, state(end));
+    add(PlanarSegment::Kind::taut, end, state(end));
   }
 
   /// Steps [`step`, `end`), in which cables act; `taut_before` ones do from the start.
@@ -165,13 +165,14 @@ class Cutter {
     }
     for (std::size_t point = first_jump + 1; point + held_steps < end; ++point) {
       if (const CableSet held = held_from(point); !held.empty()) {
-        add(Segment::Kind::impact, point, on_cables(state(point), held), taut_before);
+        add(PlanarSegment::Kind::impact, point, on_cables(state(point), held), taut_before);
         return add_taut(point, end, held);
       }
     }
     const bool chatters = end - step > held_steps && jumps > 2 * case_.cables.size();
     const bool taut = chatters || (jumps == 0 && end - step > held_steps);
-    add(taut ? Segment::Kind::taut : Segment::Kind::impact, end, state(end), taut_before);
+    add(taut ? PlanarSegment::Kind::taut : PlanarSegment::Kind::impact, end, state(end),
+        taut_before);
   }
 
   const Case& case_;
@@ -179,13 +180,13 @@ class Cutter {
   const std::vector<Jump>& jumps_;
   std::size_t last_;
   std::vector<bool> busy_;  // by step
-  std::vector<Segment> segments_;
+  std::vector<PlanarSegment> segments_;
 };
 
 }  // namespace
 
-std::vector<Segment> segments(const Case& the_case, const Trajectory& run,
-                              const std::vector<Jump>& jumps, std::size_t last) {
+std::vector<PlanarSegment> segments(const Case& the_case, const Trajectory& run,
+                                    const std::vector<Jump>& jumps, std::size_t last) {
   return Cutter(the_case, run, jumps, last).cut();
 }
 

@@ -45,7 +45,8 @@ struct ShownCauses {
   explicit ShownCauses(const Attribution& of)
       : deviation(rounded(of.deviation, point_digits)), covered(rounded(of.covered, point_digits)) {
     if (of.parts) {
-      parts.emplace(of.parts->begin(), of.parts->end());
+      const auto told = static_cast<std::ptrdiff_t>(causes_of(*of.parts).size());
+      parts.emplace(of.parts->begin(), of.parts->begin() + told);
       round_all(*parts, point_digits);
     }
   }

@@ -71,8 +71,19 @@ struct Words<Word> {
 /// The members of the parts of an error by its causes.
 template <class Visitor>
 void fields(Visitor& visit, CauseParts& parts) {
-  for (std::size_t index = 0; index < causes.size(); ++index) {
+  for (std::size_t index = 0; index + 1 < causes.size(); ++index) {
     visit(std::string(to_string(causes[index])), parts[index], meaning_of(causes[index]));
+  }
+  const std::string last(to_string(causes.back()));
+  std::optional<double> part;  // of systems alone
+  if (causes_of(parts).size() == causes.size()) {
+    part = parts.back();
+  }
+  visit.unless_missing(last, part, [&](auto& inside, double& size) {
+    inside(last, size, meaning_of(causes.back()));
+  });
+  if (part) {
+    parts.back() = *part;
   }
 }
 

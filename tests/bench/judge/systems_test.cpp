@@ -4,55 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include "bench/judge/judgement.hpp"
 #include "bench/measure/audit_impacts.hpp"
-#include "tautline/plain_scheme.hpp"
-#include "tautline/scenarios.hpp"
-#include "tests/bench/support.hpp"
+#include "tests/bench/spoilt_scheme.hpp"
 
 namespace tautline::test {
 namespace {
 
 using namespace bench;
-using Scheme = BasicPlainScheme<SpatialSystem>;
-
-/// A plain scheme that may do something of its own before and after each step of `dt` [s].
-class Spoiled final : public SystemSimulation {
- public:
-  using Spoil = std::function<void(Scheme&, double dt)>;
-
-  Spoiled(const SpatialSystem& system, Spoil before, Spoil after)
-      : scheme_(system, Scheme::Acts::late), before_(std::move(before)), after_(std::move(after)) {}
-
-  void step(double dt) override {
-    if (before_) {
-      before_(scheme_, dt);
-    }
-    scheme_.step(dt);
-    if (after_) {
-      after_(scheme_, dt);
-    }
-  }
-  [[nodiscard]] SpatialSystemState state() const override { return scheme_.state(); }
-  [[nodiscard]] std::span<const double> impulses() const override { return scheme_.impulses(); }
-
- private:
-  Scheme scheme_;
-  Spoil before_;
-  Spoil after_;
-};
-
-/// One of those that are shipped in space.
-SpatialSystem shipped(const std::string& name) {
-  return bench::test::named(shipped_spatial_systems(), name);
-}
-/// One of the plane, in the plane z = 0.
-SpatialSystem planar(const std::string& name) {
-  return in_space(bench::test::named(shipped_systems(), name));
-}
+using Scheme = SystemScheme;
 
 /// The judgement of the scheme on `system`, spoilt.
 Judgement judged(const SpatialSystem& system, double step, const Spoiled::Spoil& before = {},
@@ -111,20 +73,10 @@ TEST(JudgementOfSystems, TellsAWrongGravity) {
 }
 
 TEST(JudgementOfSystems, TellsARotationWithoutTheGyroscopicTerm) {
-  // the spin in the world goes on as it is
-  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+  NoGyroscopicTerm fault;
   const Judgement found = judged(
-      shipped("tumbling-brick"), step,
-      [&](Scheme& scheme, double) {
-        const SpatialState& body = scheme.state().bodies[0];
-        spin = in_the_world(body, body.spin);
-      },
-      [&](Scheme& scheme, double) {
-        SpatialState& body = scheme.state().bodies[0];
-        if (scheme.impulses()[0] == 0.0) {
-          body.spin = in_the_body(body, spin);
-        }
-      });
+      shipped("tumbling-brick"), step, [&](Scheme& scheme, double) { fault.remember(scheme); },
+      [&](Scheme& scheme, double) { fault.keep(scheme); });
   EXPECT_GT(found.rotation.value_or(0.0), most_rotation);
   EXPECT_LE(found.flight, 1e-9);
 }

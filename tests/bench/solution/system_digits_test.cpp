@@ -41,6 +41,10 @@ constexpr std::size_t most_system_events = 150;
 constexpr unsigned digits_of_truth = 60;
 constexpr double completion_of_truth = 1e-40;  // [-], its error
 
+/// The truth goes on past the last event of the other solution by this part of its time [-]: the
+/// true event may be later, by far less.
+constexpr double past_the_end = 1e-3;
+
 /// The numbers of a sample of a system's motion, in the order of CheckedMotion::names().
 std::vector<Multi> true_numbers(const BasicSystem<Multi, 2>& system,
                                 const BasicSystemState<Multi, 2>& state, CableSet taut,
@@ -127,7 +131,9 @@ void compare_with_truth(const System& system, const std::string& name, PrintedNu
   options.max_events = most_system_events;
   const CheckedMotion motion(system, options);
   const tautline::Digits precision(digits_of_truth);
-  const auto sharp = converted<Multi>(system);
+  auto sharp = converted<Multi>(system);
+  const Multi enough = (1 + past_the_end) * Multi(motion.solution().end_time());
+  sharp.duration = std::min(sharp.duration, enough);
   options.completion = {.error = completion_of_truth, .speed = std::nullopt};
   options.max_events = 20 * most_system_events;
   const TrueSolution truth = solve(sharp, options);

@@ -1,0 +1,123 @@
+// What the deviation of a run of a system comes from: planted faults are named, and the parts are
+// the whole.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "bench/measure/attribution/attribution.hpp"
+#include "bench/measure/reference.hpp"
+#include "tests/bench/spoilt_scheme.hpp"
+
+namespace tautline::test {
+namespace {
+
+using namespace bench;
+
+constexpr double step = 1e-3;  // [s]
+
+std::string described(const Attribution& found) {
+  std::string text = fmt::format("{} m at {} s, {} arcs, {} impacts, remainder {}, {}\n",
+                                 found.deviation, found.until, found.arcs, found.impacts,
+                                 found.remainder, found.reason);
+  for (std::size_t index = 0; found.parts && index < causes.size(); ++index) {
+    text += fmt::format("{}: {}\n", bench::to_string(causes[index]), (*found.parts)[index]);
+  }
+  return text;
+}
+
+/// The attribution of the scheme on `system`, spoilt; its parts are the whole.
+Attribution attributed(const SpatialSystem& system, const Spoiled::Spoil& before = {},
+                       const Spoiled::Spoil& after = {}) {
+  const ReferenceSystem reference = solve_case(system, ImpactLaw::simultaneous);
+  Spoiled simulation(system, before, after);
+  const SystemTrajectory run = record(system, simulation, step);
+  Attribution found = attribute(system, reference.solution, reference.horizon, run);
+  EXPECT_TRUE(found.parts) << system.name << ": " << found.reason;
+  double sum = found.remainder;
+  for (const double part : found.parts.value_or(CauseParts{})) {
+    sum += part;
+  }
+  EXPECT_NEAR(sum, found.deviation, 1e-12 * found.deviation) << system.name;
+  EXPECT_LE(std::abs(found.remainder), 0.05 * found.deviation) << described(found);
+  return found;
+}
+
+/// The size of the part of a cause [m].
+double part(const Attribution& found, Cause cause) {
+  return std::abs(found.parts.value_or(CauseParts{})[static_cast<std::size_t>(cause)]);
+}
+
+/// Its share in the sizes of all parts [-].
+double share(const Attribution& found, Cause cause) {
+  double all = 0.0;
+  for (const Cause one : causes) {
+    all += part(found, one);
+  }
+  return part(found, cause) / all;
+}
+
+TEST(AttributionOfSystems, NamesARotationWithoutTheGyroscopicTerm) {
+  NoGyroscopicTerm fault;
+  const Attribution found = attributed(
+      shipped("tumbling-brick"), [&](SystemScheme& scheme, double) { fault.remember(scheme); },
+      [&](SystemScheme& scheme, double) { fault.keep(scheme); });
+  EXPECT_GT(share(found, Cause::rotation_in_flight), 0.5) << described(found);
+  const Attribution plain = attributed(shipped("tumbling-brick"));
+  EXPECT_LT(plain.deviation, 0.1 * found.deviation) << described(plain);
+  EXPECT_LT(part(plain, Cause::rotation_in_flight), 0.1 * part(found, Cause::rotation_in_flight));
+}
+
+TEST(AttributionOfSystems, HasNoRotationOfABallAndOfPointMasses) {
+  for (const char* name : {"tethered-ball", "spherical-slack"}) {
+    const Attribution found = attributed(shipped(name));
+    // the step of an impact is late, and turns the ball as before it
+    EXPECT_LT(share(found, Cause::rotation_in_flight), 0.03) << name << '\n' << described(found);
+  }
+}
+
+TEST(AttributionOfSystems, NamesAWrongRestitution) {
+  const auto with_part = [](double part) {
+    return attributed(shipped("tethered-ball"), [part](SystemScheme& scheme, double) {
+      for (SpatialCable& cable : scheme.system().cables) {
+        cable.restitution = part * 0.7;
+      }
+    });
+  };
+  const Attribution low = with_part(0.7);
+  EXPECT_GT(share(low, Cause::solver_residual), 0.8) << described(low);
+  const Attribution lost = with_part(0.0);
+  EXPECT_GT(share(lost, Cause::restitution_ignored), 0.8) << described(lost);
+}
+
+TEST(AttributionOfSystems, NamesAWrongGravity) {
+  const Attribution found =
+      attributed(shipped("tethered-ball"), [](SystemScheme& scheme, double) {
+        if (scheme.state().time == 0.0) {
+          auto& gravity = scheme.system().gravity;
+          gravity = Function<3>::constant(1.05 * gravity.at(0.0));
+        }
+      });
+  EXPECT_GT(share(found, Cause::flight_bias), 0.6) << described(found);
+}
+
+TEST(AttributionOfSystems, NamesTautCables) {
+  for (const char* name : {"conical", "bifilar"}) {
+    const Attribution found = attributed(shipped(name));
+    EXPECT_GT(share(found, Cause::taut_drift), 0.99) << name << '\n' << described(found);
+  }
+}
+
+TEST(AttributionOfSystems, FollowsWhatIsGivenOverTime) {
+  // restarted at another instant, a winch and a moving anchor go on as they did
+  for (const char* name : {"winch", "two-bodies", "bouncer-stable", "tow"}) {
+    const Attribution found = attributed(planar(name));
+    EXPECT_LT(std::abs(found.remainder), 0.05 * found.deviation) << name << described(found);
+    EXPECT_GT(found.arcs + found.impacts, 1U) << name;
+  }
+}
+
+}  // namespace
+}  // namespace tautline::test

@@ -3,6 +3,7 @@
 // it (`early`). ODE takes the larger of the bounce and the push out of the overstretch, and the
 // bounce from the velocity before gravity's part of the step.
 
+#include <type_traits>
 #include <utility>
 
 #include "models.hpp"
@@ -29,7 +30,7 @@ struct Choice {
   Activation activation;
   Rotation rotation;
   double bounce_vel;          // [m/s], a slower contact does not bounce
-  std::optional<double> cfm;  // none: ODE's own
+  std::optional<double> cfm;  // none: ODE's own, and so in all systems
   Push push;
 };
 
@@ -46,7 +47,7 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
   FixedStepSimulation(const TheCase& the_case, const RunSettings& run, const Choice& choice)
       : case_(the_case), choice_(choice), run_(run), world_(the_case, choice.rotation) {
     check_contacts(the_case);
-    if (choice.cfm) {
+    if (choice.cfm && std::is_same_v<TheCase, Case>) {
       dWorldSetCFM(world_.id(), *choice.cfm);
     }
     const double gravity = weight(the_case);

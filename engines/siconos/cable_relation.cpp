@@ -16,6 +16,12 @@ State pose_of(const BlockVector& q) {
   return state;
 }
 
+/// `row`, or no direction where an end lies on the other one: such a cable is slack.
+template <class Row>
+Row where_it_has_one(const Row& row) {
+  return row.allFinite() ? row : Row(Row::Zero(row.size()));
+}
+
 /// The row of a matrix that a cable has.
 void put(SimpleMatrix& row, const Eigen::Vector3d& values) {
   for (unsigned int column = 0; column < 3; ++column) {
@@ -31,7 +37,7 @@ void CableRelation::computeh(const BlockVector& q, BlockVector& /*z*/, SiconosVe
 
 void CableRelation::computeJachq(const BlockVector& q, BlockVector& /*z*/) {
   if (_jachq) {
-    put(*_jachq, gap_gradient(cable_, pose_of(q)));
+    put(*_jachq, where_it_has_one(gap_gradient(cable_, pose_of(q))));
   }
 }
 
@@ -41,7 +47,7 @@ void CableRelation::computeDotJachq(const BlockVector& q, BlockVector& /*z*/,
     State state = pose_of(q);
     state.velocity = Vec2(rate(0), rate(1));
     state.spin = rate(2);
-    put(*_dotjachq, gap_gradient_rate(cable_, state));
+    put(*_dotjachq, where_it_has_one(gap_gradient_rate(cable_, state)));
   }
 }
 
@@ -70,7 +76,8 @@ void SystemCableRelation::computeh(double time, const BlockVector& places, Sicon
 
 void SystemCableRelation::computeJachqT(Interaction& /*interaction*/,
                                         std::shared_ptr<BlockVector> places) {
-  const RowOf<SpatialSystem> gradient = gap_gradient(cable_, state_of(0.0, *places));
+  const RowOf<SpatialSystem> gradient =
+      where_it_has_one(gap_gradient(cable_, state_of(0.0, *places)));
   unsigned int first = 0;
   for (const std::size_t body : on_) {
     for (unsigned int i = 0; i < twist_numbers; ++i) {

@@ -23,7 +23,9 @@ class Spoiled final : public SystemSimulation {
   using Spoil = std::function<void(SystemScheme&, double dt)>;
 
   Spoiled(const SpatialSystem& system, Spoil before, Spoil after)
-      : scheme_(system, SystemScheme::Acts::late), before_(std::move(before)), after_(std::move(after)) {}
+      : scheme_(system, SystemScheme::Acts::late),
+        before_(std::move(before)),
+        after_(std::move(after)) {}
 
   void step(double dt) override {
     if (before_) {

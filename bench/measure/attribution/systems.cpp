@@ -117,16 +117,19 @@ class SystemCutter {
     if (run_.tensions.empty()) {
       return false;
     }
-    const auto first =
-        run_.tensions.begin() + static_cast<std::ptrdiff_t>((step + 1) * cables);
+    const auto first = run_.tensions.begin() + static_cast<std::ptrdiff_t>((step + 1) * cables);
     return std::any_of(first, first + static_cast<std::ptrdiff_t>(cables),
                        [](double tension) { return tension > 0.0; });
   }
 
   void add(SystemSegment::Kind kind, std::size_t end, const SpatialSystemState& at_end) {
     const bool first = segments_.empty();
-    segments_.push_back({kind, first ? 0 : segments_.back().last, end,
-                         first ? state(0) : segments_.back().end, at_end, {}});
+    segments_.push_back({kind,
+                         first ? 0 : segments_.back().last,
+                         end,
+                         first ? state(0) : segments_.back().end,
+                         at_end,
+                         {}});
   }
 
   /// The state at `point` with the cables that are too long there, and that of `impact`, taut.
@@ -266,9 +269,8 @@ class SystemBuilder {
   }
 
   /// `state` with impulses on `cables` that give them the gap rates `wanted` [m/s].
-  [[nodiscard]] SpatialSystemState with_rates(
-      const SpatialSystemState& state, CableSet cables,
-      const std::array<double, max_cables>& wanted) const {
+  [[nodiscard]] SpatialSystemState with_rates(const SpatialSystemState& state, CableSet cables,
+                                              const std::array<double, max_cables>& wanted) const {
     if (cables.empty()) {
       return state;
     }

@@ -19,9 +19,9 @@ using namespace bench;
 constexpr double step = 1e-3;  // [s]
 
 std::string described(const Attribution& found) {
-  std::string text = fmt::format("{} m at {} s, {} arcs, {} impacts, remainder {}, {}\n",
-                                 found.deviation, found.until, found.arcs, found.impacts,
-                                 found.remainder, found.reason);
+  std::string text =
+      fmt::format("{} m at {} s, {} arcs, {} impacts, remainder {}, {}\n", found.deviation,
+                  found.until, found.arcs, found.impacts, found.remainder, found.reason);
   for (std::size_t index = 0; found.parts && index < causes.size(); ++index) {
     text += fmt::format("{}: {}\n", bench::to_string(causes[index]), (*found.parts)[index]);
   }
@@ -93,13 +93,12 @@ TEST(AttributionOfSystems, NamesAWrongRestitution) {
 }
 
 TEST(AttributionOfSystems, NamesAWrongGravity) {
-  const Attribution found =
-      attributed(shipped("tethered-ball"), [](SystemScheme& scheme, double) {
-        if (scheme.state().time == 0.0) {
-          auto& gravity = scheme.system().gravity;
-          gravity = Function<3>::constant(1.05 * gravity.at(0.0));
-        }
-      });
+  const Attribution found = attributed(shipped("tethered-ball"), [](SystemScheme& scheme, double) {
+    if (scheme.state().time == 0.0) {
+      auto& gravity = scheme.system().gravity;
+      gravity = Function<3>::constant(1.05 * gravity.at(0.0));
+    }
+  });
   EXPECT_GT(share(found, Cause::flight_bias), 0.6) << described(found);
 }
 

@@ -68,6 +68,7 @@ SpatialSystem body_in_space(const Eigen::Vector3d& moments) {
   result.initial.bodies.resize(1);
   SpatialCable cable;
   cable.from.body = 0;
+  cable.to.at = Eigen::Vector3d(0.0, 0.0, 2.0);  // not at the body: a cable needs a direction
   cable.length = Function<1>::constant(100.0);
   cable.restitution = 0.5;
   result.cables = {cable};
@@ -95,9 +96,8 @@ SpatialSystem pair_on_a_cable(double restitution) {
   light.position = Eigen::Vector3d(0.3, -0.4, 0.2);
   heavy.position = light.position + in_the_world(light, cable.from.at) +
                    (1.0 - way_to_strike) * struck_direction() - in_the_world(heavy, cable.to.at);
-  const Eigen::Vector3d common(0.2, -0.1, 0.3);  // [m/s]
-  light.velocity = common - 0.7 * struck_direction();
-  heavy.velocity = common + 0.3 * struck_direction();
+  light.velocity = -0.75 * struck_direction();
+  heavy.velocity = 0.25 * struck_direction();
   light.spin = Eigen::Vector3d(0.2, -0.1, 0.3);
   heavy.spin = Eigen::Vector3d(-0.1, 0.2, 0.1);
   return result;

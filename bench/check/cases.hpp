@@ -34,7 +34,8 @@ namespace tautline::bench {
 inline constexpr double way_to_strike = 0.0203;
 
 /// Two bodies of 1 and 3 kg in space that go apart with 1 m/s, on an off-centre cable between them.
-/// Each has three equal moments, and so turns alike with and without the gyroscopic term.
+/// Each has three equal moments, and so turns alike with and without the gyroscopic term. Their
+/// momentum is zero, so that damping does not change it.
 [[nodiscard]] SpatialSystem pair_on_a_cable(double restitution);
 
 }  // namespace tautline::bench

@@ -18,14 +18,14 @@ struct BasicHit {
 using Hit = BasicHit<Case>;
 using SystemHit = BasicHit<SpatialSystem>;
 
-/// The first hit of a run of `the_case`, a `Case` or a `SpatialSystem`, up to `end` [s]; none if no
-/// impulse is reported.
+/// The first hit of a run of `the_case`, a `Case` or a `SpatialSystem`, up to `end` [s]; empty if
+/// no impulse is reported.
 template <class TheCase>
 [[nodiscard]] std::optional<BasicHit<TheCase>> first_hit(const Subject& subject,
                                                          const TheCase& the_case, double step,
                                                          double end);
 
-/// What a claim about hits has found where there was no hit.
+/// The measure of a run in which the cable is not hit.
 [[nodiscard]] Measure never_hit(double limit);
 
 }  // namespace tautline::bench

@@ -21,7 +21,7 @@ struct BasicMoment {
 using Moment = BasicMoment<Case>;
 using SystemMoment = BasicMoment<SpatialSystem>;
 
-/// What is done at each moment.
+/// Called at each moment.
 template <class TheCase>
 using Look = std::type_identity_t<std::function<void(const BasicMoment<TheCase>&)>>;
 

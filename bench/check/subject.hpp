@@ -39,7 +39,7 @@ class Subject {
 
   /// A run of `the_case`. It throws NoMotion where the engine reports what is none.
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& the_case, double step) const;
-  /// The same of a system in space. It throws NotRun where the model does not take it.
+  /// A run of a system in space. It throws NotRun where the model does not take it.
   [[nodiscard]] std::unique_ptr<SystemSimulation> start(const SpatialSystem& system,
                                                         double step) const;
   [[nodiscard]] bool in_double() const { return in_double_; }

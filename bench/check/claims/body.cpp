@@ -60,21 +60,21 @@ constexpr double inertias[] = {0.05, 0.4};  // [kg m^2], of 1 kg
 /// [rad]; the arm is 0.23 m or more at all of them, and 0.23 m at angle 0
 constexpr double angles[] = {-0.9, 1.8, 3.0, -2.0};
 
-/// What a hit of a body in space did, in the axes of the body.
+/// The effect of a hit on a body in space, in the axes of the body.
 struct Struck {
   Eigen::Vector3d wanted;  // [m], the moment of a unit impulse
   Eigen::Vector3d turned;  // [kg m^2 rad/s / (N s)], moments times change of spin, over the impulse
   double astray;           // [-], of the impulse: how far the change of momentum is from it
 };
 
-/// Of 1 kg; the three differ, and a body has them: none is larger than the sum of the others.
+/// Three different moments that a body of 1 kg can have: each is at most the sum of the others.
 const Eigen::Vector3d& struck_moments() {
   static const Eigen::Vector3d moments(0.05, 0.08, 0.11);  // [kg m^2]
   return moments;
 }
 
 /// A body at `orientation` that is hit at the point `at` of it [m] along `towards`, a unit vector
-/// of the world. None if it is not.
+/// of the world. Empty if no impulse is reported.
 std::optional<Struck> struck(const Subject& subject, const Quaternion& orientation,
                              const Eigen::Vector3d& at, const Eigen::Vector3d& towards) {
   SpatialSystem system = body_in_space(struck_moments());

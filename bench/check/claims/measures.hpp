@@ -27,7 +27,7 @@ namespace tautline::bench {
 [[nodiscard]] Measure measure_arm(const Subject& subject);
 [[nodiscard]] Measure measure_angular_momentum(const Subject& subject);
 
-// Whether one in space moves and turns it, about each of its axes and in every orientation.
+// Hits of a body in space: about each of its axes, and in every orientation.
 [[nodiscard]] Measure measure_space_inertia(const Subject& subject);
 [[nodiscard]] Measure measure_space_arm(const Subject& subject);
 
@@ -39,8 +39,8 @@ namespace tautline::bench {
 [[nodiscard]] Measure measure_off_centre_restitution(const Subject& subject);
 [[nodiscard]] Measure measure_slow_restitution(const Subject& subject);
 
-// What a system in space begins with, how a free body turns there, what a cable between two bodies
-// does, and whether an anchor may move.
+// Systems in space: their initial state, a free body that turns, a cable between two bodies, and an
+// anchor that moves.
 [[nodiscard]] Measure measure_space_echo(const Subject& subject);
 [[nodiscard]] Measure measure_gyroscopic_term(const Subject& subject);
 [[nodiscard]] Measure measure_pair_momentum(const Subject& subject);

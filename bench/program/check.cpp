@@ -93,8 +93,8 @@ std::string not_applying(const CheckedModel& checked) {
     const auto names = claims_that(checked, [&](const SettledClaim& settled) {
       return !settled.applies && settled.sentence == reason;
     });
-    text += fmt::format(" {} {} not apply: {}.", joined(names, "and"),
-                        names.size() == 1 ? "does" : "do", printable(reason, 1000));
+    text += fmt::format(" Claims that do not apply: {}, as {}.", joined(names, "and"),
+                        printable(reason, 1000));
   }
   return text;
 }

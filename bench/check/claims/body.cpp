@@ -270,7 +270,7 @@ Measure measure_space_arm(const Subject& subject) {
   }
   return {found, body_limit,
           fmt::format("the arm of an impulse is wrong in space: it turns a body by other than its "
-                      "moment, by {:.3g} of it; it does not turn with the body",
+                      "moment, by {:.3g} of it; it seems not to turn with the body",
                       turned)};
 }
 

@@ -245,7 +245,7 @@ Measure measure_pair_momentum(const Subject& subject) {
   } else if (!(turned <= pair_limit)) {
     sentence = fmt::format(
         "a cable between two bodies changes their angular momentum, by {:.3g} of its impulse times "
-        "its length: it does not pull at both along one line",
+        "its length: it does not pull at both along one line, or it turns other moments",
         turned);
   }
   return {found, pair_limit, sentence};

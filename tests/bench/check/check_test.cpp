@@ -141,7 +141,7 @@ std::vector<Flaw> planted_flaws() {
       {"talkative", "quiet", "the fixture took a step of", {}},
       {"space-no-gyroscopic-term",
        "gyroscopic-term",
-       "leaves the gyroscopic term out: a free body keeps its spin in the world",
+       "leaves the gyroscopic term out: a free body turns as if it kept its spin in the world",
        {}},
       // momenta are reckoned with the declared moments
       {"space-wrong-moment",

@@ -239,8 +239,11 @@ TEST(Check, NeverSaysThatNoNumberIsOffBySomething) {
   for (const std::string name : {"nan", "inf"}) {
     const Outcome outcome = program({"check", bad_engine(name)});
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_EQ(outcome.output.find(" inf "), std::string::npos) << outcome.output;
-    EXPECT_EQ(outcome.output.find(" nan "), std::string::npos) << outcome.output;
+    // the last sentence has the name of the fixture
+    const std::string said =
+        outcome.output.substr(0, outcome.output.find("Claims that do not apply"));
+    EXPECT_EQ(said.find(" inf "), std::string::npos) << said;
+    EXPECT_EQ(said.find(" nan "), std::string::npos) << said;
   }
 }
 

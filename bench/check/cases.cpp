@@ -6,6 +6,7 @@
 
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 
@@ -54,6 +55,51 @@ Case mirrored(const Case& the_case) {
     cable.attachment.x() = -cable.attachment.x();
   }
   std::reverse(result.cables.begin(), result.cables.end());
+  return result;
+}
+
+SpatialSystem body_in_space(const Eigen::Vector3d& moments) {
+  SpatialSystem result;
+  result.name = "body";
+  result.gravity = Function<3>::constant(Eigen::Vector3d::Zero());
+  result.duration = 10.0;
+  result.bodies.resize(1);
+  result.bodies.front().inertia = moments;
+  result.initial.bodies.resize(1);
+  SpatialCable cable;
+  cable.from.body = 0;
+  cable.to.at = Eigen::Vector3d(0.0, 0.0, 2.0);  // not at the body: a cable needs a direction
+  cable.length = Function<1>::constant(100.0);
+  cable.restitution = 0.5;
+  result.cables = {cable};
+  return result;
+}
+
+Eigen::Vector3d struck_direction() { return {0.48, 0.6, 0.64}; }
+
+SpatialSystem pair_on_a_cable(double restitution) {
+  SpatialSystem result = body_in_space(Eigen::Vector3d::Constant(0.05));
+  result.name = "pair";
+  result.bodies.resize(2);
+  result.bodies[1].mass = 3.0;
+  result.bodies[1].inertia.setConstant(0.3);
+  result.initial.bodies.resize(2);
+  SpatialState& light = result.initial.bodies[0];
+  SpatialState& heavy = result.initial.bodies[1];
+  light.orientation = quaternion_of<double>(Eigen::Vector3d(0.3, -0.5, 0.2));
+  heavy.orientation = quaternion_of<double>(Eigen::Vector3d(-0.4, 0.1, 0.6));
+  SpatialCable& cable = result.cables.front();
+  cable.from = {0, Eigen::Vector3d(0.1, -0.2, 0.15), {}};
+  cable.to = {1, Eigen::Vector3d(-0.2, 0.1, 0.3), {}};
+  cable.length = Function<1>::constant(1.0);
+  cable.restitution = restitution;
+  light.position = Eigen::Vector3d(0.3, -0.4, 0.2);
+  heavy.position = light.position + in_the_world(light, cable.from.at) +
+                   (1.0 - way_to_strike) * struck_direction() - in_the_world(heavy, cable.to.at);
+  light.velocity = -0.75 * struck_direction();
+  heavy.velocity = 0.25 * struck_direction();
+  light.spin = Eigen::Vector3d(0.2, -0.1, 0.3);
+  heavy.spin = Eigen::Vector3d(-0.1, 0.2, 0.1);
   return result;
 }
 

@@ -8,6 +8,8 @@
 namespace tautline::bench {
 namespace {
 
+constexpr bool spatial = true;
+
 constexpr std::array all_claims = {
     Claim{"state-echo", "a run begins in the initial state it was given",
           "the rounding of the precision that the engine declares", measure_state_echo},
@@ -51,7 +53,24 @@ constexpr std::array all_claims = {
     Claim{"determinism", "a second run is the same, bit by bit", "none: the same is the same",
           measure_determinism},
     Claim{"convergence", "smaller steps bring it to the exact motion, at first order",
-          "a slope of 1, scattered by where an impact falls in its step", measure_convergence}};
+          "a slope of 1, scattered by where an impact falls in its step", measure_convergence},
+    Claim{"space-echo", "a system in space begins in the initial state it was given",
+          "the rounding of the precision that the engine declares", measure_space_echo, spatial},
+    Claim{"gyroscopic-term", "a free body turns in space as Euler's equations say",
+          "the square of the turn in a step, in each step: a scheme of first order errs by less",
+          measure_gyroscopic_term, spatial},
+    Claim{"space-inertia", "an impulse turns the declared moment about each axis",
+          "a contact of 20 steps turns the body meanwhile", measure_space_inertia, spatial},
+    Claim{"space-arm", "an impulse acts at the attachment in every orientation",
+          "a contact of 20 steps turns the body meanwhile", measure_space_arm, spatial},
+    Claim{"pair-momentum", "a cable between two bodies keeps their momenta",
+          "it may act anywhere in the step, in which the bodies turn", measure_pair_momentum,
+          spatial},
+    Claim{"pair-restitution", "a hit between two bodies rebounds with the restitution",
+          "the cable's turning in a contact of 20 steps, and 0.02 for a spring's phase",
+          measure_pair_restitution, spatial},
+    Claim{"moving-anchor", "an anchor that moves evenly does what one at rest does",
+          "a hit that is noticed a step sooner or later", measure_moving_anchor, spatial}};
 
 }  // namespace
 

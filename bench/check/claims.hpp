@@ -18,6 +18,7 @@ struct Claim {
   std::string_view sentence;  // what is claimed
   std::string_view reason;    // why the limit is what it is
   Measure (*measure)(const Subject& subject);
+  bool in_space = false;  // about systems in space: it applies to models that run them
 };
 
 /// All claims, in the order in which a reader wants them: one that fails may break those after it.

@@ -77,14 +77,6 @@ State slack_step(State state, const Vec2& gravity, double dt, const Flight& flig
   return state;
 }
 
-State at_the_solve(State before, double dt, const Flight& flight) {
-  if (flight.scheme == Flight::Scheme::position_first) {
-    before.position += dt * before.velocity;
-    before.angle += dt * before.spin;
-  }
-  return before;
-}
-
 Flight flight_of(const Engine& engine, const std::string& model, double rounding) {
   constexpr double unit = probe_gravity * probe_step * probe_step;  // [m]
   const double fallen = -probed(engine, model, probe_gravity, 0.0).position.y() / unit;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tautline/case.hpp"
+#include "tautline/case_or_system.hpp"
 #include "tautline/engine.hpp"
 
 namespace tautline::bench {
@@ -24,8 +25,13 @@ struct Flight {
 /// The state after a slack step of `dt` [s].
 [[nodiscard]] State slack_step(State state, const Vec2& gravity, double dt, const Flight& flight);
 
-/// The velocity before a step of `dt` [s] at the pose at which the step solves its constraints.
-[[nodiscard]] State at_the_solve(State before, double dt, const Flight& flight);
+/// The velocities before a step of `dt` [s] at the pose at which the step solves its constraints.
+template <class State>  // of a `Case` or a `SpatialSystem`
+[[nodiscard]] State at_the_solve(const State& before, double dt, const Flight& flight) {
+  return flight.scheme == Flight::Scheme::position_first
+             ? moved(before, (dt * motion_of(before)).eval())
+             : before;
+}
 
 /// How `model` seems to fly, from one step of a fall. `rounding` [-] is what its numbers leave of
 /// one near 1.

@@ -23,7 +23,7 @@ std::string reason(const std::exception& error) {
   const bool shown = dynamic_cast<const RunStopped*>(&error) != nullptr ||
                      dynamic_cast<const NoMotion*>(&error) != nullptr;
   const std::string said = error.what();
-  if (said.starts_with("unsupported: ")) {
+  if (said.starts_with(refusal)) {
     return "the engine refuses the case of this claim: " + said;
   }
   return shown ? said : "the engine threw: " + said;
@@ -35,6 +35,10 @@ SettledClaim settle(const Claim& claim, const Subject& subject) {
     // false where it is not a number
     const bool holds = measure.found <= measure.limit;
     return {std::string(claim.name), measure.found, measure.limit, holds, measure.sentence};
+  } catch (const NotRun& why) {
+    SettledClaim result = unmeasured(claim.name, why.what());
+    result.applies = false;
+    return result;
   } catch (const std::exception& error) {
     return unmeasured(claim.name, reason(error));
   }

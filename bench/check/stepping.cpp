@@ -9,11 +9,11 @@
 
 namespace tautline::bench {
 
-void run(Simulation& simulation, double step, double end,
-         const std::function<void(const Moment&)>& look) {
+template <class TheCase>
+void run(BasicSimulation<TheCase>& simulation, double step, double end, const Look<TheCase>& look) {
   const auto steps = static_cast<long>(std::llround(end / step));
   for (long k = 1; k <= steps; ++k) {
-    const State before = simulation.state();
+    const StateOf<TheCase> before = simulation.state();
     simulation.step(step);
     const auto stop = simulation.stopped();
     look({stop ? stop->time : static_cast<double>(k) * step, before, simulation.state()});
@@ -23,8 +23,9 @@ void run(Simulation& simulation, double step, double end,
   }
 }
 
-void run_whole(Simulation& simulation, double step, double end,
-               const std::function<void(const Moment&)>& look) {
+template <class TheCase>
+void run_whole(BasicSimulation<TheCase>& simulation, double step, double end,
+               const Look<TheCase>& look) {
   run(simulation, step, end, look);
   if (const auto stop = simulation.stopped()) {
     const std::string time = std::isfinite(stop->time) ? fmt::format("{:.4g}", stop->time)
@@ -32,5 +33,11 @@ void run_whole(Simulation& simulation, double step, double end,
     throw RunStopped(fmt::format("the run stopped at t = {}: {}", time, stop->reason));
   }
 }
+
+template void run<Case>(Simulation&, double, double, const Look<Case>&);
+template void run<SpatialSystem>(SystemSimulation&, double, double, const Look<SpatialSystem>&);
+template void run_whole<Case>(Simulation&, double, double, const Look<Case>&);
+template void run_whole<SpatialSystem>(SystemSimulation&, double, double,
+                                       const Look<SpatialSystem>&);
 
 }  // namespace tautline::bench

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <type_traits>
 
 #include "tautline/engine.hpp"
 
@@ -11,16 +12,23 @@ namespace tautline::bench {
 inline constexpr double usual_step = 1e-3;
 
 /// A time at which a simulation was looked at, and its state there.
-struct Moment {
-  double time;   // [s]
-  State before;  // the latest step
-  State after;   // it
+template <class TheCase>
+struct BasicMoment {
+  double time;              // [s]
+  StateOf<TheCase> before;  // the latest step
+  StateOf<TheCase> after;   // it
 };
+using Moment = BasicMoment<Case>;
+using SystemMoment = BasicMoment<SpatialSystem>;
 
-/// Steps `simulation` with `step` until `end` [s] or until it stops, and shows every step to
-/// `look`, the one in which it stops included.
-void run(Simulation& simulation, double step, double end,
-         const std::function<void(const Moment&)>& look);
+/// Called at each moment.
+template <class TheCase>
+using Look = std::type_identity_t<std::function<void(const BasicMoment<TheCase>&)>>;
+
+/// Steps `simulation` of a `Case` or a `SpatialSystem` with `step` until `end` [s] or until it
+/// stops, and shows every step to `look`, the one in which it stops included.
+template <class TheCase>
+void run(BasicSimulation<TheCase>& simulation, double step, double end, const Look<TheCase>& look);
 
 /// A run that says it cannot go on, where it must.
 class RunStopped : public std::runtime_error {
@@ -29,7 +37,8 @@ class RunStopped : public std::runtime_error {
 };
 
 /// The same, to the end: throws RunStopped with the reason if the simulation stops before.
-void run_whole(Simulation& simulation, double step, double end,
-               const std::function<void(const Moment&)>& look);
+template <class TheCase>
+void run_whole(BasicSimulation<TheCase>& simulation, double step, double end,
+               const Look<TheCase>& look);
 
 }  // namespace tautline::bench

@@ -3,34 +3,58 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <exception>
+#include <string_view>
 #include <utility>
 
 #include "bench/check/measure.hpp"
+#include "bench/data/coordinates.hpp"
 
 namespace tautline::bench {
 namespace {
 
 /// "x is NaN", "vy is -infinity" for the first number of `state` that is not finite; else "".
-std::string fault_of(const State& state) {
-  const std::pair<const char*, double> numbers[] = {
-      {"x", state.position.x()},  {"y", state.position.y()},  {"the angle", state.angle},
-      {"vx", state.velocity.x()}, {"vy", state.velocity.y()}, {"the spin", state.spin}};
-  for (const auto& [name, number] : numbers) {
+template <class OneBody>
+std::string fault_of(const OneBody& state) {
+  for (const auto& [name, unit, is_rate, number] : coordinates(state)) {
     if (!std::isfinite(number)) {
-      return fmt::format("{} is {}", name, not_finite(number));
+      const std::string_view word = name;
+      return fmt::format("{}{} is {}", word == "angle" || word == "spin" ? "the " : "", word,
+                         not_finite(number));
+    }
+  }
+  return "";
+}
+
+/// Throws NoMotion unless `state` has all bodies of `the_case`.
+void expect_bodies(const Case& /*the_case*/, const State& /*state*/) {}
+void expect_bodies(const SpatialSystem& system, const SpatialSystemState& state) {
+  if (state.bodies.size() != system.bodies.size()) {
+    throw NoMotion(fmt::format("it gives a state of {} bodies for {}", state.bodies.size(),
+                               system.bodies.size()));
+  }
+}
+
+/// Likewise for all bodies of a system.
+std::string fault_of(const SpatialSystemState& state) {
+  for (const SpatialState& body : state.bodies) {
+    if (std::string fault = fault_of(body); !fault.empty()) {
+      return fault;
     }
   }
   return "";
 }
 
 /// What an engine reports, compared with the case before anyone reads it.
-class CheckedSimulation final : public Simulation {
+template <class TheCase>
+class CheckedSimulation final : public BasicSimulation<TheCase> {
  public:
-  CheckedSimulation(std::unique_ptr<Simulation> inner, std::size_t cables)
-      : inner_(std::move(inner)), cables_(cables) {}
+  CheckedSimulation(std::unique_ptr<BasicSimulation<TheCase>> inner, const TheCase& the_case)
+      : inner_(std::move(inner)), case_(the_case), cables_(the_case.cables.size()) {}
 
-  [[nodiscard]] State state() const override {
-    const State state = inner_->state();
+  [[nodiscard]] StateOf<TheCase> state() const override {
+    StateOf<TheCase> state = inner_->state();
+    expect_bodies(case_, state);
     if (const std::string fault = fault_of(state); !fault.empty()) {
       throw NoMotion(fmt::format("{} at t = {:.4g}", fault, time_));
     }
@@ -40,7 +64,7 @@ class CheckedSimulation final : public Simulation {
     inner_->step(dt);
     time_ += dt;
   }
-  [[nodiscard]] std::optional<Stop> stopped() const override { return inner_->stopped(); }
+  [[nodiscard]] std::optional<StopOfRun> stopped() const override { return inner_->stopped(); }
 
   [[nodiscard]] std::span<const double> impulses() const override {
     const std::span<const double> impulses = inner_->impulses();
@@ -56,13 +80,15 @@ class CheckedSimulation final : public Simulation {
     return impulses;
   }
 
-  [[nodiscard]] std::span<const Event> events() const override {
-    for (const Event& event : inner_->events()) {
+  [[nodiscard]] std::span<const BasicEvent<TheCase>> events() const override {
+    for (const BasicEvent<TheCase>& event : inner_->events()) {
       for (const std::size_t index : event.cables) {
         if (index >= cables_) {
           throw NoMotion("it gives an event of a cable that is not of the case");
         }
       }
+      expect_bodies(case_, event.before);
+      expect_bodies(case_, event.after);
       if (static_cast<std::size_t>(event.impulses.size()) != event.cables.size()) {
         throw NoMotion("it gives an event without an impulse for each of its cables");
       }
@@ -71,7 +97,8 @@ class CheckedSimulation final : public Simulation {
   }
 
  private:
-  std::unique_ptr<Simulation> inner_;
+  std::unique_ptr<BasicSimulation<TheCase>> inner_;
+  TheCase case_;
   std::size_t cables_;
   double time_ = 0.0;  // [s]
 };
@@ -86,11 +113,28 @@ Subject::Subject(const Engine& engine, std::string model, std::map<std::string, 
       flight_(flight_of(engine, model_, rounding())),
       turn_(turn_of(engine, model_, rounding())) {}
 
+RunSettings Subject::settings(double step) const {
+  RunSettings result = step;
+  result.parameters = parameters_;
+  return result;
+}
+
 std::unique_ptr<Simulation> Subject::start(const Case& the_case, double step) const {
-  RunSettings settings = step;
-  settings.parameters = parameters_;
-  return std::make_unique<CheckedSimulation>(engine_->start(the_case, model_, settings),
-                                             the_case.cables.size());
+  return std::make_unique<CheckedSimulation<Case>>(engine_->start(the_case, model_, settings(step)),
+                                                   the_case);
+}
+
+std::unique_ptr<SystemSimulation> Subject::start(const SpatialSystem& system, double step) const {
+  try {
+    return std::make_unique<CheckedSimulation<SpatialSystem>>(
+        engine_->start_system(system, model_, settings(step)), system);
+  } catch (const std::exception& error) {
+    const std::string_view said = error.what();
+    if (said.starts_with(refusal)) {
+      throw NotRun(std::string(said.substr(refusal.size())));
+    }
+    throw;
+  }
 }
 
 }  // namespace tautline::bench

@@ -65,15 +65,45 @@ std::vector<std::string> claims_that(const CheckedModel& checked, Predicate is_o
   return names;
 }
 
-bool is_known(const SettledClaim& settled) { return !settled.known.empty() && !settled.holds; }
-bool holds_now(const SettledClaim& settled) { return !settled.known.empty() && settled.holds; }
-bool is_broken(const SettledClaim& settled) { return settled.known.empty() && !settled.holds; }
+bool applies(const SettledClaim& settled) { return settled.applies; }
+bool is_known(const SettledClaim& settled) {
+  return settled.applies && !settled.known.empty() && !settled.holds;
+}
+bool holds_now(const SettledClaim& settled) {
+  return settled.applies && !settled.known.empty() && settled.holds;
+}
+bool is_broken(const SettledClaim& settled) {
+  return settled.applies && settled.known.empty() && !settled.holds;
+}
+bool is_listed_in_vain(const SettledClaim& settled) {
+  return !settled.applies && !settled.known.empty();
+}
+
+/// Which claims do not apply to a model, and why: a sentence for each reason.
+std::string not_applying(const CheckedModel& checked) {
+  std::vector<std::string> reasons;
+  for (const SettledClaim& settled : checked.claims) {
+    if (!settled.applies &&
+        std::find(reasons.begin(), reasons.end(), settled.sentence) == reasons.end()) {
+      reasons.push_back(settled.sentence);
+    }
+  }
+  std::string text;
+  for (const std::string& reason : reasons) {
+    const auto names = claims_that(checked, [&](const SettledClaim& settled) {
+      return !settled.applies && settled.sentence == reason;
+    });
+    text += fmt::format(" Claims that do not apply: {}, as {}.", joined(names, "and"),
+                        printable(reason, 1000));
+  }
+  return text;
+}
 
 /// The end of what is said of one model.
 std::string verdict(const CheckedModel& checked) {
   const auto broken = claims_that(checked, is_broken);
   const auto known = claims_that(checked, is_known);
-  const std::size_t count = checked.claims.size();
+  const std::size_t count = claims_that(checked, applies).size();
   std::string text = broken.empty()
                          ? fmt::format("All {}{} claims hold.", known.empty() ? "" : "other ",
                                        count - known.size())
@@ -86,11 +116,15 @@ std::string verdict(const CheckedModel& checked) {
     text += fmt::format(" Listed in contract.toml as violated, but hold{}: {}.",
                         now.size() == 1 ? "s" : "", joined(now, "and"));
   }
-  const std::size_t all = claims().size() + 1;  // and `quiet`
-  if (count < all) {
-    text += fmt::format(" The other {} were not measured.", all - count);
+  if (const auto vain = claims_that(checked, is_listed_in_vain); !vain.empty()) {
+    text += fmt::format(" Listed in contract.toml as violated, but {} not apply: {}.",
+                        vain.size() == 1 ? "does" : "do", joined(vain, "and"));
   }
-  return text;
+  const std::size_t all = claims().size() + 1;  // and `quiet`
+  if (checked.claims.size() < all) {
+    text += fmt::format(" The other {} were not measured.", all - checked.claims.size());
+  }
+  return text + not_applying(checked);
 }
 
 void print_check(const EngineInfo& info, const CheckedModel& checked) {
@@ -98,6 +132,9 @@ void print_check(const EngineInfo& info, const CheckedModel& checked) {
              checked.name);
   Table table({"claim", "found", "limit", "verdict", "what was found"}, 1, 2);
   for (const SettledClaim& settled : checked.claims) {
+    if (!settled.applies) {
+      continue;
+    }
     table.add({settled.claim, number_text(settled.found), number_text(settled.limit),
                verdict_text(settled), finding_text(settled)});
   }

@@ -30,6 +30,11 @@ struct Engines {
   std::vector<ListedEngine> engines;
 };
 
+/// A claim that says nothing of a model.
+struct NotApplying {
+  std::string claim;
+  std::string reason;
+};
 struct CheckedEngine {
   RegisteredEngine engine;
   std::vector<CheckedModel> models;
@@ -105,13 +110,29 @@ void fields(Visitor& visit, SettledClaim& settled) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, NotApplying& one) {
+  visit("claim", one.claim);
+  visit("reason", printable(one.reason, longest_sentence), "what the model cannot run");
+}
+
+template <class Visitor>
 void fields(Visitor& visit, CheckedModel& model) {
+  std::vector<SettledClaim> found;
+  std::vector<NotApplying> others;
+  for (const SettledClaim& one : model.claims) {
+    if (one.applies) {
+      found.push_back(one);
+    } else {
+      others.push_back({one.claim, one.sentence});
+    }
+  }
   visit("model", model.name);
   visit("holds", broken_claims(model.claims).empty(),
         "every claim holds for it, except the listed violations; these do not");
-  visit("findings", model.claims,
+  visit("findings", found,
         Says("in the order of measuring; after a crash or a time-out the rest is missing")
             .not_empty());
+  visit("not_applying", others, "claims on systems in space that the model does not run");
 }
 
 template <class Visitor>

@@ -93,11 +93,12 @@ double finite_or_none(const json& value) {
 // What follows is found by its argument's type: it must not be in the unnamed namespace.
 
 static void to_json(json& row, const SettledClaim& one) {
-  row = json::array({one.claim, one.found, one.limit, one.holds, one.sentence});
+  row = json::array({one.claim, one.found, one.limit, one.holds, one.sentence, one.applies});
 }
 
 static void from_json(const json& row, SettledClaim& one) {
-  one = {row.at(0), finite_or_none(row.at(1)), finite_or_none(row.at(2)), row.at(3), row.at(4)};
+  one = {row.at(0), finite_or_none(row.at(1)), finite_or_none(row.at(2)), row.at(3), row.at(4), "",
+         row.at(5)};
 }
 
 /// Without its numbers.

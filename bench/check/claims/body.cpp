@@ -6,13 +6,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 #include "bench/check/cases.hpp"
 #include "bench/check/hit.hpp"
 #include "bench/check/stepping.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -24,9 +27,6 @@ constexpr double way_to_go = 0.0203;  // [m], at 1 m/s: no whole number of steps
 /// A contact that takes `longest_contact` steps turns the body by up to 5e-3 rad meanwhile, and the
 /// moment with it; rounding to float is well below.
 constexpr double body_limit = 0.02;
-
-constexpr double not_hit = std::numeric_limits<double>::infinity();
-constexpr const char* not_hit_sentence = "the cable is never hit: no impulse is reported";
 
 /// A body of `mass` and `inertia` at `angle` on the way to be hit along its cable.
 Case hit_at(double angle, const Body& body, const Vec2& attachment) {
@@ -60,6 +60,54 @@ constexpr double inertias[] = {0.05, 0.4};  // [kg m^2], of 1 kg
 /// [rad]; the arm is 0.23 m or more at all of them, and 0.23 m at angle 0
 constexpr double angles[] = {-0.9, 1.8, 3.0, -2.0};
 
+/// The effect of a hit on a body in space, in the axes of the body.
+struct Struck {
+  Eigen::Vector3d wanted;  // [m], the moment of a unit impulse
+  Eigen::Vector3d turned;  // [kg m^2 rad/s / (N s)], moments times change of spin, over the impulse
+  double astray;           // [-], of the impulse: how far the change of momentum is from it
+};
+
+/// Three different moments that a body of 1 kg can have: each is at most the sum of the others.
+const Eigen::Vector3d& struck_moments() {
+  static const Eigen::Vector3d moments(0.05, 0.08, 0.11);  // [kg m^2]
+  return moments;
+}
+
+/// A body at `orientation` that is hit at the point `at` of it [m] along `towards`, a unit vector
+/// of the world. Empty if no impulse is reported.
+std::optional<Struck> struck(const Subject& subject, const Quaternion& orientation,
+                             const Eigen::Vector3d& at, const Eigen::Vector3d& towards) {
+  SpatialSystem system = body_in_space(struck_moments());
+  SpatialState& start = system.initial.bodies.front();
+  start.orientation = orientation;
+  start.velocity = -towards;
+  SpatialCable& cable = system.cables.front();
+  cable.from.at = at;
+  cable.length = Function<1>::constant(1.0);
+  cable.to.at = in_the_world(start, at) + (1.0 - way_to_strike) * towards;
+  const std::optional<SystemHit> hit = first_hit(subject, system, hit_step, hit_end);
+  if (!hit) {
+    return std::nullopt;
+  }
+  const SpatialState& before = hit->before.bodies.front();
+  const SpatialState& after = hit->after.bodies.front();
+  const Eigen::Vector3d gained =
+      system.bodies.front().mass * (after.velocity - before.velocity) / hit->impulse;
+  return Struck{moment_of(start, at, in_the_world(start, at), towards),
+                struck_moments().cwiseProduct(after.spin - before.spin) / hit->impulse,
+                (gained - towards).norm()};
+}
+
+constexpr std::array axis_names = {"first", "second", "third"};
+
+/// A hit that turns a body, whose axes are those of the world, about its axis `axis`.
+std::optional<Struck> struck_about(const Subject& subject, int axis) {
+  constexpr double arm = 0.3;  // [m]
+  const Quaternion none = Quaternion::Unit(0);
+  return struck(subject, none, arm * Eigen::Vector3d::Unit((axis + 1) % 3),
+                Eigen::Vector3d::Unit((axis + 2) % 3));
+}
+
 /// The momentum about the anchor of cable 0 [N m s].
 double momentum_about_anchor(const Case& the_case, const State& state) {
   const Vec2 from_anchor = state.position - the_case.cables.front().anchor;
@@ -76,7 +124,7 @@ Measure measure_mass(const Subject& subject) {
     const Case the_case = hit_at(0.0, {mass, 0.4}, Vec2::Zero());
     const std::optional<Hit> hit = first_hit(subject, the_case, hit_step, hit_end);
     if (!hit) {
-      return {not_hit, body_limit, not_hit_sentence};
+      return never_hit(body_limit);
     }
     const double shown = hit->impulse / (hit->after.velocity - hit->before.velocity).norm();
     const double error = worse(0.0, std::abs(shown / mass - 1.0));
@@ -96,7 +144,7 @@ Measure measure_inertia(const Subject& subject) {
   for (const double inertia : inertias) {
     const double ratio = turn_ratio(subject, 0.0, inertia);
     if (std::isnan(ratio)) {
-      return {not_hit, body_limit, not_hit_sentence};
+      return never_hit(body_limit);
     }
     if (!(std::abs(ratio - 1.0) < found)) {
       found = std::abs(ratio - 1.0);
@@ -118,7 +166,7 @@ Measure measure_arm(const Subject& subject) {
     for (const double angle : angles) {
       const double ratio = turn_ratio(subject, angle, inertia) / at_zero;
       if (std::isnan(ratio)) {
-        return {not_hit, body_limit, not_hit_sentence};
+        return never_hit(body_limit);
       }
       if (std::abs(ratio - 1.0) > found) {
         found = std::abs(ratio - 1.0);
@@ -152,7 +200,7 @@ Measure measure_angular_momentum(const Subject& subject) {
     }
   });
   if (!before) {
-    return {not_hit, body_limit, not_hit_sentence};
+    return never_hit(body_limit);
   }
   const double change =
       momentum_about_anchor(the_case, after) - momentum_about_anchor(the_case, *before);
@@ -165,6 +213,65 @@ Measure measure_angular_momentum(const Subject& subject) {
                             "what it turns the body by: the impulse does not act along the cable, "
                             "or on another inertia",
                             found)};
+}
+
+Measure measure_space_inertia(const Subject& subject) {
+  double found = 0.0;
+  std::string sentence;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<Struck> hit = struck_about(subject, axis);
+    if (!hit) {
+      return never_hit(body_limit);
+    }
+    const double error = worse(0.0, (hit->turned - hit->wanted).norm() / hit->wanted.norm());
+    if (error >= found) {
+      found = error;
+      sentence = fmt::format(
+          "a hit about the {} axis turns the body as if its moment were {:.4g} times the declared "
+          "one",
+          axis_names.at(static_cast<std::size_t>(axis)), hit->wanted[axis] / hit->turned[axis]);
+    }
+  }
+  return {found, body_limit, sentence};
+}
+
+Measure measure_space_arm(const Subject& subject) {
+  // the moments that the engine seems to have are another claim
+  Eigen::Vector3d shown;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<Struck> hit = struck_about(subject, axis);
+    if (!hit) {
+      return never_hit(body_limit);
+    }
+    shown[axis] = hit->wanted[axis] / hit->turned[axis];
+  }
+  double turned = 0.0;
+  double astray = 0.0;
+  for (const Eigen::Vector3d& by : {Eigen::Vector3d(0.9, 0.0, 0.4), Eigen::Vector3d(-1.8, 0.7, 0.3),
+                                    Eigen::Vector3d(0.2, 1.1, -2.3)}) {
+    const std::optional<Struck> hit = struck(subject, quaternion_of<double>(by),
+                                             Eigen::Vector3d(0.3, -0.2, 0.1), struck_direction());
+    if (!hit) {
+      return never_hit(body_limit);
+    }
+    turned =
+        worse(turned, (shown.cwiseProduct(hit->turned) - hit->wanted).norm() / hit->wanted.norm());
+    astray = worse(astray, hit->astray);
+  }
+  const double found = std::max(turned, astray);
+  if (found <= body_limit) {
+    return {found, body_limit, "an impulse has its arm in every orientation of the body"};
+  }
+  if (!(astray <= body_limit)) {
+    return {found, body_limit,
+            fmt::format("a hit changes the momentum by other than its impulse along the cable, by "
+                        "{:.3g} of it",
+                        astray)};
+  }
+  return {found, body_limit,
+          fmt::format("the arm of an impulse is wrong in space: it turns a body by other than its "
+                      "moment, by {:.3g} of it; it seems not to turn with the body",
+                      turned)};
 }
 
 }  // namespace tautline::bench

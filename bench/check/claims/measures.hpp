@@ -27,6 +27,10 @@ namespace tautline::bench {
 [[nodiscard]] Measure measure_arm(const Subject& subject);
 [[nodiscard]] Measure measure_angular_momentum(const Subject& subject);
 
+// Hits of a body in space: about each of its axes, and in every orientation.
+[[nodiscard]] Measure measure_space_inertia(const Subject& subject);
+[[nodiscard]] Measure measure_space_arm(const Subject& subject);
+
 // Whether the impulses that a model reports are those that changed the motion.
 [[nodiscard]] Measure measure_step_momentum(const Subject& subject);
 
@@ -34,6 +38,14 @@ namespace tautline::bench {
 [[nodiscard]] Measure measure_central_restitution(const Subject& subject);
 [[nodiscard]] Measure measure_off_centre_restitution(const Subject& subject);
 [[nodiscard]] Measure measure_slow_restitution(const Subject& subject);
+
+// Systems in space: their initial state, a free body that turns, a cable between two bodies, and an
+// anchor that moves.
+[[nodiscard]] Measure measure_space_echo(const Subject& subject);
+[[nodiscard]] Measure measure_gyroscopic_term(const Subject& subject);
+[[nodiscard]] Measure measure_pair_momentum(const Subject& subject);
+[[nodiscard]] Measure measure_pair_restitution(const Subject& subject);
+[[nodiscard]] Measure measure_moving_anchor(const Subject& subject);
 
 // What a run as a whole must keep: energy, and the length of its cables.
 [[nodiscard]] Measure measure_energy(const Subject& subject);

@@ -11,6 +11,7 @@
 #include "bench/check/hit.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/scenarios.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -38,13 +39,15 @@ const Rebound& worse_of(const Rebound& a, const Rebound& b) {
   return b.error() / b.limit > a.error() / a.limit ? b : a;
 }
 
-/// The first hit of `the_case`. While a contact lasts, the rate changes by the gap's acceleration
-/// in flight, which is gravity's part and the turning of the cable. A contact of one step, or one
-/// that is located, is given one step of it; a spring's the longest fair contact, and its scatter.
-Rebound rebound(const Subject& subject, const Case& the_case, double step, double end) {
-  const Cable& cable = the_case.cables.front();
+/// The first hit of `the_case`, a `Case` or a `SpatialSystem`. While a contact lasts, the rate
+/// changes by the gap's acceleration in flight, which is gravity's part and the turning of the
+/// cable. A contact of one step, or one that is located, is given one step of it; a spring's the
+/// longest fair contact, and its scatter.
+template <class TheCase>
+Rebound rebound(const Subject& subject, const TheCase& the_case, double step, double end) {
+  const auto& cable = the_case.cables.front();
   Rebound result{cable.restitution, std::nan(""), solver_scatter};
-  if (const std::optional<Hit> hit = first_hit(subject, the_case, step, end)) {
+  if (const auto hit = first_hit(subject, the_case, step, end)) {
     const bool spring = hit->steps > 1;
     const double before = gap_rate(cable, hit->before);
     result.restitution = -gap_rate(cable, hit->after) / before;
@@ -89,6 +92,8 @@ Measure measure_of(const Rebound& low, const Rebound& high) {
               : defect_of(low, high)};
 }
 
+constexpr double pair_end = 0.04;  // [s], long after a pair is hit
+
 constexpr double low_restitution = 0.4;
 constexpr double high_restitution = 0.8;
 
@@ -97,6 +102,14 @@ Case off_centre_hit(double restitution) {
   result.gravity = Vec2::Zero();
   result.cables.front().restitution = restitution;
   return result;
+}
+
+/// The rebound on the cable of `pair`, where impulses are reckoned as if `body` alone could move.
+double rebound_alone(const SpatialSystem& pair, Eigen::Index body) {
+  const SpatialCable& cable = pair.cables.front();
+  const auto row = gap_gradient(cable, pair.initial);
+  const auto yields = row.cwiseProduct(row).cwiseProduct(inverse_mass(pair.bodies)).eval();
+  return (1.0 + cable.restitution) * yields.sum() / yields.segment<6>(6 * body).sum() - 1.0;
 }
 
 /// A body that hits its cable through the centre, without gravity, at `speed` [m/s], after 20.3
@@ -119,6 +132,25 @@ Measure measure_central_restitution(const Subject& subject) {
 Measure measure_off_centre_restitution(const Subject& subject) {
   return measure_of(rebound(subject, off_centre_hit(low_restitution), 1e-4, 0.25),
                     rebound(subject, off_centre_hit(high_restitution), 1e-4, 0.25));
+}
+
+Measure measure_pair_restitution(const Subject& subject) {
+  const SpatialSystem low_pair = pair_on_a_cable(low_restitution);
+  const SpatialSystem high_pair = pair_on_a_cable(high_restitution);
+  const Rebound low = rebound(subject, low_pair, 1e-4, pair_end);
+  const Rebound high = rebound(subject, high_pair, 1e-4, pair_end);
+  Measure result = measure_of(low, high);
+  for (const Eigen::Index body : {0, 1}) {
+    if (!(result.found <= result.limit) &&
+        is_near(low.restitution, rebound_alone(low_pair, body)) &&
+        is_near(high.restitution, rebound_alone(high_pair, body))) {
+      result.sentence = fmt::format(
+          "a mass is left out: a cable between two bodies rebounds as if body {} alone could move, "
+          "with {:.3g} where {:g} is declared, {:.3g} where {:g} is",
+          body, low.restitution, low.declared, high.restitution, high.declared);
+    }
+  }
+  return result;
 }
 
 Measure measure_slow_restitution(const Subject& subject) {

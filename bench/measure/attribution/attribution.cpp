@@ -52,7 +52,7 @@ constexpr std::size_t most_segments = 80;
 /// are, and no link is carried exactly [-]: it saves four solutions of five.
 constexpr double nearly_linear = 0.02;
 
-/// What is read from a whole run before it is cut, and how it is cut then.
+/// Reads a whole run, and cuts it then.
 class Reading {
  public:
   Reading(const Case& the_case, const Trajectory& run)

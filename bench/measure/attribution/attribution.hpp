@@ -77,7 +77,7 @@ struct Attribution {
 /// Attributes the deviation of `run` from `solution`, both of `the_case`, before `horizon` [s].
 [[nodiscard]] Attribution attribute(const Case& the_case, const Solution& solution, double horizon,
                                     const Trajectory& run, const AttributionOptions& options = {});
-/// The same of a system: D is of the body that is the farthest off at T (systems.hpp).
+/// Attributes the run of a system: D is of the body that is the farthest off at T (systems.hpp).
 [[nodiscard]] Attribution attribute(const SpatialSystem& system,
                                     const BasicSolution<SpatialSystem>& solution, double horizon,
                                     const SystemTrajectory& run,

@@ -20,7 +20,7 @@ template <class TheCase>
 using StateDifference =
     std::conditional_t<std::is_same_v<TheCase, Case>, Eigen::Matrix<double, 6, 1>, Eigen::VectorXd>;
 
-/// What leads from `b` to `a`.
+/// Leads from `b` to `a`.
 [[nodiscard]] StateDifference<Case> difference(const State& a, const State& b);
 [[nodiscard]] StateDifference<SpatialSystem> difference(const SpatialSystemState& a,
                                                         const SpatialSystemState& b);
@@ -41,7 +41,7 @@ class Carried {
   /// The motion of `restarted`, which lasts to T. None if it has problems, or ends before.
   [[nodiscard]] static std::optional<Carried> by(TheCase restarted, ImpactLaw law);
 
-  /// Where it is at T.
+  /// The place and the motion at T.
   [[nodiscard]] const StateOf<TheCase>& end() const { return end_; }
 
   /// The motion restarted. Only of a state before T.

@@ -34,7 +34,7 @@ inline constexpr std::array causes = {Cause::flight_bias,     Cause::event_lag,
 /// One number per cause [m].
 struct CauseParts : std::array<double, causes.size()> {};
 
-/// The first of the causes that are told of `parts`: rotation in flight, the last, only where there
+/// The causes that `parts` show: rotation in flight, the last of all, only where there
 /// is some.
 [[nodiscard]] inline std::span<const Cause> causes_of(const CauseParts& parts) {
   return std::span(causes).first(causes.size() - (parts.back() == 0.0 ? 1U : 0U));

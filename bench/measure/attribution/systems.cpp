@@ -132,7 +132,7 @@ class SystemCutter {
                          {}});
   }
 
-  /// The state at `point` with the cables that are too long there, and that of `impact`, taut.
+  /// The state at `point` with the cables that are too long there, and the cable of `impact`, taut.
   [[nodiscard]] SpatialSystemState on_cables(std::size_t point, const SystemImpact& impact) const {
     CableSet held = CableSet::of(impact.cable);
     for (std::size_t index = 0; index < system_.cables.size(); ++index) {

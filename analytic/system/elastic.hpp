@@ -17,8 +17,8 @@ template <class Real, int D>
   return state.elastic.stretched().contains(index);
 }
 
-/// The damping [N s/m] of an elastic cable: the present one where it is stretched, else the one that
-/// it would have if it became so.
+/// The damping [N s/m] of an elastic cable: the present one where it is stretched, else the one
+/// that it would have if it became so.
 template <class Real, int D>
 [[nodiscard]] Real damping_of(const BasicSystem<Real, D>& system, std::size_t index,
                               const BasicSystemState<Real, D>& state) {
@@ -26,10 +26,9 @@ template <class Real, int D>
     return state.elastic.damping[index];
   }
   const BasicElasticity<Real>& law = *system.cables[index].elasticity;
-  return law.damping_ratio > 0
-             ? Real(2 * law.damping_ratio *
-                    sqrt(Real(law.stiffness[0] / delassus(system, state, index))))
-             : law.damping;
+  return law.damping_ratio > 0 ? Real(2 * law.damping_ratio *
+                                      sqrt(Real(law.stiffness[0] / delassus(system, state, index))))
+                               : law.damping;
 }
 
 /// The size of the tensions [N] that a cable has at this `stretch` [m] and its `rate` [m/s], and
@@ -38,14 +37,13 @@ template <class Real>
 [[nodiscard]] Real tension_size(const BasicElasticity<Real>& law, const Real& damping,
                                 const Real& response, const Real& stretch, const Real& rate) {
   const Real stiffness = abs(spring_stiffness(law, stretch));
-  return abs(spring_force(law, stretch)) +
-         (damping + sqrt(Real(stiffness / response))) * abs(rate);
+  return abs(spring_force(law, stretch)) + (damping + sqrt(Real(stiffness / response))) * abs(rate);
 }
 
 /// Lets elastic cable `index` be stretched from now on in `state`.
 template <class Real, int D>
 void begin_stretch(const BasicSystem<Real, D>& system, std::size_t index,
-             BasicSystemState<Real, D>& state) {
+                   BasicSystemState<Real, D>& state) {
   const Real damping = damping_of(system, index, state);
   state.elastic.damping.resize(system.cables.size(), Real(0));
   state.elastic.damping[index] = damping;
@@ -77,8 +75,8 @@ template <class Real, int D>
   return state;
 }
 
-/// `state` with the zones that elastic cables have where rates may have jumped, and where they begin
-/// or cease to act: at the start, at knots and after impacts.
+/// `state` with the zones that elastic cables have where rates may have jumped, and where they
+/// begin or cease to act: at the start, at knots and after impacts.
 template <class Real, int D>
 [[nodiscard]] BasicSystemState<Real, D> with_zones(const BasicSystem<Real, D>& system,
                                                    BasicSystemState<Real, D> state) {
@@ -122,8 +120,8 @@ template <class Real, int D, class Motion>
                                                             const Real& until) {
   std::optional<FirstSwitch<Real>> result;
   std::vector<Real> turned;
-  const auto look = [&](std::size_t index, std::span<const Real> f, bool is_turned, std::size_t zeros,
-                        bool engages) {
+  const auto look = [&](std::size_t index, std::span<const Real> f, bool is_turned,
+                        std::size_t zeros, bool engages) {
     if (is_turned) {
       turned.assign(f.begin(), f.end());
       for (Real& coefficient : turned) {
@@ -131,9 +129,8 @@ template <class Real, int D, class Motion>
       }
     }
     const Real& horizon = result ? result->dt : until;
-    const auto search =
-        first_root_if_any(Polynomial<Real>(is_turned ? std::span<const Real>(turned) : f, zeros),
-                          horizon);
+    const auto search = first_root_if_any(
+        Polynomial<Real>(is_turned ? std::span<const Real>(turned) : f, zeros), horizon);
     if (search.root && !(*search.root >= horizon)) {
       const CableSet one = CableSet::of(index);
       result = {*search.root, engages ? ElasticSwitches{one, {}} : ElasticSwitches{{}, one}};
@@ -159,8 +156,8 @@ template <class Real, int D, class Motion>
   return result;
 }
 
-/// Those of `switches` whose gap or tension is exactly zero afterwards: all but that of a cable that
-/// engages from slack and is damped.
+/// Those of `switches` whose gap or tension is exactly zero afterwards: all but that of a cable
+/// that engages from slack and is damped.
 template <class Real, int D>
 [[nodiscard]] CableSet at_zero_after(const ElasticSwitches& switches,
                                      const BasicSystemState<Real, D>& before,

@@ -37,8 +37,8 @@ struct ValueAt {
 template <class Real>
 ValueAt<Real> largest_value(std::span<const Real> coefficients, const Real& end) {
   const Polynomial<Real> f(coefficients);
-  const auto rates = series::rate_of<Real>(coefficients.size(),
-                                           [&](std::size_t k) { return coefficients[k]; });
+  const auto rates =
+      series::rate_of<Real>(coefficients.size(), [&](std::size_t k) { return coefficients[k]; });
   const Polynomial<Real> rate{std::span<const Real>(rates)};
   ValueAt<Real> result{coefficients[0], Real(0)};
   const auto take = [&](const Real& time) {
@@ -63,7 +63,7 @@ ValueAt<Real> largest_value(std::span<const Real> coefficients, const Real& end)
 /// Adds what cable `contact.cable` does along an arc of the motion up to `dt` [s].
 template <class Real, int D>
 void follow(const SystemSeries<Real, D>& motion, const Real& start, const Real& dt,
-             BasicElasticContact<Real>& contact) {
+            BasicElasticContact<Real>& contact) {
   const auto tension = motion.tension(contact.cable);
   if (const auto found = largest_value(tension, dt); found.value > contact.peak) {
     contact.peak = found.value;
@@ -77,10 +77,10 @@ void follow(const SystemSeries<Real, D>& motion, const Real& start, const Real& 
   contact.impulse += series::integral<Real>(tension, dt);
 }
 
-/// The same of an arc on which nothing moves.
+/// Adds an arc on which nothing moves.
 template <class Real, int D>
 void stay(const BasicSystem<Real, D>& system, const BasicArc<BasicSystem<Real, D>>& arc,
-              BasicElasticContact<Real>& contact) {
+          BasicElasticContact<Real>& contact) {
   const Real tension = elastic_tension(system, contact.cable, arc.initial);
   if (tension > contact.peak) {
     contact.peak = tension;

@@ -6,8 +6,8 @@
 #include "tautline/detail/series_impl.hpp"
 #include "tautline/system_geometry.hpp"
 
-// What elastic cables add to the series of a motion (E3): an engaged one pulls by coefficients of the
-// poses that are known, so that nothing is solved.
+// Elastic cables in the series of a motion (E3): an engaged one pulls by coefficients of
+// the poses that are known, so that nothing is solved.
 
 namespace tautline {
 
@@ -82,7 +82,7 @@ void SystemSeries<Real, D>::expand_stretched(StretchSeries& one) {
   stretch(one.index, order_);
 }
 
-/// What the terms of the tension of a stretched cable are small against [N]: it may fall to zero.
+/// The force that the terms of a stretched cable's tension are small against [N]: it may fall to 0.
 /// `load`: the largest weight.
 template <class Real, int D>
 Real SystemSeries<Real, D>::tension_scale(const StretchSeries& one, const Real& load) const {

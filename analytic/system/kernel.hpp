@@ -121,8 +121,8 @@ template <class Real, int D>
 template <class Real, int D>
 [[nodiscard]] bool side_by_side(const BasicCableOfSystem<Real, D>& a,
                                 const BasicCableOfSystem<Real, D>& b) {
-  return !a.elasticity && !b.elasticity && a.from == b.from && a.through == b.through && a.to == b.to && a.length == b.length &&
-         a.from_time == b.from_time && a.cut_at == b.cut_at;
+  return !a.elasticity && !b.elasticity && a.from == b.from && a.through == b.through &&
+         a.to == b.to && a.length == b.length && a.from_time == b.from_time && a.cut_at == b.cut_at;
 }
 
 /// One cable closes: Newton's law in closed form (Eq. 14).
@@ -198,9 +198,9 @@ template <class Real, int D>
 template <class Real, int D>
 [[nodiscard]] std::optional<std::string> refusal(const BasicSystem<Real, D>& system,
                                                  ImpactLaw law) {
-  const auto count = static_cast<std::size_t>(
-      std::count_if(system.cables.begin(), system.cables.end(),
-                    [](const auto& cable) { return !cable.elasticity; }));
+  const auto count =
+      static_cast<std::size_t>(std::count_if(system.cables.begin(), system.cables.end(),
+                                             [](const auto& cable) { return !cable.elasticity; }));
   if (law != ImpactLaw::energetic || count <= most_energetic) {
     return std::nullopt;
   }

@@ -41,8 +41,8 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> gap_curvature(
 }
 
 /// True where the potential energy falls along a motion that keeps the held cables taut: where the
-/// stiffness -sum of T_i d2 g_i, with f' dg dg^T of each engaged cable, has a negative eigenvalue on
-/// those motions.
+/// stiffness -sum of T_i d2 g_i, with f' dg dg^T of each engaged cable, has a negative eigenvalue
+/// on those motions.
 template <class Real, int D>
 bool is_unstable(const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& state,
                  const BasicHold<BasicSystem<Real, D>>& held) {
@@ -56,7 +56,8 @@ bool is_unstable(const BasicSystem<Real, D>& system, const BasicSystemState<Real
   for (const std::size_t index : state.elastic.engaged) {
     const auto& cable = system.cables[index];
     const RowOf<TheCase> row = gap_gradient(cable, state);
-    bending += spring_stiffness(*cable.elasticity, Real(-gap(cable, state))) * row * row.transpose();
+    bending +=
+        spring_stiffness(*cable.elasticity, Real(-gap(cable, state))) * row * row.transpose();
     bending -= held.motion.tension(index)[0] * gap_curvature(cable, state);
   }
   const CableRows<TheCase> rows(system, state, held.pulling);

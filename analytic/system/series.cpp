@@ -336,8 +336,8 @@ RowOf<BasicSystem<Real, D>> SystemSeries<Real, D>::driving(std::size_t k) const 
     }
     result.template segment<D>(row) = force * weight_[row];
     auto turning = result.template segment<spins<D>>(row + D);
-    turning = body.turning.torque(k, pulled_)
-                  .cwiseProduct(weight_.template segment<spins<D>>(row + D));
+    turning =
+        body.turning.torque(k, pulled_).cwiseProduct(weight_.template segment<spins<D>>(row + D));
     row += freedoms_of_body<D>;
   }
   return result;

@@ -203,8 +203,7 @@ template <class Real, int D>
         abs(spring_stiffness(*cable.elasticity, stretch)) * rounding_of_gap(cable, state) +
         state.elastic.damping[index] * rounding_of_rate(cable, state) +
         abs(elastic_tension(system, index, state)) * rounding_of_direction(cable, state);
-    result +=
-        force * sqrt(Real(delassus(system, state, index) * largest_response(system, state)));
+    result += force * sqrt(Real(delassus(system, state, index) * largest_response(system, state)));
   }
   return result;
 }
@@ -244,8 +243,8 @@ template <class Real, int D>
   }
   for (const std::size_t index : state.elastic.stretched()) {
     const auto& cable = system.cables[index];
-    result += abs(spring_force(*cable.elasticity, Real(-gap(cable, state)))) *
-              gap_operand(cable, state);
+    result +=
+        abs(spring_force(*cable.elasticity, Real(-gap(cable, state)))) * gap_operand(cable, state);
   }
   return epsilon<Real>() * result;
 }
@@ -303,9 +302,9 @@ template <class Real, int D>
             Real(sqrt(Real(abs(spring_stiffness(*cable.elasticity, stretch)) * response)) +
                  damping * response));
     if (is_stretched(state, index)) {
-      result.acceleration += tension_size(*cable.elasticity, damping, response, stretch,
-                                          gap_rate(cable, state)) *
-                             sqrt(Real(response * largest_response(system, state)));
+      result.acceleration +=
+          tension_size(*cable.elasticity, damping, response, stretch, gap_rate(cable, state)) *
+          sqrt(Real(response * largest_response(system, state)));
     }
   }
   return result;
@@ -412,7 +411,8 @@ template <class Real, int D>
       continue;
     }
     const Real closing = max(Real(0), Real(-gap_rate(cable, state))) + scale.margin * drift;
-    const Real response = sqrt(Real(delassus(system, state, index) * largest_response(system, state)));
+    const Real response =
+        sqrt(Real(delassus(system, state, index) * largest_response(system, state)));
     const Real force = damping_of(system, index, state) * closing +
                        cable.elasticity->stiffness[0] * closing * remaining;
     if (gap(cable, state) <= closing * remaining && force * response > scale.rate * drift) {

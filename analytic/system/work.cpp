@@ -89,9 +89,10 @@ Real SystemSeries<Real, D>::dissipated(std::size_t index, const Real& dt) const 
     if (one.index == index && one.pulls) {
       const auto rate =
           rate_of<Real>(order_ + 1, [&](std::size_t k) { return cables_[index].gap[k]; });
-      add_product(power, polynomial<Real>(rate.size(), [&](std::size_t k) {
-                    return Real(one.damping * rate[k]);
-                  }), rate);
+      add_product(
+          power,
+          polynomial<Real>(rate.size(), [&](std::size_t k) { return Real(one.damping * rate[k]); }),
+          rate);
     }
   }
   return series::integral<Real>(power, dt);

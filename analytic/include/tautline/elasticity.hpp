@@ -23,7 +23,7 @@ struct BasicElasticity {
 };
 using Elasticity = BasicElasticity<double>;
 
-/// What the elastic cables of a system do at an instant (E4); those in neither set are slack.
+/// The zones of the elastic cables of a system at an instant (E4); those in neither set are slack.
 template <class Real>
 struct BasicElasticZones {
   CableSet engaged;  // stretched, and pull

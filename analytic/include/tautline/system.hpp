@@ -50,8 +50,9 @@ struct BasicEnd {
 using End = BasicEnd<double, 2>;         // in double, in the plane
 using SpatialEnd = BasicEnd<double, 3>;  // in double, in space
 
-/// A massless line between two ends, straight or through rings; inextensible, or elastic. Its gap is
-/// its length minus the distances from end to end, summed; below 0 an elastic cable is stretched.
+/// A massless line between two ends, straight or through rings; inextensible, or elastic. Its gap
+/// is its length minus the distances from end to end, summed; below 0 an elastic cable is
+/// stretched.
 template <class Real, int D>
 struct BasicCableOfSystem {
   BasicEnd<Real, D> from = {};                  // its first end
@@ -92,8 +93,8 @@ template <class Real, int D>
 struct BasicSystemState {
   using Body = typename Turning<Real, D>::BodyState;  // of one of them
 
-  Real time = Real(0);       // [s]
-  std::vector<Body> bodies;  // one for each of the system, in order
+  Real time = Real(0);                   // [s]
+  std::vector<Body> bodies;              // one for each of the system, in order
   BasicElasticZones<Real> elastic = {};  // found by `solve` from the start on
 };
 using SystemState = BasicSystemState<double, 2>;         // in double, in the plane

@@ -176,8 +176,8 @@ template <class Real, int D>
                            [](const auto&... one) { return moment_rate_in_world(one...); });
 }
 
-/// What (E1) gives as the tension of elastic cable `index` [N], by its damping in `state`: below 0
-/// where it is loose.
+/// The tension of elastic cable `index` [N] by (E1) and its damping in `state`; below 0 where it is
+/// loose.
 template <class Real, int D>
 [[nodiscard]] Real elastic_tension(const BasicSystem<Real, D>& system, std::size_t index,
                                    const BasicSystemState<Real, D>& state) {

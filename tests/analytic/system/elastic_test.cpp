@@ -126,7 +126,7 @@ TEST(ElasticCable, KeepsToTheTableUnderAConstantLoad) {
   constexpr Row rows[] = {
       {.05, .03259358735541270802, .84877547515929556909, 8.4877547515929556909e-4,
        102.47936938841098924, .01520779832850176082, 2.16851856711589423478},
-      {.1, .03190896504687642834, .72636100244201973040, 1.4527220048403946080e-3,
+      {.1, .03190896504687642834, .7263610024201973040, 1.4527220048403946080e-3,
        96.522859850036329926, .01375446426663969516, 2.03938794953005506607},
       {.3, .03005469589351468509, .41399178570143503466, 2.4839507142086102079e-3,
        86.760931312719184176, .00789191047720667904, 1.70882835241681409536}};
@@ -306,7 +306,7 @@ TEST(ElasticCable, AgreesWithAnotherMethod) {
                2e-11);
   expect_alike("undamped breakwater",
                apart_from_extrapolation(elastic(breakwater, with_damping(1e3, 0.0)), 2.0, 2e-3), 10,
-               2e-12);
+               1e-11);
   Elasticity hard = soft;
   hard.stiffness = {1e3, 1e4, 1e5};
   expect_alike("cubic force", apart_from_extrapolation(elastic(breakwater, hard), 2.0, 1e-3), 10,
@@ -314,13 +314,13 @@ TEST(ElasticCable, AgreesWithAnotherMethod) {
   expect_alike("two bodies in series",
                apart_from_extrapolation(elastic(in_series<double>(), soft), 2.0, 2e-3), 20, 1e-11);
   expect_alike("ring", apart_from_extrapolation(elastic_pulley<double>(soft), 3.0, 2e-3), 10,
-               1e-11);
+               5e-11);
 }
 
 TEST(ElasticCable, AgreesWithAnotherMethodInSpace) {
   expect_alike("box",
-               apart_from_extrapolation(elastic_box<double>(with_damping(2e3, 4.0)), 2.0, 1e-3), 10,
-               1e-10);
+               apart_from_extrapolation(elastic_box<double>(with_damping(2e3, 4.0)), 3.0, 1e-3), 8,
+               2e-11);
 }
 
 TEST(ElasticCable, PullsAtABodyOnAnInextensibleCable) {
@@ -427,11 +427,13 @@ std::vector<std::pair<std::string, System>> elastic_systems() {
 }
 
 TEST(ElasticCable, AccountsForEveryJoule) {
+  // each arc knows a stretch to a rounding of the length, and its energy to that times the tension
+  constexpr double allowed = 5e-14;
   for (const auto& [name, system] : elastic_systems()) {
     EXPECT_TRUE(problems(system).empty()) << problems(system).front();
-    expect_within(name, residual(system), 1e-14);
+    expect_within(name, residual(system), allowed);
   }
-  expect_within("box", residual(elastic_box<double>(with_ratio(2e3, 0.05))), 1e-14);
+  expect_within("box", residual(elastic_box<double>(with_ratio(2e3, 0.05))), allowed);
 }
 
 TEST(ElasticCable, PullsInTheTensionsOfItsSolution) {

@@ -235,8 +235,9 @@ class DenseScan {
   }
 
   /// The tension of an elastic cable that is stretched by `over` of its length, if it pulls.
-  double tension(const BasicArc<System>& arc, std::size_t index,
-                 const BasicSystemState<double, D>& state, double over) const {
+  double tension(const BasicArc<System>& arc, std::size_t index, BasicSystemState<double, D> state,
+                 double over) const {
+    state.time = std::nextafter(state.time, arc.start);  // before a knot that ends the arc
     const auto& cable = system_.cables[index];
     const double stretch = over * cable.length.at(state.time)[0];
     double result = -arc.initial.elastic.damping[index] * gap_rate(cable, state);
@@ -307,9 +308,9 @@ class DenseScan {
   double force_ = 0.0;  // [N], the largest so far
 };
 
-/// Scans the motions of random systems that `draw` gives.
+/// Scans the motions of `count` random systems that `draw` gives.
 template <int D, class Draw>
-void scan_random_systems(std::uint64_t seed, const Draw& draw) {
+void scan_random_systems(std::uint64_t seed, int count, const Draw& draw) {
   Random random(seed);
   double most = -1.0;
   double push = 0.0;
@@ -317,7 +318,7 @@ void scan_random_systems(std::uint64_t seed, const Draw& draw) {
   double astray = 0.0;
   long long looks = 0;
   int solved = 0;
-  while (solved < scanned) {
+  while (solved < count) {
     const BasicSystem<double, D> system = draw(random);
     if (!problems(system).empty()) {
       continue;
@@ -348,10 +349,10 @@ void scan_random_systems(std::uint64_t seed, const Draw& draw) {
   expect_within("force of nothing [-]", amiss, 1e-7);
 }
 
-TEST(RandomSystems, SkipNoImpactAndNeverPush) { scan_random_systems<2>(3902, random_system); }
+TEST(RandomSystems, SkipNoImpactAndNeverPush) { scan_random_systems<2>(3902, scanned, random_system); }
 
 TEST(RandomSystems, SkipNoImpactAndNeverPushInSpace) {
-  scan_random_systems<3>(4002, random_spatial_system);
+  scan_random_systems<3>(4002, scanned, random_spatial_system);
 }
 
 /// `system` with elastic cables in the place of some.
@@ -387,7 +388,7 @@ BasicSystem<double, D> with_elastic_cables(Random& random, BasicSystem<double, D
 TEST(RandomSystems, OnElasticCablesKeepTheirEnergy) {
   Random random(41);
   Tally tally;
-  for (int i = 0; i < drawn_in_space / 2; ++i) {
+  for (int i = 0; i < drawn_in_space / 3; ++i) {
     const System system = random_system(random);
     const System stretched = with_elastic_cables(random, system);
     if (problems(stretched).empty()) {
@@ -395,19 +396,19 @@ TEST(RandomSystems, OnElasticCablesKeepTheirEnergy) {
       measure(stretched, tally);
     }
   }
-  EXPECT_GT(tally.solved, drawn_in_space / 4);
+  EXPECT_GT(tally.solved, drawn_in_space / 6);
   report(tally);
 }
 
 TEST(RandomSystems, OnElasticCablesMissNoSwitch) {
-  scan_random_systems<2>(4102, [](Random& random) {
+  scan_random_systems<2>(4102, scanned * 3 / 4, [](Random& random) {
     const System system = random_system(random);
     return with_elastic_cables(random, system);
   });
 }
 
 TEST(RandomSystems, OnElasticCablesMissNoSwitchInSpace) {
-  scan_random_systems<3>(4103, [](Random& random) {
+  scan_random_systems<3>(4103, scanned / 2, [](Random& random) {
     const SpatialSystem system = random_spatial_system(random);
     return with_elastic_cables(random, system);
   });

@@ -49,11 +49,10 @@ TEST(ElasticDigits, AreThoseOfTheTableUnderALoad) {
   const auto system =
       drop<Multi>(with_ratio(Multi(10000), Multi("0.1")), Multi("9.81"), Multi(1), Multi(0));
   const auto first = elastic_contacts(solve(system)).at(0);
-  const Multi most = max(
-      max(Multi(abs(Multi(*first.exit - Multi(".03190896504687642834")))),
-          Multi(abs(Multi(first.exit_speed - Multi(".7263610024201973040"))))),
-      max(Multi(abs(Multi(first.peak / 100 - Multi(".96522859850036329926")))),
-          Multi(abs(Multi(first.impulse - Multi("2.03938794953005506607"))))));
+  const Multi most = max(max(Multi(abs(Multi(*first.exit - Multi(".03190896504687642834")))),
+                             Multi(abs(Multi(first.exit_speed - Multi(".7263610024201973040"))))),
+                         max(Multi(abs(Multi(first.peak / 100 - Multi(".96522859850036329926")))),
+                             Multi(abs(Multi(first.impulse - Multi("2.03938794953005506607"))))));
   // the table has 19 digits and more
   expect_within("contact under a load", static_cast<double>(most), 1e-19);
 }
@@ -71,8 +70,9 @@ double late(const BasicSystem<double, D>& system, std::size_t count) {
   double most = 0.0;
   for (std::size_t i = 0; i < std::min(rounded.events().size(), exact.events().size()); ++i) {
     EXPECT_EQ(rounded.events()[i].kind, exact.events()[i].kind) << "event " << i;
-    most = std::max(most, std::abs(static_cast<double>(
-                              Multi(rounded.events()[i].time - exact.events()[i].time))));
+    most = std::max(
+        most,
+        std::abs(static_cast<double>(Multi(rounded.events()[i].time - exact.events()[i].time))));
   }
   const auto ledger = energy_ledger(converted<Multi>(system), exact);
   expect_within("  ledger", std::abs(static_cast<double>(Multi(ledger.residual / ledger.range))),

@@ -50,9 +50,8 @@ template <class Real>
   system.cables = {elastic(to_world<Real>(0, pair_of<Real>(Real(0), Real(0)),
                                           pair_of<Real>(Real(0), Real(0)), Real(1), Real(1)),
                            law)};
-  system.initial.bodies = {
-      {pair_of<Real>(Real(0), Real(slack - 1)), Real(0), pair_of<Real>(Real(0), Real(-speed)),
-       Real(0)}};
+  system.initial.bodies = {{pair_of<Real>(Real(0), Real(slack - 1)), Real(0),
+                            pair_of<Real>(Real(0), Real(-speed)), Real(0)}};
   system.duration = Real(1);
   return system;
 }
@@ -105,9 +104,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] BasicSystem<Real, 3> elastic_box(const BasicElasticity<Real>& law) {
   const auto of = [](int hundredths) { return Real(Real(hundredths) / 100); };
-  const auto place = [&](int x, int y, int z) {
-    return BasicVector<Real, 3>(of(x), of(y), of(z));
-  };
+  const auto place = [&](int x, int y, int z) { return BasicVector<Real, 3>(of(x), of(y), of(z)); };
   BasicSystem<Real, 3> system;
   system.bodies.resize(1);
   system.bodies[0].inertia = place(2, 3, 4);

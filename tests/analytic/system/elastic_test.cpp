@@ -77,12 +77,11 @@ double error_of_contact(const ElasticContact& contact, double stiffness, double 
   const ClosedPeak peak = closed_peak(ratio);
   const double lasts = contact.exit.value_or(-1.0) - contact.entry;
   const double force = speed * std::sqrt(stiffness * mass);
-  return std::max({std::abs(contact.entry_speed / speed - 1.0),
-                   std::abs(contact.exit_speed / speed - kept),
-                   std::abs(lasts * frequency - 2.0 * angle),
-                   std::abs(contact.peak / force - peak.size),
-                   std::abs(contact.greatest_stretch * frequency / speed - std::sqrt(kept)),
-                   std::abs(contact.impulse / (mass * speed) - 1.0 - kept)});
+  return std::max(
+      {std::abs(contact.entry_speed / speed - 1.0), std::abs(contact.exit_speed / speed - kept),
+       std::abs(lasts * frequency - 2.0 * angle), std::abs(contact.peak / force - peak.size),
+       std::abs(contact.greatest_stretch * frequency / speed - std::sqrt(kept)),
+       std::abs(contact.impulse / (mass * speed) - 1.0 - kept)});
 }
 
 TEST(ElasticCable, KeepsToTheClosedFormsOfOneContact) {
@@ -160,11 +159,10 @@ TEST(ElasticCable, UndampedUnderALoadFallsAsDeepAsItsEnergySays) {
   const double speed = std::sqrt(2.0 * g * 0.5);
   const double half = std::numbers::pi - std::atan(frequency * speed / g);
   const double peak = g + std::sqrt(g * g + k * speed * speed);
-  const double most = std::max({std::abs(found[0].entry_speed / speed - 1.0),
-                                std::abs(found[0].exit_speed / speed - 1.0),
-                                std::abs((*found[0].exit - found[0].entry) * frequency - 2.0 * half),
-                                std::abs(found[0].peak / peak - 1.0),
-                                std::abs(found[0].greatest_stretch * k / peak - 1.0)});
+  const double most = std::max(
+      {std::abs(found[0].entry_speed / speed - 1.0), std::abs(found[0].exit_speed / speed - 1.0),
+       std::abs((*found[0].exit - found[0].entry) * frequency - 2.0 * half),
+       std::abs(found[0].peak / peak - 1.0), std::abs(found[0].greatest_stretch * k / peak - 1.0)});
   expect_within("undamped contact under a load", most, 1e-13);
 }
 
@@ -213,9 +211,9 @@ TEST(ElasticCable, MayStartStretched) {
   auto solution = solve(system);
   auto found = elastic_contacts(solution);
   ASSERT_EQ(found.size(), 1U);
-  const double most =
-      std::max(std::abs(*found[0].exit * 100.0 - std::numbers::pi / 2.0),
-               std::max(std::abs(found[0].exit_speed - 1.0), std::abs(found[0].peak / 100.0 - 1.0)));
+  const double most = std::max(
+      std::abs(*found[0].exit * 100.0 - std::numbers::pi / 2.0),
+      std::max(std::abs(found[0].exit_speed - 1.0), std::abs(found[0].peak / 100.0 - 1.0)));
   expect_within("released", most, 1e-13);
   EXPECT_EQ(found[0].entry, 0.0);
   // too fast for its damper: it does not pull
@@ -284,8 +282,7 @@ Apart apart_from_extrapolation(BasicSystem<double, D> system, double duration, d
   const auto end = solution.at(duration);
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
     result.state = std::max(
-        result.state,
-        (Independent<D>::of(end.bodies[i]) - other.of_body(i)).cwiseAbs().maxCoeff());
+        result.state, (Independent<D>::of(end.bodies[i]) - other.of_body(i)).cwiseAbs().maxCoeff());
   }
   return result;
 }
@@ -343,8 +340,7 @@ TEST(ElasticCable, PullsAtABodyOnAnInextensibleCable) {
     return extrapolated(
         [&](const Numbers& now) {
           Numbers rates(2);
-          rates << now[1],
-              -std::sin(now[0]) - (pulls ? pull(now) * stretch(now)[2] : 0.0);
+          rates << now[1], -std::sin(now[0]) - (pulls ? pull(now) * stretch(now)[2] : 0.0);
           return rates;
         },
         y, dt);
@@ -474,10 +470,13 @@ TEST(ElasticCable, HasOneSentenceForEachProblem) {
   expect_problem(with([](auto& cable) { cable.restitution = 0.9; }), "inextensible");
   expect_problem(with([](auto& cable) { cable.elasticity->stiffness = {1e14}; }),
                  "inextensible with restitution 0.744");
-  expect_problem(with([](auto& cable) { cable.elasticity->stiffness = {1e2, -1e2}; }),
+  expect_problem(with([](auto& cable) {
+                   cable.elasticity->stiffness = {1e2, -1e2};
+                 }),
                  "falls at a stretch");
-  EXPECT_TRUE(
-      problems(with([](auto& cable) { cable.elasticity->stiffness = {1e4, -1.0}; })).empty());
+  EXPECT_TRUE(problems(with([](auto& cable) {
+                cable.elasticity->stiffness = {1e4, -1.0};
+              })).empty());
 }
 
 }  // namespace

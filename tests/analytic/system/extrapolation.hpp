@@ -33,8 +33,8 @@ using Rates = std::function<Numbers(const Numbers&)>;
     Numbers value = (now + before + h * rates(now)) / 2.0;
     for (int column = 0; column < row; ++column) {
       const double ratio = static_cast<double>(row + 1) / (row - column);
-      const Numbers better = value + (value - table[static_cast<std::size_t>(column)]) /
-                                         (ratio * ratio - 1.0);
+      const Numbers better =
+          value + (value - table[static_cast<std::size_t>(column)]) / (ratio * ratio - 1.0);
       table[static_cast<std::size_t>(column)] = value;
       value = better;
     }
@@ -59,7 +59,8 @@ class Independent {
       : system_(system), step_(step), zones_(system.cables.size(), Zone::slack) {
     state_ = Numbers::Zero(static_cast<Eigen::Index>(system.bodies.size()) * numbers);
     for (std::size_t i = 0; i < system.bodies.size(); ++i) {
-      put(system.initial.bodies[i], state_.segment<numbers>(static_cast<Eigen::Index>(i) * numbers));
+      put(system.initial.bodies[i],
+          state_.segment<numbers>(static_cast<Eigen::Index>(i) * numbers));
     }
   }
 
@@ -147,8 +148,7 @@ class Independent {
     } else {
       swept = Point(y.segment<3>(first + 10)).cross(end.at);
     }
-    return {y.segment<D>(first) + axes * end.at,
-            y.segment<D>(first + D + turn) + axes * swept};
+    return {y.segment<D>(first) + axes * end.at, y.segment<D>(first + D + turn) + axes * swept};
   }
 
   /// The stretch of a cable and its rate.

@@ -350,7 +350,9 @@ void scan_random_systems(std::uint64_t seed, int count, const Draw& draw) {
   expect_within("force of nothing [-]", amiss, 1e-7);
 }
 
-TEST(RandomSystems, SkipNoImpactAndNeverPush) { scan_random_systems<2>(3902, scanned, random_system); }
+TEST(RandomSystems, SkipNoImpactAndNeverPush) {
+  scan_random_systems<2>(3902, scanned, random_system);
+}
 
 TEST(RandomSystems, SkipNoImpactAndNeverPushInSpace) {
   scan_random_systems<3>(4002, scanned, random_spatial_system);

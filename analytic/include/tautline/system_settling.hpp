@@ -20,10 +20,9 @@ using Peak = BasicPeak<double>;
 /// The share of one cable in a run.
 template <class Real>
 struct BasicCableUse {
-  Real taut_share = Real(0);                              // [-], of the run; or engaged
+  Real taut_share = Real(0);                              // [-], of the run
   std::optional<BasicPeak<Real>> tension = std::nullopt;  // [N], the largest; none: always slack
-  /// [N s], the largest: its snap, or, of an elastic cable, a whole contact.
-  std::optional<BasicPeak<Real>> impulse = std::nullopt;
+  std::optional<BasicPeak<Real>> impulse = std::nullopt;  // [N s], the largest: its snap
 };
 using CableUse = BasicCableUse<double>;
 

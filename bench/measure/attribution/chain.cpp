@@ -165,20 +165,6 @@ class Builder {
     }
   }
 
-  /// `state` with impulses on `cables` that give them the gap rates `wanted` [m/s].
-  [[nodiscard]] State with_rates(const State& state, CableSet cables,
-                                 const std::array<double, max_cables>& wanted) const {
-    if (cables.empty()) {
-      return state;
-    }
-    CableVector change = -gap_rates(case_, state, cables);
-    Eigen::Index row = 0;
-    for (const std::size_t cable : cables) {
-      change[row++] += wanted[cable];
-    }
-    return with_impulses<double>(case_, state, cables, multipliers(case_, state, cables, change));
-  }
-
   /// The state at the end if each jump left its cable with the gap rate that `rate` says; a cable
   /// that opens faster is let be.
   template <class Rate>
@@ -199,7 +185,7 @@ class Builder {
         }
       }
       const State free = now;
-      now = with_rates(free, cables, wanted);
+      now = with_rates(case_, free, cables, wanted);
       const std::size_t before = cables.size();
       for (const std::size_t cable : segment_.held) {  // a cable that is taut already stays so
         if (!cables.contains(cable) && gap_rate(case_.cables[cable], now) < 0.0) {
@@ -207,7 +193,7 @@ class Builder {
         }
       }
       if (cables.size() > before) {
-        now = with_rates(free, cables, wanted);
+        now = with_rates(case_, free, cables, wanted);
       }
     }
     return fly(now, case_.gravity, end_ - time);

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "bench/measure/attribution/cause.hpp"
 #include "bench/measure/attribution/scheme.hpp"
 #include "bench/measure/attribution/segments.hpp"
+#include "tautline/detail/projection.hpp"
+#include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
 
@@ -39,6 +42,22 @@ struct BasicChain {
   std::vector<BasicLink<TheCase>> links;  // the last is the end of the segment
 };
 using PlanarChain = BasicChain<Case>;
+
+/// `state` with impulses on `cables` that give them the gap rates `wanted` [m/s], by cable.
+template <class TheCase>
+[[nodiscard]] StateOf<TheCase> with_rates(const TheCase& the_case, const StateOf<TheCase>& state,
+                                          CableSet cables,
+                                          const std::array<double, max_cables>& wanted) {
+  if (cables.empty()) {
+    return state;
+  }
+  CableVector change = -gap_rates(the_case, state, cables);
+  Eigen::Index row = 0;
+  for (const std::size_t cable : cables) {
+    change[row++] += wanted.at(cable);
+  }
+  return with_impulses(the_case, state, cables, multipliers(the_case, state, cables, change));
+}
 
 /// The chain of `segment`; `exact` is the motion restarted from its start, with times from there.
 [[nodiscard]] PlanarChain chain_of(const Case& the_case, const Trajectory& run,

@@ -263,23 +263,9 @@ class SystemBuilder {
           cables.insert(cable);
         }
       }
-      now = with_rates(now, cables, wanted);
+      now = with_rates(system_, now, cables, wanted);
     }
     return flown(system_, now, end_ - now.time);
-  }
-
-  /// `state` with impulses on `cables` that give them the gap rates `wanted` [m/s].
-  [[nodiscard]] SpatialSystemState with_rates(const SpatialSystemState& state, CableSet cables,
-                                              const std::array<double, max_cables>& wanted) const {
-    if (cables.empty()) {
-      return state;
-    }
-    CableVector change = -gap_rates(system_, state, cables);
-    Eigen::Index row = 0;
-    for (const std::size_t cable : cables) {
-      change[row++] += wanted.at(cable);
-    }
-    return with_impulses(system_, state, cables, multipliers(system_, state, cables, change));
   }
 
   /// The state at the end if each jump changed the velocities as the run's own did.
@@ -292,7 +278,7 @@ class SystemBuilder {
       if (stays(impact)) {
         std::array<double, max_cables> wanted{};
         wanted.at(impact.cable) = impact.rate_first;
-        now = with_rates(now, CableSet::of(impact.cable), wanted);
+        now = with_rates(system_, now, CableSet::of(impact.cable), wanted);
       } else if (!impact.shared || impact.time != last) {  // one jump of several cables counts once
         now = with_gain(now, motion_of(impact.after) - motion_of(impact.before));
       }

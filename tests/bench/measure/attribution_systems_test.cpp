@@ -16,7 +16,7 @@ namespace {
 
 using namespace bench;
 
-constexpr double step = 1e-3;  // [s]
+constexpr double step_of_runs = 1e-3;  // [s]
 
 std::string described(const Attribution& found) {
   std::string text =
@@ -33,7 +33,7 @@ Attribution attributed(const SpatialSystem& system, const Spoiled::Spoil& before
                        const Spoiled::Spoil& after = {}) {
   const ReferenceSystem reference = solve_case(system, ImpactLaw::simultaneous);
   Spoiled simulation(system, before, after);
-  const SystemTrajectory run = record(system, simulation, step);
+  const SystemTrajectory run = record(system, simulation, step_of_runs);
   Attribution found = attribute(system, reference.solution, reference.horizon, run);
   EXPECT_TRUE(found.parts) << system.name << ": " << found.reason;
   double sum = found.remainder;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bench/judge/allowance.hpp"
+#include "tautline/case_or_system.hpp"
 #include "tautline/impact.hpp"
 
 namespace tautline::bench {
@@ -35,26 +36,39 @@ double step_at(const std::array<double, 3>& steps, const std::array<double, 3>& 
                                                 : std::numeric_limits<double>::infinity());
 }
 
+/// The speed of a `motion`, a turn counting at the end of a cable of `length` [m], of the fastest
+/// body [m/s].
+double largest_speed(const Eigen::Vector3d& motion, double length) {
+  return motion.head<2>().norm() + length * std::abs(motion[2]);
+}
+double largest_speed(const RowOf<SpatialSystem>& motion, double length) {
+  double fastest = 0.0;
+  for (Eigen::Index row = 0; row < motion.size(); row += 6) {
+    fastest = std::max(fastest,
+                       motion.segment<3>(row).norm() + length * motion.segment<3>(row + 3).norm());
+  }
+  return fastest;
+}
+
 /// The first impact before `until` [s] after which the plain scheme has other velocities.
-std::optional<double> first_unlike(const ReferenceCase& reference, double until) {
+template <class TheReference>
+std::optional<double> first_unlike(const TheReference& reference, double until) {
   constexpr double same = 1e-9;  // [-], of the velocities
-  const auto speed = [length = shortest_cable(reference.the_case)](const Vec2& velocity,
-                                                                   double spin) {
-    return velocity.norm() + length * std::abs(spin);
-  };
-  for (const Event& event : reference.solution.events()) {
+  const double length = shortest_cable(reference.the_case);
+  for (const auto& event : reference.solution.events()) {
     if (event.time > until || reference.law == ImpactLaw::simultaneous) {
       break;
     }
     if (event.kind != EventKind::impact) {
       continue;
     }
-    const State plain =
+    const auto plain =
         resolve_impact(ImpactLaw::simultaneous, reference.the_case, event.before, event.cables)
             .after;
-    if (speed(plain.velocity - event.after.velocity, plain.spin - event.after.spin) >
-        same * std::max(speed(event.before.velocity, event.before.spin),
-                        speed(event.after.velocity, event.after.spin))) {
+    const decltype(motion_of(plain)) change = motion_of(plain) - motion_of(event.after);
+    if (largest_speed(change, length) >
+        same * std::max(largest_speed(motion_of(event.before), length),
+                        largest_speed(motion_of(event.after), length))) {
       return event.time;
     }
   }
@@ -75,7 +89,8 @@ double rounded_down(double step) {
 
 double next_smaller(double step) { return rounded_down(0.9 * step); }
 
-StepNeeded step_needed(const ReferenceCase& reference, double part) {
+template <class TheReference>
+StepNeeded step_needed(const TheReference& reference, double part) {
   StepNeeded result;
   result.part = part;
   result.until = std::min(usual_window, reference.solution.end_time());
@@ -98,7 +113,7 @@ StepNeeded step_needed(const ReferenceCase& reference, double part) {
   result.longest = safe >= largest;
   result.safe = rounded_down(safe);
   result.typical = rounded_down(step_at(steps, mean, part * length, largest));
-  constexpr double shortest = shortest_needed / rounding;
+  constexpr double shortest = shortest_needed_for<TheReference> / rounding;
   const auto of = [&](double step) { return yardstick(reference, step, {result.until}, length); };
   while (result.safe >= shortest && of(result.safe).worst.back() > part * length) {
     result.safe = next_smaller(result.safe);
@@ -110,5 +125,8 @@ StepNeeded step_needed(const ReferenceCase& reference, double part) {
   result.typical = std::max(result.typical, result.safe);
   return result;
 }
+
+template StepNeeded step_needed(const ReferenceCase&, double);
+template StepNeeded step_needed(const ReferenceSystem&, double);
 
 }  // namespace tautline::bench

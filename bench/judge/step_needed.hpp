@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include "bench/measure/reference.hpp"
 
@@ -26,17 +27,25 @@ struct StepNeeded {
   }
 };
 
-/// The largest steps with an error of `part` [-] of the shortest cable of `reference` at most, over
-/// the first `usual_window` seconds of it: log error over log step, between steps of 1e-2, 1e-3 and
-/// 1e-4 s. The plain scheme runs with the result, and a shorter one is taken if that is too much.
-[[nodiscard]] StepNeeded step_needed(const ReferenceCase& reference, double part);
+/// The largest steps with an error of `part` [-] of the shortest cable of `reference`, of a case or
+/// of a system, at most, over the first `usual_window` seconds of it: log error over log step,
+/// between steps of 1e-2, 1e-3 and 1e-4 s. The plain scheme runs with the result, and a shorter one
+/// is taken if that is too much.
+template <class TheReference>
+[[nodiscard]] StepNeeded step_needed(const TheReference& reference, double part);
 
 /// The usual question: this part of the shortest cable [-], over this time [s].
 inline constexpr double usual_window = 3.0;
 inline constexpr double usual_part = 0.01;
 
-/// The plain scheme runs with no shorter step [s]: it would take too long.
-inline constexpr double shortest_needed = 1e-5;
+/// The plain scheme runs with no shorter step [s]: it would take too long. A step of a system takes
+/// ten times as long.
+[[nodiscard]] constexpr double shortest_needed(bool of_a_system) {
+  return of_a_system ? 1e-4 : 1e-5;
+}
+template <class TheReference>
+inline constexpr double shortest_needed_for =
+    shortest_needed(std::is_same_v<TheReference, ReferenceSystem>);
 
 /// The largest of 1, 2 and 5 times a power of ten that is no larger than `step` [s].
 [[nodiscard]] double rounded_down(double step);

@@ -40,23 +40,27 @@ int within_command(const Request& request) {
   const std::vector<Reference> references = solve_all(options.cases, options.law);
   catch_interruption();
   std::vector<std::string> problems;
-  for (const Reference& any : references) {
-    const auto& reference = std::get<ReferenceCase>(any);  // the request has no system
+  const auto search = [&](const auto& reference) {
     const StepNeeded needed = step_needed(reference, *request.within);
-    StepSearch search = search_steps(options, reference, needed);
+    StepSearch steps = search_steps(options, reference, needed);
     const std::string name = printable(reference.the_case.name);
-    const std::size_t searched = search.found.size();
-    if (!search.measured() && !interruption()) {
+    const std::size_t searched = steps.found.size();
+    if (!steps.measured() && !interruption()) {
       problems.push_back(
           fmt::format("{}: {}", name,
                       searched == 0 ? "no engine that works has a model to search"
                                     : "no run of any model came to the end: the table says why"));
     }
-    fmt::print("{}{}", &any == references.data() ? "" : "\n",
-               steps_text(reference, needed, std::move(search.found)));
+    fmt::print("{}", steps_text(reference, needed, std::move(steps.found)));
     if (interruption()) {
       problems.push_back(fmt::format("interrupted: of {}, {} of {} models are searched", name,
-                                     searched, search.models));
+                                     searched, steps.models));
+    }
+  };
+  for (const Reference& any : references) {
+    fmt::print("{}", &any == references.data() ? "" : "\n");
+    std::visit(search, any);
+    if (interruption()) {
       break;
     }
   }

@@ -258,14 +258,6 @@ Request read_request(const BenchCommand& command) {
         "no model of these engines runs systems; `tautline engines` names those that do");
   }
   request.within = within_of(command, request.problems);
-  for (const BenchCase& any : options.cases) {
-    if (request.within && std::holds_alternative<SpatialSystem>(any)) {
-      request.problems.push_back(
-          fmt::format("--within: {} is a system; the step that a case needs is known in the plane "
-                      "of one body alone",
-                      printable(name_of(any))));
-    }
-  }
   return request;
 }
 

@@ -236,7 +236,7 @@ struct CaseRow {
   std::optional<std::string> motions;    // file beside the page with those of its runs; none: in it
   std::optional<CertifiedDigits> certified;  // none where it was not asked for
   std::vector<Predictable> predictable;      // for each step of the suite
-  std::optional<StepNeeded> step_needed;     // for the usual question; none of a system
+  std::optional<StepNeeded> step_needed;     // for the usual question
 
   /// The cables of a case in the plane; none of a system.
   [[nodiscard]] const std::vector<CableRow>& geometry() const {

@@ -274,11 +274,11 @@ Table cases_table(const Report& report) {
   return table;
 }
 
-/// A step of StepNeeded: a dash where it is not known.
-Cell step_cell(const std::optional<double>& step) {
+/// A step of StepNeeded, and none below `shortest` [s] was tried: a dash where it is not known.
+Cell step_cell(const std::optional<double>& step, double shortest) {
   Cell cell = number_cell(step, as_count);
-  if (step && *step < shortest_needed) {
-    cell.text = "below " + number_text(shortest_needed, as_count);
+  if (step && *step < shortest) {
+    cell.text = "below " + number_text(shortest, as_count);
   }
   return cell;
 }
@@ -298,8 +298,9 @@ Table steps_table(const Report& report) {
     std::vector<Cell> cells(4, number_cell(std::nullopt, as_count));
     cells[0] = word_cell(row.name);
     if (const auto& needed = row.step_needed) {
-      cells[1] = step_cell(needed->known(needed->safe));
-      cells[2] = step_cell(needed->known(needed->typical));
+      const double shortest = shortest_needed(row.system.has_value());
+      cells[1] = step_cell(needed->known(needed->safe), shortest);
+      cells[2] = step_cell(needed->known(needed->typical), shortest);
       cells[3] = number_cell(needed->until, fixed(2));
     }
     for (const double step : report.options.steps) {

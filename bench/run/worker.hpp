@@ -77,6 +77,16 @@ struct RunReply {
   bool interrupted = false;  // the program was told to stop; nothing is known of this run
 };
 
+/// The run of a case, or of a system.
+[[nodiscard]] inline const std::optional<Trajectory>& run_of(const RunReply& reply,
+                                                             const Case& /*the_case*/) {
+  return reply.trajectory;
+}
+[[nodiscard]] inline const std::optional<SystemTrajectory>& run_of(
+    const RunReply& reply, const SpatialSystem& /*system*/) {
+  return reply.in_space;
+}
+
 /// Runs it in another process, so that whatever the engine does becomes a reply.
 [[nodiscard]] RunReply run_in_worker(const RunRequest& request, Workplace& workplace);
 

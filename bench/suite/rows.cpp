@@ -155,14 +155,6 @@ TimingRow timing_row(const RunKey& key, const Cost& cost) {
   return row;
 }
 
-const std::optional<Trajectory>& run_of(const RunReply& reply, const Expectation& /*of*/) {
-  return reply.trajectory;
-}
-const std::optional<SystemTrajectory>& run_of(const RunReply& reply,
-                                              const SystemExpectation& /*of*/) {
-  return reply.in_space;
-}
-
 }  // namespace
 
 RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine, const RunKey& key,
@@ -171,7 +163,7 @@ RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine, c
   record.row.key = key;
   std::visit(
       [&](const auto& expectation) {
-        const auto& run = run_of(reply, expectation);
+        const auto& run = run_of(reply, expectation.reference().the_case);
         std::tie(record.row.status, record.row.reason) =
             status(expectation.reference(), reply, run);
         if (run) {
@@ -283,6 +275,7 @@ CaseRow case_row(const AnyExpectation& expected, const CompareOptions& options,
   if (const auto* const system = std::get_if<SystemExpectation>(&expected)) {
     CaseRow row = case_row(system->reference(), options.count_speed);
     add_predictable(*system, steps, row);
+    row.step_needed = step_needed(system->reference(), usual_part);
     return row;
   }
   const auto& expectation = std::get<Expectation>(expected);

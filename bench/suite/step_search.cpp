@@ -13,6 +13,7 @@
 #include "bench/base/table.hpp"
 #include "bench/base/text.hpp"
 #include "bench/judge/judgement.hpp"
+#include "bench/judge/states.hpp"
 #include "bench/run/record.hpp"
 #include "bench/run/worker.hpp"
 
@@ -29,16 +30,16 @@ constexpr double no_progress = 0.7;
 
 /// The largest distance of `run` from the exact motion, of the shortest cable [-]; none of a run
 /// that does not reach the end.
-std::optional<double> error_of(const ReferenceCase& reference, const RunReply& reply,
-                               double until) {
-  if (!reply.trajectory || reply.trajectory->diverged || !reaches(*reply.trajectory, until)) {
+template <class TheReference, class TheTrajectory>
+std::optional<double> error_of(const TheReference& reference,
+                               const std::optional<TheTrajectory>& run, double until) {
+  if (!run || run->diverged || !reaches(*run, until)) {
     return std::nullopt;
   }
   double worst = 0.0;
-  for (const Point& point : reply.trajectory->points) {
+  for (const auto& point : run->points) {
     if (point.time <= until) {
-      worst = std::max(worst,
-                       (point.state.position - reference.solution.at(point.time).position).norm());
+      worst = std::max(worst, apart(point.state, reference.solution.at(point.time)));
     }
   }
   return worst / shortest_cable(reference.the_case);
@@ -48,9 +49,10 @@ std::optional<double> error_of(const ReferenceCase& reference, const RunReply& r
 double expected_step(const StepNeeded& needed) { return needed.unlike ? usual_step : needed.safe; }
 
 /// Tries the steps of one model.
+template <class TheReference>
 class ModelSearch {
  public:
-  ModelSearch(const SuiteOptions& options, const ReferenceCase& reference, const StepNeeded& needed,
+  ModelSearch(const SuiteOptions& options, const TheReference& reference, const StepNeeded& needed,
               const PlannedRun& planned, Workplace& workplace)
       : options_(options),
         reference_(reference),
@@ -114,7 +116,8 @@ class ModelSearch {
     const RunReply reply = run_in_worker(
         {engine.plugin, case_, planned_.model.name, {step, options_.law}, options_.limits},
         workplace_);
-    const std::optional<double> error = error_of(reference_, reply, needed_.until);
+    const auto& trajectory = run_of(reply, case_);
+    const std::optional<double> error = error_of(reference_, trajectory, needed_.until);
     first_ = std::max(first_, step);
     last_ = step;
     if (!error) {
@@ -126,7 +129,7 @@ class ModelSearch {
     found_.cost = reply.cost.dt > 0.0 ? reply.cost.step / reply.cost.dt : 0.0;
     last_measured_ = step;
     last_error_ = *error;
-    locates_ = locates(*reply.trajectory);
+    locates_ = locates(*trajectory);
     if (std::abs(step - longest_step) < 0.1 * longest_step) {
       at_longest_ = error;
     }
@@ -146,11 +149,11 @@ class ModelSearch {
   }
 
   const SuiteOptions& options_;
-  const ReferenceCase& reference_;
+  const TheReference& reference_;
   const StepNeeded& needed_;
   const PlannedRun& planned_;
   Workplace& workplace_;
-  Case case_;
+  decltype(TheReference::the_case) case_;
   StepFound found_;
   double first_ = 0.0;                // [s], the longest step tried
   double last_ = 0.0;                 // [s]
@@ -163,7 +166,8 @@ class ModelSearch {
 };
 
 /// What the plain scheme says, in a sentence.
-std::string foretold(const ReferenceCase& reference, const StepNeeded& needed) {
+template <class TheReference>
+std::string foretold(const TheReference& reference, const StepNeeded& needed) {
   if (needed.unlike) {
     return fmt::format(
         "Which step a step-by-step model needs is not known: the plain scheme follows the law "
@@ -173,8 +177,8 @@ std::string foretold(const ReferenceCase& reference, const StepNeeded& needed) {
   if (needed.longest) {
     return fmt::format("For a step-by-step model any step up to {:g} s does.", needed.safe);
   }
-  if (needed.safe < shortest_needed / rounding) {
-    return fmt::format("A step-by-step model needs steps below {:g} s.", shortest_needed);
+  if (const double least = shortest_needed_for<TheReference>; needed.safe < least / rounding) {
+    return fmt::format("A step-by-step model needs steps below {:g} s.", least);
   }
   return fmt::format(
       "A step-by-step model needs steps of {:g} s{}.", needed.safe,
@@ -187,7 +191,8 @@ bool StepSearch::measured() const {
   return std::any_of(found.begin(), found.end(), [](const StepFound& one) { return one.measured; });
 }
 
-StepSearch search_steps(const SuiteOptions& options, const ReferenceCase& reference,
+template <class TheReference>
+StepSearch search_steps(const SuiteOptions& options, const TheReference& reference,
                         const StepNeeded& needed) {
   SuiteOptions one = options;
   one.cases = {reference.the_case};
@@ -216,7 +221,8 @@ StepSearch search_steps(const SuiteOptions& options, const ReferenceCase& refere
   return search;
 }
 
-std::string steps_text(const ReferenceCase& reference, const StepNeeded& needed,
+template <class TheReference>
+std::string steps_text(const TheReference& reference, const StepNeeded& needed,
                        std::vector<StepFound> found) {
   std::stable_sort(found.begin(), found.end(), [](const StepFound& one, const StepFound& two) {
     return one.step.has_value() != two.step.has_value() ? one.step.has_value()
@@ -244,5 +250,10 @@ std::string steps_text(const ReferenceCase& reference, const StepNeeded& needed,
   }
   return out + table.plain() + fmt::format("No step above {:g} s was tried.\n", longest);
 }
+
+template StepSearch search_steps(const SuiteOptions&, const ReferenceCase&, const StepNeeded&);
+template StepSearch search_steps(const SuiteOptions&, const ReferenceSystem&, const StepNeeded&);
+template std::string steps_text(const ReferenceCase&, const StepNeeded&, std::vector<StepFound>);
+template std::string steps_text(const ReferenceSystem&, const StepNeeded&, std::vector<StepFound>);
 
 }  // namespace tautline::bench

@@ -31,15 +31,18 @@ struct StepSearch {
   [[nodiscard]] bool measured() const;
 };
 
-/// Searches for every model of `options`, on the case of `reference`; `needed` says what is asked.
+/// Searches for every model of `options`, on the case or system of `reference`; `needed` says what
+/// is asked.
 /// Tries 1, 2 and 5 times powers of ten, from 0.01 s or `typical`, whichever is longer, down to a
 /// tenth of `safe`, or to 0.0001 s if that is not known. It ends before that if the error does not
 /// fall with the step, or a run takes too long.
-[[nodiscard]] StepSearch search_steps(const SuiteOptions& options, const ReferenceCase& reference,
+template <class TheReference>
+[[nodiscard]] StepSearch search_steps(const SuiteOptions& options, const TheReference& reference,
                                       const StepNeeded& needed);
 
 /// The result in sentences and a table, the cheapest first.
-[[nodiscard]] std::string steps_text(const ReferenceCase& reference, const StepNeeded& needed,
+template <class TheReference>
+[[nodiscard]] std::string steps_text(const TheReference& reference, const StepNeeded& needed,
                                      std::vector<StepFound> found);
 
 }  // namespace tautline::bench

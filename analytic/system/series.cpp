@@ -41,7 +41,7 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
     if (taut_.contains(index)) {
       continue;
     }
-    if (system.cables[index].acts_at(start.time)) {
+    if (cables_[index].acts) {
       expand_gap(index);
     } else {
       cables_[index].gap[0] = length_scale_;  // never taut
@@ -115,6 +115,7 @@ void SystemSeries<Real, D>::expand_given(const Real& time) {
   for (std::size_t index = 0; index < cables_.size(); ++index) {
     const BasicCableOfSystem<Real, D>& given = system_->cables[index];
     CableSeries& cable = cables_[index];
+    cable.acts = given.acts_at(time);
     cable.straight = given.through.empty();
     cable.steady = given.length.is_constant();
     if (cable.steady) {
@@ -485,7 +486,7 @@ Real SystemSeries<Real, D>::reach(const Real& error) const {
   }
   for (const CableSeries& cable : cables_) {
     for (const SegmentSeries& segment : cable.segments) {
-      least = cable.straight ? least : apart_for(segment, least);
+      least = cable.straight || !cable.acts ? least : apart_for(segment, least);
     }
   }
   return least;

@@ -85,6 +85,7 @@ class SystemSeries {
     Channel length;
     Channel gap;      // of a slack cable
     Channel tension;  // of a taut one
+    bool acts;        // it is hooked up and not cut
     bool steady;      // its length is constant
     bool straight;    // no rings
   };

@@ -124,6 +124,20 @@ TEST(HookUp, ActsFromItsInstantOn) {
   expect_within("instant of the impact [s]", std::abs(solution.events()[0].time - 1.0), 1e-15);
 }
 
+TEST(HookUp, LetsABodyFallBeforeItsCableThroughARingActs) {
+  System system;
+  system.bodies.resize(1);
+  system.cables = {to_world<double>(0, {0.0, 0.0}, {3.0, 0.0}, 4.0, 0.0)};
+  system.cables[0].through = {{std::nullopt, {0.0, 0.0}, {}}};
+  system.cables[0].from_time = 0.5;
+  system.initial.bodies = {{{0.0, -0.5}, 0.0, {0.0, 0.0}, 0.0}};
+  system.duration = 1.5;
+  const SystemSolution solution = solve(system);
+  ASSERT_FALSE(solution.events().empty());
+  // 1 m below the ring, after a second
+  expect_within("instant of the impact [s]", std::abs(solution.events()[0].time - 1.0), 1e-15);
+}
+
 TEST(Drag, SlowsASphereAsItsClosedFormSays) {
   System system;
   system.bodies.resize(1);

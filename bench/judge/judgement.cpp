@@ -39,17 +39,6 @@ bool flies_exactly(const SpatialSystem& system) {
                      [](const SpatialBody& body) { return keeps_spin(body) && body.drag == 0.0; });
 }
 
-/// The longest arm of a cable on body `index` [m].
-double farthest_end(const SpatialSystem& system, std::size_t index) {
-  double arm = 0.0;
-  for (const SpatialCable& cable : system.cables) {
-    for (std::size_t end = 0; end <= cable.segments(); ++end) {
-      arm = cable.end(end).body == index ? std::max(arm, cable.end(end).at.norm()) : arm;
-    }
-  }
-  return arm;
-}
-
 /// Within what time of an exact impact a run has it [s], if it has it.
 double reach(const Allowance& allowance, const ExactHit& hit) {
   return 2.5 * allowance.step + 1.5 * allowance.of_cables(hit.time) / hit.speed;
@@ -252,7 +241,7 @@ double off_after(const SpatialSystem& system, const SpatialSystemState& from,
       off = std::max(off, (other.velocity - one.velocity - time * gravity).norm());
     }
     if (keeps_spin(body)) {
-      off = std::max(off, farthest_end(system, index) * (other.spin - one.spin).norm());
+      off = std::max(off, longest_arm(system, index) * (other.spin - one.spin).norm());
     }
   }
   return off;

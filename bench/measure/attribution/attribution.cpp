@@ -17,6 +17,7 @@
 #include "bench/measure/attribution/systems.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "bench/measure/reference.hpp"
+#include "tautline/case_or_system.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/system_geometry.hpp"
 
@@ -91,10 +92,8 @@ Sizes sizes_of(const SpatialSystem& system) {
   const double length = shortest_cable(system);
   double speed = std::sqrt(system.gravity.at(0.0).norm() * length);
   double arm = 0.0;
-  for (const SpatialCable& cable : system.cables) {
-    for (std::size_t end = 0; end <= cable.segments(); ++end) {
-      arm = cable.end(end).body ? std::max(arm, cable.end(end).at.norm()) : arm;
-    }
+  for (std::size_t index = 0; index < system.bodies.size(); ++index) {
+    arm = std::max(arm, longest_arm(system, index));
   }
   for (const SpatialState& body : system.initial.bodies) {
     speed = std::max(speed, body.velocity.norm() + arm * body.spin.norm());

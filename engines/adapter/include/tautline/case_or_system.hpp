@@ -56,4 +56,15 @@ namespace tautline {
   return std::ranges::max_element(system.bodies, {}, &SpatialBody::mass)->mass;
 }
 
+/// The longest arm of a cable on body `index` [m].
+[[nodiscard]] inline double longest_arm(const SpatialSystem& system, std::size_t index) {
+  double arm = 0.0;
+  for (const SpatialCable& cable : system.cables) {
+    for (std::size_t end = 0; end <= cable.segments(); ++end) {
+      arm = cable.end(end).body == index ? std::max(arm, cable.end(end).at.norm()) : arm;
+    }
+  }
+  return arm;
+}
+
 }  // namespace tautline

@@ -69,7 +69,7 @@ constexpr std::array all_claims = {
     Claim{"pair-restitution", "a hit between two bodies rebounds with the restitution",
           "the cable's turning in a contact of 20 steps, and 0.02 for a spring's phase",
           measure_pair_restitution, spatial},
-    Claim{"moving-anchor", "an anchor that moves evenly does what one at rest does",
+    Claim{"moving-anchor", "a body on an anchor of constant velocity moves as on one at rest",
           "a hit that is noticed a step sooner or later", measure_moving_anchor, spatial}};
 
 }  // namespace

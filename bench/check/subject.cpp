@@ -35,7 +35,7 @@ void expect_bodies(const SpatialSystem& system, const SpatialSystemState& state)
   }
 }
 
-/// Likewise for all bodies of a system.
+/// The first fault of a body of a system; else empty.
 std::string fault_of(const SpatialSystemState& state) {
   for (const SpatialState& body : state.bodies) {
     if (std::string fault = fault_of(body); !fault.empty()) {

@@ -108,6 +108,26 @@ std::optional<Struck> struck_about(const Subject& subject, int axis) {
                 Eigen::Vector3d::Unit((axis + 2) % 3));
 }
 
+/// What a hit about the axis `axis` did.
+std::string sentence_on(const Struck& hit, int axis) {
+  const char* const name = axis_names.at(static_cast<std::size_t>(axis));
+  Eigen::Vector3d aside = hit.turned;
+  aside[axis] = 0.0;
+  const double about_others = aside.norm() / hit.wanted.norm();
+  if (!(about_others <= body_limit)) {
+    return fmt::format(
+        "a hit about the {} axis turns the body about other axes, too, by {:.3g} of what it must "
+        "about its own",
+        name, about_others);
+  }
+  if (hit.turned[axis] == 0.0) {
+    return fmt::format("a hit about the {} axis does not turn the body", name);
+  }
+  return fmt::format(
+      "a hit about the {} axis turns the body as if its moment were {:.4g} times the declared one",
+      name, hit.wanted[axis] / hit.turned[axis]);
+}
+
 /// The momentum about the anchor of cable 0 [N m s].
 double momentum_about_anchor(const Case& the_case, const State& state) {
   const Vec2 from_anchor = state.position - the_case.cables.front().anchor;
@@ -226,24 +246,22 @@ Measure measure_space_inertia(const Subject& subject) {
     const double error = worse(0.0, (hit->turned - hit->wanted).norm() / hit->wanted.norm());
     if (error >= found) {
       found = error;
-      sentence = fmt::format(
-          "a hit about the {} axis turns the body as if its moment were {:.4g} times the declared "
-          "one",
-          axis_names.at(static_cast<std::size_t>(axis)), hit->wanted[axis] / hit->turned[axis]);
+      sentence = sentence_on(*hit, axis);
     }
   }
   return {found, body_limit, sentence};
 }
 
 Measure measure_space_arm(const Subject& subject) {
-  // the moments that the engine seems to have are another claim
+  // the moments that the engine seems to have are another claim; where it has none, the declared
+  // ones are asked for
   Eigen::Vector3d shown;
   for (int axis = 0; axis < 3; ++axis) {
     const std::optional<Struck> hit = struck_about(subject, axis);
     if (!hit) {
       return never_hit(body_limit);
     }
-    shown[axis] = hit->wanted[axis] / hit->turned[axis];
+    shown[axis] = hit->turned[axis] != 0.0 ? hit->wanted[axis] / hit->turned[axis] : 1.0;
   }
   double turned = 0.0;
   double astray = 0.0;
@@ -270,7 +288,7 @@ Measure measure_space_arm(const Subject& subject) {
   }
   return {found, body_limit,
           fmt::format("the arm of an impulse is wrong in space: it turns a body by other than its "
-                      "moment, by {:.3g} of it; it seems not to turn with the body",
+                      "moment, by {:.3g} of it",
                       turned)};
 }
 

@@ -300,9 +300,6 @@ std::vector<Setting> system_settings() {
   return {{"dWorldSetGravity, dBodyAddForce, dBodyAddTorque",
            "what is given, as it is in the middle of the step; drag as it decays in the step",
            "ODE knows no function of time."},
-          {"dWorldSetCFM", "ODE's own 1e-10",
-           "With 0 its solver may give up where a row is satisfied exactly: a load on a light body "
-           "then falls through both cables."},
           {"dContactMotionN, motionN", "how fast an end moves or a cable is hauled in",
            "A contact with the world knows of no motion at its other side."}};
 }

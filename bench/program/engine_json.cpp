@@ -30,7 +30,7 @@ struct Engines {
   std::vector<ListedEngine> engines;
 };
 
-/// A claim that says nothing of a model.
+/// A claim that does not apply to a model.
 struct NotApplying {
   std::string claim;
   std::string reason;

@@ -45,27 +45,8 @@ double length_at_start(const SpatialCable& cable) { return cable.length.at(0.0)[
 
 /// In a system the lightest body counts.
 double likely_impulse(const SpatialSystem& system) {
-  double longest = 0.0;
-  for (const SpatialCable& cable : system.cables) {
-    longest = std::max(longest, length_at_start(cable));
-  }
-  double lightest = std::numeric_limits<double>::infinity();
-  for (const SpatialBody& body : system.bodies) {
-    lightest = std::min(lightest, body.mass);
-  }
-  double fastest = std::sqrt(pull_of_gravity(system, system.initial) * longest);
-  for (const SpatialState& body : system.initial.bodies) {
-    fastest = std::max(fastest, body.velocity.norm() + body.spin.norm() * longest);
-  }
-  constexpr int instants = 50;  // at which moving ends and winches are looked at
-  SpatialSystemState still = standing_still(system.initial);
-  for (int k = 0; k <= instants; ++k) {
-    still.time = system.duration * k / instants;
-    for (const SpatialCable& cable : system.cables) {
-      fastest = std::max(fastest, std::abs(gap_rate(cable, still)));
-    }
-  }
-  return lightest * fastest;
+  return std::ranges::min_element(system.bodies, {}, &SpatialBody::mass)->mass *
+         likely_speed(system);
 }
 
 /// The state of `simulation` at `time` [s], which a system's state has, too.
@@ -356,6 +337,26 @@ class TensionRecorder {
 };
 
 }  // namespace
+
+double likely_speed(const SpatialSystem& system) {
+  double longest = 0.0;
+  for (const SpatialCable& cable : system.cables) {
+    longest = std::max(longest, length_at_start(cable));
+  }
+  double fastest = std::sqrt(pull_of_gravity(system, system.initial) * longest);
+  for (const SpatialState& body : system.initial.bodies) {
+    fastest = std::max(fastest, body.velocity.norm() + body.spin.norm() * longest);
+  }
+  constexpr int instants = 50;  // at which moving ends and winches are looked at
+  SpatialSystemState still = standing_still(system.initial);
+  for (int k = 0; k <= instants; ++k) {
+    still.time = system.duration * k / instants;
+    for (const SpatialCable& cable : system.cables) {
+      fastest = std::max(fastest, std::abs(gap_rate(cable, still)));
+    }
+  }
+  return fastest;
+}
 
 std::size_t step_count(double duration, double step) {
   constexpr double same = 1e-9;  // [-]: 20 / 1e-3 is 20000 steps, not 20001 for a last bit

@@ -30,6 +30,10 @@ template <class TheCase>
     const TheCase& the_case, std::type_identity_t<BasicSimulation<TheCase>>& simulation,
     double step, const RecordOptions& options = {});
 
+/// The speed that a system makes likely at most [m/s]: of a fall by its longest cable, of its
+/// start, and of what moves its ends and hauls its cables.
+[[nodiscard]] double likely_speed(const SpatialSystem& system);
+
 /// True where `run` goes on to `time` [s]. It may stop where impacts accumulate, and rounding moves
 /// that instant: a little before is near enough.
 template <class TheCase>

@@ -122,7 +122,9 @@ class ModelSearch {
     last_ = step;
     if (!error) {
       failure_ = reply.failure.empty() ? "its runs end early" : printable(reply.failure);
-      gave_up_ = reply.failure.starts_with("timed out");  // shorter steps take longer still
+      // shorter steps take longer still, and what a model refuses at one step it does at all
+      gave_up_ =
+          reply.failure.starts_with("timed out") || reply.failure.starts_with("unsupported: ");
       return std::nullopt;
     }
     found_.measured = true;

@@ -32,10 +32,9 @@ struct StepSearch {
 };
 
 /// Searches for every model of `options`, on the case or system of `reference`; `needed` says what
-/// is asked.
-/// Tries 1, 2 and 5 times powers of ten, from 0.01 s or `typical`, whichever is longer, down to a
-/// tenth of `safe`, or to 0.0001 s if that is not known. It ends before that if the error does not
-/// fall with the step, or a run takes too long.
+/// is asked. Tries 1, 2 and 5 times powers of ten, from 0.01 s or `typical`, whichever is longer,
+/// down to a tenth of `safe`, or to 0.0001 s if that is not known. It ends before that if the error
+/// does not fall with the step, if a run takes too long, or if the model refuses the case.
 template <class TheReference>
 [[nodiscard]] StepSearch search_steps(const SuiteOptions& options, const TheReference& reference,
                                       const StepNeeded& needed);

@@ -426,8 +426,6 @@ TEST_P(EngineInSpace, SaysInOneSentenceWhatAModelCannotDo) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, EngineInSpace,
-                         testing::ValuesIn(one_for_each_engine(models_under_test())), engine_name);
 /// A body at `position` on a cable of 1 m.
 void hang(SpatialSystem& system, double mass, const Point& position, const SpatialEnd& to) {
   SpatialBody& body = system.bodies.emplace_back();
@@ -473,15 +471,19 @@ TEST_P(EngineInSpace, HoldsALoadBelowALightBody) {
     }
     const bool iterates =
         GetParam().engine.starts_with("bullet") && (model == "row" || model == "early");
+    double worst = 0.0;  // [m]
     for (int index = 0; index < 300; ++index) {
       run->step(step);
+      for (const SpatialCable& cable : system.cables) {
+        worst = std::min(worst, gap(cable, run->state()));
+      }
     }
-    for (const SpatialCable& cable : system.cables) {
-      EXPECT_GT(gap(cable, run->state()), iterates ? -of_50_iterations : -of_impact) << model;
-    }
+    EXPECT_GT(worst, iterates ? -of_50_iterations : -of_impact) << model;
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(Engines, EngineInSpace,
+                         testing::ValuesIn(one_for_each_engine(models_under_test())), engine_name);
 INSTANTIATE_TEST_SUITE_P(OnNpm, EngineInSpace,
                          testing::ValuesIn(one_for_each_engine(models_outside())), engine_name);
 

@@ -89,16 +89,11 @@ Sizes sizes_of(const Case& the_case) {
           attachment_radius(the_case)};
 }
 Sizes sizes_of(const SpatialSystem& system) {
-  const double length = shortest_cable(system);
-  double speed = std::sqrt(system.gravity.at(0.0).norm() * length);
   double arm = 0.0;
   for (std::size_t index = 0; index < system.bodies.size(); ++index) {
     arm = std::max(arm, longest_arm(system, index));
   }
-  for (const SpatialState& body : system.initial.bodies) {
-    speed = std::max(speed, body.velocity.norm() + arm * body.spin.norm());
-  }
-  return {length, speed, arm};
+  return {shortest_cable(system), likely_speed(system), arm};
 }
 
 /// How far one state is from another in all places, turns, and their rates, at most one body.

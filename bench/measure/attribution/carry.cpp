@@ -40,7 +40,8 @@ Case restarted(const Case& the_case, const State& state, double /*time*/, double
   return result;
 }
 
-/// All that is given over time begins then, too, and cables that are cut already are left out.
+/// All that is given over time begins then, too. A cable that is cut already keeps its number, and
+/// acts no more.
 SpatialSystem restarted(const SpatialSystem& system, const SpatialSystemState& state, double time,
                         double duration) {
   SpatialSystem result = system;
@@ -52,9 +53,12 @@ SpatialSystem restarted(const SpatialSystem& system, const SpatialSystemState& s
       wave.phase += wave.frequency * time;
     }
   });
-  std::erase_if(result.cables,
-                [&](const SpatialCable& cable) { return cable.cut_at && *cable.cut_at <= time; });
   for (SpatialCable& cable : result.cables) {
+    if (cable.cut_at && *cable.cut_at <= time) {
+      cable.cut_at.reset();
+      cable.from_time = 2.0 * (duration + 1.0);
+      continue;
+    }
     for (std::optional<double>* const instant : {&cable.from_time, &cable.cut_at}) {
       if (*instant) {
         **instant -= time;

@@ -25,8 +25,8 @@ constexpr std::array<CauseText, causes.size()> texts = {
      {"amplification",
       "what the exact motion makes of all this beyond first order, or of rounding"},
      {"rotation_in_flight",
-      "how a body in space turns in free flight: without its gyroscopic term, or by coarse "
-      "steps"}}};
+      "how a body in space turns in free flight: without its gyroscopic term, or wrong by as much "
+      "as a long step makes it"}}};
 
 const CauseText& text_of(Cause cause) { return texts.at(static_cast<std::size_t>(cause)); }
 

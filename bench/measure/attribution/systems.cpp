@@ -24,11 +24,18 @@ constexpr std::size_t steps_around = 2;
 /// Fewer steps than this without a cable's action are not a flight of their own.
 constexpr std::size_t shortest_free_flight = 4;
 
-/// Cables that act for longer than this many steps hold the body; a soft impact turns sooner.
-constexpr std::size_t longest_impact = 10;
+/// A cable that acts for longer than this many steps holds the body; a bounce on a spring takes as
+/// many.
+constexpr std::size_t longest_impact = 20;
+
+/// A cable still closes after a step that leaves this part of the speed [-].
+constexpr double still_closing = 0.1;
 
 /// True where the cable goes on pulling: its impact is over after the first step.
-bool stays(const SystemImpact& impact) { return impact.steps > longest_impact; }
+bool stays(const SystemImpact& impact) {
+  return impact.steps > longest_impact &&
+         impact.rate_first > -still_closing * std::abs(impact.rate_before);
+}
 
 /// The step of `run` that `time` [s] is in.
 std::size_t step_at(const SystemTrajectory& run, double time) {
@@ -280,7 +287,10 @@ class SystemBuilder {
         wanted.at(impact.cable) = impact.rate_first;
         now = with_rates(system_, now, CableSet::of(impact.cable), wanted);
       } else if (!impact.shared || impact.time != last) {  // one jump of several cables counts once
-        now = with_gain(now, motion_of(impact.after) - motion_of(impact.before));
+        // what its steps bring without cables comes with the flight
+        const SpatialSystemState free =
+            flown(system_, impact.before, impact.after.time - impact.before.time);
+        now = with_gain(now, motion_of(impact.after) - motion_of(free));
       }
       last = impact.time;
     }

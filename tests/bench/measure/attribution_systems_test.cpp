@@ -102,6 +102,27 @@ TEST(AttributionOfSystems, NamesAWrongGravity) {
   EXPECT_GT(share(found, Cause::flight_bias), 0.6) << described(found);
 }
 
+TEST(AttributionOfSystems, FindsNoFaultInTheImpactsOfASoundScheme) {
+  const Attribution found = attributed(shipped("tethered-ball"));
+  EXPECT_LT(share(found, Cause::solver_residual), 0.01) << described(found);
+}
+
+TEST(AttributionOfSystems, KnowsCablesByNumberWhereOneIsCut) {
+  SpatialSystem system = shipped("tethered-ball");
+  const Attribution alone = attributed(system);
+  SpatialCable cut = system.cables.front();
+  cut.length = Function<1>::constant(100.0);
+  cut.restitution = 0.0;
+  cut.cut_at = 0.01;
+  system.cables.insert(system.cables.begin(), cut);
+  const Attribution found = attributed(system);
+  for (const Cause cause : causes) {
+    EXPECT_NEAR(part(found, cause), part(alone, cause), 1e-9 * alone.deviation)
+        << bench::to_string(cause) << '\n'
+        << described(found) << described(alone);
+  }
+}
+
 TEST(AttributionOfSystems, NamesTautCables) {
   for (const char* name : {"conical", "bifilar"}) {
     const Attribution found = attributed(shipped(name));

@@ -167,6 +167,12 @@ TEST(SystemBench, SaysWhichStepASystemNeeds) {
   }
 }
 
+TEST(SystemBench, SearchesNoStepOfAModelThatRefuses) {
+  const Outcome outcome = program({"bench", "two-bodies", "--within", "1%", "--engines",
+                                   "exact,bullet64", "--models", "event,two-phase"});
+  EXPECT_NE(outcome.output.find("not 0.01 s: unsupported: "), std::string::npos) << outcome.output;
+}
+
 TEST(SystemBench, RefusesInASentence) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();

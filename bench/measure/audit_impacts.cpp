@@ -24,7 +24,6 @@ constexpr std::size_t least_held = 4;
 /// first step says.
 template <class TheCase>
 bool sticks(const TheCase& the_case, const BasicRecordedImpact<TheCase>& impact) {
-  constexpr double still_closing = 0.1;  // [-], of the speed
   const double speed = -impact.rate_before;
   const double e = restitution(the_case.cables[impact.cable], impact.rate_before);
   return e >= asking && impact.steps >= least_held && impact.rate_first > -still_closing * speed &&

@@ -12,4 +12,7 @@ inline constexpr double asking = 0.2;
 /// most, and those that are not lost to 0.99 and more.
 inline constexpr double lost_part = 0.5;
 
+/// A cable still closes after a step that leaves this part of the speed [-].
+inline constexpr double still_closing = 0.1;
+
 }  // namespace tautline::bench

@@ -28,9 +28,6 @@ constexpr std::size_t shortest_free_flight = 4;
 /// many.
 constexpr std::size_t longest_impact = 20;
 
-/// A cable still closes after a step that leaves this part of the speed [-].
-constexpr double still_closing = 0.1;
-
 /// True where the cable goes on pulling: its impact is over after the first step.
 bool stays(const SystemImpact& impact) {
   return impact.steps > longest_impact &&
